@@ -1,0 +1,59 @@
+"""One finding, as plain data. Renderers turn it into text, JSON or SARIF."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+
+from dslkit.source import Span
+
+
+class Severity(enum.Enum):
+    """How bad it is: an error stops the compiler between two stages, a warning never does."""
+
+    ERROR = "error"
+    WARNING = "warning"
+
+
+@dataclass(frozen=True)
+class Label:
+    """A remark attached to a place."""
+
+    span: Span
+    text: str
+
+
+@dataclass(frozen=True)
+class Edit:
+    """Replace the text at `span` (which may be empty: an insertion) by `replacement`."""
+
+    span: Span
+    replacement: str
+
+
+@dataclass(frozen=True)
+class Fix:
+    """Edits that, applied together, remove the finding."""
+
+    title: str
+    edits: tuple[Edit, ...]
+
+
+@dataclass(frozen=True)
+class Diagnostic:
+    """What is wrong, where, why, and what to write instead.
+
+    `code` is stable and never reused (`ROSS301`), `name` is its readable twin (`unit-mismatch`),
+    `title` the one line to show if only one can be shown, `primary` the mistake itself, `labels`
+    the other places that matter, `notes` the reason, `help` what to write instead.
+    """
+
+    code: str
+    name: str
+    severity: Severity
+    title: str
+    primary: Label
+    labels: tuple[Label, ...] = ()
+    notes: tuple[str, ...] = ()
+    help: str | None = None
+    fix: Fix | None = None

@@ -1,0 +1,50 @@
+"""A source text and the conversion of its offsets to lines and columns.
+
+Offsets count code points from 0. Lines and columns count from 1, as editors show them; this module
+is the only place that converts.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from dataclasses import dataclass
+from functools import cached_property
+
+
+@dataclass(frozen=True)
+class Position:
+    """A place in a file, counted from 1 (columns in code points)."""
+
+    line: int
+    column: int
+
+
+@dataclass(frozen=True, eq=False)
+class SourceFile:
+    """One text that a user wrote; `path` is the name shown to the user.
+
+    Compared by identity: the same text read twice is two files.
+    """
+
+    path: str
+    text: str
+
+    @cached_property
+    def line_starts(self) -> tuple[int, ...]:
+        """The offset at which each line begins."""
+        newlines = [index + 1 for index, letter in enumerate(self.text) if letter == "\n"]
+        return (0, *newlines)
+
+    def position(self, offset: int) -> Position:
+        """The line and column of an offset between 0 and the length of the text."""
+        line = bisect_right(self.line_starts, offset)
+        return Position(line, offset - self.line_starts[line - 1] + 1)
+
+    def line_text(self, line: int) -> str:
+        """The text of a line (counted from 1) without its line ending; empty past the end."""
+        if line > len(self.line_starts):
+            return ""
+        start = self.line_starts[line - 1]
+        is_last = line == len(self.line_starts)
+        end = len(self.text) if is_last else self.line_starts[line] - 1
+        return self.text[start:end].rstrip("\r")

@@ -1,0 +1,38 @@
+"""A stretch of one source file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.source.file import Position, SourceFile
+
+
+@dataclass(frozen=True)
+class Span:
+    """A half-open range of offsets `[start, end)` in `file`."""
+
+    file: SourceFile
+    start: int
+    end: int
+
+    @property
+    def text(self) -> str:
+        """What the user wrote there."""
+        return self.file.text[self.start : self.end]
+
+    @property
+    def begin(self) -> Position:
+        """The position of the first character."""
+        return self.file.position(self.start)
+
+    @property
+    def finish(self) -> Position:
+        """The position just behind the last character."""
+        return self.file.position(self.end)
+
+    def to(self, other: Span) -> Span:
+        """The smallest span that covers both; they lie in the same file."""
+        return Span(self.file, min(self.start, other.start), max(self.end, other.end))
+
+    def __str__(self) -> str:
+        return f"{self.file.path}:{self.begin.line}:{self.begin.column}"

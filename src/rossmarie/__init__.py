@@ -1,0 +1,1 @@
+"""ROSSMARie: safety rules for robots, checked before launch and monitored at run time."""

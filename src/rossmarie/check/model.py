@@ -1,0 +1,68 @@
+"""A program that has been checked: every name resolved, every type and unit known to fit.
+
+Comes out of `check`; `lowering` is its only reader. Holds the syntax tree and, beside it, what the
+checker found out about it. Nodes of the tree are looked up by identity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rossmarie.syntax import ast
+from rossmarie.types import Type
+
+
+@dataclass(frozen=True)
+class Value:
+    """What a constant expression is worth: numbers in SI (one, or 2 for an interval, 6 for a box),
+    or a boolean, or a text.
+    """
+
+    type: Type
+    numbers: tuple[float, ...] = ()
+    boolean: bool | None = None
+    text: str | None = None
+
+
+@dataclass(frozen=True)
+class CheckedInput:
+    """An input with its topic, message type and field path resolved.
+
+    `topic` is the full name (`/imu/data`), `message_type` is `sensor_msgs/Imu`, `path` leads to the
+    selected field (empty: the whole message; the `data` of a std_msgs message is part of it).
+    """
+
+    declaration: ast.Input
+    topic: str
+    message_type: str
+    path: tuple[str, ...]
+    type: Type
+    timeout_ns: int | None
+
+
+@dataclass(frozen=True)
+class Symbols:
+    """What each name stands for. Conditions are keyed `(entity, condition)`."""
+
+    constants: Mapping[str, Value]
+    inputs: Mapping[str, CheckedInput]
+    conditions: Mapping[tuple[str, str], ast.Condition]
+    actions: Mapping[str, ast.Action]
+
+
+@dataclass(frozen=True)
+class CheckedProgram:
+    """The result of a check without errors.
+
+    `name` is the stem of the main file. `types` and `values` are keyed by `id(node)` of expression
+    nodes reachable from conditions, rules and contracts: `types` holds every one of them, `values`
+    those that are constant (literals, constants and arithmetic on them; durations; interval and box
+    literals). `rules` are in file order, imported files first.
+    """
+
+    name: str
+    symbols: Symbols
+    rules: tuple[ast.Rule, ...]
+    types: Mapping[int, Type]
+    values: Mapping[int, Value]

@@ -1,0 +1,345 @@
+"""The monitor machine, on one screen: what every target compiles and the interpreter executes.
+
+A machine reads **slots** (scalar numbers that arrive with messages), computes **signals** (numbers)
+and **truths** (three-valued), and runs **rules** on them. Tuples refer to each other by index, and
+every operand stands before its user, so evaluation is one pass from left to right.
+
+All numbers are IEEE 754 binary64 in SI units (angles in radians, time in seconds); NaN is
+"unknown". Flags are 0.0 or 1.0; a text is the index of its literal in `Machine.texts`, or -1.0
+for any other text. Instants and durations are integers in nanoseconds.
+The meaning of every node is written down in `docs/explanation/semantics.md`.
+"""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+
+from dslkit.source import Span
+
+
+class Kind(enum.Enum):
+    """What the message field behind a slot or array holds."""
+
+    REAL = "real"
+    FLAG = "flag"
+    TEXT = "text"
+
+
+@dataclass(frozen=True)
+class Input:
+    """A named input; `timeout_ns` is the age at which it is lost, None if it never is."""
+
+    name: str
+    channel: int
+    timeout_ns: int | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A scalar that a message carries: `value = raw * scale + offset` is in SI.
+
+    `path` leads from the message to the field, `unit` is the unit that users see.
+    """
+
+    input: int
+    path: tuple[str | int, ...]
+    kind: Kind
+    scale: float
+    offset: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Array:
+    """A numeric array of any length that a message carries; it exists only while it arrives."""
+
+    input: int
+    path: tuple[str | int, ...]
+    scale: float
+    offset: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Channel:
+    """A topic: one message on it is one update of all its inputs."""
+
+    topic: str
+    message_type: str
+
+
+# --- signals: numbers ------------------------------------------------------------------------
+
+
+class Function(enum.Enum):
+    """Functions from numbers to a number. Not finite at any point means unknown (NaN)."""
+
+    ADD = "add"
+    SUBTRACT = "subtract"
+    MULTIPLY = "multiply"
+    DIVIDE = "divide"
+    NEGATE = "negate"
+    ABSOLUTE = "absolute"
+    MINIMUM = "minimum"  # of two
+    MAXIMUM = "maximum"  # of two
+    NORM = "norm"  # of one or more: sqrt of the sum of squares, added from left to right
+    ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
+    PITCH = "pitch"
+    YAW = "yaw"
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A number known when compiling."""
+
+    value: float
+
+
+@dataclass(frozen=True)
+class Read:
+    """The present value of a slot."""
+
+    slot: int
+
+
+@dataclass(frozen=True)
+class Apply:
+    """A function of other signals."""
+
+    function: Function
+    operands: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Rate:
+    """The derivative of a signal, per second, over its last two samples."""
+
+    signal: int
+
+
+@dataclass(frozen=True)
+class Previous:
+    """The sample of a signal before its last one."""
+
+    signal: int
+
+
+@dataclass(frozen=True)
+class Element:
+    """The element at hand of an array; signals and truths over it exist only inside a fold."""
+
+    array: int
+
+
+class Folding(enum.Enum):
+    """How the elements of an array become one number."""
+
+    MINIMUM = "minimum"
+    MAXIMUM = "maximum"
+
+
+@dataclass(frozen=True)
+class Fold:
+    """The least or greatest value of an elementwise signal."""
+
+    folding: Folding
+    element: int
+
+
+@dataclass(frozen=True)
+class Count:
+    """For how many elements an elementwise truth is true."""
+
+    element: int
+
+
+SignalNode = Constant | Read | Apply | Rate | Previous | Element | Fold | Count
+
+
+@dataclass(frozen=True)
+class Signal:
+    """A number, where it comes from, and how it is shown (`value * scale + offset` in `unit`)."""
+
+    node: SignalNode
+    text: str
+    unit: str
+    scale: float
+    offset: float
+    span: Span
+
+
+# --- truths: true, false, unknown ------------------------------------------------------------
+
+
+class Comparison(enum.Enum):
+    """The comparisons of two signals."""
+
+    EQUAL = "=="
+    NOT_EQUAL = "!="
+    LESS = "<"
+    LESS_OR_EQUAL = "<="
+    GREATER = ">"
+    GREATER_OR_EQUAL = ">="
+
+
+@dataclass(frozen=True)
+class Literal:
+    """Always true or always false."""
+
+    value: bool
+
+
+@dataclass(frozen=True)
+class Compare:
+    """`left OP right`; unknown if either side is."""
+
+    comparison: Comparison
+    left: int
+    right: int
+
+
+@dataclass(frozen=True)
+class Between:
+    """`signal in [low, high]`, both ends included."""
+
+    signal: int
+    low: int
+    high: int
+
+
+@dataclass(frozen=True)
+class Flag:
+    """A signal that is 0.0 (false) or 1.0 (true)."""
+
+    signal: int
+
+
+@dataclass(frozen=True)
+class AgeReaches:
+    """The last message of an input is at least `age_ns` old; unknown before the first."""
+
+    input: int
+    age_ns: int
+
+
+@dataclass(frozen=True)
+class Oscillates:
+    """`count` turning points of a signal, each after a swing of more than `swing`, lie within
+    the last `window_ns`.
+    """
+
+    signal: int
+    count: int
+    window_ns: int
+    swing: float
+
+
+class Quantifier(enum.Enum):
+    """Over the elements of an array."""
+
+    ANY = "any"
+    ALL = "all"
+
+
+@dataclass(frozen=True)
+class Quantified:
+    """An elementwise truth holds for some or for every element."""
+
+    quantifier: Quantifier
+    element: int
+
+
+@dataclass(frozen=True)
+class Not:
+    """Kleene negation."""
+
+    operand: int
+
+
+@dataclass(frozen=True)
+class And:
+    """Kleene conjunction of two or more."""
+
+    operands: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Or:
+    """Kleene disjunction of two or more."""
+
+    operands: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Held:
+    """The operand has been true throughout the last `duration_ns`."""
+
+    operand: int
+    duration_ns: int
+
+
+TruthNode = (
+    Literal
+    | Compare
+    | Between
+    | Flag
+    | AgeReaches
+    | Oscillates
+    | Quantified
+    | Not
+    | And
+    | Or
+    | Held
+)
+
+
+@dataclass(frozen=True)
+class Truth:
+    """A condition; `name` is `entity.condition` where the user gave it one."""
+
+    node: TruthNode
+    name: str | None
+    text: str
+    span: Span
+
+
+# --- rules -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Rule:
+    """Active from when `condition` is true (or unknown for lack of an input with a timeout) until
+    `condition` is false and `release` is true. A latched rule (`release` is None) waits for a
+    reset while `condition` is false.
+
+    `contract` says in words what clears it. `terms` are the truths, and `signals` the signals that
+    are not constant, whose state a verdict carries; `inputs` are the inputs it rests on.
+    """
+
+    name: str
+    condition: int
+    release: int | None
+    actions: tuple[str, ...]
+    contract: str
+    documentation: str | None
+    terms: tuple[int, ...]
+    signals: tuple[int, ...]
+    inputs: tuple[int, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
+class Machine:
+    """A whole rules file."""
+
+    name: str
+    channels: tuple[Channel, ...]
+    inputs: tuple[Input, ...]
+    slots: tuple[Slot, ...]
+    arrays: tuple[Array, ...]
+    texts: tuple[str, ...]
+    signals: tuple[Signal, ...]
+    truths: tuple[Truth, ...]
+    rules: tuple[Rule, ...]

@@ -1,0 +1,65 @@
+"""What a monitor says: which rule became active or cleared, when, and why.
+
+Every target yields these same values, bit for bit.
+"""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+
+
+class TruthValue(enum.IntEnum):
+    """Kleene's three values; unknown is split by whether an input with a timeout is to blame.
+
+    The numbers make conjunction and disjunction a maximum, see `docs/explanation/semantics.md`.
+    """
+
+    FALSE = 0
+    TRUE = 1
+    UNKNOWN = 2
+    LOST = 3
+
+
+class Change(enum.IntEnum):
+    """What happened to a rule."""
+
+    CLEARED = 0
+    ACTIVATED = 1
+    ACTIVATED_LOST = 2
+
+
+class InputState(enum.IntEnum):
+    """What is known of an input."""
+
+    NEVER = 0
+    FRESH = 1
+    EXPIRED = 2
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One change of one rule, with a snapshot of what the rule rests on.
+
+    `truths[i]` and `since_ns[i]` belong to `rule.terms[i]` (since when it has had this value),
+    `values[i]` to `rule.signals[i]` (SI; NaN is unknown), `inputs[i]` to `rule.inputs[i]`.
+    """
+
+    rule: int
+    at_ns: int
+    change: Change
+    truths: tuple[TruthValue, ...]
+    since_ns: tuple[int, ...]
+    values: tuple[float, ...]
+    inputs: tuple[InputState, ...]
+
+
+@dataclass(frozen=True)
+class TimeJump:
+    """Time went backwards: every duration starts again."""
+
+    from_ns: int
+    to_ns: int
+
+
+Event = Verdict | TimeJump

@@ -1,0 +1,103 @@
+"""The types of expressions.
+
+`Unknown` absorbs: an expression of this type has been reported, or rests on one that has, and no
+operation on it is reported again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rossmarie.units import Unit
+
+
+@dataclass(frozen=True)
+class Boolean:
+    """True, false or unknown."""
+
+
+@dataclass(frozen=True)
+class Text:
+    """A string, for comparison with strings."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A number. `unit` is the unit in which it is written or arrives; two quantities may be
+    compared if their units have the same dimension. None: a message field of which no unit is
+    known.
+    """
+
+    unit: Unit | None
+
+
+@dataclass(frozen=True)
+class Vector:
+    """Three numbers x, y, z of one unit (geometry_msgs Vector3, Point, Point32)."""
+
+    element: Quantity
+
+
+@dataclass(frozen=True)
+class Quaternion:
+    """An orientation x, y, z, w (geometry_msgs Quaternion)."""
+
+
+@dataclass(frozen=True)
+class Array:
+    """Any number of elements (`float32[] ranges`); `element` is a Quantity or Boolean."""
+
+    element: Quantity | Boolean
+
+
+@dataclass(frozen=True)
+class Interval:
+    """`[low, high]`, both ends included."""
+
+    element: Quantity
+
+
+@dataclass(frozen=True)
+class Box:
+    """`[xmin, xmax, ymin, ymax, zmin, zmax]`."""
+
+    element: Quantity
+
+
+@dataclass(frozen=True)
+class Message:
+    """A ROS message, `sensor_msgs/Imu`, with the types of its fields (and constants left out)."""
+
+    name: str
+    fields: Mapping[str, Type]
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+
+@dataclass(frozen=True)
+class Unsupported:
+    """A message field that rules cannot use (an array of messages, say), and why."""
+
+    reason: str
+
+
+@dataclass(frozen=True)
+class Unknown:
+    """Already reported."""
+
+
+Type = (
+    Boolean
+    | Text
+    | Quantity
+    | Vector
+    | Quaternion
+    | Array
+    | Interval
+    | Box
+    | Message
+    | Unsupported
+    | Unknown
+)
