@@ -1,6 +1,12 @@
-"""What is wrong, as data, and how it is shown."""
+"""What is wrong, as data, and how it is shown.
+
+The renderers are doors of their own: `dslkit.diagnostics.render_text`, `.render_json` and
+`.render_sarif`; importing this package does not import them.
+"""
 
 from dslkit.diagnostics.collector import Collector
+from dslkit.diagnostics.counting import summary
+from dslkit.diagnostics.edits import apply_edits
 from dslkit.diagnostics.model import Diagnostic, Edit, Fix, Label, Severity
 from dslkit.diagnostics.template import Error, Template, Warning
 
@@ -14,4 +20,6 @@ __all__ = [
     "Severity",
     "Template",
     "Warning",
+    "apply_edits",
+    "summary",
 ]

@@ -85,7 +85,7 @@ class Error(Template):
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
-class Warning(Template):  # noqa: A001 -- the field's own word, always used qualified by its module
+class Warning(Template):
     """A diagnostic that a user may live with."""
 
     severity = Severity.WARNING

@@ -1,0 +1,69 @@
+# Each target does its own set-up on a machine that has Python >= 3.10, make and a C compiler, says
+# what it installs, and keeps it all in .venv; only a browser for one test comes from Debian.
+
+PYTHON ?= python3
+READY := .venv/.ready
+RUN := .venv/bin
+HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
+
+.PHONY: help demo test check bench fmt fuzz clean browser compiler
+
+help:
+	@echo "make demo    a rules file, checked, compiled and run over a recording"
+	@echo "make test    all tests"
+	@echo "make check   format, lint, types, import layers, and all tests"
+	@echo "make bench   measure, and write docs/reference/performance.md"
+	@echo "make fmt     put the code into the one layout"
+	@echo "make fuzz    look for inputs that crash 'rossmarie check', for SECONDS=60"
+	@echo "make clean   remove everything that make made"
+
+$(READY): pyproject.toml constraints.txt tools/setup.sh
+	@PYTHON="$(PYTHON)" tools/setup.sh
+	@touch $@
+
+compiler:
+	@command -v "$${CC:-cc}" >/dev/null || tools/setup_debian.sh gcc libc6-dev
+
+# The timeline is looked at in a browser; without one that test is skipped, and says so.
+browser:
+	@command -v chromium >/dev/null || command -v chromium-browser >/dev/null || \
+	command -v google-chrome >/dev/null || tools/setup_debian.sh chromium
+
+demo: $(READY) compiler
+	@$(RUN)/python examples/demo/record.py build/demo/demo.mcap
+	$(RUN)/rossmarie check examples/demo/demo.ross
+	$(RUN)/rossmarie replay examples/demo/demo.ross build/demo/demo.mcap --out build/demo
+ifneq ($(wildcard $(HUSKY_RECORDING)),)
+	$(RUN)/rossmarie replay examples/husky/husky.ross $(HUSKY_RECORDING) --out build/husky
+	@echo "the real drive:  open $(CURDIR)/build/husky/timeline.html in a browser"
+endif
+	@echo "the timeline:    open $(CURDIR)/build/demo/timeline.html in a browser"
+
+test: $(READY) compiler browser
+	$(RUN)/pytest
+
+check: $(READY) compiler browser
+	$(RUN)/ruff format --check
+	$(RUN)/ruff check
+	$(RUN)/mypy
+	$(RUN)/lint-imports
+	$(RUN)/pytest
+
+bench: $(READY) compiler
+	$(RUN)/python benchmarks/run.py --out docs/reference/performance.md
+
+fmt: $(READY)
+	$(RUN)/ruff format
+	$(RUN)/ruff check --fix
+	$(RUN)/rossmarie fmt $(filter-out %_as_printed.ross,$(wildcard examples/*/*.ross))
+
+SECONDS ?= 60
+fuzz: $(READY)
+	@$(RUN)/python -c 'import atheris' 2>/dev/null || EXTRAS=fuzz tools/setup.sh || \
+	echo "without atheris: random changes, not led by coverage"
+	PYTHONPATH=tests $(RUN)/python -m fuzz.fuzz_check --seconds $(SECONDS)
+
+clean:
+	rm -rf .venv build .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf src/*.egg-info
+	find src tests examples benchmarks tools -name __pycache__ -type d -prune -exec rm -rf {} +

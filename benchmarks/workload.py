@@ -1,0 +1,144 @@
+"""The workload of the benchmark: one trace, and the same three rules in many copies.
+
+A million samples at 100 Hz of speed, pitch, distance, force_z (seeded random walks that return to
+their mean) and contact (a seeded switch). Five conditions and three rules; for 30 and 300 rules the
+set is repeated with other constants.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+SAMPLES = 1_000_000
+PERIOD_NS = 10_000_000
+SEED = 20240607
+REALS = ("speed", "pitch", "distance", "force_z")
+
+
+@dataclass(frozen=True)
+class Constants:
+    """The constants of one copy of the three rules; durations in samples."""
+
+    speed: float
+    pitch: float
+    distance: float
+    force_z: float
+    creep: float
+    fast_samples: int
+    tilted_samples: int
+    pushed_samples: int
+
+
+def constants(copies: int) -> list[Constants]:
+    """`copies` sets, the first one being the plain workload."""
+    return [
+        Constants(
+            speed=0.5 + 0.002 * copy,
+            pitch=10 + 0.01 * copy,
+            distance=0.8 - 0.001 * copy,
+            force_z=15 + 0.01 * copy,
+            creep=0.05 + 0.001 * copy,
+            fast_samples=200 + copy % 7,
+            tilted_samples=400 + copy % 11,
+            pushed_samples=30 + copy % 5,
+        )
+        for copy in range(copies)
+    ]
+
+
+def trace() -> dict[str, NDArray[np.generic]]:
+    """The columns: `t_ns` int64, four of float64, `contact` uint8."""
+    random = np.random.default_rng(SEED)
+    columns: dict[str, NDArray[np.generic]] = {
+        "t_ns": np.arange(SAMPLES, dtype=np.int64) * PERIOD_NS,
+        "speed": np.abs(_walk(random, 0.55, 0.30, 20.0, 0.5)),
+        "pitch": _walk(random, 0.0, 9.0, 15.0, 16.0),
+        "distance": np.abs(_walk(random, 1.0, 0.4, 3.0, -0.5)),
+        "force_z": _walk(random, 12.0, 4.0, 1.0, 6.0),
+    }
+    switches = random.random(SAMPLES) < 1 / 300.0
+    columns["contact"] = (np.cumsum(switches) % 2).astype(np.uint8)
+    return columns
+
+
+def _walk(
+    random: np.random.Generator, mean: float, deviation: float, memory_s: float, start: float
+) -> NDArray[np.float64]:
+    """An Ornstein-Uhlenbeck process, sampled, to six decimals."""
+    keep = np.exp(-PERIOD_NS / 1e9 / memory_s)
+    kicks = (random.standard_normal(SAMPLES) * deviation * np.sqrt(1 - keep * keep)).tolist()
+    value = start
+    values = np.empty(SAMPLES)
+    for index, kick in enumerate(kicks):
+        value = keep * value + kick
+        values[index] = value
+    return np.round(values + mean, 6)
+
+
+def write_trace(folder: Path, columns: dict[str, NDArray[np.generic]]) -> None:
+    """The columns as raw little-endian files, for peers in other languages."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in REALS:
+        columns[name].tofile(folder / f"{name}.f64")
+    columns["contact"].tofile(folder / "contact.u8")
+
+
+def rossmarie_rules(copies: int) -> str:
+    """The workload in the rule language."""
+    return "\n".join(_rossmarie_lines(copies)) + "\n"
+
+
+def _rossmarie_lines(copies: int) -> Iterator[str]:
+    yield 'system bench { messages "msg"; topic /sample : bench_msgs/Sample; }'
+    for name in (*REALS, "contact"):
+        yield f"input {name} = topic /sample : bench_msgs/Sample .{name};"
+    yield "action react;"
+    for copy, c in enumerate(constants(copies)):
+        yield f"entity e{copy} {{"
+        yield f"    fast : speed > {c.speed!r} for {c.fast_samples * 10} ms;"
+        yield f"    tilted : abs(pitch) > {c.pitch!r} for {c.tilted_samples * 10} ms;"
+        yield f"    near : distance < {c.distance!r};"
+        yield f"    pushed : force_z > {c.force_z!r} for {c.pushed_samples * 10} ms;"
+        yield "    apart : not contact;"
+        yield "}"
+        yield f"rule near_{copy}: if e{copy}.fast and e{copy}.near then {{ react; }};"
+        yield f"rule tilt_{copy}: if e{copy}.tilted and speed > {c.creep!r} then {{ react; }};"
+        yield f"rule push_{copy}: if e{copy}.pushed and e{copy}.apart then {{ react; }};"
+
+
+def lola_rules(copies: int) -> str:
+    """The workload in RTLola: event counters, the strong start."""
+    lines = [f"input {name}: Float64" for name in REALS] + ["input contact: Bool"]
+    for copy, c in enumerate(constants(copies)):
+        conditions = (
+            ("a", f"speed > {c.speed!r}", c.fast_samples),
+            ("b", f"(pitch > {c.pitch!r} || pitch < {-c.pitch!r})", c.tilted_samples),
+            ("c", f"force_z > {c.force_z!r}", c.pushed_samples),
+        )
+        for name, condition, samples in conditions:
+            stream = f"{name}_{copy}"
+            past = f"{stream}.offset(by: -1).defaults(to: 0)"
+            lines.append(f"output {stream}: UInt64 := if {condition} then {past} + 1 else 0")
+            lines.append(f"output h{stream} := {stream} > {samples}")
+        lines.append(f"output r1_{copy} := ha_{copy} && distance < {c.distance!r}")
+        lines.append(f"output r2_{copy} := hb_{copy} && speed > {c.creep!r}")
+        lines.append(f"output r3_{copy} := hc_{copy} && !contact")
+    return "\n".join(lines) + "\n"
+
+
+def c2po_rules(copies: int) -> str:
+    """The workload in R2U2's language: past-time MLTL, the weak start."""
+    lines = ["INPUT", "  speed, pitch, distance, force_z: float;", "  contact: bool;", "", "PTSPEC"]
+    for c in constants(copies):
+        tilted = f"(pitch > {c.pitch!r}) || (pitch < {-c.pitch!r})"
+        lines += [
+            f"  H[0,{c.fast_samples}] (speed > {c.speed!r}) && (distance < {c.distance!r});",
+            f"  H[0,{c.tilted_samples}] ({tilted}) && (speed > {c.creep!r});",
+            f"  H[0,{c.pushed_samples}] (force_z > {c.force_z!r}) && !contact;",
+        ]
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,64 @@
+"""Findings for programs, as JSON of a stable form: `docs/reference/json-output.md` describes it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import TypeAlias
+
+from dslkit.diagnostics.counting import count
+from dslkit.diagnostics.model import Diagnostic, Fix, Label, Severity
+from dslkit.source import Position, Span
+
+FORMAT_VERSION = 1
+
+Json: TypeAlias = "bool | int | str | Sequence[Json] | Mapping[str, Json] | None"
+
+
+def render_json(diagnostics: Sequence[Diagnostic], *, file_count: int) -> str:
+    """One JSON object, in ASCII, ending in a line end."""
+    document: Json = {
+        "version": FORMAT_VERSION,
+        "summary": {
+            "errors": count(diagnostics, Severity.ERROR),
+            "warnings": count(diagnostics, Severity.WARNING),
+            "files": file_count,
+        },
+        "diagnostics": [_finding(found) for found in diagnostics],
+    }
+    return json.dumps(document, indent=2) + "\n"
+
+
+def _finding(found: Diagnostic) -> Json:
+    return {
+        "code": found.code,
+        "name": found.name,
+        "severity": found.severity.value,
+        "title": found.title,
+        "primary": _label(found.primary),
+        "labels": [_label(label) for label in found.labels],
+        "notes": list(found.notes),
+        "help": found.help,
+        "fix": None if found.fix is None else _fix(found.fix),
+    }
+
+
+def _label(label: Label) -> Json:
+    return {**_span(label.span), "text": label.text}
+
+
+def _fix(fix: Fix) -> Json:
+    edits = [{**_span(edit.span), "replacement": edit.replacement} for edit in fix.edits]
+    return {"title": fix.title, "edits": edits}
+
+
+def _span(span: Span) -> Mapping[str, Json]:
+    return {
+        "file": span.file.path,
+        "start": _position(span.begin, span.start),
+        "end": _position(span.finish, span.end),
+    }
+
+
+def _position(position: Position, offset: int) -> Json:
+    return {"line": position.line, "column": position.column, "offset": offset}

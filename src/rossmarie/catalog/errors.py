@@ -1,0 +1,18 @@
+"""ROSS9xx: defects of this tool itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class InternalError(Error, code="ROSS900", name="internal-error"):
+    """Something that cannot happen did."""
+
+    title = "this is a defect of rossmarie, not of your rules"
+    help = "please report it, with the file that you checked"
+
+
+ALL: tuple[type[Template], ...] = (InternalError,)

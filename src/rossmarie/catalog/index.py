@@ -1,0 +1,18 @@
+"""Every diagnostic class, stage by stage: the one list that pages, SARIF and tests go by."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Template
+from rossmarie.catalog import errors as catalog_errors
+from rossmarie.check import errors as check_errors
+from rossmarie.driver import errors as driver_errors
+from rossmarie.recordings import errors as recordings_errors
+from rossmarie.syntax import errors as syntax_errors
+
+DIAGNOSTICS: tuple[type[Template], ...] = (
+    *syntax_errors.ALL,
+    *check_errors.ALL,
+    *recordings_errors.ALL,
+    *driver_errors.ALL,
+    *catalog_errors.ALL,
+)

@@ -1,0 +1,160 @@
+"""Syntax trees -> a checked program: names resolved, types and units fitting, constants known.
+
+Comes in: the trees of the main file and of all that it imports. All errors are found in one run;
+whatever rests on something that is wrong is passed over in silence.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from dslkit.diagnostics import Collector, Label
+from rossmarie.check.context import ConditionKey, Context, Uses
+from rossmarie.check.declarations import collect
+from rossmarie.check.expressions import infer
+from rossmarie.check.inputs import resolve_inputs, resolve_timeouts
+from rossmarie.check.model import CheckedProgram, Symbols, Value
+from rossmarie.check.name_errors import CircularCondition, CircularConstant
+from rossmarie.check.names import use_actions
+from rossmarie.check.operands import duration_ns, require_condition, require_constant
+from rossmarie.check.order import in_order
+from rossmarie.check.system_model import read_system_model
+from rossmarie.check.trees import constant_of
+from rossmarie.check.usage import warn_of_missing_timeouts, warn_of_unused
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import walk
+from rossmarie.types import Unknown
+
+
+@dataclass(frozen=True)
+class CheckOptions:
+    """`message_folders` hold .msg files, `PACKAGE/msg/TYPE.msg`, beside those of system models."""
+
+    message_folders: Sequence[Path] = ()
+
+
+def check(
+    modules: Sequence[ast.Module], options: CheckOptions, collector: Collector
+) -> CheckedProgram | None:
+    """Check a program, main module last; None if it has errors, by now or from parsing.
+
+    Unused names are not looked for where parsing failed: what could not be read may use them.
+    """
+    was_parsed = not collector.has_errors
+    declarations = collect(modules, collector)
+    context = Context(collector, declarations)
+    model = read_system_model(declarations.systems, options.message_folders, collector)
+    resolve_inputs(model, context)
+    _check_constants(context)
+    resolve_timeouts(context)
+    conditions = _check_conditions(context)
+    rules = [(rule, _check_rule(rule, context)) for rule in declarations.rules]
+    _check_circles(conditions, context)
+    if was_parsed:
+        warn_of_unused(context)
+    warn_of_missing_timeouts(rules, conditions, context)
+    return None if collector.has_errors else _program(context)
+
+
+def _check_constants(context: Context) -> None:
+    """Each constant behind those that it uses."""
+    constants = context.declarations.constants
+    by_name = {
+        constant.name.text: constant
+        for constant in constants
+        if context.declarations.names[constant.name.text] is constant
+    }
+    needs = {constant: _constants_in(constant, context) for constant in constants}
+    order, circles = in_order(needs)
+    for circle in circles:
+        for constant in circle:
+            context.constants[constant.name.text] = Unknown()
+        _report_circular_constant(circle, context)
+    in_circles = {constant for circle in circles for constant in circle}
+    for constant in order:
+        if constant not in in_circles:
+            _check_constant(constant, constant is by_name.get(constant.name.text), context)
+    for circle in circles:
+        context.used_names.update(constant.name.text for constant in circle)
+
+
+def _constants_in(constant: ast.Constant, context: Context) -> list[ast.Constant]:
+    found = [constant_of(part, context.declarations) for part in walk(constant.value)]
+    return [needed for needed in found if needed is not None]
+
+
+def _report_circular_constant(circle: Sequence[ast.Constant], context: Context) -> None:
+    names = [constant.name.text for constant in circle]
+    finding = CircularConstant(identifier=names[0], cycle=" -> ".join([*names, names[0]]))
+    labels = [Label(other.name.span, "part of the circle") for other in circle[1:]]
+    context.collector.add(finding.at(circle[0].name.span, *labels))
+
+
+def _check_constant(constant: ast.Constant, is_first: bool, context: Context) -> None:
+    context.enter(None)
+    type_ = infer(constant.value, context)
+    is_known = isinstance(type_, Unknown) or require_constant(constant.value, "a constant", context)
+    if is_first:
+        context.constants[constant.name.text] = type_ if is_known else Unknown()
+
+
+def _check_conditions(context: Context) -> dict[ConditionKey, Uses]:
+    found: dict[ConditionKey, Uses] = {}
+    for entity in context.declarations.entities:
+        for condition in entity.conditions:
+            uses = context.enter(entity.name.text)
+            infer(condition.expression, context)
+            require_condition(condition.expression, context)
+            found.setdefault((entity.name.text, condition.name.text), uses)
+    return found
+
+
+def _check_rule(rule: ast.Rule, context: Context) -> Uses:
+    uses = context.enter(None)
+    infer(rule.condition, context)
+    require_condition(rule.condition, context)
+    use_actions(rule, context)
+    for contract in rule.contracts:
+        if isinstance(contract, ast.ClearWhen):
+            infer(contract.condition, context)
+            require_condition(contract.condition, context)
+        elif isinstance(contract, ast.ClearFor):
+            infer(contract.duration, context)
+            duration_ns(contract.duration, "what stands behind `clear for`", context)
+    return uses
+
+
+def _check_circles(conditions: dict[ConditionKey, Uses], context: Context) -> None:
+    _, circles = in_order({key: tuple(uses.conditions) for key, uses in conditions.items()})
+    for circle in circles:
+        names = [".".join(key) for key in circle]
+        finding = CircularCondition(identifier=names[0], cycle=" -> ".join([*names, names[0]]))
+        steps = zip(circle, (*circle[1:], circle[0]), strict=True)
+        first, *others = [conditions[key].conditions[needed] for key, needed in steps]
+        labels = [Label(span, "and this on the next") for span in others]
+        context.collector.add(finding.at(first, *labels))
+
+
+def _program(context: Context) -> CheckedProgram:
+    declarations = context.declarations
+    constants: dict[str, Value] = {}
+    actions: dict[str, ast.Action] = {}
+    for name, item in declarations.names.items():
+        if isinstance(item, ast.Constant):
+            constants[name] = context.values[id(item.value)]
+        elif isinstance(item, ast.Action):
+            actions[name] = item
+    conditions = {
+        (entity, name): condition
+        for entity, members in declarations.conditions.items()
+        for name, condition in members.items()
+    }
+    return CheckedProgram(
+        name=Path(declarations.main.file.path).stem,
+        symbols=Symbols(constants, context.inputs, conditions, actions),
+        rules=declarations.rules,
+        types=context.types,
+        values=context.values,
+    )

@@ -1,0 +1,71 @@
+"""The values of constant expressions, in SI units."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+
+from rossmarie.check.context import Context
+from rossmarie.check.model import Value
+from rossmarie.check.type_errors import ConstantTooLarge
+from rossmarie.syntax import ast
+from rossmarie.syntax.ast import BinaryOperator
+from rossmarie.types import Quantity, Type
+from rossmarie.units import DIMENSIONLESS
+
+_BINARY: Mapping[BinaryOperator, Callable[[float, float], float]] = {
+    BinaryOperator.ADD: lambda left, right: left + right,
+    BinaryOperator.SUBTRACT: lambda left, right: left - right,
+    BinaryOperator.MULTIPLY: lambda left, right: left * right,
+    BinaryOperator.DIVIDE: lambda left, right: left / right,
+}
+_FUNCTIONS: Mapping[str, Callable[[list[float]], float]] = {
+    "abs": lambda numbers: abs(numbers[0]),
+    "min": min,
+    "max": max,
+}
+
+
+def fold(node: ast.Expression, type_: Type, context: Context) -> Value | None:
+    """The value of a node from those of its operands; None if it is not constant.
+
+    The operations are those of a monitor, IEEE doubles as written.
+    """
+    if isinstance(node, ast.Boolean):
+        return Value(type_, boolean=node.value)
+    if isinstance(node, ast.Text):
+        return Value(type_, text=node.value)
+    if isinstance(node, ast.Parenthesized):
+        return context.values.get(id(node.inner))
+    number = _number(node, type_, context) if isinstance(type_, Quantity) else None
+    if number is None:
+        return None
+    if not math.isfinite(number):
+        context.collector.add(ConstantTooLarge().at(node.span))
+        return None
+    return Value(type_, (number,))
+
+
+def _number(node: ast.Expression, quantity: Quantity, context: Context) -> float | None:
+    match node:
+        case ast.Number():
+            return (quantity.unit or DIMENSIONLESS).to_si(node.value)
+        case ast.Unary():
+            operand = _numbers((node.operand,), context)
+            return None if operand is None else -operand[0]
+        case ast.Binary():
+            sides = _numbers((node.left, node.right), context)
+            if sides is None or (node.operator is BinaryOperator.DIVIDE and sides[1] == 0):
+                return None
+            return _BINARY[node.operator](*sides)
+        case ast.Call() if node.function.text in _FUNCTIONS:
+            arguments = _numbers(node.arguments, context)
+            return None if arguments is None else _FUNCTIONS[node.function.text](arguments)
+        case _:
+            return None
+
+
+def _numbers(nodes: tuple[ast.Expression, ...], context: Context) -> list[float] | None:
+    values = [context.values.get(id(node)) for node in nodes]
+    numbers = [value.numbers[0] for value in values if value is not None and value.numbers]
+    return numbers if len(numbers) == len(nodes) else None

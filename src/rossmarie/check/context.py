@@ -1,0 +1,53 @@
+"""What the checker knows and finds out while it goes over the expressions of a program."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from dslkit.diagnostics import Collector
+from dslkit.source import Span
+from rossmarie.check.declarations import Declarations
+from rossmarie.check.model import CheckedInput, Value
+from rossmarie.syntax import ast
+from rossmarie.types import Type, Unknown
+
+ConditionKey = tuple[str, str]
+
+
+@dataclass
+class Uses:
+    """What one condition, rule or declaration refers to; conditions with the place."""
+
+    inputs: set[str] = field(default_factory=set)
+    conditions: dict[ConditionKey, Span] = field(default_factory=dict)
+
+
+@dataclass
+class Context:
+    """`types` and `values` are those of `CheckedProgram`. `constants` are the types of constants
+    (their values are in `values`, under the expression of the declaration); `used_names` and
+    `used_conditions` are all that anything refers to.
+
+    `entity` and `uses` belong to what is being checked at the moment.
+    """
+
+    collector: Collector
+    declarations: Declarations
+    inputs: dict[str, CheckedInput] = field(default_factory=dict)
+    constants: dict[str, Type] = field(default_factory=dict)
+    types: dict[int, Type] = field(default_factory=dict)
+    values: dict[int, Value] = field(default_factory=dict)
+    used_names: set[str] = field(default_factory=set)
+    used_conditions: set[ConditionKey] = field(default_factory=set)
+    entity: str | None = None
+    uses: Uses = field(default_factory=Uses)
+
+    def type_of(self, node: ast.Expression) -> Type:
+        """The type found for a node; `Unknown` if it was passed over."""
+        return self.types.get(id(node), Unknown())
+
+    def enter(self, entity: str | None) -> Uses:
+        """Begin with the next condition, rule or declaration; the result records its uses."""
+        self.entity = entity
+        self.uses = Uses()
+        return self.uses

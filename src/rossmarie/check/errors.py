@@ -1,0 +1,13 @@
+"""Every diagnostic of the checker, by the hundreds of its code."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Template
+from rossmarie.check import meaning_errors, name_errors, type_errors, unit_errors
+
+ALL: tuple[type[Template], ...] = (
+    *name_errors.ALL,
+    *type_errors.ALL,
+    *unit_errors.ALL,
+    *meaning_errors.ALL,
+)

@@ -1,0 +1,110 @@
+"""The type of every expression, and the value of those that are constant.
+
+Goes through a tree from the leaves up, without recursion. Each node is looked at once, when its
+operands have their types; what does not fit is reported there and has the type `Unknown`, which
+nothing is reported about again.
+"""
+
+from __future__ import annotations
+
+from rossmarie.check.constants import fold
+from rossmarie.check.context import Context
+from rossmarie.check.describe import describe
+from rossmarie.check.functions import type_of_call, type_of_oscillates
+from rossmarie.check.names import is_value, type_of_member, type_of_reference
+from rossmarie.check.operators import type_of_binary, type_of_held, type_of_unary
+from rossmarie.check.ranges import type_of_bracket, type_of_membership
+from rossmarie.check.type_errors import NotAnArray
+from rossmarie.check.units import read_unit
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import children
+from rossmarie.types import Array, Boolean, Quantity, Text, Type, Unknown
+from rossmarie.units import DIMENSIONLESS
+
+
+def infer(expression: ast.Expression, context: Context) -> Type:
+    """The type of an expression; `context` gets the types and values of all its parts."""
+    pending = [(expression, False)]
+    while pending:
+        node, is_ready = pending.pop()
+        if is_ready:
+            context.types[id(node)] = _type_of(node, context)
+            _fold(node, context)
+        else:
+            pending.append((node, True))
+            pending.extend((part, False) for part in reversed(_operands(node, context)))
+    return context.types[id(expression)]
+
+
+def _operands(node: ast.Expression, context: Context) -> tuple[ast.Expression, ...]:
+    if isinstance(node, ast.Member) and not is_value(node.value, context):
+        return ()
+    return children(node)
+
+
+def _fold(node: ast.Expression, context: Context) -> None:
+    type_ = context.types[id(node)]
+    if id(node) in context.values or isinstance(type_, Unknown):
+        return
+    value = fold(node, type_, context)
+    if value is not None:
+        context.values[id(node)] = value
+
+
+def _type_of(node: ast.Expression, context: Context) -> Type:
+    match node:
+        case ast.Number():
+            return _type_of_number(node, context)
+        case ast.Boolean():
+            return Boolean()
+        case ast.Text():
+            return Text()
+        case ast.Reference():
+            return type_of_reference(node, context)
+        case ast.Member():
+            return type_of_member(node, context)
+        case ast.Index():
+            return _type_of_index(node, context)
+        case ast.Parenthesized():
+            return context.type_of(node.inner)
+        case ast.Broken():
+            return Unknown()
+        case _:
+            return _type_of_operation(node, context)
+
+
+def _type_of_operation(node: ast.Expression, context: Context) -> Type:
+    match node:
+        case ast.Unary():
+            return type_of_unary(node, context)
+        case ast.Binary():
+            return type_of_binary(node, context)
+        case ast.Membership():
+            return type_of_membership(node, context)
+        case ast.Held():
+            return type_of_held(node, context)
+        case ast.Call():
+            return type_of_call(node, context)
+        case ast.Oscillates():
+            return type_of_oscillates(node, context)
+        case ast.Bracket():
+            return type_of_bracket(node, context)
+        case _:
+            raise AssertionError(node)
+
+
+def _type_of_number(node: ast.Number, context: Context) -> Type:
+    if node.unit is None:
+        return Quantity(DIMENSIONLESS)
+    unit = read_unit(node.unit, context.collector)
+    return Unknown() if unit is None else Quantity(unit)
+
+
+def _type_of_index(node: ast.Index, context: Context) -> Type:
+    type_ = context.type_of(node.value)
+    if isinstance(type_, Array):
+        return type_.element
+    if not isinstance(type_, Unknown):
+        finding = NotAnArray(purpose="an index", found=describe(type_))
+        context.collector.add(finding.at(node.value.span, help="leave the index out"))
+    return Unknown()

@@ -1,0 +1,103 @@
+"""Fields of messages: which there are, and what they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from dslkit.diagnostics import Collector, Edit, Fix
+from dslkit.source import Span
+from rossmarie.check.name_errors import UnknownField
+from rossmarie.check.suggestions import listed, near_name, rename
+from rossmarie.check.type_errors import FieldNotUsable
+from rossmarie.syntax import ast
+from rossmarie.types import (
+    Array,
+    Boolean,
+    Message,
+    Quantity,
+    Quaternion,
+    Type,
+    Unknown,
+    Unsupported,
+    Vector,
+)
+from rossmarie.units import DIMENSIONLESS, Unit
+
+
+def members(type_: Type) -> dict[str, Type]:
+    """What can be written behind a dot, other than a function."""
+    if isinstance(type_, Message):
+        return dict(type_.fields)
+    if isinstance(type_, Vector):
+        return dict.fromkeys("xyz", type_.element)
+    if isinstance(type_, Quaternion):
+        return dict.fromkeys("xyzw", Quantity(DIMENSIONLESS))
+    return {}
+
+
+def select(owner: Type, name: ast.Name, owner_text: str, collector: Collector) -> Type:
+    """The type of a member of `owner`; `Unknown` after reporting why there is none."""
+    if isinstance(owner, Unknown):
+        return owner
+    known = members(owner)
+    found = known.get(name.text)
+    if found is None:
+        _report_unknown(owner, name, owner_text, tuple(known), collector)
+        return Unknown()
+    if isinstance(found, Unsupported):
+        collector.add(FieldNotUsable(identifier=name.text, reason=found.reason).at(name.span))
+        return Unknown()
+    return found
+
+
+def with_unit(type_: Type, unit: Unit) -> Type | None:
+    """The same numbers in another unit; None if there are no numbers that could have one."""
+    if isinstance(type_, Quantity):
+        return Quantity(unit)
+    if isinstance(type_, Vector):
+        return Vector(Quantity(unit))
+    if isinstance(type_, Array) and isinstance(type_.element, Quantity):
+        return Array(Quantity(unit))
+    return None
+
+
+def unit_of(type_: Type) -> Unit | None:
+    """The unit of a number, a vector or an array of numbers."""
+    if isinstance(type_, Quantity):
+        return type_.unit
+    if isinstance(type_, Vector):
+        return type_.element.unit
+    if isinstance(type_, Array) and isinstance(type_.element, Quantity):
+        return type_.element.unit
+    return None
+
+
+def has_no_number(type_: Type) -> bool:
+    """Whether `with_unit` has nothing to work on."""
+    return not isinstance(type_, Quantity | Vector) and not (
+        isinstance(type_, Array) and not isinstance(type_.element, Boolean)
+    )
+
+
+def _report_unknown(
+    owner: Type, name: ast.Name, owner_text: str, known: Sequence[str], collector: Collector
+) -> None:
+    shown = owner.name if isinstance(owner, Message) else f"`{owner_text}`"
+    finding = UnknownField(identifier=name.text, owner=shown)
+    near = near_name(name.text, known)
+    if near is not None:
+        help, fix = f"did you mean `{near}`?", rename(name, near)
+    elif known:
+        help, fix = f"it has {listed(known)}", None
+    elif name.text == "data":
+        help = f"`{owner_text}` already stands for its data: leave `.data` out"
+        fix = Fix("leave `.data` out", (Edit(_with_dot(name), ""),))
+    else:
+        help, fix = "it has no fields at all: leave this out", None
+    collector.add(finding.at(name.span, help=help, fix=fix))
+
+
+def _with_dot(name: ast.Name) -> Span:
+    """The name and the dot before it."""
+    text = name.span.file.text
+    return Span(name.span.file, text.rindex(".", 0, name.span.start), name.span.end)

@@ -1,0 +1,79 @@
+"""ROSS4xx: what can be understood, but hardly be meant."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnusedName(Warning, code="ROSS401", name="unused-name"):
+    """A declaration that no rule needs."""
+
+    title = "{kind} `{identifier}` is never used"
+    label = "declared here, used nowhere"
+    note = "{reason}"
+    help = "use it, or remove it"
+    kind: str
+    identifier: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
+    """An input that a rule rests on and that may fall silent unnoticed."""
+
+    title = "input `{identifier}` has no timeout"
+    label = "if it falls silent, its last value is used for ever"
+    note = (
+        "without a timeout, a rule that lacks this input is never activated by the lack; "
+        "with one, it fails closed"
+    )
+    help = "write the longest silence you accept behind it: `timeout 0.5 sec`"
+    identifier: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class AmbiguousFor(Error, code="ROSS403", name="ambiguous-for"):
+    """`for` behind two conditions without parentheses."""
+
+    title = "it is not clear what has to hold for {duration}"
+    label = "`{last}` alone, or all of it?"
+    note = "`for` binds tighter than `and` and `or`, but reads as if it covered all before it"
+    help = "write `{narrow}` or `{wide}`"
+    duration: str
+    last: str
+    narrow: str
+    wide: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ExactEquality(Warning, code="ROSS404", name="exact-equality"):
+    """Measured numbers compared for equality."""
+
+    title = "measured numbers are hardly ever exactly equal"
+    label = "`{operator}` compares every last bit"
+    help = "compare with a tolerance: `{advice}`"
+    operator: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RepeatedAction(Warning, code="ROSS405", name="repeated-action"):
+    """An action that one rule names twice."""
+
+    title = "action `{identifier}` is named twice in one rule"
+    label = "this one has no effect"
+    note = "the actions of a rule are a set: each is in force while the rule is active"
+    help = "remove it"
+    identifier: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnusedName,
+    MissingTimeout,
+    AmbiguousFor,
+    ExactEquality,
+    RepeatedAction,
+)

@@ -1,0 +1,38 @@
+"""Did you mean ...? Near names, and the fix that goes with a very near one."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Sequence
+
+from dslkit.diagnostics import Edit, Fix
+from rossmarie.syntax import ast
+
+NEAR = 0.7
+VERY_NEAR = 0.85
+LISTED = 12
+
+
+def near_name(name: str, known: Iterable[str]) -> str | None:
+    """The known name that looks most like `name`, if any does; case does not matter."""
+    by_folded = {candidate.lower(): candidate for candidate in known}
+    matches = difflib.get_close_matches(name.lower(), by_folded, n=1, cutoff=NEAR)
+    return by_folded[matches[0]] if matches else None
+
+
+def rename(name: ast.Name, near: str) -> Fix | None:
+    """The fix that writes `near` instead; None if they differ too much to be sure."""
+    likeness = difflib.SequenceMatcher(None, name.text.lower(), near.lower()).ratio()
+    if likeness < VERY_NEAR:
+        return None
+    return Fix(f"write `{near}`", (Edit(name.span, near),))
+
+
+def listed(names: Sequence[str]) -> str:
+    """`a`, `b` and `c`; long lists are cut."""
+    quoted = [f"`{name}`" for name in names[:LISTED]]
+    if len(names) > LISTED:
+        return f"{', '.join(quoted)} and {len(names) - LISTED} more"
+    if len(quoted) < 2:
+        return "".join(quoted)
+    return f"{', '.join(quoted[:-1])} and {quoted[-1]}"

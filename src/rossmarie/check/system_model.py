@@ -1,0 +1,237 @@
+"""System models: which topics there are, of what type, and in which units their fields are.
+
+Comes out: a `SystemModel` in which every topic has a full name and a message type, and the catalog
+of messages with the unit declarations applied. Everything that is wrong with a system model is
+reported here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from dslkit.diagnostics import Collector, Edit, Fix, Label
+from rossmarie.check.fields import has_no_number, select, unit_of
+from rossmarie.check.name_errors import (
+    DuplicateName,
+    MalformedMessageDefinition,
+    MessageFolderMissing,
+    TopicTypeConflict,
+    UndeclaredTopic,
+    UnknownMessageType,
+)
+from rossmarie.check.suggestions import near_name, rename
+from rossmarie.check.unit_errors import MisplacedUnit, UnitContradictsField
+from rossmarie.check.units import read_unit
+from rossmarie.syntax import ast
+from rossmarie.types import (
+    Message,
+    MessageCatalog,
+    MessageDefinitionError,
+    Type,
+    Unknown,
+    message_value,
+    std_msgs_data,
+)
+from rossmarie.units import Unit
+
+
+@dataclass(frozen=True)
+class Topic:
+    """A declared topic. `unit` is that of a std_msgs value, where the declaration gives one."""
+
+    name: str
+    message_type: str
+    unit: Unit | None
+    declaration: ast.TopicDeclaration
+
+
+@dataclass(frozen=True)
+class SystemModel:
+    """The topics, by full name and by alias, and the messages."""
+
+    messages: MessageCatalog
+    topics: dict[str, Topic] = field(default_factory=dict)
+    aliases: dict[str, Topic] = field(default_factory=dict)
+
+    def find(self, name: str) -> Topic | None:
+        """The topic that a name in a rules file means: an alias, else a topic's own name."""
+        return self.aliases.get(name) or self.topics.get(full_name(name))
+
+    @property
+    def known_topics(self) -> list[str]:
+        """Every name that `find` finds, as a user would write it."""
+        return [*self.aliases, *self.topics, *(topic.lstrip("/") for topic in self.topics)]
+
+
+def full_name(topic: str) -> str:
+    """`/imu/data` for itself and for `imu/data`."""
+    return topic if topic.startswith("/") else f"/{topic}"
+
+
+def type_name(name: str) -> str:
+    """`sensor_msgs/Imu`, also for `sensor_msgs/msg/Imu`."""
+    return name.replace("/msg/", "/")
+
+
+def read_system_model(
+    systems: Sequence[ast.System], message_folders: Sequence[Path], collector: Collector
+) -> SystemModel:
+    """Gather the members of all system models; `message_folders` are searched after theirs."""
+    members = [member for system in systems for member in system.members]
+    folders = [*_folders(members, collector), *message_folders]
+    units = dict(_declared_units(members, collector))
+    model = SystemModel(MessageCatalog(folders, units))
+    for member in members:
+        if isinstance(member, ast.TopicDeclaration):
+            _add_topic(member, model, collector)
+        elif isinstance(member, ast.UnitDeclaration):
+            _check_unit_declaration(member, model, collector)
+    for member in members:
+        if isinstance(member, ast.NodeDeclaration):
+            _check_node(member, model, collector)
+    return model
+
+
+def find_message(name: ast.Name, model: SystemModel, collector: Collector) -> Message | None:
+    """The definition of a message type, or None after reporting that there is none."""
+    if not name.text:
+        return None
+    try:
+        found = model.messages.find(type_name(name.text))
+    except MessageDefinitionError as error:
+        finding = MalformedMessageDefinition(identifier=name.text, problem=str(error))
+        collector.add(finding.at(name.span))
+        return None
+    if found is None:
+        known = model.messages.known_names()
+        near = _near_type(type_name(name.text), known)
+        help = (
+            f"did you mean `{near}`?"
+            if near is not None
+            else 'name the folder of its .msg file in a system model: `messages "msg";`'
+        )
+        fix = rename(name, near) if near is not None else None
+        collector.add(UnknownMessageType(identifier=name.text).at(name.span, help=help, fix=fix))
+    return found
+
+
+def _near_type(name: str, known: Sequence[str]) -> str | None:
+    """A type of the same name in another package, else one that is spelled much alike."""
+    own = name.rpartition("/")[2].lower()
+    same = [candidate for candidate in known if candidate.rpartition("/")[2].lower() == own]
+    return near_name(name, same) or next(iter(same), None) or near_name(name, known)
+
+
+def _folders(members: Sequence[ast.SystemMember], collector: Collector) -> Iterator[Path]:
+    for member in members:
+        if isinstance(member, ast.MessagesDeclaration):
+            folder = Path(member.span.file.path).parent / member.path.value
+            if folder.is_dir():
+                yield folder
+            else:
+                finding = MessageFolderMissing(path=member.path.value, looked_for=str(folder))
+                collector.add(finding.at(member.path.span))
+
+
+def _declared_units(
+    members: Sequence[ast.SystemMember], collector: Collector
+) -> Iterator[tuple[tuple[str, tuple[str, ...]], Unit]]:
+    for member in members:
+        if isinstance(member, ast.UnitDeclaration):
+            unit = read_unit(member.unit, collector)
+            if unit is not None:
+                path = tuple(name.text for name in member.path)
+                yield (type_name(member.message_type.text), path), unit
+
+
+def _check_unit_declaration(
+    declaration: ast.UnitDeclaration, model: SystemModel, collector: Collector
+) -> None:
+    message = find_message(declaration.message_type, model, collector)
+    if message is None:
+        return
+    type_: Type = message_value(message)
+    text = declaration.message_type.text
+    for name in declaration.path:
+        type_ = select(type_, name, text, collector)
+        text = f"{text}.{name.text}"
+    if not isinstance(type_, Unknown) and has_no_number(type_):
+        _report_misplaced(declaration.unit, text, "name a field that holds numbers", collector)
+
+
+def _report_misplaced(unit: ast.Unit, text: str, advice: str, collector: Collector) -> None:
+    finding = MisplacedUnit(reason=f"`{text}` is not a number", advice=advice)
+    collector.add(finding.at(unit.span))
+
+
+def _add_topic(declaration: ast.TopicDeclaration, model: SystemModel, collector: Collector) -> None:
+    name = full_name(declaration.topic.text)
+    message = find_message(declaration.message_type, model, collector)
+    unit = _topic_unit(declaration, message, collector)
+    topic = Topic(name, type_name(declaration.message_type.text), unit, declaration)
+    first = model.topics.setdefault(name, topic)
+    if first.message_type != topic.message_type:
+        report_conflict(declaration.message_type, first, collector)
+    alias = declaration.alias
+    if alias is None:
+        return
+    other = model.aliases.setdefault(alias.text, first)
+    if other.name != name:
+        finding = DuplicateName(
+            identifier=alias.text,
+            kind="alias",
+            other=f"topic {other.name}",
+            reason="an alias stands for one topic",
+        )
+        place = Label(other.declaration.span, "first declared here")
+        collector.add(finding.at(alias.span, place))
+
+
+def report_conflict(written: ast.Name, topic: Topic, collector: Collector) -> None:
+    """Report that `written` is not the message type that a system model gives `topic`."""
+    finding = TopicTypeConflict(
+        topic=topic.name, found=type_name(written.text), expected=topic.message_type
+    )
+    place = Label(topic.declaration.message_type.span, f"{topic.message_type} here")
+    fix = Fix(f"write `{topic.message_type}`", (Edit(written.span, topic.message_type),))
+    collector.add(finding.at(written.span, place, fix=fix))
+
+
+def _topic_unit(
+    declaration: ast.TopicDeclaration, message: Message | None, collector: Collector
+) -> Unit | None:
+    """The unit behind a topic; only std_msgs values, which have no field to name, take one."""
+    if declaration.unit is None:
+        return None
+    unit = read_unit(declaration.unit, collector)
+    if message is None or unit is None:
+        return unit
+    data = std_msgs_data(message)
+    if data is None or has_no_number(data):
+        advice = f"name the field: `unit {message.name}.FIELD = {declaration.unit.text};`"
+        _report_misplaced(declaration.unit, message.name, advice, collector)
+        return None
+    contradiction = contradicts(unit_of(data), unit, f"{message.name}.data")
+    if contradiction is not None:
+        collector.add(contradiction.at(declaration.unit.span))
+        return None
+    return unit
+
+
+def contradicts(known: Unit | None, stated: Unit, field_name: str) -> UnitContradictsField | None:
+    """The finding that a stated unit is of another dimension than the one of the field."""
+    if known is None or known.dimension == stated.dimension:
+        return None
+    return UnitContradictsField(field=field_name, known=known.symbol, found=stated.symbol)
+
+
+def _check_node(node: ast.NodeDeclaration, model: SystemModel, collector: Collector) -> None:
+    for name in (*node.publishes, *node.subscribes):
+        if model.find(name.text) is None:
+            near = near_name(name.text, model.known_topics)
+            help = f"did you mean `{near}`?" if near is not None else None
+            fix = rename(name, near) if near is not None else None
+            finding = UndeclaredTopic(topic=full_name(name.text))
+            collector.add(finding.at(name.span, help=help, fix=fix))

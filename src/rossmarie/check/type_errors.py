@@ -1,0 +1,271 @@
+"""ROSS2xx: types, and constants that cannot be worked out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotACondition(Error, code="ROSS201", name="not-a-condition"):
+    """A value where something true or false is needed."""
+
+    title = "a condition is needed here"
+    label = "this is {found}, neither true nor false"
+    help = "compare it with something, `{text} > ...`"
+    found: str
+    text: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class VectorAsScalar(Error, code="ROSS202", name="vector-as-scalar"):
+    """Three numbers where one is needed."""
+
+    title = "a vector is not one number"
+    label = "this is {found}"
+    note = "a vector is neither less nor greater than a number"
+    help = "choose a component, `{text}.x`, `{text}.y` or `{text}.z`, or the length, `norm({text})`"
+    found: str
+    text: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ScalarAsRange(Error, code="ROSS203", name="scalar-as-range"):
+    """`in` followed by one number."""
+
+    title = "`in` needs a range, not one number"
+    label = "this is {found}"
+    note = "one number has no inside; a range has two ends, `[low, high]`"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Incomparable(Error, code="ROSS204", name="incomparable"):
+    """A comparison of things of different kinds."""
+
+    title = "{left} cannot be compared with {right}"
+    label = "`{operator}` needs two numbers, or `==` and `!=` two texts"
+    left: str
+    right: str
+    operator: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotANumber(Error, code="ROSS205", name="not-a-number"):
+    """Something else where one number is needed."""
+
+    title = "a number is needed here"
+    label = "this is {found}"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ArrayAsScalar(Error, code="ROSS206", name="array-as-scalar"):
+    """Many numbers, or many truths, where one is needed."""
+
+    title = "an array is not one {expected}"
+    label = "this has one {expected} for each element"
+    help = "{advice}"
+    expected: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MessageAsValue(Error, code="ROSS207", name="message-as-value"):
+    """A whole message where one value is needed."""
+
+    title = "a whole message is not a value"
+    label = "this is a {found}"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldNotUsable(Error, code="ROSS208", name="field-not-usable"):
+    """A message field that rules cannot read."""
+
+    title = "field `{identifier}` cannot be used in rules"
+    label = "{reason}"
+    help = "choose another field, or publish the value of interest on a topic of its own"
+    identifier: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrongArgumentCount(Error, code="ROSS209", name="wrong-argument-count"):
+    """A call with too few or too many arguments."""
+
+    title = "`{function}` takes {expected}"
+    label = "{found} given"
+    help = "write `{usage}`"
+    function: str
+    expected: str
+    found: str
+    usage: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrongArgument(Error, code="ROSS210", name="wrong-argument"):
+    """A call of a function on something that it is not defined for."""
+
+    title = "`{function}` needs {expected}"
+    label = "this is {found}"
+    help = "write `{usage}`"
+    function: str
+    expected: str
+    found: str
+    usage: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
+    """An elementwise expression over more than one array and constants."""
+
+    title = "an elementwise expression may use one array and constants"
+    label = "{found}"
+    note = "`{function}` looks at the elements of one array, one by one"
+    help = "compare `{text}` in a condition of its own and join the two by `and`"
+    found: str
+    function: str
+    text: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class BracketLength(Error, code="ROSS212", name="bracket-length"):
+    """A bracket that is neither an interval nor a box."""
+
+    title = "a bracket holds 2 numbers (an interval) or 6 (a box), not {count}"
+    label = "{count} here"
+    help = "write `[low, high]`, or `[xmin, xmax, ymin, ymax, zmin, zmax]`"
+    count: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class RangeMismatch(Error, code="ROSS213", name="range-mismatch"):
+    """`in` with a value that the range cannot hold."""
+
+    title = "{value} cannot be in {container}"
+    label = "this is {container}"
+    note = "an interval holds numbers; a box holds vectors"
+    value: str
+    container: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class OrientationAsScalar(Error, code="ROSS214", name="orientation-as-scalar"):
+    """A quaternion where one number is needed."""
+
+    title = "an orientation is not one number"
+    label = "this is a quaternion"
+    help = "choose an angle: `{text}.roll()`, `{text}.pitch()` or `{text}.yaw()`"
+    text: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotConstant(Error, code="ROSS215", name="not-constant"):
+    """Something that changes where a constant is needed."""
+
+    title = "{purpose} has to be constant"
+    label = "this is not known before the monitor runs"
+    help = "use numbers, constants and arithmetic on them"
+    purpose: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class IntervalEndsSwapped(Error, code="ROSS216", name="interval-ends-swapped"):
+    """An interval whose low end is above its high end."""
+
+    title = "the ends of this interval are swapped"
+    label = "no number is in here"
+    note = "the low end comes first; {low} is more than {high}"
+    help = "write `{corrected}`"
+    low: str
+    high: str
+    corrected: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class DivisionByZero(Error, code="ROSS217", name="division-by-zero"):
+    """A division by a constant that is zero."""
+
+    title = "division by zero"
+    label = "this is always zero"
+    note = "the result would never be known, and no rule on it could ever be decided"
+    help = "divide by something else"
+
+
+@dataclass(frozen=True, kw_only=True)
+class ConstantTooLarge(Error, code="ROSS218", name="constant-too-large"):
+    """A constant beyond the range of a double."""
+
+    title = "this constant is too large"
+    label = "beyond what a 64-bit floating-point number can hold"
+    help = "write a number below 1e308, counted in SI units"
+
+
+@dataclass(frozen=True, kw_only=True)
+class AgeMisused(Error, code="ROSS219", name="age-misused"):
+    """`age` other than as one side of a comparison with a constant time."""
+
+    title = "`age` can only be compared with a constant time"
+    label = "{reason}"
+    note = "an age grows by itself; the monitor has to know the instant at which it matters"
+    help = "write `age(INPUT) > 0.5 sec`; with `<`, `<=`, `>` or `>=`"
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class OscillationCount(Error, code="ROSS220", name="oscillation-count"):
+    """A number of turning points that cannot be counted."""
+
+    title = "a number of turning points is a whole number from 1 to {most}"
+    label = "this is {found}"
+    help = "write `3 times`"
+    found: str
+    most: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotAnArray(Error, code="ROSS221", name="not-an-array"):
+    """An index, or a question about elements, on something without elements."""
+
+    title = "{purpose} needs an array"
+    label = "this is {found}"
+    purpose: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class TruthCompared(Error, code="ROSS222", name="truth-compared"):
+    """A condition compared as if it were a number."""
+
+    title = "conditions are not compared by `{operator}`"
+    label = "this is already true or false"
+    help = "write the condition itself, or `not` and the condition; join two by `and` and `or`"
+    operator: str
+
+
+ALL: tuple[type[Template], ...] = (
+    NotACondition,
+    VectorAsScalar,
+    ScalarAsRange,
+    Incomparable,
+    NotANumber,
+    ArrayAsScalar,
+    MessageAsValue,
+    FieldNotUsable,
+    WrongArgumentCount,
+    WrongArgument,
+    ElementwiseMixture,
+    BracketLength,
+    RangeMismatch,
+    OrientationAsScalar,
+    NotConstant,
+    IntervalEndsSwapped,
+    DivisionByZero,
+    ConstantTooLarge,
+    AgeMisused,
+    OscillationCount,
+    NotAnArray,
+    TruthCompared,
+)

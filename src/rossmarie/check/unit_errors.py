@@ -1,0 +1,148 @@
+"""ROSS3xx: units and durations."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnitMismatch(Error, code="ROSS301", name="unit-mismatch"):
+    """Two quantities of different dimensions where one dimension is needed."""
+
+    title = "{found} does not fit {expected}"
+    label = "this is in {found} ({found_dimension})"
+    note = "only quantities of one dimension can be {purpose}"
+    help = "give both sides a unit of one dimension, such as {expected}"
+    found: str
+    found_dimension: str
+    expected: str
+    purpose: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RateAgainstQuantity(Error, code="ROSS302", name="rate-against-quantity"):
+    """A quantity compared with a rate of change of that quantity."""
+
+    title = "{rate} is the rate of change of {quantity}, and does not fit it"
+    label = "this is in {found} ({found_dimension})"
+    note = "how much something is and how fast it changes are different things"
+    help = "write a value in {expected}"
+    rate: str
+    quantity: str
+    found: str
+    found_dimension: str
+    expected: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MissingUnit(Error, code="ROSS303", name="missing-unit"):
+    """A plain number where a quantity with a unit is needed."""
+
+    title = "this number needs a unit"
+    label = "a plain number"
+    note = "the other side is in {expected} ({dimension}); {reason}"
+    help = "write `{corrected}`"
+    expected: str
+    dimension: str
+    reason: str
+    corrected: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldWithoutUnit(Error, code="ROSS304", name="field-without-unit"):
+    """A message field of unknown unit where the unit matters."""
+
+    title = "the unit of this field is not known"
+    label = "no unit is known for this"
+    note = "it meets a quantity in {other}, and ROS message definitions carry no units"
+    help = "say in which unit it arrives, with `in {other}` behind the input"
+    other: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnknownUnit(Error, code="ROSS305", name="unknown-unit"):
+    """A unit that does not exist."""
+
+    title = "there is no unit `{text}`"
+    label = "`{part}` is not a unit"
+    text: str
+    part: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotADuration(Error, code="ROSS306", name="not-a-duration"):
+    """Something else where a length of time is needed."""
+
+    title = "{purpose} is a length of time"
+    label = "this is {found}"
+    help = "write a time, such as `0.5 sec`"
+    purpose: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class DurationOutOfRange(Error, code="ROSS307", name="duration-out-of-range"):
+    """A length of time that is zero, negative, or longer than any robot lives."""
+
+    title = "{purpose} has to be {bound}"
+    label = "this is {found}"
+    note = "{reason}"
+    help = "write a time, such as `0.5 sec`"
+    purpose: str
+    bound: str
+    found: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnitContradictsField(Error, code="ROSS308", name="unit-contradicts-field"):
+    """A unit given to an input whose field has a unit of another dimension."""
+
+    title = "{field} is in {known}, not in {found}"
+    label = "this is of another dimension"
+    note = "the unit behind `in` says in which unit of its dimension a field arrives"
+    help = (
+        "leave `in {found}` out; if the field does carry {found}, say so in the system model: "
+        "`unit {field} = {found};`"
+    )
+    field: str
+    known: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MisplacedUnit(Error, code="ROSS309", name="misplaced-unit"):
+    """A unit on something that cannot have one."""
+
+    title = "a unit does not belong here"
+    label = "{reason}"
+    help = "{advice}"
+    reason: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class TemperatureArithmetic(Error, code="ROSS310", name="temperature-arithmetic"):
+    """A sum, product or negation of temperatures whose zero is arbitrary."""
+
+    title = "a temperature in {unit} is no amount to calculate with"
+    label = "this is in {unit}"
+    note = "zero {unit} is not the absence of temperature: twice 10 {unit} is not 20 {unit}"
+    help = "compare temperatures as they are, or calculate in K"
+    unit: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnitMismatch,
+    RateAgainstQuantity,
+    MissingUnit,
+    FieldWithoutUnit,
+    UnknownUnit,
+    NotADuration,
+    DurationOutOfRange,
+    UnitContradictsField,
+    MisplacedUnit,
+    TemperatureArithmetic,
+)

@@ -1,0 +1,93 @@
+"""What is declared and never used, and which inputs may fall silent unnoticed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from dslkit.diagnostics import Collector, Label
+from dslkit.source import Span
+from rossmarie.check.context import ConditionKey, Context, Uses
+from rossmarie.check.declarations import Named, kind_of
+from rossmarie.check.meaning_errors import MissingTimeout, UnusedName
+from rossmarie.syntax import ast
+
+_REASONS: Mapping[str, str] = {
+    "constant": "nothing is compared with it",
+    "input": "no condition reads it",
+    "action": "no rule starts it",
+    "entity": "no rule rests on it",
+    "condition": "no rule rests on it",
+}
+
+
+def warn_of_unused(context: Context) -> None:
+    """Warn of every unused declaration of the main file.
+
+    A file without rules is there to be imported: its names are used elsewhere.
+    """
+    main = context.declarations.main
+    if not any(isinstance(item, ast.Rule) for item in main.items):
+        return
+    for item in main.items:
+        if not isinstance(item, Named) or context.declarations.names[item.name.text] is not item:
+            continue
+        if isinstance(item, ast.Entity):
+            _warn_of_entity(item, context)
+        elif item.name.text not in context.used_names:
+            _warn(kind_of(item), item.name, context.collector)
+
+
+def _warn_of_entity(entity: ast.Entity, context: Context) -> None:
+    """An entity of which nothing is used is one finding, not one for each condition."""
+    unused = [
+        condition
+        for condition in entity.conditions
+        if (entity.name.text, condition.name.text) not in context.used_conditions
+    ]
+    if len(unused) == len(entity.conditions):
+        if entity.name.text not in context.used_names:
+            _warn("entity", entity.name, context.collector)
+        return
+    for condition in unused:
+        _warn("condition", condition.name, context.collector)
+
+
+def _warn(kind: str, name: ast.Name, collector: Collector) -> None:
+    finding = UnusedName(kind=kind, identifier=name.text, reason=_REASONS[kind])
+    collector.add(finding.at(name.span))
+
+
+def warn_of_missing_timeouts(
+    rules: Sequence[tuple[ast.Rule, Uses]],
+    conditions: Mapping[ConditionKey, Uses],
+    context: Context,
+) -> None:
+    """Warn of every input without a timeout that some rule rests on, directly or not."""
+    warned: set[str] = set()
+    for rule, uses in rules:
+        for name in sorted(_inputs_behind(uses, conditions) - warned):
+            declaration = context.inputs[name].declaration
+            if declaration.timeout is None:
+                warned.add(name)
+                place = Label(_head(rule), "this rule rests on it")
+                finding = MissingTimeout(identifier=name)
+                context.collector.add(finding.at(declaration.name.span, place))
+
+
+def _inputs_behind(uses: Uses, conditions: Mapping[ConditionKey, Uses]) -> set[str]:
+    return {name for reached in _reached(uses, conditions) for name in reached.inputs}
+
+
+def _reached(uses: Uses, conditions: Mapping[ConditionKey, Uses]) -> Iterator[Uses]:
+    seen: set[ConditionKey] = set()
+    pending = [uses]
+    while pending:
+        current = pending.pop()
+        yield current
+        new = [key for key in current.conditions if key not in seen and key in conditions]
+        seen.update(new)
+        pending.extend(conditions[key] for key in new)
+
+
+def _head(rule: ast.Rule) -> Span:
+    return rule.condition.span if rule.name is None else rule.name.span

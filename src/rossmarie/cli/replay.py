@@ -1,0 +1,97 @@
+"""`rossmarie replay` and `rossmarie model`: what reads a recording."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+from rossmarie.cli import output
+from rossmarie.driver import RulesError
+from rossmarie.driver.replay import replay_file
+from rossmarie.recordings import RecordingError, open_recording, write_model
+from rossmarie.report import Replay, render_timeline, verdict_lines, write_table
+
+TIMELINE = "timeline.html"
+VERDICTS = "verdicts.jsonl"
+
+
+def run_replay(
+    rules: Path,
+    recording: Path,
+    topic_map: Sequence[str],
+    out: Path | None,
+    systems: Sequence[Path],
+    message_folders: Sequence[Path],
+) -> None:
+    """Replay, print the findings and the table, and write the reports into `out`."""
+    pairs = dict(_pair(text) for text in topic_map)
+    progress = Progress(
+        TextColumn("replaying"),
+        BarColumn(),
+        TaskProgressColumn(),
+        TimeRemainingColumn(),
+        console=Console(stderr=True),
+        transient=True,
+    )
+    try:
+        with progress:
+            task = progress.add_task("replay", total=1.0)
+            replay, found = replay_file(
+                rules,
+                recording,
+                topic_map=pairs,
+                systems=systems,
+                message_folders=message_folders,
+                on_progress=lambda part: progress.update(task, completed=part),
+            )
+    except RulesError as error:
+        output.reject(error.diagnostics)
+    except RecordingError as error:
+        output.print_findings([error.diagnostic])
+        raise typer.Exit(1) from None
+    output.print_findings(found)
+    write_table(replay, sys.stdout)
+    if out is not None:
+        _write_reports(replay, out)
+
+
+def _pair(text: str) -> tuple[str, str]:
+    wanted, equals, recorded = text.partition("=")
+    if not (wanted and equals and recorded):
+        output.fail(f"--topic-map needs RULES=RECORDED, not `{text}`", exit_code=2)
+    return wanted, recorded
+
+
+def _write_reports(replay: Replay, out: Path) -> None:
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        (out / TIMELINE).write_text(render_timeline(replay), encoding="utf-8")
+        with (out / VERDICTS).open("w", encoding="utf-8") as stream:
+            stream.writelines(f"{line}\n" for line in verdict_lines(replay))
+    except OSError as error:
+        output.fail(f"cannot write to {out}: {error.strerror}", exit_code=2)
+    typer.echo(f"wrote {out / TIMELINE} and {out / VERDICTS}")
+
+
+def write_model_of(recording: Path, out: Path | None) -> None:
+    """Print the system model of a recording, or write it to `out`."""
+    try:
+        with open_recording(recording) as opened:
+            output.print_findings(opened.findings)
+            text = write_model(opened)
+    except RecordingError as error:
+        output.print_findings([error.diagnostic])
+        raise typer.Exit(1) from None
+    if out is None:
+        typer.echo(text, nl=False)
+        return
+    try:
+        out.write_text(text, encoding="utf-8")
+    except OSError as error:
+        output.fail(f"cannot write {out}: {error.strerror}", exit_code=2)
+    typer.echo(f"wrote {out}")

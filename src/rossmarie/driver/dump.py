@@ -1,0 +1,90 @@
+"""What the compiler holds after each of its stages, as readable text."""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from dslkit.source import SourceFile, Span
+from rossmarie.check import CheckedProgram
+from rossmarie.driver.pipeline import RulesError, check_file, compile_file
+from rossmarie.ir import dump_text
+from rossmarie.targets.c99 import generate
+
+
+class Stage(str, enum.Enum):
+    """A stage of the compiler, by its verb."""
+
+    PARSE = "parse"
+    CHECK = "check"
+    LOWER = "lower"
+    GENERATE = "generate"
+
+
+def dump(
+    rules: Path, after: Stage, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
+) -> str:
+    """The product of stage `after` for a rules file.
+
+    After `parse` the text is there even if the file has errors; otherwise raises `RulesError`.
+    """
+    result = check_file(rules, systems=systems, message_folders=message_folders)
+    if after is Stage.PARSE:
+        trees = [tree for module in result.modules for tree in (module.file.path, *module.items)]
+        return "\n".join(line for tree in trees for line in _tree(tree)) + "\n"
+    if result.program is None:
+        raise RulesError(result.diagnostics)
+    if after is Stage.CHECK:
+        return "\n".join(_symbols(result.program)) + "\n"
+    machine, _ = compile_file(rules, systems=systems, message_folders=message_folders)
+    if after is Stage.LOWER:
+        return dump_text(machine)
+    return "\n".join(generate(machine).values())
+
+
+def _symbols(program: CheckedProgram) -> Iterator[str]:
+    yield f"program {program.name}"
+    for name, value in program.symbols.constants.items():
+        content = value.text if value.text is not None else value.boolean
+        yield f"const {name} = {list(value.numbers) or content} : {_one_line(value.type)}"
+    for name, found in program.symbols.inputs.items():
+        path = "".join(f".{part}" for part in found.path)
+        timeout = "none" if found.timeout_ns is None else f"{found.timeout_ns} ns"
+        source = f"{found.topic} : {found.message_type} {path}".rstrip()
+        yield f"input {name} = {source} : {_one_line(found.type)}, timeout {timeout}"
+    for (entity, name), condition in program.symbols.conditions.items():
+        yield f"condition {entity}.{name} : {condition.expression.span.text}"
+    for rule in program.rules:
+        yield f"rule {rule.name.text if rule.name else '(unnamed)'} : {rule.condition.span.text}"
+
+
+def _one_line(value: object) -> str:
+    name = type(value).__name__.lower()
+    unit = getattr(getattr(value, "unit", None), "symbol", None)
+    element = getattr(value, "element", None)
+    detail = unit if unit is not None else element and _one_line(element)
+    return f"{name}[{detail}]" if detail else name
+
+
+def _tree(node: object, indent: str = "", label: str = "") -> Iterator[str]:
+    """One line a node, its children indented below it, spans as line:column ranges."""
+    lead = f"{indent}{label}"
+    if isinstance(node, tuple):
+        yield f"{lead}({len(node)})"
+        for child in node:
+            yield from _tree(child, indent + "  ")
+    elif dataclasses.is_dataclass(node) and not isinstance(node, (type, SourceFile, Span)):
+        fields: Mapping[str, object] = {
+            field.name: getattr(node, field.name) for field in dataclasses.fields(node)
+        }
+        span = fields.get("span")
+        place = f" @{span.begin.line}:{span.begin.column}" if isinstance(span, Span) else ""
+        yield f"{lead}{type(node).__name__}{place}"
+        for name, value in fields.items():
+            if name != "span" and value is not None and value != ():
+                yield from _tree(value, indent + "  ", f"{name} = ")
+    else:
+        shown = node.value if isinstance(node, enum.Enum) else node
+        yield f"{lead}{shown!r}" if label else f"{lead}{shown}"

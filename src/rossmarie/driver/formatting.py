@@ -1,0 +1,34 @@
+"""Rules files in the one layout."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from dslkit.diagnostics import Collector, Diagnostic
+from rossmarie.driver.workspace import read_source
+from rossmarie.syntax import format_module, parse
+
+
+@dataclass(frozen=True)
+class Formatted:
+    """The canonical text of a file, and whether it differs from what is there."""
+
+    text: str
+    has_changed: bool
+
+
+def format_file(path: Path) -> Formatted | tuple[Diagnostic, ...]:
+    """The canonical text of a rules file; its findings instead if it cannot be parsed.
+
+    Reads only; a file with syntax errors is left as it is.
+    """
+    collector = Collector()
+    source = read_source(path, collector)
+    if source is None:
+        return collector.sorted()
+    module = parse(source, collector)
+    if collector.has_errors:
+        return collector.sorted()
+    text = format_module(module)
+    return Formatted(text, text != source.text)

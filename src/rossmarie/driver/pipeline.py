@@ -1,0 +1,68 @@
+"""The stages in their order: text -> syntax tree -> checked program -> machine.
+
+Each stage gets what the one before it made; findings are collected, and a stage with errors is the
+last one that runs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from dslkit.diagnostics import Collector, Diagnostic, Severity
+from rossmarie.check import CheckedProgram, CheckOptions, check
+from rossmarie.driver.workspace import load_modules
+from rossmarie.ir import Machine, verify
+from rossmarie.lowering import lower
+from rossmarie.syntax import ast
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """The findings on one rules file; `program` is None if there are errors."""
+
+    modules: Sequence[ast.Module]
+    program: CheckedProgram | None
+    diagnostics: tuple[Diagnostic, ...]
+
+
+class RulesError(Exception):
+    """A rules file has errors; `diagnostics` holds all of them, and the warnings."""
+
+    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
+        self.diagnostics = diagnostics
+        errors = [found for found in diagnostics if found.severity is Severity.ERROR]
+        lines = [f"{found.primary.span}: [{found.code}] {found.title}" for found in errors]
+        super().__init__("\n".join(lines))
+
+
+def check_file(
+    rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
+) -> CheckResult:
+    """Parse and check a rules file and all that it imports.
+
+    `systems` are further system models, `message_folders` hold .msg files; a file `system.ross`
+    beside the rules is a system model without being named.
+    """
+    collector = Collector()
+    modules = load_modules(rules, systems, collector)
+    program = None
+    if modules and Path(modules[-1].file.path) == rules:
+        options = CheckOptions(message_folders=tuple(message_folders))
+        program = check(modules, options, collector)
+    if collector.has_errors:
+        program = None
+    return CheckResult(modules, program, collector.sorted())
+
+
+def compile_file(
+    rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
+) -> tuple[Machine, tuple[Diagnostic, ...]]:
+    """The machine of a rules file, and the warnings on it. Raises `RulesError`."""
+    result = check_file(rules, systems=systems, message_folders=message_folders)
+    if result.program is None:
+        raise RulesError(result.diagnostics)
+    machine = lower(result.program)
+    verify(machine)
+    return machine, result.diagnostics

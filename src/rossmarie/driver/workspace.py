@@ -1,0 +1,122 @@
+"""From the path of a rules file to the syntax trees of it and of everything that it imports.
+
+Reads files, never fails: a file that cannot be read is a finding at the import that names it.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.source import SourceFile, Span
+from rossmarie.driver.errors import FileUnreadable, ImportNotFound, NotUtf8
+from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, parse
+
+SYSTEM_MODEL = "system.ross"
+"""The system model that is used without being imported: a file of this name beside the rules."""
+
+
+def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> list[ast.Module]:
+    """The trees of `systems`, of the folder's system model and of all imports, `main` last.
+
+    Each file is read once, whatever imports it.
+    """
+    loader = _Loader(collector)
+    beside = main.parent / SYSTEM_MODEL
+    implicit = [beside] if beside.is_file() and beside.resolve() != main.resolve() else []
+    for path in (*systems, *implicit, main):
+        loader.load(path)
+    return loader.modules
+
+
+@dataclass
+class _Loader:
+    collector: Collector
+    modules: list[ast.Module] = field(default_factory=list)
+    visited: set[Path] = field(default_factory=set)
+
+    def load(self, path: Path, imported_at: Span | None = None) -> None:
+        """Add the module at `path` behind everything it imports (an explicit stack, so that a
+        long chain of imports cannot exhaust Python's).
+        """
+        stack: list[tuple[ast.Module, list[tuple[Path, Span]]]] = []
+        self._open(path, imported_at, stack)
+        while stack:
+            module, imports = stack[-1]
+            if imports:
+                target, span = imports.pop(0)
+                self._open(target, span, stack)
+            else:
+                self.modules.append(module)
+                stack.pop()
+
+    def _open(
+        self,
+        path: Path,
+        imported_at: Span | None,
+        stack: list[tuple[ast.Module, list[tuple[Path, Span]]]],
+    ) -> None:
+        key = path.resolve()
+        if key in self.visited:
+            return
+        if imported_at is not None and not path.is_file():
+            self.collector.add(_import_not_found(path, imported_at))
+            return
+        self.visited.add(key)
+        source = read_source(path, self.collector)
+        if source is not None:
+            module = parse(source, self.collector)
+            stack.append((module, _imports(module, path.parent)))
+
+
+def read_source(path: Path, collector: Collector) -> SourceFile | None:
+    """The text of a file, or None after reporting why there is none.
+
+    Reads little more than the parser accepts, however large the file is.
+    """
+    nothing = SourceFile(str(path), "")
+    try:
+        with path.open("rb") as stream:
+            content = stream.read(MAXIMUM_FILE_SIZE + 4)
+    except OSError as error:
+        reason = error.strerror or "it cannot be opened"
+        finding = FileUnreadable(path=str(path), reason=reason.lower())
+        collector.add(finding.at(Span(nothing, 0, 0)))
+        return None
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        if error.reason == "unexpected end of data" and len(content) > MAXIMUM_FILE_SIZE:
+            return SourceFile(str(path), content.decode("utf-8-sig", errors="ignore"))
+        collector.add(_not_utf8(path, content, error))
+        return None
+    return SourceFile(str(path), text)
+
+
+def _not_utf8(path: Path, content: bytes, error: UnicodeDecodeError) -> Diagnostic:
+    good = content[: error.start].decode("utf-8-sig", errors="replace")
+    source = SourceFile(str(path), good + content[error.start :].decode("latin-1"))
+    looks_binary = b"\0" in content[:4096]
+    guess = "a binary file" if looks_binary else "text in another encoding, such as Latin-1"
+    finding = NotUtf8(byte=f"0x{content[error.start]:02x}", guess=guess)
+    return finding.at(Span(source, len(good), len(good) + 1))
+
+
+def _imports(module: ast.Module, folder: Path) -> list[tuple[Path, Span]]:
+    return [
+        (folder / item.path.value, item.path.span)
+        for item in module.items
+        if isinstance(item, ast.Import)
+    ]
+
+
+def _import_not_found(path: Path, span: Span) -> Diagnostic:
+    folder = path.parent
+    present = [found.name for found in folder.glob("*.ross")] if folder.is_dir() else []
+    near = difflib.get_close_matches(path.name, present, n=1)
+    help = f"did you mean `{near[0]}`?" if near else "check the path"
+    finding = ImportNotFound(path=span.text.strip('"'), looked_for=f"`{path}`")
+    return finding.at(span, help=help)

@@ -1,0 +1,179 @@
+"""One evaluation: every signal, then every truth, from left to right.
+
+Before it, the inputs in memory are brought up to the instant. All nodes are evaluated each time; a
+target may leave out those that cannot have changed.
+"""
+
+from __future__ import annotations
+
+import math
+
+from rossmarie import ir
+from rossmarie.interpreter.elements import Elements
+from rossmarie.interpreter.memory import Memory, Samples
+from rossmarie.ir import InputState, TruthValue, arithmetic, kleene
+from rossmarie.ir.comparison import compare, is_between, is_set
+
+
+class Evaluator:
+    """Computes the signals and truths of a machine into its memory."""
+
+    def __init__(self, machine: ir.Machine, memory: Memory) -> None:
+        self._machine = machine
+        self._memory = memory
+        self._supports = ir.supports(machine)
+        self._element_arrays = ir.element_arrays(machine)
+        self._elements = Elements(machine, memory)
+
+    def evaluate(self, at_ns: int, updated: frozenset[int], expired: frozenset[int]) -> None:
+        """Evaluate at an instant at which these channels were updated and these inputs expired."""
+        for index, signal in enumerate(self._machine.signals):
+            if self._element_arrays.signals[index] is None:
+                value = self._signal(index, signal.node, at_ns, updated, expired)
+                self._memory.signals[index] = value
+        for index, truth in enumerate(self._machine.truths):
+            if self._element_arrays.truths[index] is None:
+                self._record(index, self._truth(index, truth.node, at_ns, updated), at_ns)
+
+    def _record(self, index: int, value: TruthValue, at_ns: int) -> None:
+        """S34: since when a truth has its value; the first evaluation counts as a change."""
+        if self._memory.truths[index] is not value:
+            self._memory.truths[index] = value
+            self._memory.since_ns[index] = at_ns
+
+    # --- signals -----------------------------------------------------------------------------
+
+    def _signal(
+        self,
+        index: int,
+        node: ir.SignalNode,
+        at_ns: int,
+        updated: frozenset[int],
+        expired: frozenset[int],
+    ) -> float:
+        match node:
+            case ir.Constant(value=value):
+                return value
+            case ir.Read(slot=slot):
+                return self._memory.slots[slot]
+            case ir.Apply(function=function, operands=operands):
+                values = tuple(self._memory.signals[operand] for operand in operands)
+                return arithmetic.apply(function, values)
+            case ir.Rate(signal=signal):
+                return self._sampled(index, signal, at_ns, updated, expired).rate()
+            case ir.Previous(signal=signal):
+                return self._sampled(index, signal, at_ns, updated, expired).before
+            case ir.Fold():
+                return self._elements.fold(node)
+            case ir.Count():
+                return self._elements.count(node)
+            case ir.Element():
+                raise AssertionError("an element has no value of its own")
+
+    def _sampled(
+        self,
+        index: int,
+        signal: int,
+        at_ns: int,
+        updated: frozenset[int],
+        expired: frozenset[int],
+    ) -> Samples:
+        """S18 and S21: the samples of `signal` that the node at `index` remembers."""
+        support = self._supports.signals[signal]
+        if support.inputs & expired:
+            self._memory.samples[index] = Samples()
+        samples = self._memory.samples[index]
+        if support.channels & updated:
+            samples.take(self._memory.signals[signal], at_ns)
+        return samples
+
+    # --- truths ------------------------------------------------------------------------------
+
+    def _truth(
+        self, index: int, node: ir.TruthNode, at_ns: int, updated: frozenset[int]
+    ) -> TruthValue:
+        match node:
+            case ir.Literal(value=value):
+                return kleene.truth_of(value)
+            case ir.Not(operand=operand):
+                return kleene.negation(self._known(operand))
+            case ir.And(operands=operands):
+                return kleene.conjunction(self._known(operand) for operand in operands)
+            case ir.Or(operands=operands):
+                return kleene.disjunction(self._known(operand) for operand in operands)
+            case ir.Held():
+                return self._held(index, node, at_ns)
+            case _:
+                found = self._leaf(index, node, at_ns, updated)
+                is_unknown = found is TruthValue.UNKNOWN
+                return TruthValue.LOST if is_unknown and self._is_lost(index, node) else found
+
+    def _known(self, index: int) -> TruthValue:
+        value = self._memory.truths[index]
+        assert value is not None, "operands stand before their users"
+        return value
+
+    def _leaf(
+        self, index: int, node: ir.TruthNode, at_ns: int, updated: frozenset[int]
+    ) -> TruthValue:
+        signals = self._memory.signals
+        match node:
+            case ir.Compare(comparison=comparison, left=left, right=right):
+                return compare(comparison, signals[left], signals[right])
+            case ir.Between(signal=signal, low=low, high=high):
+                return is_between(signals[signal], signals[low], signals[high])
+            case ir.Flag(signal=signal):
+                return is_set(signals[signal])
+            case ir.AgeReaches():
+                return self._age_reaches(node, at_ns)
+            case ir.Oscillates():
+                return self._oscillates(index, node, at_ns, updated)
+            case ir.Quantified():
+                return self._elements.quantified(node)
+            case _:
+                raise AssertionError(f"{type(node).__name__} is no leaf")
+
+    def _is_lost(self, index: int, node: ir.TruthNode) -> bool:
+        """S30: whether an unknown leaf is unknown for lack of an input with a timeout."""
+        support = self._supports.truths[index]
+        blamed = {
+            self._machine.slots[slot].input
+            for slot in support.slots
+            if math.isnan(self._memory.slots[slot])
+        }
+        for fold in support.folds:
+            if math.isnan(self._memory.signals[fold]):
+                blamed |= self._supports.signals[fold].inputs
+        if isinstance(node, ir.Quantified | ir.AgeReaches):
+            blamed |= support.inputs
+        return any(self._machine.inputs[index].timeout_ns is not None for index in blamed)
+
+    def _age_reaches(self, node: ir.AgeReaches, at_ns: int) -> TruthValue:
+        """S31."""
+        memory = self._memory.inputs[node.input]
+        if memory.state is InputState.NEVER:
+            return TruthValue.UNKNOWN
+        return kleene.truth_of(at_ns - memory.stamp_ns >= node.age_ns)
+
+    def _oscillates(
+        self, index: int, node: ir.Oscillates, at_ns: int, updated: frozenset[int]
+    ) -> TruthValue:
+        """S32."""
+        oscillation = self._memory.oscillations[index]
+        x = self._memory.signals[node.signal]
+        if not math.isfinite(x):
+            oscillation.clear()
+            return TruthValue.UNKNOWN
+        if self._supports.signals[node.signal].channels & updated:
+            oscillation.take(x, node.swing, at_ns)
+        oldest_ns = oscillation.oldest_ns()
+        return kleene.truth_of(oldest_ns is not None and at_ns - oldest_ns < node.window_ns)
+
+    def _held(self, index: int, node: ir.Held, at_ns: int) -> TruthValue:
+        """S33."""
+        operand = self._known(node.operand)
+        if operand is not TruthValue.TRUE:
+            self._memory.held_since_ns.pop(index, None)
+            return operand
+        start_ns = self._memory.held_since_ns.setdefault(index, at_ns)
+        return kleene.truth_of(at_ns - start_ns >= node.duration_ns)

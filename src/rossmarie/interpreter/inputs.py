@@ -1,0 +1,75 @@
+"""Messages in, and inputs that grow old (rules S7 to S10 and S17)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rossmarie import ir
+from rossmarie.interpreter.memory import Memory
+from rossmarie.ir import ChannelValues, InputState
+from rossmarie.ir.arithmetic import NAN, finite_or_nan
+
+
+class Inputs:
+    """Keeps the slots, arrays and input states in memory up to date."""
+
+    def __init__(self, machine: ir.Machine, memory: Memory) -> None:
+        self._machine = machine
+        self._memory = memory
+
+    def receive(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> None:
+        """Messages arrive at an instant, by channel index."""
+        for index, declared in enumerate(self._machine.inputs):
+            if declared.channel in messages:
+                self._memory.inputs[index].state = InputState.FRESH
+                self._memory.inputs[index].stamp_ns = at_ns
+        for index, slot in enumerate(self._machine.slots):
+            if (values := messages.get(self._channel(slot.input))) is not None:
+                raw = values.slots.get(index, NAN)
+                # S7: what is not finite was not measured.
+                self._memory.slots[index] = finite_or_nan(_convert(raw, slot))
+        for index, array in enumerate(self._machine.arrays):
+            if (values := messages.get(self._channel(array.input))) is not None:
+                # S8: an infinite element is an ordinary number ("out of range", REP 117).
+                elements = values.arrays.get(index, ())
+                self._memory.arrays[index] = [_convert(raw, array) for raw in elements]
+
+    def expire(self, at_ns: int) -> frozenset[int]:
+        """S10: the inputs that reach their timeout; what they brought is forgotten."""
+        expired = frozenset(
+            index for index in range(len(self._machine.inputs)) if self._is_due(index, at_ns)
+        )
+        for index in expired:
+            self._memory.inputs[index].state = InputState.EXPIRED
+        for index, slot in enumerate(self._machine.slots):
+            if slot.input in expired:
+                self._memory.slots[index] = NAN
+        for index, array in enumerate(self._machine.arrays):
+            if array.input in expired:
+                self._memory.arrays[index] = ()
+        return expired
+
+    def restart(self, at_ns: int) -> None:
+        """S17: after a jump fresh inputs count as just received, expired ones as just expired."""
+        for declared, present in zip(self._machine.inputs, self._memory.inputs, strict=True):
+            present.stamp_ns = at_ns
+            if present.state is InputState.EXPIRED:
+                assert declared.timeout_ns is not None, "only inputs with a timeout expire"
+                present.stamp_ns = at_ns - declared.timeout_ns
+
+    def _is_due(self, index: int, at_ns: int) -> bool:
+        timeout_ns = self._machine.inputs[index].timeout_ns
+        present = self._memory.inputs[index]
+        if timeout_ns is None or present.state is not InputState.FRESH:
+            return False
+        return at_ns - present.stamp_ns >= timeout_ns
+
+    def _channel(self, index: int) -> int:
+        return self._machine.inputs[index].channel
+
+
+def _convert(raw: float, source: ir.Slot | ir.Array) -> float:
+    """S7: from the unit of the message to SI."""
+    if source.scale == 1.0 and source.offset == 0.0:
+        return raw
+    return raw * source.scale + source.offset

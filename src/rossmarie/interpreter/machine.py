@@ -1,0 +1,136 @@
+"""The meaning of a machine, executable: the oracle of every target.
+
+Takes a machine that `ir.verify` has passed. Follows `docs/explanation/semantics.md` rule by rule
+(S1, S2, ... in the comments) and prefers clarity to speed: everything is evaluated every time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rossmarie import ir
+from rossmarie.interpreter.evaluate import Evaluator
+from rossmarie.interpreter.inputs import Inputs
+from rossmarie.interpreter.memory import fresh_memory
+from rossmarie.interpreter.wake import next_wake
+from rossmarie.ir import Change, ChannelValues, Event, TimeJump, TruthValue, Verdict
+
+
+class Interpreter:
+    """A monitor. Instants are nanoseconds on one clock, between `ir.EARLIEST_NS` and
+    `ir.LATEST_NS`; every method that takes one raises `ValueError` outside that range.
+    """
+
+    def __init__(self, machine: ir.Machine) -> None:
+        self._machine = machine
+        self._memory = fresh_memory(machine)
+        self._inputs = Inputs(machine, self._memory)
+        self._evaluator = Evaluator(machine, self._memory)
+        self._active = [False] * len(machine.rules)
+
+    @property
+    def active(self) -> tuple[bool, ...]:
+        """Which rules are active, by index."""
+        return tuple(self._active)
+
+    @property
+    def signals(self) -> tuple[float, ...]:
+        """The present value of each signal, by index; NaN is unknown."""
+        return tuple(self._memory.signals)
+
+    def next_wake(self) -> int | None:
+        """The instant at which `advance` is wanted if no message comes before (S15)."""
+        return next_wake(self._machine, self._memory)
+
+    def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
+        """The messages that arrive at one instant, by channel index."""
+        events = self._catch_up(at_ns)
+        self._inputs.receive(at_ns, messages)
+        return events + self._evaluate(at_ns, frozenset(messages))
+
+    def advance(self, at_ns: int) -> list[Event]:
+        """Time passes without a message; timers due at this very instant fire as well."""
+        is_new = self._memory.now_ns is None or at_ns < self._memory.now_ns
+        events = self._catch_up(at_ns)
+        wake_ns = self.next_wake()
+        if is_new or wake_ns == at_ns:
+            events += self._evaluate(at_ns)
+        self._memory.now_ns = at_ns
+        return events
+
+    def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
+        """An operator resets one latched rule, or all: those with a false condition clear (S38)."""
+        events = self.advance(at_ns)
+        resettable = range(len(self._machine.rules)) if rule is None else (rule,)
+        for index in resettable:
+            if self._machine.rules[index].release is None and self._is_over(index):
+                events.append(self._change(index, Change.CLEARED, at_ns))
+        return events
+
+    # --- time --------------------------------------------------------------------------------
+
+    def _catch_up(self, at_ns: int) -> list[Event]:
+        """S13: timers due before an instant fire first. S17: an earlier instant is a jump."""
+        if not ir.EARLIEST_NS < at_ns < ir.LATEST_NS:
+            raise ValueError(f"an instant of {at_ns} ns is out of range")
+        now_ns = self._memory.now_ns
+        if now_ns is not None and at_ns < now_ns:
+            self._inputs.restart(at_ns)
+            self._memory.restart()
+            return [TimeJump(now_ns, at_ns)]
+        events: list[Event] = []
+        while (wake_ns := self.next_wake()) is not None and wake_ns < at_ns:
+            events += self._evaluate(wake_ns)
+        return events
+
+    def _evaluate(self, at_ns: int, updated: frozenset[int] = frozenset()) -> list[Event]:
+        """One evaluation: inputs expire, everything is computed, rules change (S11)."""
+        expired = self._inputs.expire(at_ns)
+        self._evaluator.evaluate(at_ns, updated, expired)
+        self._memory.now_ns = at_ns
+        return [
+            self._change(index, change, at_ns)
+            for index in range(len(self._machine.rules))
+            if (change := self._due_change(index)) is not None
+        ]
+
+    # --- rules -------------------------------------------------------------------------------
+
+    def _due_change(self, index: int) -> Change | None:
+        """S35 to S37: what an evaluation does to a rule."""
+        rule = self._machine.rules[index]
+        if not self._active[index]:
+            return _ACTIVATIONS.get(self._truth(rule.condition))
+        if rule.release is None or not self._is_over(index):
+            return None
+        return Change.CLEARED if self._truth(rule.release) is TruthValue.TRUE else None
+
+    def _is_over(self, index: int) -> bool:
+        """Whether a rule is active and its condition false."""
+        condition = self._machine.rules[index].condition
+        return self._active[index] and self._truth(condition) is TruthValue.FALSE
+
+    def _truth(self, index: int) -> TruthValue:
+        value = self._memory.truths[index]
+        assert value is not None, "rules are read after an evaluation"
+        return value
+
+    def _change(self, index: int, change: Change, at_ns: int) -> Verdict:
+        """Change a rule and say so, with a snapshot of what it rests on (S41)."""
+        self._active[index] = change is not Change.CLEARED
+        rule = self._machine.rules[index]
+        return Verdict(
+            rule=index,
+            at_ns=at_ns,
+            change=change,
+            truths=tuple(self._truth(term) for term in rule.terms),
+            since_ns=tuple(self._memory.since_ns[term] for term in rule.terms),
+            values=tuple(self._memory.signals[signal] for signal in rule.signals),
+            inputs=tuple(self._memory.inputs[used].state for used in rule.inputs),
+        )
+
+
+_ACTIVATIONS: Mapping[TruthValue, Change] = {
+    TruthValue.TRUE: Change.ACTIVATED,
+    TruthValue.LOST: Change.ACTIVATED_LOST,
+}

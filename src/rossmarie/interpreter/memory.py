@@ -1,0 +1,142 @@
+"""What a monitor remembers between two evaluations. Bounded: nothing here grows with the trace."""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections import deque
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from rossmarie import ir
+from rossmarie.ir import InputState, TruthValue
+from rossmarie.ir.arithmetic import NAN, finite_or_nan
+
+
+@dataclass
+class InputMemory:
+    """The state of an input and the instant of its last message (S9)."""
+
+    state: InputState = InputState.NEVER
+    stamp_ns: int = 0
+
+
+@dataclass
+class Samples:
+    """The last two samples of a signal (S18)."""
+
+    latest: float = NAN
+    latest_ns: int | None = None
+    before: float = NAN
+    before_ns: int | None = None
+
+    def take(self, value: float, at_ns: int) -> None:
+        """A sample; at an equal instant it replaces the last one."""
+        if self.latest_ns != at_ns:
+            self.before, self.before_ns = self.latest, self.latest_ns
+        self.latest, self.latest_ns = value, at_ns
+
+    def rate(self) -> float:
+        """The slope per second, NaN unless both samples are finite (S19)."""
+        if self.latest_ns is None or self.before_ns is None:
+            return NAN
+        if not (math.isfinite(self.before) and math.isfinite(self.latest)):
+            return NAN
+        seconds = float(self.latest_ns - self.before_ns) / 1e9
+        return finite_or_nan((self.latest - self.before) / seconds)
+
+
+class Direction(enum.Enum):
+    """Where an oscillating signal is going."""
+
+    NONE = "none"
+    UP = "up"
+    DOWN = "down"
+
+
+@dataclass
+class Oscillation:
+    """The turning points of a signal (S32); `turns` holds the instants of the last few."""
+
+    turns: deque[int]
+    direction: Direction = Direction.NONE
+    extreme: float = NAN
+
+    def clear(self) -> None:
+        """Nothing is known of the signal any more."""
+        self.turns.clear()
+        self.direction = Direction.NONE
+        self.extreme = NAN
+
+    def take(self, x: float, swing: float, at_ns: int) -> None:
+        """A finite sample."""
+        if math.isnan(self.extreme) or self._goes_on(x):
+            self.extreme = x
+        elif self.direction is not Direction.UP and x > self.extreme + swing:
+            self._turn(Direction.UP, x, at_ns)
+        elif self.direction is not Direction.DOWN and x < self.extreme - swing:
+            self._turn(Direction.DOWN, x, at_ns)
+
+    def _goes_on(self, x: float) -> bool:
+        if self.direction is Direction.UP:
+            return x > self.extreme
+        return self.direction is Direction.DOWN and x < self.extreme
+
+    def _turn(self, direction: Direction, x: float, at_ns: int) -> None:
+        if self.direction is not Direction.NONE:
+            self.turns.append(at_ns)
+        self.direction = direction
+        self.extreme = x
+
+    def oldest_ns(self) -> int | None:
+        """The instant of the n-th latest turning point, once there are that many."""
+        return self.turns[0] if len(self.turns) == self.turns.maxlen else None
+
+
+@dataclass
+class Memory:
+    """All of it, by the indexes of the machine. Elementwise signals and truths have no entry of
+    their own: they stay NaN and None.
+    """
+
+    slots: list[float]
+    arrays: list[Sequence[float]]
+    inputs: list[InputMemory]
+    signals: list[float]
+    samples: dict[int, Samples]
+    truths: list[TruthValue | None]
+    since_ns: list[int]
+    oscillations: dict[int, Oscillation]
+    held_since_ns: dict[int, int] = field(default_factory=dict)
+    now_ns: int | None = None
+
+    def restart(self) -> None:
+        """Forget everything that was measured against a clock (S17)."""
+        for samples in self.samples:
+            self.samples[samples] = Samples()
+        for oscillation in self.oscillations.values():
+            oscillation.clear()
+        self.held_since_ns.clear()
+        self.truths = [None] * len(self.truths)
+
+
+def fresh_memory(machine: ir.Machine) -> Memory:
+    """The memory of a monitor that has seen nothing."""
+    return Memory(
+        slots=[NAN] * len(machine.slots),
+        arrays=[()] * len(machine.arrays),
+        inputs=[InputMemory() for _ in machine.inputs],
+        signals=[NAN] * len(machine.signals),
+        samples={
+            index: Samples()
+            for index, signal in enumerate(machine.signals)
+            if isinstance(signal.node, ir.Rate | ir.Previous)
+        },
+        truths=[None] * len(machine.truths),
+        since_ns=[0] * len(machine.truths),
+        oscillations={
+            index: Oscillation(deque(maxlen=truth.node.count))
+            for index, truth in enumerate(machine.truths)
+            if isinstance(truth.node, ir.Oscillates)
+        },
+    )

@@ -1,0 +1,41 @@
+"""Truths about numbers (rules S27 to S29). A NaN operand makes them unknown; infinities, which
+only elements of arrays can be, are ordinary numbers here.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Callable, Mapping
+
+from rossmarie.ir.kleene import truth_of
+from rossmarie.ir.model import Comparison
+from rossmarie.ir.verdict import TruthValue
+
+_COMPARISONS: Mapping[Comparison, Callable[[float, float], bool]] = {
+    Comparison.EQUAL: operator.eq,
+    Comparison.NOT_EQUAL: operator.ne,
+    Comparison.LESS: operator.lt,
+    Comparison.LESS_OR_EQUAL: operator.le,
+    Comparison.GREATER: operator.gt,
+    Comparison.GREATER_OR_EQUAL: operator.ge,
+}
+
+
+def compare(comparison: Comparison, left: float, right: float) -> TruthValue:
+    """`left OP right` (S27)."""
+    if math.isnan(left) or math.isnan(right):
+        return TruthValue.UNKNOWN
+    return truth_of(_COMPARISONS[comparison](left, right))
+
+
+def is_between(value: float, low: float, high: float) -> TruthValue:
+    """`value in [low, high]` (S28)."""
+    if math.isnan(value) or math.isnan(low) or math.isnan(high):
+        return TruthValue.UNKNOWN
+    return truth_of(low <= value <= high)
+
+
+def is_set(value: float) -> TruthValue:
+    """A flag, which is 0.0 or else true (S29)."""
+    return TruthValue.UNKNOWN if math.isnan(value) else truth_of(value != 0.0)

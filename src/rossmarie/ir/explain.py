@@ -1,0 +1,257 @@
+"""Why a rule changed: from the snapshot in a verdict to the user's own words.
+
+Takes a verified machine and a verdict of it. The causes are a part of the rule's condition that
+alone decides its value: of a true `and` all operands, of a true `or` the true ones; of a false
+`or` all, of a false `and` the false ones; of an unknown one the equally unknown ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from dslkit.source import Span
+from rossmarie.ir import kleene
+from rossmarie.ir import model as ir
+from rossmarie.ir.support import compared_signals, is_leaf, leaf_truths, supports
+from rossmarie.ir.verdict import Change, InputState, TruthValue, Verdict
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What a signal was, in the unit in which the user sees it; `shown` is value and unit."""
+
+    signal: int
+    text: str
+    value: float
+    unit: str
+    shown: str
+
+
+@dataclass(frozen=True)
+class Cause:
+    """A condition that decided, with what it looked at.
+
+    `name` is the user's name of it, or of the nearest condition around it. `since_ns` is since when
+    it has been so: of a true `C for d`, since when C has been true.
+    """
+
+    truth: int
+    name: str | None
+    text: str
+    value: TruthValue
+    since_ns: int
+    readings: tuple[Reading, ...]
+    span: Span
+
+    def line(self, origin_ns: int = 0) -> str:
+        """One line; instants are shown in seconds after `origin_ns`."""
+        shown = [f"{reading.text} = {reading.shown}" for reading in self.readings]
+        # "x = 3 m, not in [1, 2] m" reads better than "x = 3 m, x not in [1, 2] m".
+        lone = f"{self.readings[0].text} " if len(self.readings) == 1 else ""
+        shown.append(self.text.removeprefix(lone))
+        since = f"{_WORDS[self.value]} since {(self.since_ns - origin_ns) / 1e9:.3f} s"
+        prefix = f"{self.name}: " if self.name else ""
+        return prefix + ", ".join((*shown, since))
+
+
+@dataclass(frozen=True)
+class LostInput:
+    """An input to blame for an unknown condition. FRESH: messages come, without a usable value."""
+
+    input: int
+    name: str
+    topic: str
+    state: InputState
+
+    def line(self) -> str:
+        """One line."""
+        return f"input {self.name} ({self.topic}) {_STATES[self.state]}"
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """Why a rule became active or cleared; `contract` says what clears it."""
+
+    rule: str
+    at_ns: int
+    change: Change
+    causes: tuple[Cause, ...]
+    lost_inputs: tuple[LostInput, ...]
+    contract: str
+
+    def lines(self, origin_ns: int = 0) -> tuple[str, ...]:
+        """A line for each lost input and each cause, the first telling most."""
+        lost = tuple(lost.line() for lost in self.lost_inputs)
+        return (*lost, *(cause.line(origin_ns) for cause in self.causes))
+
+    def line(self, origin_ns: int = 0) -> str:
+        """All of it on one line."""
+        return "; ".join(self.lines(origin_ns))
+
+
+_WORDS = {
+    TruthValue.FALSE: "false",
+    TruthValue.TRUE: "true",
+    TruthValue.UNKNOWN: "unknown",
+    TruthValue.LOST: "unknown",
+}
+
+_STATES = {
+    InputState.NEVER: "has never been received",
+    InputState.EXPIRED: "is older than its timeout",
+    InputState.FRESH: "has no usable value",
+}
+
+
+def explain(machine: ir.Machine, verdict: Verdict) -> Explanation:
+    """The causes of a verdict, in the order in which the rule's condition names them."""
+    rule = machine.rules[verdict.rule]
+    snapshot = _Snapshot(machine, verdict)
+    causes: dict[int, Cause] = {}
+    for cause in snapshot.causes(rule.condition):
+        causes.setdefault(cause.truth, cause)
+    return Explanation(
+        rule=rule.name,
+        at_ns=verdict.at_ns,
+        change=verdict.change,
+        causes=tuple(causes.values()),
+        lost_inputs=snapshot.lost_inputs(tuple(causes.values())),
+        contract=rule.contract,
+    )
+
+
+class _Snapshot:
+    """What a verdict tells, by the indexes of the machine."""
+
+    def __init__(self, machine: ir.Machine, verdict: Verdict) -> None:
+        rule = machine.rules[verdict.rule]
+        self._machine = machine
+        self._truths = dict(zip(rule.terms, verdict.truths, strict=True))
+        self._since_ns = dict(zip(rule.terms, verdict.since_ns, strict=True))
+        self._values = dict(zip(rule.signals, verdict.values, strict=True))
+        self._inputs = dict(zip(rule.inputs, verdict.inputs, strict=True))
+
+    def causes(self, condition: int) -> Iterator[Cause]:
+        """What decided a condition, from left to right."""
+        waiting: list[tuple[int, str | None]] = [(condition, None)]
+        while waiting:
+            truth, around = waiting.pop()
+            name = self._machine.truths[truth].name or around
+            if self._is_unit(truth):
+                yield self._cause(truth, around)
+            else:
+                waiting += [(operand, name) for operand in reversed(self._deciding(truth))]
+
+    def lost_inputs(self, causes: tuple[Cause, ...]) -> tuple[LostInput, ...]:
+        """The inputs to blame for the causes that are unknown for lack of one."""
+        rests_on = supports(self._machine).truths
+        blamed: set[int] = set()
+        for cause in causes:
+            for leaf in leaf_truths(self._machine, cause.truth):
+                if self._truths[leaf] is TruthValue.LOST:
+                    blamed |= self._blamed(rests_on[leaf].inputs)
+        return tuple(self._lost(index) for index in sorted(blamed))
+
+    def _blamed(self, inputs: frozenset[int]) -> set[int]:
+        guarded = {i for i in inputs if self._machine.inputs[i].timeout_ns is not None}
+        silent = {index for index in guarded if self._inputs[index] is not InputState.FRESH}
+        return silent or guarded
+
+    def _lost(self, index: int) -> LostInput:
+        declared = self._machine.inputs[index]
+        topic = self._machine.channels[declared.channel].topic
+        return LostInput(index, declared.name, topic, self._inputs[index])
+
+    # --- causes ------------------------------------------------------------------------------
+
+    def _deciding(self, truth: int) -> tuple[int, ...]:
+        """The operands that alone decide a truth: those of an equal value, or the negated one."""
+        match self._machine.truths[truth].node:
+            case ir.And(operands=operands) | ir.Or(operands=operands):
+                value = self._value(truth)
+                return tuple(operand for operand in operands if self._value(operand) is value)
+            case ir.Not(operand=operand) | ir.Held(operand=operand):
+                return (operand,)
+            case _:
+                return ()
+
+    def _is_unit(self, truth: int) -> bool:
+        """Whether a truth is told as a whole: a leaf, a duration, or the negation of one."""
+        node = self._machine.truths[truth].node
+        while isinstance(node, ir.Not):
+            node = self._machine.truths[node.operand].node
+        return is_leaf(node) or isinstance(node, ir.Held)
+
+    def _cause(self, truth: int, around: str | None) -> Cause:
+        chain = tuple(self._chain(truth))
+        names = (self._machine.truths[index].name for index in chain)
+        return Cause(
+            truth=truth,
+            name=next(filter(None, names), around),
+            text=self._machine.truths[truth].text,
+            value=self._value(truth),
+            since_ns=self._since(truth),
+            readings=tuple(self._readings(truth)),
+            span=self._machine.truths[truth].span,
+        )
+
+    def _chain(self, truth: int) -> Iterator[int]:
+        """The truth and what it negates or prolongs, from the outside to the inside."""
+        yield truth
+        node = self._machine.truths[truth].node
+        while isinstance(node, ir.Not | ir.Held):
+            yield node.operand
+            node = self._machine.truths[node.operand].node
+
+    def _since(self, truth: int) -> int:
+        node = self._machine.truths[truth].node
+        if isinstance(node, ir.Held) and self._value(truth) is TruthValue.TRUE:
+            return self._since_ns[truth] - node.duration_ns
+        # A negation changes together with what it negates.
+        return next(self._since_ns[i] for i in self._chain(truth) if i in self._since_ns)
+
+    def _readings(self, truth: int) -> Iterator[Reading]:
+        """What the leaves that decided looked at, each signal once."""
+        signals: dict[int, None] = {}
+        waiting = [truth]
+        while waiting:
+            index = waiting.pop()
+            waiting += reversed(self._deciding(index))
+            for signal in compared_signals(self._machine.truths[index].node):
+                if signal in self._values:
+                    signals.setdefault(signal)
+        return map(self._reading, signals)
+
+    def _reading(self, index: int) -> Reading:
+        signal = self._machine.signals[index]
+        value = self._values[index]
+        shown = value * signal.scale + signal.offset
+        return Reading(index, signal.text, shown, signal.unit, self._shown(signal, shown))
+
+    def _shown(self, signal: ir.Signal, value: float) -> str:
+        if value != value:
+            return "unknown"
+        match signal.node:
+            case ir.Read(slot=slot) if self._machine.slots[slot].kind is ir.Kind.FLAG:
+                return str(value != 0.0).lower()
+            case ir.Read(slot=slot) if self._machine.slots[slot].kind is ir.Kind.TEXT:
+                texts = self._machine.texts
+                return f'"{texts[int(value)]}"' if value >= 0.0 else "another text"
+        return f"{value:.6g} {signal.unit}".rstrip()
+
+    def _value(self, truth: int) -> TruthValue:
+        """The value of any truth below the rule's condition: told, or computed from those told."""
+        if truth in self._truths:
+            return self._truths[truth]
+        match self._machine.truths[truth].node:
+            case ir.Literal(value=value):
+                return kleene.truth_of(value)
+            case ir.Not(operand=operand):
+                return kleene.negation(self._value(operand))
+            case ir.And(operands=operands):
+                return kleene.conjunction(self._value(operand) for operand in operands)
+            case ir.Or(operands=operands):
+                return kleene.disjunction(self._value(operand) for operand in operands)
+            case node:
+                raise AssertionError(f"{type(node).__name__} is among the terms of its rule")

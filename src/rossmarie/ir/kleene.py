@@ -1,0 +1,31 @@
+"""Kleene's logic over false, true, unknown and lost (rules S1 and S2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rossmarie.ir.verdict import TruthValue
+
+_NEGATED = {TruthValue.FALSE: TruthValue.TRUE, TruthValue.TRUE: TruthValue.FALSE}
+
+
+def truth_of(value: bool) -> TruthValue:
+    """A definite value."""
+    return TruthValue.TRUE if value else TruthValue.FALSE
+
+
+def negation(operand: TruthValue) -> TruthValue:
+    """`not`: unknown stays unknown."""
+    return _NEGATED.get(operand, operand)
+
+
+def conjunction(operands: Iterable[TruthValue]) -> TruthValue:
+    """`and`: false if any is false, else the greatest."""
+    values = tuple(operands)
+    return TruthValue.FALSE if TruthValue.FALSE in values else max(values)
+
+
+def disjunction(operands: Iterable[TruthValue]) -> TruthValue:
+    """`or`: true if any is true, else the greatest."""
+    values = tuple(operands)
+    return TruthValue.TRUE if TruthValue.TRUE in values else max(values)

@@ -1,0 +1,15 @@
+"""How far apart instants may lie, so that a target can compute with 64-bit integers.
+
+An instant plus a duration, and the difference of two instants, never leave the range of int64.
+"""
+
+from __future__ import annotations
+
+EARLIEST_NS = -(2**61)
+"""Instants lie above this (in the year 1896, counted from the Unix epoch)."""
+
+LATEST_NS = 2**62
+"""Instants lie below this (in the year 2116, counted from the Unix epoch)."""
+
+LONGEST_NS = 2**61
+"""Durations lie below this (73 years)."""

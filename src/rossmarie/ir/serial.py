@@ -1,0 +1,120 @@
+"""A machine as JSON, and back. The text holds the sources too, so that spans keep their meaning.
+
+The layout follows the classes of the model: an object per instance with a member per field, nodes
+tagged by the name of their class, enumerations by value, spans as `[file, start, end]`. `VERSION`
+is raised whenever that changes; other versions are refused.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+import json
+import types
+import typing
+
+from dslkit.source import SourceFile, Span
+from rossmarie.ir import model as ir
+
+FORMAT = "rossmarie-machine"
+VERSION = 1
+
+Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
+
+
+class UnreadableMachine(Exception):  # noqa: N818 -- the defect is the name
+    """A text is no machine of this version."""
+
+
+def machine_to_json(machine: ir.Machine) -> str:
+    """The machine as JSON text; equal machines over equal sources give equal texts."""
+    files: dict[SourceFile, int] = {}
+    body = _encode(machine, files)
+    sources: list[Json] = [{"path": file.path, "text": file.text} for file in files]
+    whole: Json = {"format": FORMAT, "version": VERSION, "files": sources, "machine": body}
+    return json.dumps(whole, indent=1, allow_nan=False) + "\n"
+
+
+def machine_from_json(text: str) -> ir.Machine:
+    """The machine in a text. Raises `UnreadableMachine`; does not verify the machine."""
+    try:
+        whole = json.loads(text)
+        if whole["format"] != FORMAT or whole["version"] != VERSION:
+            raise UnreadableMachine(f"not version {VERSION} of a {FORMAT}")
+        files = [SourceFile(source["path"], source["text"]) for source in whole["files"]]
+        machine = _decode(ir.Machine, whole["machine"], files)
+    except (ValueError, KeyError, TypeError, IndexError, RecursionError) as error:
+        raise UnreadableMachine(f"{type(error).__name__}: {error}") from error
+    assert isinstance(machine, ir.Machine)
+    return machine
+
+
+def _encode(value: object, files: dict[SourceFile, int]) -> Json:
+    match value:
+        case Span(file=file, start=start, end=end):
+            return [files.setdefault(file, len(files)), start, end]
+        case enum.Enum():
+            return typing.cast("Json", value.value)
+        case tuple():
+            return [_encode(item, files) for item in value]
+        case None | bool() | int() | float() | str():
+            return value
+    assert dataclasses.is_dataclass(value)
+    members: dict[str, Json] = {"class": type(value).__name__} if _is_node(type(value)) else {}
+    for field in dataclasses.fields(value):
+        members[field.name] = _encode(getattr(value, field.name), files)
+    return members
+
+
+_NODES: dict[str, type] = {
+    node.__name__: node
+    for node in (*typing.get_args(ir.SignalNode), *typing.get_args(ir.TruthNode))
+}
+
+
+def _is_node(kind: type) -> bool:
+    return kind in _NODES.values()
+
+
+def _decode(hint: object, data: typing.Any, files: list[SourceFile]) -> object:
+    """The value that `data` stands for where the model says `hint`."""
+    arguments = typing.get_args(hint)
+    if typing.get_origin(hint) in (types.UnionType, typing.Union):
+        return _decode(_choose(arguments, data), data, files)
+    if typing.get_origin(hint) is tuple:
+        _require(isinstance(data, list), hint, data)
+        return tuple(_decode(arguments[0], item, files) for item in data)
+    if hint is Span:
+        file, start, end = data
+        return Span(files[_decode_int(file)], _decode_int(start), _decode_int(end))
+    assert isinstance(hint, type)
+    if issubclass(hint, enum.Enum):
+        return hint(data)
+    if dataclasses.is_dataclass(hint):
+        return _decode_instance(hint, data, files)
+    _require(type(data) is hint, hint, data)
+    return data
+
+
+def _decode_int(data: object) -> int:
+    _require(type(data) is int, int, data)
+    assert isinstance(data, int)
+    return data
+
+
+def _decode_instance(kind: type, data: typing.Any, files: list[SourceFile]) -> object:
+    names = {field.name for field in dataclasses.fields(kind)}
+    _require(isinstance(data, dict) and data.keys() - {"class"} == names, kind, data)
+    hints = typing.get_type_hints(kind)
+    return kind(**{name: _decode(hints[name], data[name], files) for name in names})
+
+
+def _choose(hints: tuple[type, ...], data: object) -> type:
+    kind = _NODES[data["class"]] if isinstance(data, dict) else type(data)
+    _require(kind in hints, hints, data)
+    return kind
+
+
+def _require(is_so: bool, hint: object, data: object) -> None:
+    if not is_so:
+        raise ValueError(f"expected {getattr(hint, '__name__', hint)}, found {str(data)[:60]!r}")

@@ -1,0 +1,270 @@
+"""What a signal or a truth rests on: questions about a machine that every target asks.
+
+Takes a machine whose operands stand before their users; answers never depend on values.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from rossmarie.ir import model as ir
+
+
+@dataclass(frozen=True)
+class Support:
+    """Everything that a value can depend on, as indexes into the machine.
+
+    `folds` are the signals (`Fold` and `Count`) that turn an array into a number. The input of an
+    `AgeReaches` is among `inputs` although no slot of it need be.
+    """
+
+    slots: frozenset[int] = frozenset()
+    arrays: frozenset[int] = frozenset()
+    folds: frozenset[int] = frozenset()
+    inputs: frozenset[int] = frozenset()
+    channels: frozenset[int] = frozenset()
+
+    def __or__(self, other: Support) -> Support:
+        return Support(
+            self.slots | other.slots,
+            self.arrays | other.arrays,
+            self.folds | other.folds,
+            self.inputs | other.inputs,
+            self.channels | other.channels,
+        )
+
+
+@dataclass(frozen=True)
+class Supports:
+    """The support of every signal and every truth of a machine, by index."""
+
+    signals: tuple[Support, ...]
+    truths: tuple[Support, ...]
+
+
+def signal_operands(node: ir.SignalNode) -> tuple[int, ...]:
+    """The signals that a signal is computed from."""
+    match node:
+        case ir.Apply(operands=operands):
+            return operands
+        case ir.Rate(signal=signal) | ir.Previous(signal=signal):
+            return (signal,)
+        case ir.Fold(element=element):
+            return (element,)
+        case _:
+            return ()
+
+
+def truth_operands(node: ir.TruthNode) -> tuple[int, ...]:
+    """The truths that a truth is computed from, elementwise ones included."""
+    match node:
+        case ir.Not(operand=operand) | ir.Held(operand=operand):
+            return (operand,)
+        case ir.And(operands=operands) | ir.Or(operands=operands):
+            return operands
+        case ir.Quantified(element=element):
+            return (element,)
+        case _:
+            return ()
+
+
+def compared_signals(node: ir.TruthNode) -> tuple[int, ...]:
+    """The signals that a leaf truth looks at, in the order in which it names them."""
+    match node:
+        case ir.Compare(left=left, right=right):
+            return (left, right)
+        case ir.Between(signal=signal, low=low, high=high):
+            return (signal, low, high)
+        case ir.Flag(signal=signal) | ir.Oscillates(signal=signal):
+            return (signal,)
+        case _:
+            return ()
+
+
+def is_leaf(node: ir.TruthNode) -> bool:
+    """Whether a truth looks at numbers, arrays or ages instead of other truths."""
+    return not isinstance(node, ir.Literal | ir.Not | ir.And | ir.Or | ir.Held)
+
+
+def supports(machine: ir.Machine) -> Supports:
+    """What every signal and truth rests on; an elementwise one rests on its array."""
+    elements = _element_truth_supports(machine)
+    signals: list[Support] = []
+    for index, signal in enumerate(machine.signals):
+        signals.append(_signal_support(machine, index, signal.node, signals, elements))
+    truths: list[Support] = []
+    for truth in machine.truths:
+        truths.append(_truth_support(machine, truth.node, signals, truths))
+    return Supports(tuple(signals), tuple(truths))
+
+
+def _element_truth_supports(machine: ir.Machine) -> dict[int, Support]:
+    """The array behind each elementwise truth: `Count` asks before the truths are visited."""
+    arrays = element_arrays(machine).truths
+    return {
+        index: _array_support(machine, array)
+        for index, array in enumerate(arrays)
+        if array is not None
+    }
+
+
+def _array_support(machine: ir.Machine, array: int) -> Support:
+    used = machine.arrays[array].input
+    return Support(
+        arrays=frozenset({array}),
+        inputs=frozenset({used}),
+        channels=frozenset({machine.inputs[used].channel}),
+    )
+
+
+def _signal_support(
+    machine: ir.Machine,
+    index: int,
+    node: ir.SignalNode,
+    signals: list[Support],
+    elements: dict[int, Support],
+) -> Support:
+    match node:
+        case ir.Read(slot=slot):
+            used = machine.slots[slot].input
+            return Support(
+                slots=frozenset({slot}),
+                inputs=frozenset({used}),
+                channels=frozenset({machine.inputs[used].channel}),
+            )
+        case ir.Element(array=array):
+            return _array_support(machine, array)
+        case ir.Fold(element=element):
+            return signals[element] | Support(folds=frozenset({index}))
+        case ir.Count(element=element):
+            return elements[element] | Support(folds=frozenset({index}))
+        case _:
+            return _union(signals[operand] for operand in signal_operands(node))
+
+
+def _truth_support(
+    machine: ir.Machine, node: ir.TruthNode, signals: list[Support], truths: list[Support]
+) -> Support:
+    if isinstance(node, ir.AgeReaches):
+        channel = machine.inputs[node.input].channel
+        return Support(inputs=frozenset({node.input}), channels=frozenset({channel}))
+    operands = _union(truths[operand] for operand in truth_operands(node))
+    return operands | _union(signals[signal] for signal in compared_signals(node))
+
+
+def _union(parts: Iterable[Support]) -> Support:
+    whole = Support()
+    for part in parts:
+        whole = whole | part
+    return whole
+
+
+# --- elements --------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class ElementArrays:
+    """For every signal and truth, by index: the array of which it takes one element, or None if
+    it has one value for the whole machine.
+    """
+
+    signals: tuple[int | None, ...]
+    truths: tuple[int | None, ...]
+
+
+def element_arrays(machine: ir.Machine) -> ElementArrays:
+    """Which signals and truths exist once for each element, and of which array.
+
+    Raises `ValueError` if one takes elements of two arrays.
+    """
+    signals: list[int | None] = []
+    for signal in machine.signals:
+        signals.append(_signal_array(signal.node, signals))
+    truths: list[int | None] = []
+    for truth in machine.truths:
+        truths.append(_truth_array(truth.node, signals, truths))
+    return ElementArrays(tuple(signals), tuple(truths))
+
+
+def _signal_array(node: ir.SignalNode, signals: list[int | None]) -> int | None:
+    match node:
+        case ir.Element(array=array):
+            return array
+        case ir.Apply(operands=operands):
+            return _single(signals[operand] for operand in operands)
+        case _:
+            return None
+
+
+def _truth_array(
+    node: ir.TruthNode, signals: list[int | None], truths: list[int | None]
+) -> int | None:
+    match node:
+        case ir.Not() | ir.And() | ir.Or():
+            return _single(truths[operand] for operand in truth_operands(node))
+        case ir.Compare() | ir.Between() | ir.Flag():
+            return _single(signals[signal] for signal in compared_signals(node))
+        case _:
+            return None
+
+
+def _single(arrays: Iterable[int | None]) -> int | None:
+    found = {array for array in arrays if array is not None}
+    if len(found) > 1:
+        raise ValueError(f"elements of {len(found)} arrays meet")
+    return found.pop() if found else None
+
+
+# --- what a rule stands on -------------------------------------------------------------------
+
+
+def reachable_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
+    """The truth itself and all below it in index order; elementwise ones are left out."""
+    found: set[int] = set()
+    waiting = [truth]
+    while waiting:
+        index = waiting.pop()
+        if index not in found:
+            found.add(index)
+            waiting.extend(_whole_operands(machine.truths[index].node))
+    return tuple(sorted(found))
+
+
+def _whole_operands(node: ir.TruthNode) -> tuple[int, ...]:
+    return () if isinstance(node, ir.Quantified) else truth_operands(node)
+
+
+def leaf_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
+    """The leaves on which a truth stands, in index order."""
+    return tuple(
+        index for index in reachable_truths(machine, truth) if is_leaf(machine.truths[index].node)
+    )
+
+
+def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
+    """The truths that a verdict of a rule on this condition carries: the named ones, the leaves
+    and the durations.
+    """
+    return tuple(_terms(machine, condition))
+
+
+def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
+    for index in reachable_truths(machine, condition):
+        truth = machine.truths[index]
+        is_telling = truth.name is not None or isinstance(truth.node, ir.Held)
+        if is_telling or is_leaf(truth.node):
+            yield index
+
+
+def rule_signals(machine: ir.Machine, condition: int) -> tuple[int, ...]:
+    """The signals whose values a verdict of a rule on this condition carries: what its leaves
+    look at, constants left out, in index order.
+    """
+    found = {
+        signal
+        for leaf in leaf_truths(machine, condition)
+        for signal in compared_signals(machine.truths[leaf].node)
+        if not isinstance(machine.signals[signal].node, ir.Constant)
+    }
+    return tuple(sorted(found))

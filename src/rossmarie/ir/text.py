@@ -1,0 +1,156 @@
+"""A machine as text for people: one line per part, in the order of the machine.
+
+Signals are written `s0`, truths `t0`; behind the bar stands what the user wrote and where.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie.ir import model as ir
+
+_WIDTH = 44
+
+
+def dump_text(machine: ir.Machine) -> str:
+    """A readable dump; the same machine gives the same text."""
+    sections = (
+        (f"machine {machine.name}",),
+        tuple(_channels(machine)),
+        tuple(_inputs(machine)),
+        tuple(_sources(machine)),
+        tuple(f"text {i} = {_quoted(text)}" for i, text in enumerate(machine.texts)),
+        tuple(_signals(machine)),
+        tuple(_truths(machine)),
+        tuple(line for rule in machine.rules for line in _rule(rule)),
+    )
+    return "\n\n".join("\n".join(section) for section in sections if section) + "\n"
+
+
+def duration_text(duration_ns: int) -> str:
+    """A duration in seconds without loss, `0.25 s`."""
+    seconds, rest = divmod(duration_ns, 1_000_000_000)
+    fraction = f".{rest:09d}".rstrip("0") if rest else ""
+    return f"{seconds}{fraction} s"
+
+
+def _channels(machine: ir.Machine) -> Iterator[str]:
+    for index, channel in enumerate(machine.channels):
+        yield f"channel {index} = {channel.topic} : {channel.message_type}"
+
+
+def _inputs(machine: ir.Machine) -> Iterator[str]:
+    for index, declared in enumerate(machine.inputs):
+        timeout = declared.timeout_ns
+        suffix = "" if timeout is None else f" timeout {duration_text(timeout)}"
+        line = f"input {index} = {declared.name} of channel {declared.channel}{suffix}"
+        yield f"{line:{_WIDTH}} | {declared.span}"
+
+
+def _sources(machine: ir.Machine) -> Iterator[str]:
+    for index, slot in enumerate(machine.slots):
+        conversion = _conversion(slot.scale, slot.offset)
+        line = f"slot {index} = {slot.kind.value} of input {slot.input}{_path(slot.path)}"
+        yield f"{line}{_in_unit(slot.unit)}{conversion}"
+    for index, array in enumerate(machine.arrays):
+        conversion = _conversion(array.scale, array.offset)
+        line = f"array {index} = of input {array.input}{_path(array.path)}"
+        yield f"{line}{_in_unit(array.unit)}{conversion}"
+
+
+def _path(path: tuple[str | int, ...]) -> str:
+    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
+    return " " + "".join(steps) if path else ""
+
+
+def _in_unit(unit: str) -> str:
+    return f" in {unit}" if unit else ""
+
+
+def _conversion(scale: float, offset: float) -> str:
+    return "" if (scale, offset) == (1.0, 0.0) else f", times {scale!r} plus {offset!r}"
+
+
+def _signals(machine: ir.Machine) -> Iterator[str]:
+    for index, signal in enumerate(machine.signals):
+        line = f"s{index} = {_signal(signal.node)}"
+        yield f"{line:{_WIDTH}} | {signal.text}{_in_unit(signal.unit)} | {signal.span}"
+
+
+def _signal(node: ir.SignalNode) -> str:
+    match node:
+        case ir.Constant(value=value):
+            return repr(value)
+        case ir.Read(slot=slot):
+            return f"read slot {slot}"
+        case ir.Apply(function=function, operands=operands):
+            return f"{function.value} {_names('s', operands)}"
+        case ir.Rate(signal=signal):
+            return f"rate s{signal}"
+        case ir.Previous(signal=signal):
+            return f"previous s{signal}"
+        case ir.Element(array=array):
+            return f"element of array {array}"
+        case ir.Fold(folding=folding, element=element):
+            return f"{folding.value} over elements s{element}"
+        case ir.Count(element=element):
+            return f"count over elements t{element}"
+
+
+def _truths(machine: ir.Machine) -> Iterator[str]:
+    for index, truth in enumerate(machine.truths):
+        line = f"t{index} = {_truth(truth.node)}"
+        name = f"{truth.name}: " if truth.name else ""
+        yield f"{line:{_WIDTH}} | {name}{truth.text} | {truth.span}"
+
+
+def _truth(node: ir.TruthNode) -> str:
+    match node:
+        case ir.Literal(value=value):
+            return str(value).lower()
+        case ir.Not(operand=operand):
+            return f"not t{operand}"
+        case ir.And(operands=operands):
+            return f"and {_names('t', operands)}"
+        case ir.Or(operands=operands):
+            return f"or {_names('t', operands)}"
+        case ir.Held(operand=operand, duration_ns=duration_ns):
+            return f"t{operand} for {duration_text(duration_ns)}"
+        case ir.Quantified(quantifier=quantifier, element=element):
+            return f"{quantifier.value} over elements t{element}"
+        case _:
+            return _leaf(node)
+
+
+def _leaf(node: ir.TruthNode) -> str:
+    match node:
+        case ir.Compare(comparison=comparison, left=left, right=right):
+            return f"s{left} {comparison.value} s{right}"
+        case ir.Between(signal=signal, low=low, high=high):
+            return f"s{signal} in [s{low}, s{high}]"
+        case ir.Flag(signal=signal):
+            return f"flag s{signal}"
+        case ir.AgeReaches(input=used, age_ns=age_ns):
+            return f"age of input {used} >= {duration_text(age_ns)}"
+        case ir.Oscillates(signal=signal, count=count, window_ns=window_ns, swing=swing):
+            window = duration_text(window_ns)
+            return f"s{signal} oscillates {count} times within {window} by {swing!r}"
+        case _:
+            raise AssertionError(f"{type(node).__name__} is no leaf")
+
+
+def _rule(rule: ir.Rule) -> Iterator[str]:
+    release = "latched" if rule.release is None else f"release t{rule.release}"
+    line = f"rule {rule.name} = if t{rule.condition}, {release}"
+    yield f"{line:{_WIDTH}} | {rule.contract} | {rule.span}"
+    yield f"  actions {', '.join(rule.actions)}"
+    yield f"  terms {_names('t', rule.terms)}; signals {_names('s', rule.signals)}"
+
+
+def _names(letter: str, indexes: tuple[int, ...]) -> str:
+    return ", ".join(f"{letter}{index}" for index in indexes) or "none"
+
+
+def _quoted(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'

@@ -1,0 +1,100 @@
+"""Where messages come in: the channels, inputs, slots, arrays and texts that rules use.
+
+Each is made when first asked for, so that what no rule needs does not exist.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rossmarie import ir
+from rossmarie.check.model import CheckedInput
+from rossmarie.types import Array, Boolean, Quantity, Text, Type
+from rossmarie.units import DIMENSIONLESS, Unit
+
+Path = tuple[str | int, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """A part of a message: an input and the fields that lead on from its message."""
+
+    input: CheckedInput
+    path: Path
+
+    def at(self, *steps: str | int) -> Place:
+        """A part of this part."""
+        return Place(self.input, (*self.path, *steps))
+
+
+@dataclass
+class Inputs:
+    """Grows entry by entry; every method returns the index of the entry asked for."""
+
+    channels: list[ir.Channel] = field(default_factory=list)
+    inputs: list[ir.Input] = field(default_factory=list)
+    slots: list[ir.Slot] = field(default_factory=list)
+    arrays: list[ir.Array] = field(default_factory=list)
+    texts: list[str] = field(default_factory=list)
+    _by_topic: dict[str, int] = field(default_factory=dict)
+    _by_name: dict[str, int] = field(default_factory=dict)
+    _slots_by_place: dict[tuple[int, Path], int] = field(default_factory=dict)
+    _arrays_by_place: dict[tuple[int, Path], int] = field(default_factory=dict)
+
+    def channel(self, used: CheckedInput) -> int:
+        """The topic that an input comes from."""
+        index = self._by_topic.setdefault(used.topic, len(self.channels))
+        if index == len(self.channels):
+            self.channels.append(ir.Channel(used.topic, used.message_type))
+        return index
+
+    def input(self, used: CheckedInput) -> int:
+        """A named input."""
+        name = used.declaration.name
+        index = self._by_name.setdefault(name.text, len(self.inputs))
+        if index == len(self.inputs):
+            channel = self.channel(used)
+            self.inputs.append(ir.Input(name.text, channel, used.timeout_ns, name.span))
+        return index
+
+    def slot(self, place: Place, type_: Type) -> int:
+        """One number, flag or text of a message."""
+        used = self.input(place.input)
+        index = self._slots_by_place.setdefault((used, place.path), len(self.slots))
+        if index == len(self.slots):
+            unit = _unit(type_)
+            slot = ir.Slot(used, place.path, _kind(type_), unit.scale, unit.offset, _symbol(unit))
+            self.slots.append(slot)
+        return index
+
+    def array(self, place: Place, type_: Array) -> int:
+        """All numbers or flags of an array of a message."""
+        used = self.input(place.input)
+        index = self._arrays_by_place.setdefault((used, place.path), len(self.arrays))
+        if index == len(self.arrays):
+            unit = _unit(type_.element)
+            array = ir.Array(used, place.path, unit.scale, unit.offset, _symbol(unit))
+            self.arrays.append(array)
+        return index
+
+    def text(self, text: str) -> int:
+        """A text that rules compare with."""
+        if text not in self.texts:
+            self.texts.append(text)
+        return self.texts.index(text)
+
+
+def _kind(type_: Type) -> ir.Kind:
+    if isinstance(type_, Boolean):
+        return ir.Kind.FLAG
+    return ir.Kind.TEXT if isinstance(type_, Text) else ir.Kind.REAL
+
+
+def _unit(type_: Type) -> Unit:
+    """The unit in which a field arrives; a plain number where none is known."""
+    unit = type_.unit if isinstance(type_, Quantity) else None
+    return DIMENSIONLESS if unit is None else unit
+
+
+def _symbol(unit: Unit) -> str:
+    return "" if unit == DIMENSIONLESS else unit.symbol

@@ -1,0 +1,111 @@
+"""CheckedProgram -> Machine.
+
+Takes a program without errors. The machine holds what its rules rest on and nothing else; equal
+expressions are computed once, constant ones not at all, and every number is in SI.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+
+from rossmarie import ir
+from rossmarie.check.model import CheckedProgram
+from rossmarie.lowering.inputs import Inputs
+from rossmarie.lowering.nodes import Nodes, Shown
+from rossmarie.lowering.truths import Truths, duration_ns
+from rossmarie.lowering.wording import words
+from rossmarie.syntax import ast
+
+
+def lower(program: CheckedProgram) -> ir.Machine:
+    """The machine of a checked program."""
+    inputs, nodes = Inputs(), Nodes()
+    truths = Truths(program, inputs, nodes)
+    contracts = [_contract(rule, truths, nodes, program) for rule in program.rules]
+    machine = ir.Machine(
+        name=program.name,
+        channels=tuple(inputs.channels),
+        inputs=tuple(inputs.inputs),
+        slots=tuple(inputs.slots),
+        arrays=tuple(inputs.arrays),
+        texts=tuple(inputs.texts),
+        signals=tuple(nodes.signals),
+        truths=tuple(nodes.truths),
+        rules=(),
+    )
+    return _with_rules(machine, program, contracts)
+
+
+@dataclass(frozen=True)
+class _Contract:
+    """When a rule becomes active, and what clears it; `release` is None if only a reset does."""
+
+    condition: int
+    release: int | None
+    text: str
+
+
+def _contract(rule: ast.Rule, truths: Truths, nodes: Nodes, program: CheckedProgram) -> _Contract:
+    condition = truths.lower(rule.condition)
+    stated = _stated(rule.condition)
+    match rule.contracts:
+        case (ast.ClearWhen(condition=release),):
+            text = f"clears when {stated} is false and {_stated(release)} is true"
+            return _Contract(condition, truths.lower(release), text)
+        case (ast.ClearFor(duration=duration, span=span),):
+            opposite = Shown(f"not {stated}", rule.condition.span)
+            over = nodes.negation(condition, opposite)
+            calm = Shown(f"{opposite.text} for {words(duration.span)}", span)
+            release_index = nodes.held(over, duration_ns(program.values[id(duration)]), calm)
+            text = f"clears when {stated} has been false for {words(duration.span)}"
+            return _Contract(condition, release_index, text)
+        case (ast.LatchedUntilReset(),):
+            return _Contract(condition, None, f"clears on reset while {stated} is false")
+        case _:
+            always = nodes.literal(True, Shown("true", rule.span))
+            return _Contract(condition, always, f"clears when {stated} is false")
+
+
+def _stated(condition: ast.Expression) -> str:
+    """The words of a condition, in parentheses where a sentence around them would be misread."""
+    text = words(condition.span)
+    is_one_word = isinstance(
+        condition, ast.Reference | ast.Member | ast.Call | ast.Oscillates | ast.Parenthesized
+    )
+    return text if is_one_word else f"({text})"
+
+
+def _with_rules(
+    machine: ir.Machine, program: CheckedProgram, contracts: list[_Contract]
+) -> ir.Machine:
+    rests_on = ir.supports(machine).truths
+    names = _rule_names(program.rules)
+    rules = tuple(
+        ir.Rule(
+            name=name,
+            condition=contract.condition,
+            release=contract.release,
+            actions=tuple(dict.fromkeys(action.text for action in rule.actions)),
+            contract=contract.text,
+            documentation=rule.documentation,
+            terms=ir.rule_terms(machine, contract.condition),
+            signals=ir.rule_signals(machine, contract.condition),
+            inputs=tuple(sorted(rests_on[contract.condition].inputs)),
+            span=rule.span,
+        )
+        for name, rule, contract in zip(names, program.rules, contracts, strict=True)
+    )
+    return dataclasses.replace(machine, rules=rules)
+
+
+def _rule_names(rules: tuple[ast.Rule, ...]) -> list[str]:
+    """The given names; a rule without one is called by its position, `rule_2`."""
+    taken = {rule.name.text for rule in rules if rule.name is not None}
+    names: list[str] = []
+    for position, rule in enumerate(rules, start=1):
+        name = f"rule_{position}" if rule.name is None else rule.name.text
+        while rule.name is None and name in taken:
+            name += "_"
+        names.append(name)
+    return names

@@ -1,0 +1,162 @@
+"""The signals and truths of a machine in the making: equal ones are shared, constant ones folded.
+
+Every method that takes operands gets indexes that an earlier call returned, so operands stand
+before their users.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from dslkit.source import Span
+from rossmarie import ir
+from rossmarie.ir import TruthValue, arithmetic, comparison
+from rossmarie.units import DIMENSIONLESS, Unit
+
+
+@dataclass(frozen=True)
+class Shown:
+    """How a signal or truth looks to the user, and where it stands."""
+
+    text: str
+    span: Span
+    unit: Unit | None = None
+
+
+@dataclass
+class Nodes:
+    """Grows node by node; every method returns the index of the node asked for."""
+
+    signals: list[ir.Signal] = field(default_factory=list)
+    truths: list[ir.Truth] = field(default_factory=list)
+    _settled_units: set[int] = field(default_factory=set)
+    _signal_indexes: dict[object, int] = field(default_factory=dict)
+    _truth_indexes: dict[ir.TruthNode, int] = field(default_factory=dict)
+
+    # --- signals -----------------------------------------------------------------------------
+
+    def constant(self, value: float, shown: Shown) -> int:
+        """A known number. Equal ones in different units stay apart, for they are shown apart."""
+        key = (value, math.copysign(1.0, value), shown.unit)
+        return self._add_signal(ir.Constant(value), key, shown)
+
+    def signal(self, node: ir.SignalNode, shown: Shown) -> int:
+        """Any signal but a constant or a function."""
+        return self._add_signal(node, node, shown)
+
+    def apply(self, function: ir.Function, operands: tuple[int, ...], shown: Shown) -> int:
+        """A function; of constants, a constant if it has a value."""
+        known = [self._constant_value(operand) for operand in operands]
+        if None not in known:
+            value = arithmetic.apply(function, tuple(x for x in known if x is not None))
+            if math.isfinite(value):
+                return self.constant(value, shown)
+        node = ir.Apply(function, operands)
+        return self._add_signal(node, node, shown)
+
+    def show_in(self, index: int, unit: Unit) -> None:
+        """Show a signal in another unit of its dimension; the first wish counts."""
+        signal = self.signals[index]
+        if index not in self._settled_units and not isinstance(signal.node, ir.Constant):
+            self._settled_units.add(index)
+            shown = Shown(signal.text, signal.span, unit)
+            self.signals[index] = _signal(signal.node, shown)
+
+    def _constant_value(self, index: int) -> float | None:
+        node = self.signals[index].node
+        return node.value if isinstance(node, ir.Constant) else None
+
+    def _add_signal(self, node: ir.SignalNode, key: object, shown: Shown) -> int:
+        index = self._signal_indexes.setdefault(key, len(self.signals))
+        if index == len(self.signals):
+            self.signals.append(_signal(node, shown))
+        return index
+
+    # --- truths ------------------------------------------------------------------------------
+
+    def literal(self, value: bool, shown: Shown) -> int:
+        """Always true or always false."""
+        return self._add_truth(ir.Literal(value), shown)
+
+    def leaf(self, node: ir.TruthNode, shown: Shown) -> int:
+        """A truth about signals, inputs or elements; about constants, a literal."""
+        value = self._folded(node)
+        if value is not None:
+            return self.literal(value is TruthValue.TRUE, shown)
+        return self._add_truth(node, shown)
+
+    def negation(self, operand: int, shown: Shown) -> int:
+        """`not`."""
+        node = self.truths[operand].node
+        if isinstance(node, ir.Literal):
+            return self.literal(not node.value, shown)
+        return self._add_truth(ir.Not(operand), shown)
+
+    def conjunction(self, operands: tuple[int, ...], shown: Shown) -> int:
+        """`and` of one or more; what is true goes without saying."""
+        if any(self._is_literal(operand, value=False) for operand in operands):
+            return self.literal(False, shown)
+        left = _distinct(index for index in operands if not self._is_literal(index, value=True))
+        if len(left) < 2:
+            return left[0] if left else self.literal(True, shown)
+        return self._add_truth(ir.And(left), shown)
+
+    def disjunction(self, operands: tuple[int, ...], shown: Shown) -> int:
+        """`or` of one or more; what is false goes without saying."""
+        if any(self._is_literal(operand, value=True) for operand in operands):
+            return self.literal(True, shown)
+        left = _distinct(index for index in operands if not self._is_literal(index, value=False))
+        if len(left) < 2:
+            return left[0] if left else self.literal(False, shown)
+        return self._add_truth(ir.Or(left), shown)
+
+    def held(self, operand: int, duration_ns: int, shown: Shown) -> int:
+        """`for`; even what is always true has not held before the start."""
+        if self._is_literal(operand, value=False):
+            return operand
+        return self._add_truth(ir.Held(operand, duration_ns), shown)
+
+    def name(self, index: int, name: str) -> None:
+        """Give a truth the name of a condition. The first name stays; literals have none, for
+        equal ones are shared by conditions that have nothing to do with each other.
+        """
+        truth = self.truths[index]
+        if truth.name is None and not isinstance(truth.node, ir.Literal):
+            self.truths[index] = dataclasses.replace(truth, name=name)
+
+    def _folded(self, node: ir.TruthNode) -> TruthValue | None:
+        known = [self._constant_value(signal) for signal in ir.compared_signals(node)]
+        values = tuple(value for value in known if value is not None)
+        if len(values) < len(known):
+            return None
+        match node:
+            case ir.Compare(comparison=compared):
+                return comparison.compare(compared, *values)
+            case ir.Between():
+                return comparison.is_between(*values)
+            case _:
+                return None
+
+    def _is_literal(self, index: int, *, value: bool) -> bool:
+        return self.truths[index].node == ir.Literal(value)
+
+    def _add_truth(self, node: ir.TruthNode, shown: Shown) -> int:
+        index = self._truth_indexes.setdefault(node, len(self.truths))
+        if index == len(self.truths):
+            self.truths.append(ir.Truth(node, None, shown.text, shown.span))
+        return index
+
+
+def _distinct(indexes: Iterable[int]) -> tuple[int, ...]:
+    return tuple(dict.fromkeys(indexes))
+
+
+def _signal(node: ir.SignalNode, shown: Shown) -> ir.Signal:
+    unit = DIMENSIONLESS if shown.unit is None else shown.unit
+    symbol = "" if unit == DIMENSIONLESS else unit.symbol
+    scale = 1.0 / unit.scale
+    offset = -unit.offset / unit.scale if unit.offset else 0.0
+    return ir.Signal(node, shown.text, symbol, scale, offset, shown.span)

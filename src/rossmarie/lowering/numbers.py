@@ -1,0 +1,222 @@
+"""Expressions that are numbers: scalars, vectors, orientations, and the elements of arrays.
+
+Types and units are known to fit. An array stands for any one of its elements: the checker allows
+it only where a fold, a count or a quantifier is around.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from rossmarie import ir
+from rossmarie.check.model import CheckedProgram, Value
+from rossmarie.lowering.inputs import Inputs, Place
+from rossmarie.lowering.nodes import Nodes, Shown
+from rossmarie.lowering.wording import words
+from rossmarie.syntax import ast
+from rossmarie.types import Array, Box, Interval, Message, Quantity, Quaternion, Type, Vector
+from rossmarie.units import Unit
+
+_ARITHMETIC = {
+    ast.BinaryOperator.ADD: ir.Function.ADD,
+    ast.BinaryOperator.SUBTRACT: ir.Function.SUBTRACT,
+    ast.BinaryOperator.MULTIPLY: ir.Function.MULTIPLY,
+    ast.BinaryOperator.DIVIDE: ir.Function.DIVIDE,
+}
+
+_ANGLES = {"roll": ir.Function.ROLL, "pitch": ir.Function.PITCH, "yaw": ir.Function.YAW}
+
+Components = tuple[int, ...]
+"""The signals of a scalar (one), a vector (x, y, z) or an orientation (x, y, z, w)."""
+
+
+class Numbers:
+    """Lowers numeric expressions of one program; `count` needs conditions, which `truth` lowers."""
+
+    def __init__(
+        self,
+        program: CheckedProgram,
+        inputs: Inputs,
+        nodes: Nodes,
+        truth: Callable[[ast.Expression], int],
+    ) -> None:
+        self._program = program
+        self._inputs = inputs
+        self._nodes = nodes
+        self._truth = truth
+
+    def scalar(self, node: ast.Expression) -> int:
+        """The signal of a number, of a text, or of any one element of an array."""
+        (signal,) = self.components(node)
+        return signal
+
+    def components(self, node: ast.Expression) -> Components:
+        """The signals of a number, a vector or an orientation."""
+        constant = self._program.values.get(id(node))
+        if constant is not None:
+            return self.constant(constant, constant.numbers, self.shown(node))
+        place = self.place(node)
+        if place is not None:
+            return self._read(place, self.type_of(node), self.shown(node))
+        match node:
+            case ast.Parenthesized(inner=inner):
+                return self.components(inner)
+            case ast.Unary(operand=operand):
+                return self._each(ir.Function.NEGATE, (self.components(operand),), node)
+            case ast.Binary():
+                return self._arithmetic(node)
+            case ast.Member(value=value, member=member):
+                return (self.components(value)["xyzw".index(member.text)],)
+            case ast.Call():
+                return self._call(node)
+            case _:
+                raise AssertionError(f"checked: {type(node).__name__} is no number")
+
+    def constant(self, value: Value, numbers: tuple[float, ...], shown: Shown) -> Components:
+        """The signals of a constant: of its numbers, or of the index of its text."""
+        if value.text is not None:
+            return (self._nodes.constant(float(self._inputs.text(value.text)), shown),)
+        return tuple(self._nodes.constant(number, shown) for number in numbers)
+
+    def type_of(self, node: ast.Expression) -> Type:
+        """The type that the checker found."""
+        return self._program.types[id(node)]
+
+    # --- parts of messages -------------------------------------------------------------------
+
+    def place(self, node: ast.Expression) -> Place | None:
+        """The part of a message that an expression names; None if it names something else."""
+        match node:
+            case ast.Parenthesized(inner=inner):
+                return self.place(inner)
+            case ast.Reference(name=name):
+                used = self._program.symbols.inputs.get(name.text)
+                return None if used is None else Place(used, used.path)
+            case ast.Member(value=value, member=member):
+                place = self.place(value)
+                return None if place is None else place.at(member.text)
+            case ast.Index(value=value, index=index):
+                place = self.place(value)
+                return None if place is None else place.at(index)
+            case _:
+                return None
+
+    def _read(self, place: Place, type_: Type, shown: Shown) -> Components:
+        match type_:
+            case Message(fields=fields):
+                # A std_msgs message stands for its data.
+                data = fields["data"]
+                return self._read(place.at("data"), data, replace(shown, unit=_unit_of(data)))
+            case Vector(element=element):
+                return tuple(self._read_part(place, axis, element, shown) for axis in "xyz")
+            case Quaternion():
+                return tuple(self._read_part(place, axis, Quantity(None), shown) for axis in "xyzw")
+            case Array():
+                array = self._inputs.array(place, type_)
+                return (self._nodes.signal(ir.Element(array), shown),)
+            case _:
+                return (self._nodes.signal(ir.Read(self._inputs.slot(place, type_)), shown),)
+
+    def _read_part(self, place: Place, axis: str, element: Quantity, shown: Shown) -> int:
+        slot = self._inputs.slot(place.at(axis), element)
+        part = Shown(f"{shown.text}.{axis}", shown.span, element.unit)
+        return self._nodes.signal(ir.Read(slot), part)
+
+    # --- operators ---------------------------------------------------------------------------
+
+    def _arithmetic(self, node: ast.Binary) -> Components:
+        """A chain `a + b - c` from left to right, without recursion along the chain."""
+        chain: list[ast.Binary] = []
+        first: ast.Expression = node
+        while isinstance(first, ast.Binary) and id(first) not in self._program.values:
+            chain.append(first)
+            first = first.left
+        result = self.components(first)
+        for link in reversed(chain):
+            operands = _spread(result, self.components(link.right))
+            result = self._each(_ARITHMETIC[link.operator], operands, link)
+        return result
+
+    def _each(
+        self, function: ir.Function, operands: tuple[Components, ...], node: ast.Expression
+    ) -> Components:
+        """A function of each component."""
+        parts = zip(*operands, strict=True)
+        shown = self.shown(node)
+        return tuple(self._nodes.apply(function, part, shown) for part in parts)
+
+    # --- functions ---------------------------------------------------------------------------
+
+    def _call(self, node: ast.Call) -> Components:
+        shown = self.shown(node)
+        name = node.function.text
+        arguments = node.arguments
+        match name:
+            case "previous":
+                parts = self.components(arguments[0])
+                return tuple(self._nodes.signal(ir.Previous(part), shown) for part in parts)
+            case "rate":
+                return (self._nodes.signal(ir.Rate(self.scalar(arguments[0])), shown),)
+            case "abs":
+                return self._each(ir.Function.ABSOLUTE, (self.components(arguments[0]),), node)
+            case "min" | "max":
+                return (self._extreme(node, shown),)
+            case "count":
+                return (self._nodes.signal(ir.Count(self._truth(arguments[0])), shown),)
+            case "norm":
+                return (self._nodes.apply(ir.Function.NORM, self.components(arguments[0]), shown),)
+            case "distance":
+                return (self._distance(node, shown),)
+            case "roll" | "pitch" | "yaw":
+                parts = self.components(arguments[0])
+                return (self._nodes.apply(_ANGLES[name], parts, shown),)
+            case _:
+                raise AssertionError(f"checked: {name} is no function to a number")
+
+    def _extreme(self, node: ast.Call, shown: Shown) -> int:
+        is_minimum = node.function.text == "min"
+        if len(node.arguments) == 1:
+            folding = ir.Folding.MINIMUM if is_minimum else ir.Folding.MAXIMUM
+            return self._nodes.signal(ir.Fold(folding, self.scalar(node.arguments[0])), shown)
+        function = ir.Function.MINIMUM if is_minimum else ir.Function.MAXIMUM
+        first, *rest = (self.scalar(argument) for argument in node.arguments)
+        for other in rest:
+            first = self._nodes.apply(function, (first, other), shown)
+        return first
+
+    def _distance(self, node: ast.Call, shown: Shown) -> int:
+        left, right = (self.components(argument) for argument in node.arguments)
+        pairs = zip(left, right, strict=True)
+        gaps = tuple(self._nodes.apply(ir.Function.SUBTRACT, pair, shown) for pair in pairs)
+        return self._nodes.apply(ir.Function.NORM, gaps, shown)
+
+    # --- how it is shown ---------------------------------------------------------------------
+
+    def shown(self, node: ast.Expression) -> Shown:
+        """The words, the place and the unit of an expression."""
+        return Shown(words(node.span), node.span, _unit_of(self._program.types.get(id(node))))
+
+
+def _spread(left: Components, right: Components) -> tuple[Components, Components]:
+    """A scalar beside a vector counts for each of its components."""
+    size = max(len(left), len(right))
+    return (
+        left * (size if len(left) == 1 else 1),
+        right * (size if len(right) == 1 else 1),
+    )
+
+
+def _unit_of(type_: Type | None) -> Unit | None:
+    match type_:
+        case Quantity(unit=unit):
+            return unit
+        case (
+            Vector(element=element)
+            | Interval(element=element)
+            | Box(element=element)
+            | Array(element=Quantity() as element)
+        ):
+            return element.unit
+        case _:
+            return None

@@ -1,0 +1,39 @@
+"""Which named conditions an expression refers to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie.check.model import Symbols
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import children
+
+ConditionKey = tuple[str, str]
+
+
+def referred_condition(
+    node: ast.Expression, entity: str | None, symbols: Symbols
+) -> ConditionKey | None:
+    """The condition that a node names: `entity.condition`, or inside an entity just `condition`."""
+    match node:
+        case ast.Member(value=ast.Reference(name=owner), member=member):
+            key = (owner.text, member.text)
+        case ast.Reference(name=name) if entity is not None:
+            key = (entity, name.text)
+        case _:
+            return None
+    return key if key in symbols.conditions else None
+
+
+def conditions_in(
+    node: ast.Expression, entity: str | None, symbols: Symbols
+) -> Iterator[ConditionKey]:
+    """The conditions that an expression names, in the order in which they are written."""
+    waiting = [node]
+    while waiting:
+        part = waiting.pop()
+        key = referred_condition(part, entity, symbols)
+        if key is None:
+            waiting.extend(reversed(children(part)))
+        else:
+            yield key

@@ -1,0 +1,241 @@
+"""Expressions that are true, false or unknown.
+
+A name of a condition stands for the truth that the condition was lowered to; conditions are lowered
+once, before whatever refers to them.
+"""
+
+from __future__ import annotations
+
+from rossmarie import ir
+from rossmarie.check.model import CheckedProgram, Value
+from rossmarie.lowering.inputs import Inputs
+from rossmarie.lowering.nodes import Nodes, Shown
+from rossmarie.lowering.numbers import Numbers
+from rossmarie.lowering.references import ConditionKey, conditions_in, referred_condition
+from rossmarie.lowering.wording import words
+from rossmarie.syntax import ast
+from rossmarie.types import Box, Text
+from rossmarie.units import DIMENSIONLESS, Unit
+
+_COMPARISONS = {
+    ast.BinaryOperator.EQUAL: ir.Comparison.EQUAL,
+    ast.BinaryOperator.NOT_EQUAL: ir.Comparison.NOT_EQUAL,
+    ast.BinaryOperator.LESS: ir.Comparison.LESS,
+    ast.BinaryOperator.LESS_OR_EQUAL: ir.Comparison.LESS_OR_EQUAL,
+    ast.BinaryOperator.GREATER: ir.Comparison.GREATER,
+    ast.BinaryOperator.GREATER_OR_EQUAL: ir.Comparison.GREATER_OR_EQUAL,
+}
+
+_MIRRORED = {
+    ir.Comparison.EQUAL: ir.Comparison.EQUAL,
+    ir.Comparison.NOT_EQUAL: ir.Comparison.NOT_EQUAL,
+    ir.Comparison.LESS: ir.Comparison.GREATER,
+    ir.Comparison.LESS_OR_EQUAL: ir.Comparison.GREATER_OR_EQUAL,
+    ir.Comparison.GREATER: ir.Comparison.LESS,
+    ir.Comparison.GREATER_OR_EQUAL: ir.Comparison.LESS_OR_EQUAL,
+}
+
+
+class Truths:
+    """Lowers conditions of one program."""
+
+    def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
+        self._program = program
+        self._inputs = inputs
+        self._nodes = nodes
+        self._numbers = Numbers(program, inputs, nodes, self._element)
+        self._conditions: dict[ConditionKey, int] = {}
+
+    def lower(self, node: ast.Expression) -> int:
+        """The truth of a condition of a rule or a contract."""
+        self._lower_conditions(node)
+        return self._truth(node, None)
+
+    def _lower_conditions(self, node: ast.Expression) -> None:
+        """All conditions that a node names, the deepest first; chains of names are no recursion."""
+        waiting = list(conditions_in(node, None, self._program.symbols))[::-1]
+        while waiting:
+            key = waiting[-1]
+            expression = self._program.symbols.conditions[key].expression
+            missing = [
+                other
+                for other in conditions_in(expression, key[0], self._program.symbols)
+                if other not in self._conditions
+            ]
+            if key in self._conditions or not missing:
+                waiting.pop()
+                self._lower_condition(key, expression)
+            else:
+                waiting += reversed(missing)
+
+    def _lower_condition(self, key: ConditionKey, expression: ast.Expression) -> None:
+        if key not in self._conditions:
+            self._conditions[key] = self._truth(expression, key[0])
+            self._nodes.name(self._conditions[key], ".".join(key))
+
+    # --- expressions -------------------------------------------------------------------------
+
+    def _truth(self, node: ast.Expression, entity: str | None) -> int:
+        """The truth of a node that stands in an entity, or in a rule."""
+        constant = self._program.values.get(id(node))
+        if constant is not None:
+            return self._nodes.literal(bool(constant.boolean), _shown(node))
+        key = referred_condition(node, entity, self._program.symbols)
+        if key is not None:
+            return self._conditions[key]
+        match node:
+            case ast.Parenthesized(inner=content):
+                return self._truth(content, entity)
+            case ast.Unary(operand=operand):
+                return self._nodes.negation(self._truth(operand, entity), _shown(node))
+            case ast.Binary(operator=ast.BinaryOperator.AND | ast.BinaryOperator.OR):
+                return self._junction(node, entity)
+            case ast.Binary():
+                return self._comparison(node)
+            case ast.Membership():
+                return self._membership(node)
+            case ast.Held(condition=condition, duration=duration):
+                held = self._truth(condition, entity)
+                return self._nodes.held(held, self._duration_ns(duration), _shown(node))
+            case ast.Oscillates():
+                return self._oscillates(node)
+            case ast.Call():
+                return self._quantified(node)
+            case _:
+                flag = self._numbers.scalar(node)
+                return self._nodes.leaf(ir.Flag(flag), _shown(node))
+
+    def _junction(self, node: ast.Binary, entity: str | None) -> int:
+        operands = tuple(self._truth(part, entity) for part in _parts(node, node.operator))
+        if node.operator is ast.BinaryOperator.AND:
+            return self._nodes.conjunction(operands, _shown(node))
+        return self._nodes.disjunction(operands, _shown(node))
+
+    # --- leaves ------------------------------------------------------------------------------
+
+    def _comparison(self, node: ast.Binary) -> int:
+        compared = _COMPARISONS[node.operator]
+        if _is_age(node.left):
+            return self._age(node.left, compared, node.right, node)
+        if _is_age(node.right):
+            return self._age(node.right, _MIRRORED[compared], node.left, node)
+        left, right = self._numbers.scalar(node.left), self._numbers.scalar(node.right)
+        if id(node.left) in self._program.values and isinstance(
+            self._numbers.type_of(node.left), Text
+        ):
+            left, right = right, left
+        self._show_alike(left, node.right)
+        self._show_alike(right, node.left)
+        return self._nodes.leaf(ir.Compare(compared, left, right), _shown(node))
+
+    def _show_alike(self, signal: int, other: ast.Expression) -> None:
+        """Show a signal in the unit of the constant that it is compared with: `deg`, not `rad`."""
+        unit = self._numbers.shown(other).unit
+        if id(other) in self._program.values and unit is not None:
+            self._nodes.show_in(signal, unit)
+
+    def _age(
+        self, age: ast.Expression, compared: ir.Comparison, limit: ast.Expression, node: ast.Binary
+    ) -> int:
+        """Ages are whole nanoseconds: more than d is at least d + 1 ns."""
+        place = self._numbers.place(_age_argument(age))
+        assert place is not None, "checked: only inputs have an age"
+        is_strict = compared in (ir.Comparison.GREATER, ir.Comparison.LESS_OR_EQUAL)
+        age_ns = self._duration_ns(limit) + (1 if is_strict else 0)
+        reached = ir.AgeReaches(self._inputs.input(place.input), age_ns)
+        sign = ">" if is_strict else ">="
+        text = f"{words(age.span)} {sign} {words(limit.span)}"
+        index = self._nodes.leaf(reached, Shown(text, node.span))
+        if compared in (ir.Comparison.GREATER, ir.Comparison.GREATER_OR_EQUAL):
+            return index
+        return self._nodes.negation(index, _shown(node))
+
+    def _membership(self, node: ast.Membership) -> int:
+        container = self._program.values[id(node.container)]
+        inside = Shown(f"{words(node.value.span)} in {words(node.container.span)}", node.span)
+        values = self._numbers.components(node.value)
+        parts = tuple(
+            self._between(value, container, axis, node, inside) for axis, value in enumerate(values)
+        )
+        index = self._nodes.conjunction(parts, inside)
+        return self._nodes.negation(index, _shown(node)) if node.is_negated else index
+
+    def _between(
+        self, value: int, container: Value, axis: int, node: ast.Membership, inside: Shown
+    ) -> int:
+        ends = container.numbers[2 * axis : 2 * axis + 2]
+        shown = self._numbers.shown(node.container)
+        low, high = self._numbers.constant(container, ends, shown)
+        if isinstance(container.type, Box):
+            inside = Shown(f"{words(node.value.span)}.{_side(axis, ends, shown.unit)}", node.span)
+        self._show_alike(value, node.container)
+        return self._nodes.leaf(ir.Between(value, low, high), inside)
+
+    def _oscillates(self, node: ast.Oscillates) -> int:
+        swing = 0.0 if node.swing is None else self._program.values[id(node.swing)].numbers[0]
+        oscillates = ir.Oscillates(
+            signal=self._numbers.scalar(node.value),
+            count=int(node.count.value),
+            window_ns=self._duration_ns(node.window),
+            swing=swing,
+        )
+        return self._nodes.leaf(oscillates, _shown(node))
+
+    def _quantified(self, node: ast.Call) -> int:
+        quantifier = ir.Quantifier(node.function.text)
+        element = self._element(node.arguments[0])
+        return self._nodes.leaf(ir.Quantified(quantifier, element), _shown(node))
+
+    def _element(self, node: ast.Expression) -> int:
+        """A condition on the elements of an array; named conditions are never part of it."""
+        return self._truth(node, None)
+
+    def _duration_ns(self, node: ast.Expression) -> int:
+        return duration_ns(self._program.values[id(node)])
+
+
+def duration_ns(value: Value) -> int:
+    """A constant duration, given in seconds, in whole nanoseconds."""
+    return round(value.numbers[0] * 1e9)
+
+
+def _side(axis: int, ends: tuple[float, ...], unit: Unit | None) -> str:
+    """One side of a box, `x in [-0.8, 0.1] m`."""
+    low, high = (end if unit is None else unit.from_si(end) for end in ends)
+    symbol = "" if unit is None or unit == DIMENSIONLESS else f" {unit.symbol}"
+    return f"{'xyz'[axis]} in [{low:.12g}, {high:.12g}]{symbol}"
+
+
+def _shown(node: ast.Expression) -> Shown:
+    return Shown(words(node.span), node.span)
+
+
+def _parts(node: ast.Expression, operator: ast.BinaryOperator) -> tuple[ast.Expression, ...]:
+    """The operands of a chain `a and b and c`, without recursion along the chain."""
+    parts: list[ast.Expression] = []
+    waiting = [node]
+    while waiting:
+        part = waiting.pop()
+        inner = _stripped(part)
+        if isinstance(inner, ast.Binary) and inner.operator is operator:
+            waiting += (inner.right, inner.left)
+        else:
+            parts.append(part)
+    return tuple(parts)
+
+
+def _stripped(node: ast.Expression) -> ast.Expression:
+    while isinstance(node, ast.Parenthesized):
+        node = node.inner
+    return node
+
+
+def _is_age(node: ast.Expression) -> bool:
+    inner = _stripped(node)
+    return isinstance(inner, ast.Call) and inner.function.text == "age"
+
+
+def _age_argument(node: ast.Expression) -> ast.Expression:
+    inner = _stripped(node)
+    assert isinstance(inner, ast.Call), "asked before"
+    return inner.arguments[0]

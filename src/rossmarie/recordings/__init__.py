@@ -1,0 +1,23 @@
+"""Recordings of robots, as updates for a monitor.
+
+`open_recording` opens ROS 1 and ROS 2 bags, MCAP and CSV; `Recording.updates` gives what they say
+to a machine, in the order of time.
+"""
+
+from rossmarie.recordings.columns import Column, Columns
+from rossmarie.recordings.errors import ALL, RecordingError
+from rossmarie.recordings.model import Recording, Topic, Update
+from rossmarie.recordings.opening import open_recording
+from rossmarie.recordings.system_model import write_model
+
+__all__ = [
+    "ALL",
+    "Column",
+    "Columns",
+    "Recording",
+    "RecordingError",
+    "Topic",
+    "Update",
+    "open_recording",
+    "write_model",
+]

@@ -1,0 +1,215 @@
+"""Recordings of messages: .bag, .db3, .mcap and bag directories.
+
+Messages are decoded only if a rule reads their topic. Where a file turns out to be damaged in the
+middle, what can be salvaged behind the damage is read on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from rosbags.serde import SerdeError
+
+from dslkit.diagnostics import Collector, Diagnostic
+from rossmarie.ir import EARLIEST_NS, LATEST_NS, Machine
+from rossmarie.recordings.definitions import UndefinedTypeError, full_type, typestore_for
+from rossmarie.recordings.errors import (
+    DefinitionMissing,
+    FieldNotRecorded,
+    RecordingDamaged,
+    RecordingError,
+    at_file,
+)
+from rossmarie.recordings.extraction import Extractor, Message, Wanted, compile_extractor
+from rossmarie.recordings.matching import (
+    Match,
+    Unreadable,
+    field_text,
+    input_span,
+    kind_text,
+    match_topics,
+)
+from rossmarie.recordings.model import Topic, Update
+from rossmarie.recordings.storage import READER_FAILURES, Connection, Storage, Stored
+
+DECODE_FAILURES: tuple[type[Exception], ...] = (
+    SerdeError,
+    ArithmeticError,
+    AssertionError,
+    LookupError,
+    MemoryError,
+    TypeError,
+    ValueError,
+)
+"""What decoding raises on content that does not match its definition."""
+
+
+@dataclass(frozen=True)
+class _Reading:
+    """How the messages of one topic are decoded, and who reads them."""
+
+    decode: Callable[[bytes], Message]
+    extractors: Mapping[int, Extractor]
+    unreadable: Unreadable
+
+
+class BagRecording:
+    """A recording of messages; `salvage` opens what is left of it if its storage fails."""
+
+    def __init__(
+        self,
+        path: Path,
+        storage: Storage,
+        span: tuple[int, int],
+        salvage: Callable[[], Storage],
+        message_folders: Sequence[Path] = (),
+        findings: tuple[Diagnostic, ...] = (),
+    ) -> None:
+        self.path = path
+        self.findings = findings
+        self.start_ns, self.end_ns = span
+        self._storages = [storage]
+        self._salvage = salvage
+        self._message_folders = message_folders
+        self._connections = _by_topic(storage.connections)
+        self.topics: Mapping[str, Topic] = {
+            name: Topic(name, found[0].message_type, sum(part.count for part in found))
+            for name, found in sorted(self._connections.items())
+        }
+
+    def updates(
+        self, machine: Machine, collector: Collector, topic_map: Mapping[str, str]
+    ) -> Iterator[Update]:
+        """See `Recording.updates`."""
+        collector.extend(self.findings)
+        matches = match_topics(self.topics, machine, topic_map, self.path, collector)
+        readings: dict[str, _Reading] = {}
+        for topic in {match.topic: None for match in matches}:
+            sharing = [match for match in matches if match.topic == topic]
+            reading = self._reading(topic, sharing, machine, collector)
+            if reading is not None:
+                readings[topic] = reading
+        return self._read(readings, collector)
+
+    def messages(
+        self, topics: Collection[str], collector: Collector
+    ) -> Iterator[tuple[str, int, bytes]]:
+        """Topic, stamp and encoded content of the messages on some topics, in order of time.
+
+        Damage that shows up on the way is reported to `collector`.
+        """
+        for stored in self._stored(topics, collector):
+            yield stored.connection.topic, stored.at_ns, stored.content
+
+    def close(self) -> None:
+        """Release the file."""
+        for storage in self._storages:
+            storage.close()
+
+    def __enter__(self) -> BagRecording:
+        """The recording itself."""
+        return self
+
+    def __exit__(self, *reason: object) -> None:
+        """Release the file."""
+        self.close()
+
+    def _reading(
+        self, topic: str, matches: Sequence[Match], machine: Machine, collector: Collector
+    ) -> _Reading | None:
+        connection = self._connections[topic][0]
+        try:
+            store = typestore_for(connection, self._message_folders)
+        except UndefinedTypeError as error:
+            name = connection.message_type
+            missing = DefinitionMissing(type_name=name, topic=topic, reason=str(error))
+            for match in matches:
+                for reader in match.inputs:
+                    collector.add(missing.at(input_span(machine, reader)))
+            return None
+        name = full_type(connection.message_type)
+        extractors = {
+            match.channel: compile_extractor(
+                store, connection.message_type, Wanted(match.slots, match.arrays), machine.texts
+            )
+            for match in matches
+        }
+        for extractor in extractors.values():
+            _report_missing(extractor, connection, machine, collector)
+        decode = store.deserialize_ros1 if connection.encoding == "ros1" else store.deserialize_cdr
+        spans = [input_span(machine, reader) for match in matches for reader in match.inputs]
+        unreadable = Unreadable(topic, self.topics[topic].count, self.start_ns, spans)
+        return _Reading(lambda content: decode(content, name), extractors, unreadable)
+
+    def _read(self, readings: Mapping[str, _Reading], collector: Collector) -> Iterator[Update]:
+        for stored in self._stored(readings, collector):
+            reading = readings[stored.connection.topic]
+            try:
+                message = reading.decode(stored.content)
+                values = {
+                    channel: extractor.read(message)
+                    for channel, extractor in reading.extractors.items()
+                }
+            except DECODE_FAILURES as error:
+                reading.unreadable.note(stored.at_ns, str(error) or type(error).__name__)
+                continue
+            yield Update(stored.at_ns, values)
+        for reading in readings.values():
+            reading.unreadable.report(collector)
+
+    def _stored(self, topics: Collection[str], collector: Collector) -> Iterator[Stored]:
+        """The messages of the first type of each topic; after damage, those behind it."""
+        kept = 0
+        last_ns = None
+        try:
+            for stored in self._storages[0].messages(topics):
+                last_ns = stored.at_ns
+                if self._is_fit(stored):
+                    kept += 1
+                    yield stored
+            return
+        except READER_FAILURES as error:
+            reason = f"reading broke off ({error})"
+        for stored in self._messages_behind(topics, last_ns):
+            kept += 1
+            yield stored
+        collector.add(at_file(RecordingDamaged(reason=reason, kept=kept), self.path))
+
+    def _messages_behind(self, topics: Collection[str], last_ns: int | None) -> Iterator[Stored]:
+        """What can be salvaged of the messages from behind an instant on."""
+        try:
+            salvaged = self._salvage()
+        except RecordingError:
+            return
+        self._storages.append(salvaged)
+        yield from filter(self._is_fit, salvaged.messages(topics, last_ns))
+
+    def _is_fit(self, stored: Stored) -> bool:
+        first = self._connections[stored.connection.topic][0]
+        return (
+            stored.connection.message_type == first.message_type
+            and EARLIEST_NS < stored.at_ns < LATEST_NS
+        )
+
+
+def _by_topic(connections: Sequence[Connection]) -> dict[str, list[Connection]]:
+    """The connections of each topic; those that bring a definition come first."""
+    found: dict[str, list[Connection]] = {}
+    for connection in sorted(connections, key=lambda connection: not connection.definition.data):
+        found.setdefault(connection.topic, []).append(connection)
+    return found
+
+
+def _report_missing(
+    extractor: Extractor, connection: Connection, machine: Machine, collector: Collector
+) -> None:
+    for missing in extractor.missing:
+        finding = FieldNotRecorded(
+            topic=connection.topic,
+            field=field_text(missing.path),
+            kind=kind_text(missing),
+            source=connection.message_type,
+        )
+        collector.add(finding.at(input_span(machine, missing.input)))

@@ -1,0 +1,161 @@
+"""From the type of a topic to what decodes its messages.
+
+A definition in the recording comes first, then the user's own .msg folders, then the standard
+packages of ROS.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+
+from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat, Nodetype
+from rosbags.interfaces.typing import Constdefs, Fielddefs, FieldDesc, Typesdict
+from rosbags.typesys import (
+    Stores,
+    TypesysError,
+    get_types_from_idl,
+    get_types_from_msg,
+    get_typestore,
+)
+from rosbags.typesys.store import Typestore
+
+from rossmarie.recordings.storage import Connection
+
+_STANDARD: Mapping[str, tuple[Stores, ...]] = {
+    "ros1": (Stores.ROS1_NOETIC,),
+    # Recordings without definitions are older than ROS 2 Iron: Humble describes them best.
+    "cdr": (Stores.ROS2_HUMBLE, Stores.ROS2_JAZZY),
+}
+_ENCODINGS = frozenset(_STANDARD)
+_NAME = re.compile(r"[A-Za-z]\w*", re.ASCII)
+_IDL_SEPARATOR = "=" * 80 + "\n"
+
+
+class UndefinedTypeError(Exception):
+    """A message type of which no definition is known; the text says why."""
+
+
+def full_type(name: str) -> str:
+    """`sensor_msgs/msg/Imu`, as rosbags writes it, for `sensor_msgs/Imu`."""
+    package, _, rest = name.partition("/")
+    return name if "/" in rest else f"{package}/msg/{rest}"
+
+
+def is_standard(message_type: str) -> bool:
+    """Whether a type such as `sensor_msgs/Imu` is in a standard package of ROS 1 or ROS 2."""
+    name = full_type(message_type)
+    return any(name in _store(store).fielddefs for stores in _STANDARD.values() for store in stores)
+
+
+def typestore_for(connection: Connection, message_folders: Sequence[Path]) -> Typestore:
+    """A store with the type of a connection, and all types that it consists of.
+
+    `message_folders` hold `<package>/msg/Type.msg` or `<package>/Type.msg`. Raises
+    `UndefinedTypeError`.
+    """
+    if connection.encoding not in _ENCODINGS:
+        raise UndefinedTypeError(f"its messages are encoded as `{connection.encoding}`")
+    name = full_type(connection.message_type)
+    reason = "the recording does not bring it along, and no standard package of ROS has it"
+    try:
+        own = dict(_recorded_types(connection.definition, name))
+        own = own or _types_in_folders(name, message_folders)
+        if own:
+            return _store_of(own, connection.encoding)
+    except (TypesysError, ValueError, AssertionError) as error:
+        reason = f"its definition cannot be understood ({_first_line(error)})"
+    for standard in _STANDARD[connection.encoding]:
+        if name in _store(standard).fielddefs:
+            return _store(standard)
+    raise UndefinedTypeError(reason)
+
+
+@cache
+def _store(name: Stores) -> Typestore:
+    return get_typestore(name)
+
+
+def _recorded_types(definition: MessageDefinition, name: str) -> Typesdict:
+    if definition.format is MessageDefinitionFormat.MSG:
+        return get_types_from_msg(definition.data, name)
+    if definition.format is not MessageDefinitionFormat.IDL:
+        return {}
+    types: Typesdict = {}
+    for part in definition.data.split(_IDL_SEPARATOR):
+        text = part.split("\n", 1)[1] if part.startswith("IDL: ") else part
+        if text.strip():
+            types.update(get_types_from_idl(text))
+    return types
+
+
+def _types_in_folders(name: str, folders: Sequence[Path]) -> Typesdict:
+    """The definitions of a type and of those that it names, as far as there are files."""
+    types: Typesdict = {}
+    wanted = [name]
+    while wanted:
+        path = _message_file(wanted[-1], folders)
+        missing = wanted.pop()
+        if path is None or missing in types:
+            continue
+        found = get_types_from_msg(path.read_text(encoding="utf-8"), missing)
+        types.update(found)
+        wanted += [part for _, fields in found.values() for part in _named(fields)]
+    return types if name in types else {}
+
+
+def _message_file(name: str, folders: Sequence[Path]) -> Path | None:
+    package, _, type_name = name.split("/")
+    places = (folder / package / inner for folder in folders for inner in ("msg", ""))
+    return next(
+        (found for place in places if (found := place / f"{type_name}.msg").is_file()), None
+    )
+
+
+def _store_of(types: Typesdict, encoding: str) -> Typestore:
+    """A store of `types`, completed by the standard ones that they name."""
+    store = get_typestore(Stores.EMPTY)
+    complete = dict(types)
+    wanted = [part for _, fields in types.values() for part in _named(fields)]
+    while wanted:
+        name = wanted.pop()
+        if name not in complete and name not in store.fielddefs:
+            complete[name] = _standard_definition(name, encoding)
+            wanted += _named(complete[name][1])
+    _check_names(complete)
+    store.register(complete)
+    return store
+
+
+def _check_names(types: Typesdict) -> None:
+    """Raise `TypesysError` unless all names are words: rosbags makes Python code of them."""
+    for name, (constants, fields) in types.items():
+        entries = [entry[0] for entry in constants] + [entry[0] for entry in fields]
+        odd = [word for word in (*name.split("/"), *entries) if not _NAME.fullmatch(word)]
+        if odd:
+            raise TypesysError(f"`{odd[0]}` is not a name")
+
+
+def _standard_definition(name: str, encoding: str) -> tuple[Constdefs, Fielddefs]:
+    for standard in _STANDARD[encoding]:
+        if name in _store(standard).fielddefs:
+            return _store(standard).fielddefs[name]
+    raise TypesysError(f"there is no {name}")
+
+
+def _named(fields: Fielddefs) -> Iterator[str]:
+    """The names of the message types among the types of some fields."""
+    for _, description in fields:
+        inner = description[1][0] if _is_sequence(description) else description
+        if inner[0] == Nodetype.NAME:
+            yield str(inner[1])
+
+
+def _is_sequence(description: FieldDesc) -> bool:
+    return description[0] in (Nodetype.ARRAY, Nodetype.SEQUENCE)
+
+
+def _first_line(error: Exception) -> str:
+    return (str(error).splitlines() or [type(error).__name__])[0]

@@ -1,0 +1,249 @@
+"""ROSS6xx: recordings, and how they fit the rules that run over them.
+
+Trouble with a topic or a field is a warning at the input that reads it: what could be read is still
+used. Trouble with a file as a whole has no place in a rules file; it stands at the start of the
+file itself, and ends the reading as a `RecordingError` only where nothing at all can be read.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from dslkit.diagnostics import Diagnostic, Error, Template, Warning
+from dslkit.source import SourceFile, Span
+
+
+class RecordingError(Exception):
+    """Nothing can be read, or written about, a recording; `diagnostic` says why."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        self.diagnostic = diagnostic
+        path = diagnostic.primary.span.file.path
+        texts = (diagnostic.title, diagnostic.primary.text, diagnostic.help)
+        super().__init__(
+            f"{path}: [{diagnostic.code}] " + "; ".join(text for text in texts if text)
+        )
+
+
+def at_file(finding: Template, path: Path) -> Diagnostic:
+    """A finding about a recording as a whole."""
+    return finding.at(Span(SourceFile(str(path), ""), 0, 0))
+
+
+# --- a topic or a field, at the input that reads it ------------------------------------------
+
+
+@dataclass(frozen=True, kw_only=True)
+class TopicNotRecorded(Warning, code="ROSS601", name="topic-not-recorded"):
+    """An input whose topic is not in the recording."""
+
+    title = "`{topic}` is not in the recording"
+    label = "stays unknown in this replay"
+    note = "the recording holds {recorded}"
+    help = "replay a recording of this topic, or name the recorded one: `--topic-map {topic}=NAME`"
+    topic: str
+    recorded: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class TopicOfAnotherType(Warning, code="ROSS602", name="topic-of-another-type"):
+    """An input whose topic was recorded with another message type."""
+
+    title = "`{topic}` was recorded as {recorded}"
+    label = "expects {expected}, and stays unknown in this replay"
+    help = "declare the input as {recorded}, or check that this is the topic meant"
+    topic: str
+    recorded: str
+    expected: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class TopicNeverSent(Warning, code="ROSS603", name="topic-never-sent"):
+    """An input whose topic is in the recording, without a single message."""
+
+    title = "`{topic}` was recorded, but nothing was sent on it"
+    label = "stays unknown in this replay"
+    help = "check that the node that publishes it was running while this was recorded"
+    topic: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
+    """A field that the recorded messages do not have, or not as a value of this kind."""
+
+    title = "the recorded messages on `{topic}` have no field `{field}` that holds {kind}"
+    label = "this field stays unknown in this replay"
+    note = "the recording brings its own definition of {source}"
+    help = "record with the message definitions that the rules were written for"
+    topic: str
+    field: str
+    kind: str
+    source: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
+    """Messages of a topic that do not match their definition."""
+
+    title = "{count} of {total} values on `{topic}` cannot be read"
+    label = "keeps its last value there"
+    note = "the first one, {seconds:.3f} s into the recording: {reason}"
+    help = "check the recording, and that its type definitions are those it was recorded with"
+    topic: str
+    count: int
+    total: int
+    seconds: float
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class DefinitionMissing(Warning, code="ROSS606", name="definition-missing"):
+    """A topic of a type of which no definition is known."""
+
+    title = "no definition of {type_name}, the type of `{topic}`"
+    label = "stays unknown in this replay"
+    note = "{reason}"
+    help = "name a folder that holds {type_name} as a .msg file"
+    type_name: str
+    topic: str
+    reason: str
+
+
+# --- the command line ------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, kw_only=True)
+class TopicMapUnused(Error, code="ROSS607", name="topic-map-unused"):
+    """A topic map that renames a topic which no rule reads."""
+
+    title = "the rules read no topic `{topic}`"
+    label = "a topic of the rules stands left of `=`, the recorded one right of it"
+    help = "the rules read {known}"
+    topic: str
+    known: str
+
+
+# --- a file as a whole -----------------------------------------------------------------------
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingNotFound(Error, code="ROSS610", name="recording-not-found"):
+    """A path at which there is nothing."""
+
+    title = "there is no recording at this path"
+    help = "{hint}"
+    hint: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingUnreadable(Error, code="ROSS611", name="recording-unreadable"):
+    """A file that the operating system does not hand out."""
+
+    title = "the recording cannot be opened: {reason}"
+    help = "check that the file may be read"
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingKindUnknown(Error, code="ROSS612", name="recording-kind-unknown"):
+    """A file or directory that is not a recording of a known kind."""
+
+    title = "{reason}"
+    help = (
+        "name a ROS 1 .bag, a ROS 2 .db3 or .mcap or the directory that holds one, or a .csv whose "
+        "first column is `time`"
+    )
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingEmpty(Error, code="ROSS613", name="recording-empty"):
+    """A recording without a message."""
+
+    title = "the recording is empty: {reason}"
+    help = "record again, and wait until the recorder says that it has subscribed"
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingCorrupt(Error, code="ROSS614", name="recording-corrupt"):
+    """A file of which nothing can be read."""
+
+    title = "nothing in this recording can be read: {reason}"
+    help = "check that the file was copied whole, and that its ending says what it is"
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingDamaged(Warning, code="ROSS615", name="recording-damaged"):
+    """A file of which a part can be read."""
+
+    title = "the recording is damaged: {reason}"
+    note = "{kept} messages could be read and are used"
+    help = "expect gaps: an input with a timeout is lost where its messages are missing"
+    reason: str
+    kept: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class NothingToReplay(Error, code="ROSS616", name="nothing-to-replay"):
+    """A recording that holds nothing that the rules read."""
+
+    title = "the rules read nothing that is in this recording"
+    note = "the rules read {expected}; the recording holds {recorded}"
+    help = "name the recorded topics with `--topic-map TOPIC=RECORDED`"
+    expected: str
+    recorded: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecordingUntyped(Error, code="ROSS617", name="recording-untyped"):
+    """A system model is wanted of a recording that does not know types."""
+
+    title = "a CSV file does not say of what types its topics are"
+    help = "write the system model from a .bag, .db3 or .mcap, or by hand"
+
+
+# --- CSV -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, kw_only=True)
+class TimeColumnMissing(Error, code="ROSS620", name="time-column-missing"):
+    """A CSV file whose first column is not the time."""
+
+    title = "the first column is not the time"
+    label = "expected `time`, `t` or `stamp` (seconds) or `time_ns`"
+    help = "name the column with the instants `time`, and put it first"
+
+
+@dataclass(frozen=True, kw_only=True)
+class RowsSkipped(Warning, code="ROSS621", name="rows-skipped"):
+    """Rows of a CSV file that are not an instant and values."""
+
+    title = "{count} rows are skipped"
+    label = "{reason}"
+    help = "give every row an instant, and as many cells as there are columns"
+    count: int
+    reason: str
+
+
+ALL: tuple[type[Template], ...] = (
+    TopicNotRecorded,
+    TopicOfAnotherType,
+    TopicNeverSent,
+    FieldNotRecorded,
+    MessagesUnreadable,
+    DefinitionMissing,
+    TopicMapUnused,
+    RecordingNotFound,
+    RecordingUnreadable,
+    RecordingKindUnknown,
+    RecordingEmpty,
+    RecordingCorrupt,
+    RecordingDamaged,
+    NothingToReplay,
+    RecordingUntyped,
+    TimeColumnMissing,
+    RowsSkipped,
+)

@@ -1,0 +1,194 @@
+"""From a decoded message to the numbers that a machine reads of it.
+
+What to read is looked up in the definition of the message once, so that each message costs a few
+attribute accesses.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from operator import attrgetter
+from typing import Any
+
+from rosbags.interfaces import Nodetype
+from rosbags.typesys.base import normalize_fieldname
+from rosbags.typesys.store import Typestore
+
+from rossmarie.ir import Array, ChannelValues, Kind, Slot
+from rossmarie.recordings.definitions import full_type
+
+_TEXTS = ("string", "wstring")
+_INSTANTS = ("builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration")
+
+Message = Any
+"""A message that rosbags has decoded; its class is made from its definition."""
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What a machine reads of one channel: slots and arrays with their indices in the machine."""
+
+    slots: Mapping[int, Slot]
+    arrays: Mapping[int, Array]
+
+
+@dataclass(frozen=True)
+class Extractor:
+    """Reads the wanted values of a message; `missing` are those that its type does not have."""
+
+    read: Callable[[Message], ChannelValues]
+    missing: tuple[Slot | Array, ...]
+
+
+def compile_extractor(
+    store: Typestore, message_type: str, wanted: Wanted, texts: Sequence[str]
+) -> Extractor:
+    """An extractor for messages of `message_type`; a missing slot is NaN, a missing array empty."""
+    root = (Nodetype.NAME, full_type(message_type))
+    numbers: dict[int, str] = {}
+    others: dict[int, Callable[[Message], float]] = {}
+    arrays: dict[int, Callable[[Message], list[float]]] = {}
+    missing: list[Slot | Array] = []
+    for index, slot in wanted.slots.items():
+        description = _describe(store, root, slot.path)
+        if description is None or not _holds(description, slot.kind):
+            missing.append(slot)
+        elif _is_number(description) and not _has_index(slot.path):
+            numbers[index] = _attributes(slot.path)
+        else:
+            others[index] = _scalar_reader(slot, description, texts)
+    for index, array in wanted.arrays.items():
+        description = _describe(store, root, array.path)
+        if description is None or not _is_numeric_array(description):
+            missing.append(array)
+        else:
+            arrays[index] = _array_reader(array.path)
+    return Extractor(_reader(numbers, others, arrays), tuple(missing))
+
+
+def _reader(
+    numbers: Mapping[int, str],
+    others: Mapping[int, Callable[[Message], float]],
+    arrays: Mapping[int, Callable[[Message], list[float]]],
+) -> Callable[[Message], ChannelValues]:
+    indices = tuple(numbers)
+    get = _get_all(tuple(numbers.values()))
+
+    def read(message: Message) -> ChannelValues:
+        slots = dict(zip(indices, map(float, get(message)), strict=True))
+        for index, get_other in others.items():
+            slots[index] = get_other(message)
+        return ChannelValues(
+            slots, {index: get_array(message) for index, get_array in arrays.items()}
+        )
+
+    return read
+
+
+def _get_all(paths: tuple[str, ...]) -> Callable[[Message], tuple[float, ...]]:
+    """Like `attrgetter`, but always a tuple."""
+    if len(paths) == 1:
+        get_only = attrgetter(paths[0])
+        return lambda message: (get_only(message),)
+    return attrgetter(*paths) if paths else _nothing
+
+
+def _nothing(_: Message) -> tuple[float, ...]:
+    return ()
+
+
+def _scalar_reader(
+    slot: Slot, description: Any, texts: Sequence[str]
+) -> Callable[[Message], float]:
+    get = _path_reader(slot.path)
+    if slot.kind is Kind.TEXT:
+        numbers = {text: float(number) for number, text in enumerate(texts)}
+        return lambda message: numbers.get(get(message), -1.0)
+    if description[0] == Nodetype.NAME:
+        return lambda message: _seconds(get(message))
+    return lambda message: _number(get(message))
+
+
+def _number(value: Any) -> float:
+    return math.nan if value is None else float(value)
+
+
+def _seconds(value: Any) -> float:
+    return math.nan if value is None else value.sec + value.nanosec * 1e-9
+
+
+def _array_reader(path: Sequence[str | int]) -> Callable[[Message], list[float]]:
+    get = _path_reader(path)
+
+    def read(message: Message) -> list[float]:
+        elements = get(message)
+        return [] if elements is None else list(map(float, elements.tolist()))
+
+    return read
+
+
+def _path_reader(path: Sequence[str | int]) -> Callable[[Message], Any]:
+    """Reads along a path; None where an array is too short for an index."""
+    if not _has_index(path):
+        return attrgetter(_attributes(path))
+
+    def read(message: Message) -> Any:
+        value = message
+        for part in path:
+            if isinstance(part, int):
+                if part >= len(value):
+                    return None
+                value = value[part]
+            else:
+                value = getattr(value, normalize_fieldname(part))
+        return value
+
+    return read
+
+
+def _has_index(path: Sequence[str | int]) -> bool:
+    return any(isinstance(part, int) for part in path)
+
+
+def _attributes(path: Sequence[str | int]) -> str:
+    return ".".join(normalize_fieldname(str(part)) for part in path)
+
+
+# --- what the definition says ----------------------------------------------------------------
+
+
+def _describe(store: Typestore, description: Any, path: Sequence[str | int]) -> Any:
+    """The type description (as rosbags writes it) of a field; None if there is no such field."""
+    for part in path:
+        kind, content = description
+        if isinstance(part, int):
+            if kind not in (Nodetype.ARRAY, Nodetype.SEQUENCE):
+                return None
+            description = content[0]
+        else:
+            if kind != Nodetype.NAME or content not in store.fielddefs:
+                return None
+            fields = dict(store.fielddefs[content][1])
+            if part not in fields:
+                return None
+            description = fields[part]
+    return description
+
+
+def _holds(description: Any, kind: Kind) -> bool:
+    if kind is Kind.TEXT:
+        return description[0] == Nodetype.BASE and description[1][0] in _TEXTS
+    return _is_number(description) or (
+        description[0] == Nodetype.NAME and description[1] in _INSTANTS
+    )
+
+
+def _is_number(description: Any) -> bool:
+    return description[0] == Nodetype.BASE and description[1][0] not in _TEXTS
+
+
+def _is_numeric_array(description: Any) -> bool:
+    kind, content = description
+    return kind in (Nodetype.ARRAY, Nodetype.SEQUENCE) and _is_number(content[0])

@@ -1,0 +1,176 @@
+"""Which recorded topic each channel of a machine reads, and what is wrong with it."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from dslkit.diagnostics import Collector, Diagnostic, Template
+from dslkit.source import SourceFile, Span
+from rossmarie.ir import Array, Kind, Machine, Slot
+from rossmarie.recordings.errors import (
+    MessagesUnreadable,
+    NothingToReplay,
+    RecordingError,
+    TopicMapUnused,
+    TopicNeverSent,
+    TopicNotRecorded,
+    TopicOfAnotherType,
+    at_file,
+)
+from rossmarie.recordings.model import Topic
+
+_LISTED = 8
+
+
+@dataclass(frozen=True)
+class Match:
+    """A channel, the recorded topic that it reads, and what it reads of its messages."""
+
+    channel: int
+    topic: str
+    inputs: tuple[int, ...]
+    slots: Mapping[int, Slot]
+    arrays: Mapping[int, Array]
+
+    def fields_of(self, reader: int) -> list[Slot | Array]:
+        """What one of the inputs reads."""
+        fields: list[Slot | Array] = [*self.slots.values(), *self.arrays.values()]
+        return [field for field in fields if field.input == reader]
+
+
+@dataclass
+class Unreadable:
+    """Counts what cannot be read of one topic, and remembers the first case."""
+
+    topic: str
+    total: int
+    start_ns: int
+    spans: Sequence[Span]
+    count: int = 0
+    first: tuple[int, str] | None = None
+
+    def note(self, at_ns: int, reason: str) -> None:
+        """One more."""
+        self.count += 1
+        self.first = self.first or (at_ns, reason)
+
+    def report(self, collector: Collector) -> None:
+        """Tell it once, at every input concerned."""
+        if self.first is None:
+            return
+        at_ns, reason = self.first
+        finding = MessagesUnreadable(
+            topic=self.topic,
+            count=self.count,
+            total=self.total,
+            seconds=(at_ns - self.start_ns) / 1e9,
+            reason=reason,
+        )
+        for span in self.spans:
+            collector.add(finding.at(span))
+
+
+def channel_match(machine: Machine, channel: int, topic: str) -> Match:
+    """What a channel reads, from a recorded topic."""
+    inputs = tuple(i for i, found in enumerate(machine.inputs) if found.channel == channel)
+    slots = {i: slot for i, slot in enumerate(machine.slots) if slot.input in inputs}
+    arrays = {i: array for i, array in enumerate(machine.arrays) if array.input in inputs}
+    return Match(channel, topic, inputs, slots, arrays)
+
+
+def match_topics(
+    topics: Mapping[str, Topic],
+    machine: Machine,
+    topic_map: Mapping[str, str],
+    path: Path,
+    collector: Collector,
+) -> list[Match]:
+    """The channels whose topics are recorded with the type expected and at least one message.
+
+    The others are reported. Raises `RecordingError` if none is left.
+    """
+    check_topic_map(machine, topic_map)
+    matches = []
+    for number, channel in enumerate(machine.channels):
+        match = channel_match(machine, number, topic_map.get(channel.topic, channel.topic))
+        finding, advice = _trouble(topics, match.topic, channel.message_type)
+        if finding is None:
+            matches.append(match)
+        else:
+            for reader in match.inputs:
+                collector.add(finding.at(input_span(machine, reader), help=advice))
+    if not matches and machine.channels:
+        raise RecordingError(nothing_to_replay(topics, machine, path))
+    return matches
+
+
+def nothing_to_replay(topics: Mapping[str, Topic], machine: Machine, path: Path) -> Diagnostic:
+    """The finding that no channel of a machine is recorded."""
+    expected = listed(channel.topic for channel in machine.channels)
+    return at_file(NothingToReplay(expected=expected, recorded=listed(topics)), path)
+
+
+def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
+    """Raise `RecordingError` if a topic is mapped that no channel reads."""
+    known = [channel.topic for channel in machine.channels]
+    for topic, recorded in topic_map.items():
+        if topic not in known:
+            near = difflib.get_close_matches(topic, known, n=1)
+            advice = f"did you mean `{near[0]}={recorded}`?" if near else None
+            span = Span(SourceFile("--topic-map", f"{topic}={recorded}"), 0, len(topic))
+            finding = TopicMapUnused(topic=topic, known=listed(known))
+            raise RecordingError(finding.at(span, help=advice))
+
+
+def _trouble(
+    topics: Mapping[str, Topic], name: str, message_type: str
+) -> tuple[Template | None, str | None]:
+    """What keeps a topic from being read, with a better help than the usual one if there is."""
+    topic = topics.get(name)
+    if topic is None:
+        finding = TopicNotRecorded(topic=name, recorded=listed(topics))
+        near = _alternative(topics, name, message_type)
+        return finding, near and f"did you mean `{near}`? then add `--topic-map {name}={near}`"
+    if topic.message_type not in (None, message_type):
+        recorded = topic.message_type or "?"
+        return TopicOfAnotherType(topic=name, recorded=recorded, expected=message_type), None
+    return (TopicNeverSent(topic=name), None) if topic.count == 0 else (None, None)
+
+
+def _alternative(topics: Mapping[str, Topic], name: str, message_type: str) -> str | None:
+    """The recorded topic that is most likely meant: of the right type, and named alike."""
+    fitting = [
+        topic.name for topic in topics.values() if topic.message_type in (None, message_type)
+    ]
+    near = difflib.get_close_matches(name, fitting, n=1, cutoff=0.5)
+    near = near or [topic for topic in fitting if topic.endswith(name) or name.endswith(topic)]
+    return near[0] if near else fitting[0] if len(fitting) == 1 else None
+
+
+def input_span(machine: Machine, number: int) -> Span:
+    """Where an input is declared."""
+    return machine.inputs[number].span
+
+
+def field_text(path: Sequence[str | int]) -> str:
+    """A path as it is written: `position[0].x`."""
+    parts = (f"[{part}]" if isinstance(part, int) else f".{part}" for part in path)
+    return "".join(parts).removeprefix(".")
+
+
+def kind_text(wanted: Slot | Array) -> str:
+    """What is expected of a field, in words."""
+    if isinstance(wanted, Array):
+        return "an array of numbers"
+    return "a text" if wanted.kind is Kind.TEXT else "a number"
+
+
+def listed(names: Iterable[str]) -> str:
+    """Names for a sentence, cut short if there are many."""
+    found = sorted(names)
+    shown = ", ".join(f"`{name}`" for name in found[:_LISTED])
+    more = len(found) - _LISTED
+    return f"{shown} and {more} more" if more > 0 else shown or "no topic"

@@ -1,0 +1,33 @@
+"""The files of one recording as one storage."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Collection, Iterator, Sequence
+
+from rossmarie.recordings.storage import Storage, Stored
+
+
+class MergedStorage:
+    """Several storages, merged by their stamps."""
+
+    def __init__(self, parts: Sequence[Storage]) -> None:
+        self._parts = parts
+        self.connections = [connection for part in parts for connection in part.connections]
+
+    def span(self) -> tuple[int, int] | None:
+        """The stamps of the first and the last message; None if there is none."""
+        spans = [span for part in self._parts if (span := part.span()) is not None]
+        if not spans:
+            return None
+        return min(start for start, _ in spans), max(end for _, end in spans)
+
+    def messages(self, topics: Collection[str], after_ns: int | None = None) -> Iterator[Stored]:
+        """The messages on some topics, from behind an instant on."""
+        streams = [part.messages(topics, after_ns) for part in self._parts]
+        return heapq.merge(*streams, key=lambda stored: stored.at_ns)
+
+    def close(self) -> None:
+        """Release the files."""
+        for part in self._parts:
+            part.close()

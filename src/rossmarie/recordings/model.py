@@ -1,0 +1,77 @@
+"""What every recording offers, whatever file it came from.
+
+Instants are integers in nanoseconds: the stamps at which messages were received (ROS: log time),
+not those in their headers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple, Protocol
+
+from dslkit.diagnostics import Collector, Diagnostic
+from rossmarie.ir import ChannelValues, Machine
+
+
+@dataclass(frozen=True)
+class Topic:
+    """A recorded topic; `message_type` is `sensor_msgs/Imu`, or None where the file has no types.
+
+    `count` is the number of its messages.
+    """
+
+    name: str
+    message_type: str | None
+    count: int
+
+
+class Update(NamedTuple):
+    """What arrives at one instant, by channel: one message, or one row of a CSV file."""
+
+    at_ns: int
+    channels: Mapping[int, ChannelValues]
+
+
+class Recording(Protocol):
+    """An open recording; `close` it, or use it in a `with` statement."""
+
+    @property
+    def path(self) -> Path:
+        """Where it is."""
+
+    @property
+    def topics(self) -> Mapping[str, Topic]:
+        """What was recorded, by name."""
+
+    @property
+    def start_ns(self) -> int:
+        """The first instant."""
+
+    @property
+    def end_ns(self) -> int:
+        """The last instant."""
+
+    @property
+    def findings(self) -> tuple[Diagnostic, ...]:
+        """What is wrong with the file as a whole, although it can be read."""
+
+    def updates(
+        self, machine: Machine, collector: Collector, topic_map: Mapping[str, str]
+    ) -> Iterator[Update]:
+        """What the recording says to a machine, in the order of time.
+
+        `topic_map` leads from topics of the rules to recorded ones. What does not fit is reported
+        to `collector` at the call, what cannot be read when the iteration ends. Raises
+        `RecordingError` at the call if there is nothing to read.
+        """
+
+    def close(self) -> None:
+        """Release the file."""
+
+    def __enter__(self) -> Recording:
+        """The recording itself."""
+
+    def __exit__(self, *reason: object) -> None:
+        """Release the file."""

@@ -1,0 +1,104 @@
+"""What the salvage of damaged chunked files (.bag, .mcap) has in common.
+
+A first pass reads the records one after the other, up to where they end or make no sense, and notes
+where messages are. Then they are read in the order of time.
+"""
+
+from __future__ import annotations
+
+import mmap
+from collections import Counter
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from pathlib import Path
+from typing import NamedTuple
+
+from rossmarie.recordings.compression import decompress_prefix
+from rossmarie.recordings.storage import Connection, Stored
+
+OUTSIDE = -1
+"""In place of a chunk: the message lies in the file itself."""
+
+
+class Place(NamedTuple):
+    """Where a message is: from `start` to `end` in the content of a chunk."""
+
+    at_ns: int
+    connection: int
+    chunk: int
+    start: int
+    end: int
+
+
+class Chunk(NamedTuple):
+    """A compressed stretch of the file."""
+
+    compression: str
+    start: int
+    end: int
+
+
+@dataclass
+class Scan:
+    """What the first pass has found; `loss` says what is missing, None if all is there."""
+
+    connections: dict[int, Connection] = field(default_factory=dict)
+    chunks: list[Chunk] = field(default_factory=list)
+    places: list[Place] = field(default_factory=list)
+    loss: str | None = None
+
+    def lose(self, reason: str) -> None:
+        """Note a loss; the first one is the one to tell."""
+        if self.loss is None:
+            self.loss = reason
+
+    def open_chunk(self, data: mmap.mmap, chunk: Chunk) -> tuple[int, bytes]:
+        """The number and the content of a chunk, as far as it can be decompressed."""
+        content, trouble = decompress_prefix(chunk.compression, data[chunk.start : chunk.end])
+        if trouble is not None:
+            self.lose(trouble)
+        self.chunks.append(chunk)
+        return len(self.chunks) - 1, content
+
+
+class SalvagedStorage:
+    """The messages that a scan has found, in the order of their stamps."""
+
+    def __init__(self, path: Path, scan_file: Callable[[mmap.mmap], Scan]) -> None:
+        with path.open("rb") as file:
+            self._file = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
+        scan = scan_file(self._file)
+        counts = Counter(place.connection for place in scan.places)
+        self._by_id = {
+            number: replace(connection, count=counts[number])
+            for number, connection in scan.connections.items()
+        }
+        self.connections = list(self._by_id.values())
+        self.loss = scan.loss
+        self._chunks = scan.chunks
+        known = (place for place in scan.places if place.connection in self._by_id)
+        self._places = sorted(known, key=lambda place: place.at_ns)
+        # Chunks follow each other in time and overlap a little: few are needed at once.
+        self._content = lru_cache(maxsize=4)(self._decompress)
+
+    def span(self) -> tuple[int, int] | None:
+        """The stamps of the first and the last message; None if there is none."""
+        return (self._places[0].at_ns, self._places[-1].at_ns) if self._places else None
+
+    def messages(self, topics: Collection[str], after_ns: int | None = None) -> Iterator[Stored]:
+        """The messages on some topics, from behind an instant on."""
+        for at_ns, number, chunk, start, end in self._places:
+            connection = self._by_id[number]
+            if connection.topic in topics and (after_ns is None or at_ns > after_ns):
+                source = self._file if chunk == OUTSIDE else self._content(chunk)
+                yield Stored(connection, at_ns, source[start:end])
+
+    def close(self) -> None:
+        """Release the file."""
+        self._content.cache_clear()
+        self._file.close()
+
+    def _decompress(self, number: int) -> bytes:
+        chunk = self._chunks[number]
+        return decompress_prefix(chunk.compression, self._file[chunk.start : chunk.end])[0]

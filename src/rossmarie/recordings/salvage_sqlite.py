@@ -1,0 +1,107 @@
+"""ROS 2 .db3 files that rosbags does not read: cut short, or with damaged pages.
+
+Rows are read in the order in which they were written, from both ends, up to the damage.
+"""
+
+from __future__ import annotations
+
+import sqlite3
+from collections import Counter
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+from pathlib import Path
+
+from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
+
+from rossmarie.recordings.storage import Connection, Stored, plain_type
+
+_FORMATS = {"ros2msg": MessageDefinitionFormat.MSG, "ros2idl": MessageDefinitionFormat.IDL}
+_UNDEFINED = MessageDefinition(MessageDefinitionFormat.NONE, "")
+
+
+def salvage_sqlite(path: Path) -> SalvagedRows:
+    """What is left of a .db3 file. Raises `ValueError` if it is no recording."""
+    return SalvagedRows(path)
+
+
+class SalvagedRows:
+    """The messages in the readable rows, in the order of their stamps."""
+
+    def __init__(self, path: Path) -> None:
+        uri = f"{path.absolute().as_uri()}?mode=ro&immutable=1"
+        self._database = sqlite3.connect(uri, uri=True)
+        try:
+            # Without this, SQLite refuses a file that is shorter than it says itself.
+            self._database.execute("PRAGMA writable_schema = ON")
+            found = {connection.id: connection for connection in self._read_connections()}
+        except (sqlite3.Error, ValueError) as error:
+            self._database.close()
+            raise ValueError(f"it is not a ROS 2 database ({error})") from error
+        self.loss: str | None = None
+        rows = {row: (at_ns, topic) for row, topic, at_ns in self._read_rows("ASC")}
+        if self.loss is not None:
+            rows |= {row: (at_ns, topic) for row, topic, at_ns in self._read_rows("DESC")}
+        counts = Counter(topic for _, topic in rows.values())
+        self._by_id = {
+            number: replace(connection, count=counts[number])
+            for number, connection in found.items()
+        }
+        self.connections = list(self._by_id.values())
+        known = ((at_ns, row, topic) for row, (at_ns, topic) in rows.items() if topic in found)
+        self._rows = sorted(known)
+
+    def span(self) -> tuple[int, int] | None:
+        """The stamps of the first and the last message; None if there is none."""
+        return (self._rows[0][0], self._rows[-1][0]) if self._rows else None
+
+    def messages(self, topics: Collection[str], after_ns: int | None = None) -> Iterator[Stored]:
+        """The messages on some topics, from behind an instant on."""
+        for at_ns, row, topic in self._rows:
+            connection = self._by_id[topic]
+            if connection.topic in topics and (after_ns is None or at_ns > after_ns):
+                content = self._content(row)
+                if content is not None:
+                    yield Stored(connection, at_ns, content)
+
+    def close(self) -> None:
+        """Release the file."""
+        self._database.close()
+
+    def _content(self, row: int) -> bytes | None:
+        query = "SELECT data FROM messages WHERE id = ? AND typeof(data) = 'blob'"
+        try:
+            found: tuple[bytes] | None = self._database.execute(query, (row,)).fetchone()
+        except sqlite3.Error:
+            return None  # the row is there, but a page that its content overflows to is not
+        return None if found is None else found[0]
+
+    def _read_rows(self, direction: str) -> Iterator[tuple[int, int, int]]:
+        """Row, topic and stamp of the messages, up to the first that cannot be read."""
+        try:
+            yield from self._database.execute(
+                "SELECT id, topic_id, timestamp FROM messages NOT INDEXED "
+                "WHERE typeof(topic_id) = 'integer' AND typeof(timestamp) = 'integer' "
+                f"ORDER BY id {direction}"
+            )
+        except sqlite3.Error as error:
+            self.loss = f"its database breaks off ({error})"
+
+    def _read_connections(self) -> Iterator[Connection]:
+        definitions = dict(self._read_definitions())
+        for number, topic, message_type, encoding in self._database.execute(
+            "SELECT id, name, type, serialization_format FROM topics WHERE typeof(id) = 'integer' "
+            "AND typeof(name) = 'text' AND typeof(type) = 'text'"
+        ):
+            definition = definitions.get(message_type, _UNDEFINED)
+            yield Connection(number, topic, plain_type(message_type), str(encoding), definition, 0)
+
+    def _read_definitions(self) -> Iterator[tuple[str, MessageDefinition]]:
+        """The definitions that a database from ROS 2 Iron on carries."""
+        try:
+            for message_type, encoding, text in self._database.execute(
+                "SELECT topic_type, encoding, encoded_message_definition FROM message_definitions"
+            ):
+                form = _FORMATS.get(encoding, MessageDefinitionFormat.NONE)
+                yield message_type, MessageDefinition(form, str(text))
+        except sqlite3.Error:
+            return

@@ -1,0 +1,139 @@
+"""The stored messages of a recording, still as bytes.
+
+`IntactStorage` reads files as they should be, by way of rosbags; the salvage modules read what is
+left of damaged ones.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple, Protocol
+
+import apsw
+from rosbags import rosbag1, rosbag2
+from rosbags.interfaces import Connection as RosbagsConnection
+from rosbags.interfaces import ConnectionExtRosbag2, MessageDefinition
+
+from rossmarie.recordings.compression import DECOMPRESSION_FAILURES
+
+READER_FAILURES: tuple[type[Exception], ...] = (
+    rosbag1.ReaderError,
+    rosbag2.ReaderError,
+    *DECOMPRESSION_FAILURES,
+    apsw.Error,
+    struct.error,
+    ArithmeticError,
+    AssertionError,
+    AttributeError,
+    LookupError,
+    MemoryError,
+    OSError,
+    TypeError,
+    ValueError,
+)
+"""What rosbags raises on damaged files: it takes much of their content for granted, so that a byte
+that is wrong shows up as whatever Python makes of it.
+"""
+
+
+@dataclass(frozen=True)
+class Connection:
+    """One source of messages on a topic; `id` is its number in the file.
+
+    `message_type` is `sensor_msgs/Imu`, `encoding` is `ros1`, `cdr`, or one that cannot be decoded
+    here. `definition` may be empty.
+    """
+
+    id: int
+    topic: str
+    message_type: str
+    encoding: str
+    definition: MessageDefinition
+    count: int
+
+
+class Stored(NamedTuple):
+    """One message as it is stored."""
+
+    connection: Connection
+    at_ns: int
+    content: bytes
+
+
+class Storage(Protocol):
+    """Stored messages, in the order of their stamps."""
+
+    @property
+    def connections(self) -> Sequence[Connection]:
+        """Where messages come from; several may send on one topic."""
+
+    def span(self) -> tuple[int, int] | None:
+        """The stamps of the first and the last message; None if there is none."""
+
+    def messages(self, topics: Collection[str], after_ns: int | None = None) -> Iterator[Stored]:
+        """The messages on some topics, from behind an instant on."""
+
+    def close(self) -> None:
+        """Release the file."""
+
+
+class SalvageableStorage(Storage, Protocol):
+    """What is left of a damaged file."""
+
+    @property
+    def loss(self) -> str | None:
+        """What is missing, in words; None if nothing is."""
+
+
+def plain_type(name: str) -> str:
+    """`sensor_msgs/Imu` for `sensor_msgs/msg/Imu`; other kinds of interfaces keep their name."""
+    return name.replace("/msg/", "/", 1)
+
+
+class IntactStorage:
+    """A file or bag directory that rosbags can read.
+
+    Raises one of `READER_FAILURES` if it cannot, at construction or at any message.
+    """
+
+    def __init__(self, path: Path) -> None:
+        is_ros1 = path.suffix == ".bag" and path.is_file()
+        self._reader = rosbag1.Reader(path) if is_ros1 else rosbag2.Reader(path)
+        self._reader.open()
+        self._opened = list(self._reader.connections)
+        self.connections = [_connection(opened) for opened in self._opened]
+
+    def span(self) -> tuple[int, int] | None:
+        """The stamps of the first and the last message; None if there is none."""
+        if self._reader.message_count == 0:
+            return None
+        return self._reader.start_time, self._reader.end_time - 1
+
+    def messages(self, topics: Collection[str], after_ns: int | None = None) -> Iterator[Stored]:
+        """The messages on some topics, from behind an instant on."""
+        chosen = [opened for opened in self._opened if opened.topic in topics]
+        if not chosen:
+            return
+        ours = {opened.id: _connection(opened) for opened in chosen}
+        start = None if after_ns is None else after_ns + 1
+        for opened, at_ns, content in self._reader.messages(chosen, start=start):
+            yield Stored(ours[opened.id], at_ns, content)
+
+    def close(self) -> None:
+        """Release the file."""
+        self._reader.close()
+
+
+def _connection(opened: RosbagsConnection) -> Connection:
+    ext = opened.ext
+    return Connection(
+        id=opened.id,
+        topic=opened.topic,
+        message_type=plain_type(opened.msgtype),
+        encoding=ext.serialization_format if isinstance(ext, ConnectionExtRosbag2) else "ros1",
+        definition=opened.msgdef,
+        count=opened.msgcount,
+    )

@@ -1,0 +1,25 @@
+"""What a replay found, for readers: a table, JSON lines, and a timeline that opens in a browser."""
+
+from rossmarie.report.axis import axis_seconds
+from rossmarie.report.jsonl import verdict_lines
+from rossmarie.report.model import Plot, Replay, Threshold
+from rossmarie.report.plots import PlotPlan, plan_plots
+from rossmarie.report.spans import ActiveSpan, Summary, active_spans, summarize
+from rossmarie.report.table import write_table
+from rossmarie.report.timeline import render_timeline
+
+__all__ = [
+    "ActiveSpan",
+    "Plot",
+    "PlotPlan",
+    "Replay",
+    "Summary",
+    "Threshold",
+    "active_spans",
+    "axis_seconds",
+    "plan_plots",
+    "render_timeline",
+    "summarize",
+    "verdict_lines",
+    "write_table",
+]

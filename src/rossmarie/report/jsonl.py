@@ -1,0 +1,135 @@
+"""A replay as JSON lines: a header, then one object for each event, in the order of events.
+
+The schema is written down in `docs/reference/verdicts.md`; `SCHEMA` grows when a reader of the old
+one could misread the new one.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+
+from rossmarie.ir import (
+    Cause,
+    Change,
+    Explanation,
+    InputState,
+    LostInput,
+    Reading,
+    TruthValue,
+    Verdict,
+    explain,
+)
+from rossmarie.report.axis import PlacedEvent, place
+from rossmarie.report.model import Replay
+
+SCHEMA = 1
+
+CHANGES = {
+    Change.CLEARED: "cleared",
+    Change.ACTIVATED: "activated",
+    Change.ACTIVATED_LOST: "activated_lost",
+}
+TRUTHS = {
+    TruthValue.FALSE: "false",
+    TruthValue.TRUE: "true",
+    TruthValue.UNKNOWN: "unknown",
+    TruthValue.LOST: "lost",
+}
+STATES = {InputState.NEVER: "never", InputState.FRESH: "unusable", InputState.EXPIRED: "expired"}
+
+
+def verdict_lines(replay: Replay) -> Iterator[str]:
+    """The lines of the file, each without its line ending."""
+    yield _line(_header(replay))
+    for placed in place(replay.events, replay.start_ns):
+        yield _line(_event(replay, placed))
+
+
+def _line(fields: dict[str, object]) -> str:
+    return json.dumps(fields, ensure_ascii=False, allow_nan=False, separators=(", ", ": "))
+
+
+def _header(replay: Replay) -> dict[str, object]:
+    return {
+        "type": "header",
+        "schema": SCHEMA,
+        "rules_file": replay.rules_file,
+        "recording": replay.recording,
+        "monitor": replay.monitor,
+        "start_ns": replay.start_ns,
+        "end_ns": replay.end_ns,
+        "duration_s": replay.duration_ns / 1e9,
+        "rules": [rule.name for rule in replay.machine.rules],
+        "notes": list(replay.notes),
+    }
+
+
+def _event(replay: Replay, placed: PlacedEvent) -> dict[str, object]:
+    event = placed.event
+    if isinstance(event, Verdict):
+        return _verdict(replay, event, placed)
+    return {
+        "type": "time_jump",
+        "from_ns": event.from_ns,
+        "to_ns": event.to_ns,
+        "time_s": placed.position_ns / 1e9,
+    }
+
+
+def _verdict(replay: Replay, verdict: Verdict, placed: PlacedEvent) -> dict[str, object]:
+    rule = replay.machine.rules[verdict.rule]
+    return {
+        "type": "verdict",
+        "rule": rule.name,
+        "at_ns": verdict.at_ns,
+        "time_s": placed.position_ns / 1e9,
+        "active": verdict.change is not Change.CLEARED,
+        "change": CHANGES[verdict.change],
+        "actions": list(rule.actions),
+        "clears": rule.contract,
+        "cause": cause_data(explain(replay.machine, verdict), placed.origin_ns),
+    }
+
+
+def cause_data(explanation: Explanation, origin_ns: int) -> dict[str, object]:
+    """The object `cause` of a verdict; `origin_ns` is the stamp from which seconds count."""
+    return {
+        "text": explanation.line(origin_ns),
+        "conditions": [_condition(cause, origin_ns) for cause in explanation.causes],
+        "lost_inputs": [_lost_input(lost) for lost in explanation.lost_inputs],
+    }
+
+
+def _condition(cause: Cause, origin_ns: int) -> dict[str, object]:
+    return {
+        "name": cause.name,
+        "text": cause.text,
+        "truth": TRUTHS[cause.value],
+        "since_ns": cause.since_ns,
+        "since_s": (cause.since_ns - origin_ns) / 1e9,
+        "values": [_reading(reading) for reading in cause.readings],
+    }
+
+
+def _reading(reading: Reading) -> dict[str, object]:
+    return {
+        "signal": reading.text,
+        "value": json_number(reading.value),
+        "unit": reading.unit,
+        "shown": reading.shown,
+    }
+
+
+def _lost_input(lost: LostInput) -> dict[str, object]:
+    return {"name": lost.name, "topic": lost.topic, "state": STATES[lost.state]}
+
+
+def json_number(value: float) -> float | str | None:
+    """A number as JSON can write it: NaN is null, an infinity is `"Infinity"` or `"-Infinity"`."""
+    if math.isnan(value):
+        return None
+    if math.isinf(value):
+        return "Infinity" if value > 0 else "-Infinity"
+    return value

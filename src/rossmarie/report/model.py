@@ -1,0 +1,73 @@
+"""What a replay found: the one input of every report.
+
+The driver fills a `Replay` after a monitor has run over a whole recording. Events stand in the
+order in which the monitor yielded them; instants are stamps in nanoseconds and may run backwards
+where a `TimeJump` says so (see `axis.py`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.ir import Event, Machine, TimeJump
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """Where a condition stands on the axis of a plot, in the unit of the plot.
+
+    `limits` are the values at which its truth changes, `regions` the closed stretches (ends may be
+    infinite) in which it speaks for a change of `rules`: for their activation, or, if `releases`,
+    for clearing them.
+    """
+
+    limits: tuple[float, ...]
+    regions: tuple[tuple[float, float], ...]
+    text: str
+    rules: tuple[str, ...]
+    releases: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Plot:
+    """One displayed signal.
+
+    `times_s` (ascending, on the axis of the replay) and `values` (in `unit`, NaN where unknown) are
+    of one length; a value holds until the next time.
+    """
+
+    text: str
+    unit: str
+    times_s: NDArray[np.float64]
+    values: NDArray[np.float64]
+    thresholds: tuple[Threshold, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Replay:
+    """A rules file run over a recording.
+
+    `start_ns` and `end_ns` are the stamps of the first and last message, `monitor` is `native` or
+    `interpreter`, `notes` are the findings about the recording, one sentence each.
+    """
+
+    machine: Machine
+    rules_file: str
+    recording: str
+    monitor: str
+    start_ns: int
+    end_ns: int
+    events: tuple[Event, ...]
+    plots: tuple[Plot, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def duration_ns(self) -> int:
+        """The length of the replay: what lies between backward jumps, added up."""
+        repeated = sum(
+            event.from_ns - event.to_ns for event in self.events if isinstance(event, TimeJump)
+        )
+        return self.end_ns - self.start_ns + repeated

@@ -1,0 +1,130 @@
+"""A replay -> the data of the timeline page, as JSON that its scripts read.
+
+Everything is bounded, so that the page of a long or noisy recording stays small: signals by
+`_SAMPLES`, causes by `_DETAILED`. Instants are seconds on the axis of the replay.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.ir import Rule, TimeJump, Verdict, explain
+from rossmarie.report.axis import PlacedEvent, place
+from rossmarie.report.envelope import envelope
+from rossmarie.report.jsonl import CHANGES, cause_data, json_number
+from rossmarie.report.model import Plot, Replay, Threshold
+from rossmarie.report.spans import ActiveSpan, active_spans
+
+_SAMPLES = 120_000
+"""Samples in a page, shared evenly among its plots: at 11 bytes each, 1.3 MB."""
+
+_DETAILED = 1_000
+"""Verdicts whose cause a page holds; the others are drawn without."""
+
+_TICKS = 2**32 - 1
+"""Times of samples are fractions of the duration, in this many ticks."""
+
+_Data = dict[str, object]
+
+
+def page_data(replay: Replay) -> str:
+    """JSON that cannot end the script element it stands in, whatever names it holds."""
+    text = json.dumps(_page(replay), allow_nan=False, separators=(",", ":"))
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def _page(replay: Replay) -> _Data:
+    duration = replay.duration_ns / 1e9
+    limit = _SAMPLES // max(len(replay.plots), 1)
+    placed = list(place(replay.events, replay.start_ns))
+    changes, places = _changes(replay, placed)
+    rows = zip(replay.machine.rules, active_spans(replay), strict=True)
+    return {
+        "duration": duration,
+        "rules": [_rule(rule, spans, places) for rule, spans in rows],
+        "changes": changes,
+        "jumps": [
+            [item.position_ns / 1e9, (item.event.from_ns - item.event.to_ns) / 1e9]
+            for item in placed
+            if isinstance(item.event, TimeJump)
+        ],
+        "plots": [_plot(plot, limit, duration) for plot in replay.plots],
+    }
+
+
+# --- rules and verdicts ----------------------------------------------------------------------
+
+
+def _rule(rule: Rule, spans: tuple[ActiveSpan, ...], places: dict[int, int]) -> _Data:
+    return {
+        "name": rule.name,
+        "contract": rule.contract,
+        "actions": rule.actions,
+        "latched": rule.release is None,
+        "spans": [
+            [
+                span.start_ns / 1e9,
+                span.end_ns / 1e9,
+                int(span.lost),
+                places.get(span.opened),
+                None if span.closed is None else places.get(span.closed),
+                int(span.closed is None),
+            ]
+            for span in spans
+        ],
+    }
+
+
+def _changes(replay: Replay, placed: list[PlacedEvent]) -> tuple[list[_Data], dict[int, int]]:
+    """The first verdicts in full, and the place of each among them by its place in the events."""
+    changes: list[_Data] = []
+    places: dict[int, int] = {}
+    for index, item in enumerate(placed):
+        if isinstance(item.event, Verdict) and len(changes) < _DETAILED:
+            places[index] = len(changes)
+            changes.append(_change(replay, item.event, item))
+    return changes, places
+
+
+def _change(replay: Replay, verdict: Verdict, placed: PlacedEvent) -> _Data:
+    return {
+        "rule": verdict.rule,
+        "at": placed.position_ns / 1e9,
+        "change": CHANGES[verdict.change],
+        "cause": cause_data(explain(replay.machine, verdict), placed.origin_ns),
+    }
+
+
+# --- signals ---------------------------------------------------------------------------------
+
+
+def _plot(plot: Plot, limit: int, duration: float) -> _Data:
+    times, values = envelope(plot, limit)
+    ticks = np.round(np.clip(times / max(duration, 1e-9), 0, 1) * _TICKS)
+    with np.errstate(over="ignore"):
+        shown = values.astype("<f4")
+    return {
+        "text": plot.text,
+        "unit": plot.unit,
+        "times": _base64(ticks.astype("<u4")),
+        "values": _base64(shown),
+        "thresholds": [_threshold(threshold) for threshold in plot.thresholds],
+    }
+
+
+def _base64(array: NDArray[np.uint32] | NDArray[np.float32]) -> str:
+    return base64.b64encode(array.tobytes()).decode("ascii")
+
+
+def _threshold(threshold: Threshold) -> _Data:
+    return {
+        "limits": threshold.limits,
+        "regions": [[json_number(low), json_number(high)] for low, high in threshold.regions],
+        "text": threshold.text,
+        "rules": threshold.rules,
+        "releases": threshold.releases,
+    }

@@ -1,0 +1,55 @@
+"""The summary of a replay as a table on a terminal, or as plain text in a file or pipe."""
+
+from __future__ import annotations
+
+from typing import TextIO
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from rossmarie.report.model import Replay
+from rossmarie.report.spans import Summary, summarize
+from rossmarie.report.wording import format_length, format_position
+
+_UNBROKEN = 1_000_000
+"""A width, in columns, in which no plain line has to be broken."""
+
+
+def write_table(replay: Replay, out: TextIO) -> None:
+    """Write one row for each rule: fitted to the width of a terminal, one line each elsewhere."""
+    console = Console(file=out, highlight=False)
+    table = _table(summarize(replay), styled=console.is_terminal)
+    if console.is_terminal:
+        console.print(table)
+        return
+    plain = Console(file=None, width=_UNBROKEN, no_color=True, highlight=False)
+    with plain.capture() as capture:
+        plain.print(table)
+    out.writelines(line.rstrip() + "\n" for line in capture.get().splitlines())
+
+
+def _table(summaries: tuple[Summary, ...], *, styled: bool) -> Table:
+    table = Table(box=SIMPLE_HEAD if styled else None, pad_edge=False, header_style="bold")
+    table.add_column("Rule", overflow="fold", min_width=8)
+    table.add_column("Activations", justify="right", no_wrap=True)
+    table.add_column("Active for", justify="right", no_wrap=True)
+    table.add_column("Longest", justify="right", no_wrap=True)
+    table.add_column("First cause", overflow="fold", min_width=20, ratio=1 if styled else None)
+    for summary in summaries:
+        table.add_row(*_cells(summary))
+    return table
+
+
+def _cells(summary: Summary) -> tuple[Text, ...]:
+    if summary.first_ns is None:
+        return Text(summary.rule), Text("never", style="dim"), Text("-"), Text("-"), Text("")
+    ending = "; still active at the end" if summary.active_at_end else ""
+    return (
+        Text(summary.rule, style="bold"),
+        Text(str(summary.activations)),
+        Text(format_length(summary.total_ns)),
+        Text(format_length(summary.longest_ns)),
+        Text(f"{format_position(summary.first_ns)}  {summary.first_cause}{ending}"),
+    )

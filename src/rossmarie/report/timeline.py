@@ -1,0 +1,64 @@
+"""A replay -> one HTML page that needs nothing but a browser: no network, no other file.
+
+The page holds the data that `page.py` prepares; its scripts draw the picture. What a reader without
+scripts, or on paper, needs stands in the template.
+"""
+
+from __future__ import annotations
+
+from datetime import datetime, timezone
+from importlib.resources import files
+from pathlib import PurePath
+
+import jinja2
+from markupsafe import Markup
+
+from rossmarie.report.model import Replay
+from rossmarie.report.page import page_data
+from rossmarie.report.spans import summarize
+from rossmarie.report.wording import format_length, format_position
+
+_FIRST_DATED_NS = 10**18
+"""Stamps from here on (the year 2001) count from the Unix epoch; smaller ones need not."""
+
+_SCRIPTS = ("times.js", "series.js", "shapes.js", "card.js", "rows.js", "view.js", "main.js")
+
+
+def render_timeline(replay: Replay) -> str:
+    """The text of the page."""
+    environment = jinja2.Environment(
+        undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
+    )
+    summaries = summarize(replay)
+    return environment.from_string(_asset("timeline.html.j2")).render(
+        rules_file=PurePath(replay.rules_file).name,
+        recording=PurePath(replay.recording).name,
+        duration=format_length(replay.duration_ns),
+        recorded=_recorded(replay.start_ns),
+        monitor=replay.monitor,
+        notes=replay.notes,
+        rules=list(zip(replay.machine.rules, summaries, strict=True)),
+        activations=sum(summary.activations for summary in summaries),
+        format_length=format_length,
+        format_position=format_position,
+        percent=lambda length_ns: _percent(length_ns, replay.duration_ns),
+        style=Markup(_asset("timeline.css")),
+        script=Markup("\n".join(_asset(name) for name in _SCRIPTS)),
+        data=Markup(page_data(replay)),
+    )
+
+
+def _asset(name: str) -> str:
+    return (files("rossmarie.report") / "assets" / name).read_text(encoding="utf-8")
+
+
+def _recorded(start_ns: int) -> str:
+    if start_ns < _FIRST_DATED_NS:
+        return ""
+    start = datetime.fromtimestamp(start_ns // 10**9, tz=timezone.utc)
+    return start.strftime("%Y-%m-%d %H:%M:%S UTC")
+
+
+def _percent(length_ns: int, duration_ns: int) -> str:
+    share = 100 * length_ns / duration_ns if duration_ns > 0 else 0
+    return f"{share:.1f} %" if 0 < share < 9.95 else f"{share:.0f} %"

@@ -1,0 +1,155 @@
+"""What the automaton recognised -> the tree. One method per rule of ross.lark, called bottom up.
+
+Each method gets the parts of its rule: tokens, nodes, or small records. Never raises on what a
+user wrote: what is recognised but not accepted (`&&`, `a < b < c`, a number beyond the range of a
+double) is reported, and the rest of the expression goes on.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from dslkit.source import Span
+from rossmarie.syntax import ast
+from rossmarie.syntax.build_expression import ExpressionBuilder
+from rossmarie.syntax.scan import Token
+
+
+class _Actions(NamedTuple):
+    names: tuple[ast.Name, ...]
+    span: Span
+
+
+class Builder(ExpressionBuilder):
+    """Builds all nodes of one file."""
+
+    # --- items -----------------------------------------------------------------------------------
+
+    def import_item(self, parts: list[Any]) -> ast.Import:
+        """`import "file.ross"`."""
+        return ast.Import(self.text([parts[1]]), self._span(parts))
+
+    def action(self, parts: list[Any]) -> ast.Action:
+        """`action NAME`."""
+        return ast.Action(self.name(parts[1]), None, self._documentation(parts), self._span(parts))
+
+    def constant(self, parts: list[Any]) -> ast.Constant:
+        """`const NAME = VALUE`."""
+        documentation = self._documentation(parts)
+        return ast.Constant(self.name(parts[1]), parts[3], documentation, self._span(parts))
+
+    def input(self, parts: list[Any]) -> ast.Input:
+        """`input NAME = topic TOPIC : TYPE .path in UNIT timeout DURATION`."""
+        index = 5
+        message_type = unit = timeout = None
+        if _is(parts, index, ":"):
+            message_type = self._type(parts[index + 1])
+            index += 2
+        path, index = self._path(parts, index)
+        if _is(parts, index, "in"):
+            unit = self._unit(parts[index + 1])
+            index += 2
+        if _is(parts, index, "timeout"):
+            timeout = parts[index + 1]
+        name, topic = self.name(parts[1]), self.name(parts[4])
+        documentation, span = self._documentation(parts), self._span(parts)
+        return ast.Input(name, topic, message_type, path, unit, timeout, documentation, span)
+
+    def entity(self, parts: list[Any]) -> ast.Entity:
+        """`entity NAME { CONDITION; ... }`."""
+        conditions = tuple(part for part in parts if isinstance(part, ast.Condition))
+        documentation = self._documentation(parts)
+        return ast.Entity(self.name(parts[1]), conditions, documentation, self._span(parts))
+
+    def condition(self, parts: list[Any]) -> ast.Condition:
+        """`NAME : EXPRESSION`."""
+        documentation = self._documentation(parts)
+        return ast.Condition(self.name(parts[0]), parts[2], documentation, self._span(parts))
+
+    def rule(self, parts: list[Any]) -> ast.Rule:
+        """`rule NAME: if CONDITION then { ACTION; ... } CONTRACT`."""
+        is_named = _is(parts, 2, ":")
+        name = self.name(parts[1]) if is_named else None
+        condition, _, actions, *contracts = parts[4 if is_named else 1 :]
+        documentation, span = self._documentation(parts), self._span(parts)
+        return ast.Rule(name, condition, actions.names, tuple(contracts), documentation, span)
+
+    def actions(self, parts: list[Any]) -> _Actions:
+        """`{ ACTION; ... }`."""
+        names = tuple(self.name(part) for part in parts if part.kind == "word")
+        return _Actions(names, self._span(parts))
+
+    def clear_when(self, parts: list[Any]) -> ast.ClearWhen:
+        """`clear when CONDITION`."""
+        return ast.ClearWhen(parts[2], self._span(parts))
+
+    def clear_for(self, parts: list[Any]) -> ast.ClearFor:
+        """`clear for DURATION`."""
+        return ast.ClearFor(parts[2], self._span(parts))
+
+    def latched_until_reset(self, parts: list[Any]) -> ast.LatchedUntilReset:
+        """`latched until reset`."""
+        return ast.LatchedUntilReset(self._span(parts))
+
+    # --- system models ---------------------------------------------------------------------------
+
+    def system(self, parts: list[Any]) -> ast.System:
+        """`system NAME { ... }`."""
+        members = tuple(part for part in parts if not isinstance(part, Token))
+        documentation = self._documentation(parts)
+        return ast.System(self.name(parts[1]), members, documentation, self._span(parts))
+
+    def topic_declaration(self, parts: list[Any]) -> ast.TopicDeclaration:
+        """`topic ALIAS = TOPIC : TYPE in UNIT`."""
+        has_alias = _is(parts, 2, "=")
+        alias = self.name(parts[1]) if has_alias else None
+        rest = parts[3 if has_alias else 1 :]
+        unit = self._unit(rest[4]) if _is(rest, 3, "in") else None
+        topic, message_type = self.name(rest[0]), self._type(rest[2])
+        return ast.TopicDeclaration(alias, topic, message_type, unit, self._span(parts))
+
+    def unit_declaration(self, parts: list[Any]) -> ast.UnitDeclaration:
+        """`unit TYPE.path = UNIT`."""
+        path, index = self._path(parts, 2)
+        unit = self._unit(parts[index + 1])
+        return ast.UnitDeclaration(self._type(parts[1]), path, unit, self._span(parts))
+
+    def messages_declaration(self, parts: list[Any]) -> ast.MessagesDeclaration:
+        """`messages "folder"`."""
+        return ast.MessagesDeclaration(self.text([parts[1]]), self._span(parts))
+
+    def node(self, parts: list[Any]) -> ast.NodeDeclaration:
+        """`node NAME { publishes TOPIC, ...; subscribes TOPIC, ...; }`."""
+        topics: dict[str, list[ast.Name]] = {"publishes": [], "subscribes": []}
+        current = topics["publishes"]
+        is_start = True
+        for part in parts[3:-1]:
+            if part.text == ";":
+                is_start = True
+            elif is_start:
+                current = topics[part.text]
+                is_start = False
+            elif part.text != ",":
+                current.append(self.name(part))
+        publishes, subscribes = tuple(topics["publishes"]), tuple(topics["subscribes"])
+        return ast.NodeDeclaration(self.name(parts[1]), publishes, subscribes, self._span(parts))
+
+    # --- parts -----------------------------------------------------------------------------------
+
+    def _type(self, token: Token) -> ast.Name:
+        return ast.Name(token.text.replace("/msg/", "/"), self._at(token))
+
+    def _path(self, parts: list[Any], index: int) -> tuple[tuple[ast.Name, ...], int]:
+        names = []
+        while _is(parts, index, "."):
+            names.append(self.name(parts[index + 1]))
+            index += 2
+        return tuple(names), index
+
+    def _documentation(self, parts: list[Any]) -> str | None:
+        return self._source.documentation.get(parts[0].start)
+
+
+def _is(parts: list[Any], index: int, text: str) -> bool:
+    """Whether there is a token of that text at that place."""
+    return index < len(parts) and isinstance(parts[index], Token) and parts[index].text == text

@@ -1,0 +1,277 @@
+"""What the automaton recognised of an expression -> its nodes.
+
+One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from dslkit.diagnostics import Diagnostic, Edit, Fix, Label
+from dslkit.source import Span
+from rossmarie.syntax import ast, errors
+from rossmarie.syntax.scan import Scan, Token
+
+_SPELLINGS = {
+    "&&": "and",
+    "&": "and",
+    "||": "or",
+    "|": "or",
+    "!": "not",
+    "=": "==",
+    "===": "==",
+    "!==": "!=",
+    "<>": "!=",
+    "≠": "!=",
+    "=<": "<=",
+    "≤": "<=",
+    "=>": ">=",
+    "≥": ">=",
+}
+_MOST_DIGITS = 9  # of an index; no message field has more elements
+_LONGEST_ADVICE = 80
+
+
+class _Comparator(NamedTuple):
+    """`<`, `in`, `not in` between two values."""
+
+    text: str
+    span: Span
+
+
+class _Trailer(NamedTuple):
+    """`.name`, `.name(...)` or `[0]` behind a value; the last part tells which."""
+
+    name: ast.Name | None
+    arguments: tuple[ast.Expression, ...] | None
+    position: int | None
+    span: Span
+
+
+class _Part(NamedTuple):
+    """`3 times`, `within 0.25 sec`, `by 5 N` among the arguments of a call."""
+
+    word: str
+    value: ast.Expression
+    span: Span
+
+
+class ExpressionBuilder:
+    """Builds the expressions of one file and reports to `report` what it cannot accept."""
+
+    def __init__(self, source: Scan, report: Callable[[Diagnostic], None]) -> None:
+        self._source = source
+        self._file = source.file
+        self._report = report
+
+    def infix(self, parts: list[Any]) -> ast.Expression:
+        """`a + b - c`, from the left."""
+        value: ast.Expression = parts[0]
+        for operator, right in zip(parts[1::2], parts[2::2], strict=True):
+            meaning = ast.BinaryOperator(self._spelling(operator.text, self._at(operator)))
+            value = ast.Binary(meaning, value, right, value.span.to(right.span))
+        return value
+
+    def prefix(self, parts: list[Any]) -> ast.Expression:
+        """`not a`, `-a`; a sign in front of a number is part of the number."""
+        operator, operand = parts
+        span = self._at(operator).to(operand.span)
+        if operator.text != "-":
+            self._spelling(operator.text, self._at(operator))
+            return ast.Unary(ast.UnaryOperator.NOT, operand, span)
+        if isinstance(operand, ast.Number) and not operand.span.text.startswith("-"):
+            return ast.Number(-operand.value, operand.unit, span)
+        return ast.Unary(ast.UnaryOperator.NEGATE, operand, span)
+
+    def held(self, parts: list[Any]) -> ast.Expression:
+        """`a for 4 sec`."""
+        value: ast.Expression = parts[0]
+        for duration in parts[2::2]:
+            value = ast.Held(value, duration, value.span.to(duration.span))
+        return value
+
+    def not_in(self, parts: list[Any]) -> _Comparator:
+        """`not in`."""
+        self._spelling(parts[0].text, self._at(parts[0]))
+        return _Comparator("not in", self._span(parts))
+
+    def comparison(self, parts: list[Any]) -> ast.Expression:
+        """`a < b`, `a in b`; a chain is reported and stands for its links joined by `and`."""
+        value = self._link(*parts[:3])
+        meant = value.span.text
+        for left, sign, right in zip(parts[2::2], parts[3::2], parts[4::2], strict=False):
+            link = self._link(left, sign, right)
+            meant += f" and {link.span.text}"
+            value = ast.Binary(ast.BinaryOperator.AND, value, link, value.span.to(link.span))
+        if len(parts) > 3:
+            self._report(self._chained(parts, value.span, meant))
+        return value
+
+    def _chained(self, parts: list[Any], span: Span, meant: str) -> Diagnostic:
+        first, second = (
+            part.span if isinstance(part, _Comparator) else self._at(part) for part in parts[1:4:2]
+        )
+        fix = Fix(f"write `({meant})`", (Edit(span, f"({meant})"),))
+        shown = meant if len(meant) <= _LONGEST_ADVICE else "a < b and b < c"
+        finding = errors.ChainedComparison(meant=shown)
+        return finding.at(second, Label(first, "the first comparison"), fix=fix)
+
+    def _link(self, left: ast.Expression, sign: Token | _Comparator, right: Any) -> ast.Expression:
+        span = left.span.to(right.span)
+        if sign.text in ("in", "not in"):
+            return ast.Membership(left, right, sign.text == "not in", span)
+        at = self._at(sign) if isinstance(sign, Token) else sign.span
+        return ast.Binary(ast.BinaryOperator(self._spelling(sign.text, at)), left, right, span)
+
+    def postfix(self, parts: list[Any]) -> ast.Expression:
+        """`a.b.c()[0]`."""
+        value: ast.Expression = parts[0]
+        trailer: _Trailer
+        for trailer in parts[1:]:
+            span = value.span.to(trailer.span)
+            if trailer.name is None:
+                known = trailer.position is not None
+                value = ast.Index(value, trailer.position or 0, span) if known else ast.Broken(span)
+            elif trailer.arguments is None:
+                value = ast.Member(value, trailer.name, span)
+            else:
+                value = ast.Call(trailer.name, (value, *trailer.arguments), True, span)
+        return value
+
+    def member(self, parts: list[Any]) -> _Trailer:
+        """`.name`."""
+        return _Trailer(self.name(parts[1]), None, None, self._span(parts))
+
+    def method(self, parts: list[Any]) -> _Trailer:
+        """`.name(arguments)`."""
+        arguments = tuple(self._plain(part) for part in _arguments(parts[3:-1]))
+        return _Trailer(self.name(parts[1]), arguments, None, self._span(parts))
+
+    def index(self, parts: list[Any]) -> _Trailer:
+        """`[0]`."""
+        digits = parts[1].text
+        if digits.isdecimal() and len(digits) <= _MOST_DIGITS:
+            return _Trailer(None, None, int(digits), self._span(parts))
+        reason = "the elements of an array are counted 0, 1, 2 ..."
+        finding = errors.NumberOutOfRange(reason=reason, advice="a whole number below 1000000000")
+        self._report(finding.at(self._at(parts[1])))
+        return _Trailer(None, None, None, self._span(parts))
+
+    def reference(self, parts: list[Any]) -> ast.Reference:
+        """A name used as a value."""
+        name = self.name(parts[0])
+        return ast.Reference(name, name.span)
+
+    def call(self, parts: list[Any]) -> ast.Expression:
+        """`name(arguments)`; `oscillates` has its own shape."""
+        span = self._span(parts)
+        arguments = _arguments(parts[2:-1])
+        if parts[0].text == "oscillates":
+            return self._oscillates(self._at(parts[0]), arguments, span)
+        plain = tuple(self._plain(argument) for argument in arguments)
+        return ast.Call(self.name(parts[0]), plain, False, span)
+
+    def _oscillates(self, name: Span, arguments: list[Any], span: Span) -> ast.Expression:
+        shape = [part.word if isinstance(part, _Part) else "" for part in arguments]
+        if shape not in (["", "times", "within"], ["", "times", "within", "by"]):
+            reason = "a value, how often it turns, and within which time, in this order"
+            problem = "`oscillates` needs other parts"
+            finding = errors.MalformedOscillates(problem=problem, reason=reason)
+            self._report(finding.at(name))
+            return ast.Broken(span)
+        value, count, window, *swing = arguments
+        if isinstance(count.value, ast.Broken):
+            return ast.Broken(span)
+        least = swing[0].value if swing else None
+        return ast.Oscillates(value, count.value, window.value, least, span)
+
+    def _plain(self, argument: Any) -> ast.Expression:
+        if not isinstance(argument, _Part):
+            return argument  # type: ignore[no-any-return]
+        problem = f"`{argument.word}` belongs into `oscillates`"
+        finding = errors.MalformedOscillates(problem=problem, reason="no other function takes it")
+        self._report(finding.at(argument.span))
+        return ast.Broken(argument.span)
+
+    def times(self, parts: list[Any]) -> _Part:
+        """`3 times`."""
+        return _Part("times", self.number(parts[:1]), self._span(parts))
+
+    def within(self, parts: list[Any]) -> _Part:
+        """`within 0.25 sec`."""
+        return _Part("within", parts[1], self._span(parts))
+
+    def by(self, parts: list[Any]) -> _Part:
+        """`by 5 N`."""
+        return _Part("by", parts[1], self._span(parts))
+
+    def parenthesized(self, parts: list[Any]) -> ast.Parenthesized:
+        """`(a)`."""
+        return ast.Parenthesized(parts[1], self._span(parts))
+
+    def bracket(self, parts: list[Any]) -> ast.Bracket:
+        """`[-10, 10] deg`."""
+        last = parts[-1]
+        unit = None if last.text == "]" else self._unit(last)
+        elements = tuple(part for part in parts if not isinstance(part, Token))
+        return ast.Bracket(elements, unit, self._span(parts))
+
+    def number(self, parts: list[Any]) -> ast.Number | ast.Broken:
+        """`4.0 sec`."""
+        span = self._span(parts)
+        value = float(parts[0].text)
+        if not math.isfinite(value):
+            reason = "it is larger than any double-precision number"
+            finding = errors.NumberOutOfRange(reason=reason, advice="a number below 1.7e308")
+            self._report(finding.at(self._at(parts[0])))
+            return ast.Broken(span)
+        return ast.Number(value, self._unit(parts[1]) if len(parts) > 1 else None, span)
+
+    def boolean(self, parts: list[Any]) -> ast.Boolean:
+        """`true`, `false`."""
+        return ast.Boolean(parts[0].text == "true", self._at(parts[0]))
+
+    def text(self, parts: list[Any]) -> ast.Text:
+        """`"docked"`; there are no escapes, a backslash is a backslash."""
+        return ast.Text(parts[0].text[1:-1], self._at(parts[0]))
+
+    # --- parts -----------------------------------------------------------------------------------
+
+    def name(self, token: Token) -> ast.Name:
+        """A token as a name."""
+        return ast.Name(token.text, self._at(token))
+
+    def _unit(self, token: Token) -> ast.Unit:
+        return ast.Unit(token.text, self._at(token))
+
+    def _spelling(self, text: str, span: Span) -> str:
+        """The operator as this language writes it; another spelling is reported."""
+        meant = _SPELLINGS.get(text)
+        if meant is None:
+            return text
+        reason = "this is how other languages write it"
+        if text == "=":
+            reason = "`=` gives a constant its value, `==` compares"
+        follows = self._file.text[span.end : span.end + 1]
+        gap = " " if meant.isalpha() and not follows.isspace() else ""
+        before = self._file.text[max(span.start - 1, 0) : span.start]
+        lead = " " if meant.isalpha() and (before.isalnum() or before == "_") else ""
+        fix = Fix(f"write `{meant}`", (Edit(span, f"{lead}{meant}{gap}"),))
+        finding = errors.ForeignOperator(found=text, meant=meant, reason=reason)
+        self._report(finding.at(span, fix=fix))
+        return meant
+
+    def _at(self, token: Token) -> Span:
+        return Span(self._file, token.start, token.end)
+
+    def _span(self, parts: list[Any]) -> Span:
+        first, last = parts[0], parts[-1]
+        start = first.start if isinstance(first, Token) else first.span.start
+        end = last.end if isinstance(last, Token) else last.span.end
+        return Span(self._file, start, end)
+
+
+def _arguments(parts: list[Any]) -> list[Any]:
+    return [part for part in parts if not isinstance(part, Token)]

@@ -1,0 +1,145 @@
+"""Tokens -> stretches that are one item each, so that an error costs its own item only.
+
+An item ends at a `;` outside of braces, at the `}` of an entity or system, or where a word that
+begins an item stands first on its line, however many braces are open.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from rossmarie.syntax.limits import ends_value
+from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.words import ITEM_WORDS, MEMBER_WORDS, OPERATOR_WORDS, RESERVED
+
+
+class Piece(NamedTuple):
+    """The tokens from `first` up to, not including, `last`.
+
+    `kind` is the start rule of the grammar, None if nothing begins like this; `head` the word that
+    was meant where the first one is misspelt.
+    """
+
+    kind: str | None
+    first: int
+    last: int
+    head: str | None
+
+
+def cut(source: Scan) -> Iterator[Piece]:
+    """All items of a file, in order; semicolons between them are dropped."""
+    cutter = _Cutter(source)
+    index = 0
+    while index < len(source.tokens):
+        if source.tokens[index].text == ";":
+            index += 1
+            continue
+        piece = cutter.piece(index)
+        yield piece
+        index = piece.last
+
+
+class _Cutter:
+    def __init__(self, source: Scan) -> None:
+        self._source = source
+        self._tokens = source.tokens
+        self._bodies = _partners(source.tokens)
+
+    def piece(self, first: int) -> Piece:
+        word = self._tokens[first].text
+        head = None if word in ITEM_WORDS else self._meant(first)
+        kind = ITEM_WORDS.get(head or word)
+        if kind == "action" and self._text(first + 2) == "{" and first + 2 in self._bodies:
+            return Piece(kind, first, self._bodies[first + 2] + 1, head)
+        return Piece(kind, first, self._end(first, kind, head or word), head)
+
+    def _end(self, first: int, kind: str | None, word: str) -> int:
+        if self._tokens[first].text == "}":
+            return first + 1
+        depth = int(self._brace_is_missing(first, kind))
+        awaits_if = word == "rule"
+        for index in range(first + 1, len(self._tokens)):
+            text = self._tokens[index].text
+            if text == "if" and awaits_if:
+                awaits_if = False
+                continue
+            awaits_if = awaits_if and text not in ("then", "{")
+            if self._begins_item(index, depth) or (text == ";" and depth == 0):
+                return index
+            if text == "{":
+                depth += 1
+            elif text == "}":
+                depth -= 1
+                if depth < 0:
+                    return index
+                if depth == 0 and kind != "rule":
+                    return index + 1
+        return len(self._tokens)
+
+    def _brace_is_missing(self, first: int, kind: str | None) -> bool:
+        """Whether an entity or system is written `entity NAME CONDITION : ...`."""
+        behind = first + 2
+        if kind == "entity":
+            return self._text(behind) != "{" and self._text(behind + 1) == ":"
+        return kind == "system" and self._text(behind) in MEMBER_WORDS
+
+    def _begins_item(self, index: int, depth: int) -> bool:
+        token = self._tokens[index]
+        before = self._tokens[index - 1]
+        if token.kind != "word" or before.text == ".":
+            return False
+        if token.text not in ITEM_WORDS:
+            return depth == 0 and self._begins_unknown(index)
+        if depth:
+            if self._text(index + 1) in (";", ":"):
+                return False
+            return self._source.begins_line(index) or before.text in (";", "}")
+        is_name = before.text in ITEM_WORDS and before.text != "if"
+        return self._source.begins_line(index) or (_ends_item(before) and not is_name)
+
+    def _begins_unknown(self, index: int) -> bool:
+        """Whether a word that begins no item is meant to: `entitty imu {` on a line of its own."""
+        if self._tokens[index].text in RESERVED or not _ends_item(self._tokens[index - 1]):
+            return False
+        if not self._source.begins_line(index) or index + 1 == len(self._tokens):
+            return False
+        after = self._tokens[index + 1]
+        is_word = after.kind == "word" and after.text not in OPERATOR_WORDS
+        is_known = is_word and after.text in (
+            "when",
+            "until",
+            "timeout",
+            "then",
+            "clear",
+            "latched",
+        )
+        return (is_word and not is_known) or after.kind == "text"
+
+    def _meant(self, index: int) -> str | None:
+        """The word that begins an item and is nearest to this one."""
+        token = self._tokens[index]
+        if token.kind != "word" or self._text(index + 1) in (":", "=", ".", ";"):
+            return None
+        near = difflib.get_close_matches(token.text.lower(), ITEM_WORDS, n=1, cutoff=0.7)
+        return near[0] if near else None
+
+    def _text(self, index: int) -> str:
+        return self._tokens[index].text if index < len(self._tokens) else ""
+
+
+def _ends_item(token: Token) -> bool:
+    return token.text == "}" or (token.kind != "open_text" and ends_value(token))
+
+
+def _partners(tokens: tuple[Token, ...]) -> dict[int, int]:
+    """Of each `{` that is closed, where."""
+    partners: dict[int, int] = {}
+    stack: list[int] = []
+    for index, token in enumerate(tokens):
+        if token.text == "{":
+            stack.append(index)
+        elif token.text == "}" and stack:
+            partners[stack.pop()] = index
+    return partners

@@ -1,0 +1,278 @@
+"""ROSS0xx: text that cannot be parsed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class FileTooLarge(Error, code="ROSS001", name="file-too-large"):
+    """More text than anybody writes by hand."""
+
+    title = "this file is too large to be a rules file"
+    label = "it has {size} {what}, at most {limit} are read"
+    note = "a monitor has to be small enough to be reviewed; large inputs are usually a mix-up"
+    help = "check the path, or split the file and `import` its parts"
+    size: int
+    what: str
+    limit: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnexpectedCharacter(Error, code="ROSS002", name="unexpected-character"):
+    """A character with no meaning outside of texts and comments."""
+
+    title = "{character} has no meaning here"
+    label = "this character cannot be part of a rules file"
+    help = "{advice}"
+    character: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnterminatedText(Error, code="ROSS003", name="unterminated-text"):
+    """A `"` without its partner."""
+
+    title = "this text is never closed"
+    label = "the text begins here, and its line ends without a closing quotation mark"
+    note = "a text stands on one line"
+    help = 'close it with `"`'
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnterminatedDocumentation(Error, code="ROSS004", name="unterminated-documentation"):
+    """A `'''` without its partner."""
+
+    title = "this documentation string is never closed"
+    label = "it begins here"
+    help = "close it with `'''`"
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnknownItem(Error, code="ROSS005", name="unknown-item"):
+    """Something at the outermost level that is none of the things a file is made of."""
+
+    title = "`{found}` does not begin anything that a file is made of"
+    label = "expected `import`, `system`, `action`, `const`, `input`, `entity`, `rule` or `if`"
+    help = "{advice}"
+    found: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MissingSign(Error, code="ROSS006", name="missing-sign"):
+    """A sign or small word that closes or connects two parts."""
+
+    title = "`{sign}` is missing"
+    label = "expected `{sign}` {place} this"
+    help = "{form}"
+    sign: str
+    place: str
+    form: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnclosedBracket(Error, code="ROSS007", name="unclosed-bracket"):
+    """A bracket that is opened and not closed."""
+
+    title = "this `{bracket}` is never closed"
+    label = "opened here"
+    help = "write `{closing}` where it ends"
+    bracket: str
+    closing: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnopenedBracket(Error, code="ROSS008", name="unopened-bracket"):
+    """A bracket that closes nothing."""
+
+    title = "this `{bracket}` closes nothing"
+    label = "there is no open `{opening}` before it"
+    help = "remove it, or write the `{opening}` that it belongs to"
+    bracket: str
+    opening: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MissingThen(Error, code="ROSS009", name="missing-then"):
+    """A rule without `then` between its condition and its actions."""
+
+    title = "`then` is missing"
+    label = "{label_text}"
+    note = "a rule is read aloud: if the condition holds, then do this"
+    help = "write `then` between the condition and the actions"
+    label_text: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ForeignOperator(Error, code="ROSS010", name="foreign-operator"):
+    """An operator as other languages write it."""
+
+    title = "`{found}` is written `{meant}` here"
+    label = "{reason}"
+    help = "write `{meant}`"
+    found: str
+    meant: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ChainedComparison(Error, code="ROSS011", name="chained-comparison"):
+    """`a < b < c`."""
+
+    title = "comparisons cannot be chained"
+    label = "the second comparison would compare the truth of the first"
+    note = "a comparison has exactly two sides"
+    help = "write `{meant}`"
+    meant: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NestingTooDeep(Error, code="ROSS012", name="nesting-too-deep"):
+    """More brackets and prefix operators inside each other than anybody can follow."""
+
+    title = "this is nested too deeply"
+    label = "level {limit} is exceeded here"
+    note = "brackets, `not` and `-` may stand {limit} levels inside each other"
+    help = "give a part of it a name, as a condition of its own"
+    limit: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class ExpressionTooLong(Error, code="ROSS013", name="expression-too-long"):
+    """A longer chain of operators than the compiler promises to handle."""
+
+    title = "this expression is too long"
+    label = "it has more than {limit} operators that depend on each other"
+    note = "memory and time of the compiler are bounded"
+    help = "give parts of it names, as conditions of their own"
+    limit: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReservedWord(Error, code="ROSS014", name="reserved-word"):
+    """A keyword where a name should stand."""
+
+    title = "`{word}` is a word of the language and cannot be a name"
+    label = "expected a name"
+    help = "choose another name, such as `{suggestion}`"
+    word: str
+    suggestion: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MissingName(Error, code="ROSS015", name="missing-name"):
+    """A declaration without a usable name."""
+
+    title = "a name is missing"
+    label = "expected a name {place} this"
+    note = "names consist of letters a-z and A-Z, digits and `_`, and do not begin with a digit"
+    help = "{form}"
+    place: str
+    form: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MissingValue(Error, code="ROSS016", name="missing-value"):
+    """An operator or sign with nothing behind or before it."""
+
+    title = "a value is missing {place} `{sign}`"
+    label = "{place} this there should be a value"
+    help = "{form}"
+    place: str
+    sign: str
+    form: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Unfinished(Error, code="ROSS017", name="unfinished"):
+    """Something that stops in the middle."""
+
+    title = "this is not finished"
+    label = "more is expected behind this"
+    help = "{form}"
+    form: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MisplacedWord(Error, code="ROSS018", name="misplaced-word"):
+    """A word or sign that cannot stand where it stands."""
+
+    title = "`{found}` cannot stand here"
+    label = "this does not fit behind `{before}`"
+    help = "{form}"
+    found: str
+    before: str
+    form: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NumberOutOfRange(Error, code="ROSS019", name="number-out-of-range"):
+    """A number that the monitor cannot hold."""
+
+    title = "this number is out of range"
+    label = "{reason}"
+    help = "write {advice}"
+    reason: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ActionBody(Error, code="ROSS020", name="action-body"):
+    """An action with a body: reserved, not available yet."""
+
+    title = "the body of an action is not available yet"
+    label = "what an action does to the robot cannot be written here yet"
+    note = "the braces are reserved for what the ROS targets will do when the action is active"
+    help = "write `action {action};`; its name appears in the verdicts"
+    action: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MalformedOscillates(Error, code="ROSS021", name="malformed-oscillates"):
+    """`oscillates` with other parts than it needs, or its parts in another call."""
+
+    title = "{problem}"
+    label = "{reason}"
+    help = "write `oscillates(VALUE, 3 times, within 0.25 sec)`, and `, by 5 N` for a least swing"
+    problem: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class TooManyErrors(Error, code="ROSS022", name="too-many-errors"):
+    """The point at which reading on stops helping."""
+
+    title = "too many syntax errors"
+    label = "not read from here on, after {limit} errors"
+    note = "this is probably not a rules file"
+    help = "check the path, or correct the errors above first"
+    limit: int
+
+
+ALL: tuple[type[Template], ...] = (
+    FileTooLarge,
+    UnexpectedCharacter,
+    UnterminatedText,
+    UnterminatedDocumentation,
+    UnknownItem,
+    MissingSign,
+    UnclosedBracket,
+    UnopenedBracket,
+    MissingThen,
+    ForeignOperator,
+    ChainedComparison,
+    NestingTooDeep,
+    ExpressionTooLong,
+    ReservedWord,
+    MissingName,
+    MissingValue,
+    Unfinished,
+    MisplacedWord,
+    NumberOutOfRange,
+    ActionBody,
+    MalformedOscillates,
+    TooManyErrors,
+)

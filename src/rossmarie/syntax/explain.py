@@ -1,0 +1,270 @@
+"""Why a stretch of tokens does not parse, and what to write instead.
+
+Comes in: the stretch, what it was meant to be, and where the automaton stopped. Goes out: one
+finding, the most specific that fits; for unclosed texts one each.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Sequence
+
+from dslkit.diagnostics import Diagnostic, Edit, Fix, Label
+from dslkit.source import Span
+from rossmarie.syntax import errors
+from rossmarie.syntax.automaton import Failure
+from rossmarie.syntax.limits import ends_value
+from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, RESERVED
+
+_PARTNER = {"(": ")", "[": "]", "{": "}", ")": "(", "]": "[", "}": "{"}
+_SIGNS = frozenset("{}()[]:;,.=<>!+-*/&|%°^≤≥≠")
+_VALUE = "$NUMBER"
+_ADVICE = {
+    "#": "write comments as `// ...`",
+    "'": 'write texts in double quotes, `"..."`',
+    "`": 'write texts in double quotes, `"..."`',
+    "$": "write the name of a constant as it is, without `$`",
+    "@": "remove it",
+    "^": "powers exist in units only; multiply instead",
+}
+
+
+def explain(
+    source: Scan, first: int, last: int, kind: str, failure: Failure
+) -> tuple[Diagnostic, ...]:
+    """The findings for the tokens from `first` up to, not including, `last`, meant as `kind`."""
+    tokens = source.tokens[first:last]
+    unclosed = [token for token in tokens if token.kind == "open_text"]
+    if unclosed:
+        return tuple(unterminated_text(source, token) for token in unclosed)
+    case = _Case(source, first, last, kind, failure)
+    return (case.finding(),)
+
+
+def unterminated_text(source: Scan, token: Token) -> Diagnostic:
+    """A text without closing quotation mark; the fix closes it in front of a final `;`."""
+    content = token.text.rstrip()
+    ends = content.endswith(";") and len(content) > 1
+    place = Span(source.file, token.start + len(content) - ends, token.start + len(content) - ends)
+    fix = Fix('insert `"`', (Edit(place, '"'),))
+    return errors.UnterminatedText().at(source.span(token), fix=fix)
+
+
+def missing_sign(
+    source: Scan, sign: str, behind: Token, kind: str, inserted: str | None = None
+) -> Diagnostic:
+    """A sign that should stand directly behind a token."""
+    end = Span(source.file, behind.end, behind.end)
+    fix = Fix(f"insert `{sign}`", (Edit(end, inserted or sign),))
+    finding = errors.MissingSign(sign=sign, place="behind", form=FORMS[kind])
+    return finding.at(source.span(behind), fix=fix)
+
+
+def wrong_sign(source: Scan, sign: str, found: Token, kind: str) -> Diagnostic:
+    """A sign that should stand in the place of another token."""
+    fix = Fix(f"write `{sign}`", (Edit(source.span(found), sign),))
+    finding = errors.MissingSign(sign=sign, place="instead of", form=FORMS[kind])
+    return finding.at(source.span(found), fix=fix)
+
+
+def unclosed_bracket(
+    source: Scan, bracket: Token, behind: Token, *labels: Label, inserted: str | None = None
+) -> Diagnostic:
+    """A bracket that should have been closed behind a token."""
+    closing = _PARTNER[bracket.text]
+    end = Span(source.file, behind.end, behind.end)
+    text = inserted or ("\n}" if closing == "}" else closing)
+    fix = Fix(f"insert `{closing}`", (Edit(end, text),))
+    finding = errors.UnclosedBracket(bracket=bracket.text, closing=closing)
+    return finding.at(source.span(bracket), *labels, fix=fix)
+
+
+def unopened_bracket(source: Scan, bracket: Token) -> Diagnostic:
+    """A closing bracket too much."""
+    fix = Fix(f"remove `{bracket.text}`", (Edit(source.span(bracket), ""),))
+    finding = errors.UnopenedBracket(bracket=bracket.text, opening=_PARTNER[bracket.text])
+    return finding.at(source.span(bracket), fix=fix)
+
+
+def reserved_word(source: Scan, token: Token) -> Diagnostic:
+    """A keyword in the place of a name."""
+    suggestion = f"{token.text}_value" if token.text != "action" else "action_name"
+    finding = errors.ReservedWord(word=token.text, suggestion=suggestion)
+    return finding.at(source.span(token))
+
+
+def is_name(token: Token) -> bool:
+    """Whether a token can be the name of something."""
+    return token.kind == "word" and token.text.isascii() and token.text not in RESERVED
+
+
+def unexpected_character(source: Scan, token: Token) -> Diagnostic:
+    """The first character of a token that no token may contain."""
+    offset = next(
+        (
+            at
+            for at, letter in enumerate(token.text)
+            if letter not in _SIGNS
+            and not (letter.isascii() and (letter.isalnum() or letter == "_"))
+        ),
+        0,
+    )
+    letter = token.text[offset]
+    advice = _ADVICE.get(letter, "remove it")
+    if token.kind == "word":
+        advice = "names consist of the letters a-z and A-Z, digits and `_`"
+    start = token.start + offset
+    finding = errors.UnexpectedCharacter(character=_describe(letter), advice=advice)
+    return finding.at(Span(source.file, start, start + 1))
+
+
+def is_foreign(token: Token) -> bool:
+    """Whether a token contains a character that no token may contain."""
+    if token.kind == "sign":
+        return token.text[0] not in _SIGNS
+    return token.kind == "word" and not token.text.isascii()
+
+
+def _describe(letter: str) -> str:
+    code = f"U+{ord(letter):04X}"
+    if letter.isascii():
+        return f"`{letter}`" if letter.isprintable() else f"the control character {code}"
+    name = unicodedata.name(letter, "a character without a name").lower()
+    return f"`{letter}` ({code}, {name})" if letter.isprintable() else f"the character {code}"
+
+
+def explain_token(source: Scan, index: int, kind: str) -> Diagnostic:
+    """A single token that does not belong into a part of kind `kind`."""
+    found = source.tokens[index]
+    if found.kind == "open_text":
+        return unterminated_text(source, found)
+    if is_foreign(found):
+        return unexpected_character(source, found)
+    if found.text in RESERVED and kind == "actions":
+        return reserved_word(source, found)
+    before = _shown(source.tokens[index - 1]) if index else "the beginning"
+    finding = errors.MisplacedWord(found=_shown(found), before=before, form=FORMS[kind])
+    return finding.at(source.span(found))
+
+
+class _Case:
+    """One failure; the methods try explanations from the most specific on."""
+
+    def __init__(self, source: Scan, first: int, last: int, kind: str, failure: Failure) -> None:
+        self._source = source
+        self._tokens: Sequence[Token] = source.tokens
+        self._first = first
+        self._last = last
+        self._kind = kind
+        self._index = min(failure.index, last)
+        self._expected = failure.expected
+        self._form = FORMS[kind]
+        if "$TYPE_NAME" in failure.expected:
+            self._form = "a message type is written `PACKAGE/TYPE`, such as `sensor_msgs/Imu`"
+
+    def finding(self) -> Diagnostic:
+        """The best explanation."""
+        if self._index >= self._last:
+            return self._bracket() or self._at_end()
+        return self._character() or self._bracket() or self._name() or self._value() or self._sign()
+
+    @property
+    def _found(self) -> Token:
+        return self._tokens[self._index]
+
+    @property
+    def _before(self) -> Token | None:
+        return self._tokens[self._index - 1] if self._index > self._first else None
+
+    def _character(self) -> Diagnostic | None:
+        found = self._found
+        is_stray = found.text == "^" or is_foreign(found)
+        return unexpected_character(self._source, found) if is_stray else None
+
+    def _bracket(self) -> Diagnostic | None:
+        """A bracket in front of the failure that is never closed, or a closing one too much."""
+        stack: list[Token] = []
+        for index in range(self._first, self._last):
+            token = self._tokens[index]
+            if token.text in ("(", "[", "{"):
+                stack.append(token)
+            elif token.text in (")", "]", "}"):
+                if stack and _PARTNER[stack[-1].text] == token.text:
+                    stack.pop()
+                elif index <= self._index and not stack:
+                    return unopened_bracket(self._source, token)
+                else:
+                    break
+        if not stack or stack[-1].start >= self._offset() or self._operand_is_missing():
+            return None
+        last = self._tokens[min(self._index, self._last) - 1]
+        return unclosed_bracket(self._source, stack[-1], last)
+
+    def _offset(self) -> int:
+        if self._index < self._last:
+            return self._found.start
+        return self._tokens[self._last - 1].end
+
+    def _operand_is_missing(self) -> bool:
+        before = self._before
+        return _VALUE in self._expected and (before is None or not ends_value(before))
+
+    def _name(self) -> Diagnostic | None:
+        if "$NAME" not in self._expected:
+            return None
+        found, before = self._found, self._before
+        is_operator = found.text in OPERATOR_WORDS or found.text == "then"
+        if found.text in RESERVED and not (is_operator and _VALUE in self._expected):
+            return reserved_word(self._source, found)
+        if _VALUE in self._expected or before is None:
+            return None
+        finding = errors.MissingName(place="behind", form=self._form)
+        return finding.at(self._source.span(before))
+
+    def _value(self) -> Diagnostic | None:
+        if _VALUE not in self._expected or not self._operand_is_missing():
+            return None
+        before = self._before
+        if before is None or before.text in ("(", "["):
+            finding = errors.MissingValue(place="before", sign=self._found.text, form=self._form)
+            return finding.at(self._source.span(self._found))
+        if self._found.text == "->":
+            return self._misplaced(before)
+        finding = errors.MissingValue(place="behind", sign=before.text, form=self._form)
+        return finding.at(self._source.span(before))
+
+    def _sign(self) -> Diagnostic:
+        found, before = self._found, self._before
+        if before is None:
+            return explain_token(self._source, self._index, self._kind)
+        sign = next((sign for sign in ("=", ":", "{", "if", "topic") if self._is_only(sign)), None)
+        if sign is None:
+            return self._misplaced(before)
+        if found.kind != "sign" or found.text in ("[", "(", "-", "/"):
+            return missing_sign(self._source, sign, before, self._kind, f" {sign}")
+        return wrong_sign(self._source, sign, found, self._kind)
+
+    def _is_only(self, sign: str) -> bool:
+        """Whether that sign is what has to come, rather than one of many things that may."""
+        return sign in self._expected and len(self._expected) <= 3
+
+    def _misplaced(self, before: Token) -> Diagnostic:
+        found = self._found
+        finding = errors.MisplacedWord(found=_shown(found), before=_shown(before), form=self._form)
+        return finding.at(self._source.span(found))
+
+    def _at_end(self) -> Diagnostic:
+        last = self._tokens[self._last - 1]
+        if self._operand_is_missing():
+            finding = errors.MissingValue(place="behind", sign=last.text, form=self._form)
+            return finding.at(self._source.span(last))
+        if "$NAME" in self._expected and _VALUE not in self._expected:
+            name = errors.MissingName(place="behind", form=self._form)
+            return name.at(self._source.span(last))
+        return errors.Unfinished(form=self._form).at(self._source.span(last))
+
+
+def _shown(token: Token) -> str:
+    """A token as it may stand in a message: a long one is cut."""
+    return token.text if len(token.text) <= 40 else f"{token.text[:37]}..."

@@ -1,0 +1,30 @@
+"""The findings of one file, up to a limit."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Collector, Diagnostic
+from rossmarie.syntax.limits import MAXIMUM_ERRORS
+
+
+class Findings:
+    """Passes findings on to a collector, each once, until there are too many."""
+
+    def __init__(self, collector: Collector) -> None:
+        self._collector = collector
+        self._seen: set[Diagnostic] = set()
+
+    def add(self, finding: Diagnostic) -> None:
+        """Pass on a finding; nothing happens when there are too many already."""
+        if not self.is_full and finding not in self._seen:
+            self._seen.add(finding)
+            self._collector.add(finding)
+
+    @property
+    def count(self) -> int:
+        """How many different findings there are."""
+        return len(self._seen)
+
+    @property
+    def is_full(self) -> bool:
+        """Whether reading on stops to be of use."""
+        return len(self._seen) >= MAXIMUM_ERRORS

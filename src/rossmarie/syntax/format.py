@@ -1,0 +1,229 @@
+"""A module without syntax errors -> its canonical text.
+
+- Four spaces for each level; one statement on a line, broken if it exceeds 100 columns (`layout`).
+- Constants, inputs, actions, imports, conditions and rules end in `;`, entities and systems do not.
+- A condition is `name : expression;`, a rule `rule name: if condition then { action; };`.
+- Entities, systems and rules are set apart by an empty line, as are items of different kinds;
+  elsewhere up to one empty line of the author's stays.
+- Comments stay beside what they precede or trail, documentation strings in front of what they
+  document. A documentation string that documents nothing and cannot stay where it is (in front of a
+  `;` that moves) becomes a comment.
+
+Formatting twice changes nothing; the formatted text has the same tree, up to spans.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from rossmarie.syntax import ast
+from rossmarie.syntax.layout import Atom, Comment, indented, lay_out
+from rossmarie.syntax.scan import Scan, Token, documentation_text, scan
+from rossmarie.syntax.style import Style, collect_style
+
+_EMPTY_LINE = re.compile(r"\n\s*\n")
+
+
+@dataclass
+class _Entry:
+    """A statement, or a comment between statements, with the stretch of text that it came from.
+
+    `group`: neighbours of the same group may stand on neighbouring lines; comments have none.
+    """
+
+    lines: list[str]
+    start: int
+    end: int
+    group: str | None
+    is_block: bool = False
+
+
+def format_module(module: ast.Module) -> str:
+    """The canonical text of a module that was parsed without findings (anything that could not be
+    parsed would be lost).
+    """
+    source = scan(module.file)
+    formatter = _Formatter(source, collect_style(source, module.items))
+    lines = formatter.block(module.items, len(module.file.text), 0)
+    return "\n".join(lines) + "\n" if lines else ""
+
+
+class _Formatter:
+    """Goes over the text once, from start to end."""
+
+    def __init__(self, source: Scan, style: Style) -> None:
+        self._source = source
+        self._style = style
+        self._text = source.file.text
+        self._trivia = source.trivia
+        self._next_trivium = 0
+
+    def block(
+        self,
+        nodes: Sequence[ast.Item | ast.Condition | ast.SystemMember],
+        end: int,
+        indent: int,
+    ) -> list[str]:
+        """The lines of all statements, and of all comments up to `end` not taken before."""
+        entries: list[_Entry] = []
+        for node in nodes:
+            entries += self._comments(node.span.start, indent)
+            entry = self._statement(node, indent)
+            entry.end = self._trailing(entry)
+            entries.append(entry)
+        entries += self._comments(end, indent)
+        return list(self._join(entries))
+
+    def _join(self, entries: list[_Entry]) -> Iterator[str]:
+        """All lines, with empty lines where the author or the style wants them."""
+        for index, entry in enumerate(entries):
+            if index and (self._is_apart(entries, index) or self._has_gap(entries, index)):
+                yield ""
+            yield from entry.lines
+
+    def _has_gap(self, entries: list[_Entry], index: int) -> bool:
+        between = self._text[entries[index - 1].end : entries[index].start]
+        return _EMPTY_LINE.search(between) is not None
+
+    def _is_apart(self, entries: list[_Entry], index: int) -> bool:
+        """Whether an empty line is due behind a statement: in front of its successor's comments,
+        unless the author has set one further down.
+        """
+        before = entries[index - 1]
+        if before.group is None:
+            return False
+        following = index
+        while following < len(entries) and entries[following].group is None:
+            following += 1
+        if following == len(entries):
+            return False
+        after = entries[following]
+        if not (before.is_block or after.is_block or before.group != after.group):
+            return False
+        return not any(self._has_gap(entries, place) for place in range(index, following + 1))
+
+    # --- comments --------------------------------------------------------------------------------
+
+    def _take(self, end: int) -> Iterator[Token]:
+        """The comments in front of an offset that were not taken before."""
+        while self._next_trivium < len(self._trivia):
+            trivium = self._trivia[self._next_trivium]
+            if trivium.start >= end:
+                return
+            self._next_trivium += 1
+            yield trivium
+
+    def _comments(self, end: int, indent: int) -> list[_Entry]:
+        return [
+            _Entry(indented(self._shown(trivium), indent), trivium.start, trivium.end, None)
+            for trivium in self._take(end)
+        ]
+
+    def _shown(self, trivium: Token) -> str:
+        if trivium.kind == "comment":
+            return trivium.text.rstrip()
+        text = documentation_text(trivium.text)
+        tokens = self._source.tokens
+        following = self._style.index(trivium.end)
+        if following < len(tokens) and tokens[following].text == ";":
+            return "\n".join(f"// {line}".rstrip() for line in text.split("\n"))
+        if "\n" in text:
+            return f"'''\n{text}\n'''"
+        return f"'''{text} '''" if text.endswith("'") else f"'''{text}'''"
+
+    def _trailing(self, entry: _Entry) -> int:
+        """Append the comment behind a statement on its line; the end of statement and comment."""
+        tokens = self._source.tokens
+        following = self._style.index(entry.end)
+        end = entry.end
+        if following < len(tokens) and tokens[following].text == ";" and not self._is_next(end):
+            end = tokens[following].end
+        comment = self._same_line_comment(end)
+        if comment is None:
+            return end
+        self._next_trivium += 1
+        entry.lines[-1] += f"  {comment.text.rstrip()}"
+        return comment.end
+
+    def _is_next(self, offset: int) -> bool:
+        """Whether the next comment stands in front of the next token behind an offset."""
+        if self._next_trivium == len(self._trivia):
+            return False
+        trivium = self._trivia[self._next_trivium]
+        following = self._style.index(offset)
+        tokens = self._source.tokens
+        return following == len(tokens) or trivium.start < tokens[following].start
+
+    def _same_line_comment(self, offset: int) -> Token | None:
+        if not self._is_next(offset):
+            return None
+        trivium = self._trivia[self._next_trivium]
+        is_behind = trivium.start >= offset and "\n" not in self._text[offset : trivium.start]
+        return trivium if is_behind and trivium.kind == "comment" else None
+
+    # --- statements ------------------------------------------------------------------------------
+
+    def _statement(self, node: ast.Item | ast.Condition | ast.SystemMember, indent: int) -> _Entry:
+        start, end = node.span.start, node.span.end
+        group = type(node).__name__
+        match node:
+            case ast.Entity(conditions=inner) | ast.System(members=inner):
+                return _Entry(self._braced(node, inner, indent), start, end, group, True)
+            case ast.NodeDeclaration():
+                return _Entry(self._lines(start, end, "", indent), start, end, group)
+            case _:
+                lines = self._lines(start, end, ";", indent)
+                return _Entry(lines, start, end, group, isinstance(node, ast.Rule))
+
+    def _braced(
+        self,
+        node: ast.Entity | ast.System,
+        inner: Sequence[ast.Condition | ast.SystemMember],
+        indent: int,
+    ) -> list[str]:
+        brace = self._source.tokens[self._style.index(node.name.span.end)]
+        head = _Entry(self._lines(node.span.start, brace.end, "", indent), 0, brace.end, None)
+        self._trailing(head)
+        lines = self.block(inner, node.span.end - 1, indent + 1)
+        return [*head.lines, *lines, *indented("}", indent)]
+
+    def _lines(self, start: int, end: int, closing: str, indent: int) -> list[str]:
+        atoms = list(self._atoms(start, end))
+        if closing:
+            atoms.append(Atom(closing, is_glued=True))
+        return lay_out(atoms, indent)
+
+    def _atoms(self, start: int, end: int) -> Iterator[Atom]:
+        tokens = self._source.tokens
+        index = self._style.index(start)
+        before: Token | None = None
+        while index < len(tokens) and tokens[index].start < end:
+            token = tokens[index]
+            stop = self._style.words.get(token.start, token.end)
+            index = self._style.index(stop)
+            word = Token(token.kind, self._text[token.start : stop], token.start, stop)
+            is_last = index == len(tokens) or tokens[index].start >= end
+            comments = () if is_last else tuple(self._inner_comments(stop, tokens[index].start))
+            break_before = self._style.breaks.get(token.start)
+            yield Atom(word.text, self._is_glued(before, word), break_before, comments)
+            before = word
+
+    def _inner_comments(self, start: int, end: int) -> Iterator[Comment]:
+        is_first = True
+        for trivium in self._take(end):
+            is_beside = is_first and "\n" not in self._text[start : trivium.start]
+            yield Comment(self._shown(trivium), is_beside and trivium.kind == "comment")
+            is_first = False
+
+    def _is_glued(self, before: Token | None, token: Token) -> bool:
+        """Whether no space stands in front of a token."""
+        if before is None or before.end in self._style.tight_behind:
+            return True
+        if token.text == ".":
+            return token.start not in self._style.spaced
+        if token.text == "}":
+            return before.text == "{"
+        is_closing = token.text in (",", ";", ")", "]") or token.start in self._style.tight
+        return is_closing or before.text in ("(", "[", ".")

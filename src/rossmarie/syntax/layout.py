@@ -1,0 +1,102 @@
+"""The words of one statement -> lines of at most 100 columns.
+
+A statement stays on one line if it fits. Else it is broken in front of its parts (`then`, a resume
+contract, `publishes`); a part that still does not fit is broken in front of each `and`, `or` and
+action. A comment inside a statement ends its line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+MAXIMUM_COLUMNS = 100
+INDENTATION = "    "
+
+
+@dataclass(frozen=True)
+class Break:
+    """A place where a line may be broken: at `level` 1 first, then 2; how far to indent there."""
+
+    level: int
+    indent: int
+
+
+@dataclass(frozen=True)
+class Comment:
+    """A comment behind an atom: on its line, or on a line (or several) of its own."""
+
+    text: str
+    is_trailing: bool
+
+
+@dataclass(frozen=True)
+class Atom:
+    """A word or sign with what is known about its surroundings."""
+
+    text: str
+    is_glued: bool
+    break_before: Break | None = None
+    comments: tuple[Comment, ...] = ()
+
+
+def lay_out(atoms: Sequence[Atom], indent: int) -> list[str]:
+    """The lines of a statement that stands `indent` levels deep."""
+    if _fits(atoms, indent):
+        return [_line(atoms, indent)]
+    lines = []
+    for segment, extra in _split(atoms, 1, 0):
+        if _fits(segment, indent + extra):
+            lines.append(_line(segment, indent + extra))
+            continue
+        for piece, deeper in _split(segment, 2, extra):
+            lines += _commented(piece, indent + deeper, indent + 2)
+    return lines
+
+
+def indented(text: str, indent: int) -> list[str]:
+    """Each line of a text, moved to the right; empty lines stay empty."""
+    return [f"{INDENTATION * indent}{line}".rstrip() for line in text.split("\n")]
+
+
+def _split(atoms: Sequence[Atom], level: int, indent: int) -> list[tuple[Sequence[Atom], int]]:
+    """Cut in front of the breaks of a level; each piece with the indentation of its break."""
+    starts = [0]
+    indents = [indent]
+    for index, atom in enumerate(atoms):
+        if index and atom.break_before is not None and atom.break_before.level == level:
+            starts.append(index)
+            indents.append(atom.break_before.indent)
+    ends = [*starts[1:], len(atoms)]
+    pieces = zip(starts, ends, indents, strict=True)
+    return [(atoms[start:end], depth) for start, end, depth in pieces]
+
+
+def _commented(atoms: Sequence[Atom], indent: int, continuation: int) -> list[str]:
+    """One line, broken behind each comment."""
+    lines = []
+    start = 0
+    for index, atom in enumerate(atoms):
+        if not atom.comments and index + 1 < len(atoms):
+            continue
+        lines.append(_line(atoms[start : index + 1], indent))
+        for comment in atom.comments:
+            if comment.is_trailing:
+                lines[-1] += f"  {comment.text}"
+            else:
+                lines += indented(comment.text, continuation)
+        start = index + 1
+        indent = continuation
+    return lines
+
+
+def _fits(atoms: Sequence[Atom], indent: int) -> bool:
+    if any(atom.comments for atom in atoms):
+        return False
+    width = sum(len(atom.text) + (not atom.is_glued) for atom in atoms)
+    return len(INDENTATION) * indent + width - (not atoms[0].is_glued) <= MAXIMUM_COLUMNS
+
+
+def _line(atoms: Sequence[Atom], indent: int) -> str:
+    rest = (atom.text if atom.is_glued else f" {atom.text}" for atom in atoms[1:])
+    return INDENTATION * indent + atoms[0].text + "".join(rest)

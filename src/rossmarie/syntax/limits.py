@@ -1,0 +1,70 @@
+"""The bounds on what is parsed; they keep every later pass within Python's recursion limit.
+
+A pass may spend up to three frames on a level: 250 levels fit into the usual limit of 1000.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rossmarie.syntax.scan import Token
+from rossmarie.syntax.words import OPERATOR_WORDS
+
+MAXIMUM_FILE_SIZE = 2**20
+"""Bytes of UTF-8 in one file."""
+
+MAXIMUM_TOKENS = 300_000
+"""Words and signs in one file; at this many, ordinary text has reached the limit in bytes."""
+
+MAXIMUM_NESTING = 64
+"""Brackets and prefix operators inside each other."""
+
+MAXIMUM_DEPTH = 250
+"""Levels of an expression, each operator of `a + b + c` being one."""
+
+MAXIMUM_LENGTH = 10_000
+"""Tokens of one constant, input, condition or rule."""
+
+MAXIMUM_ERRORS = 200
+"""Syntax errors reported for one file."""
+
+_CLOSING = frozenset(")]")
+_RESTART = frozenset(";{}:")
+
+
+def too_deep(tokens: Sequence[Token], first: int, last: int) -> int | None:
+    """The number of the token that exceeds the nesting limit, if one does."""
+    levels: list[int] = []
+    level = 0
+    prefixes = 0
+    for index in range(first, last):
+        text = tokens[index].text
+        if text in ("(", "["):
+            levels.append(1 + prefixes)
+            level += 1 + prefixes
+            prefixes = 0
+        elif text in _CLOSING:
+            level -= levels.pop() if levels else 0
+            prefixes = 0
+        elif text in ("not", "!") or (text == "-" and is_prefix(tokens, index, first)):
+            prefixes += 1
+        else:
+            prefixes = 0
+            if text in _RESTART:
+                levels.clear()
+                level = 0
+        if level + prefixes > MAXIMUM_NESTING:
+            return index
+    return None
+
+
+def is_prefix(tokens: Sequence[Token], index: int, first: int) -> bool:
+    """Whether a `-` at this place has no value to its left."""
+    return index == first or not ends_value(tokens[index - 1])
+
+
+def ends_value(token: Token) -> bool:
+    """Whether a value can end with this token."""
+    if token.kind == "sign":
+        return token.text in (")", "]", "%", "°")
+    return token.text not in OPERATOR_WORDS and token.text not in ("if", "then")

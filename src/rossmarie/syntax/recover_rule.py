@@ -1,0 +1,178 @@
+"""A rule that does not parse as a whole -> its condition, actions and contracts, each by itself."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Diagnostic, Edit, Fix
+from dslkit.source import Span
+from rossmarie.syntax import ast, errors
+from rossmarie.syntax.explain import (
+    explain_token,
+    is_name,
+    missing_sign,
+    reserved_word,
+    unclosed_bracket,
+    wrong_sign,
+)
+from rossmarie.syntax.part import PartParser
+from rossmarie.syntax.words import FORMS, RESERVED
+
+_ARROWS = ("->", "=>", "do", ":")
+_CONTRACT_STARTS = {("clear", "when"), ("clear", "for"), ("latched", "until")}
+
+
+def recover_rule(part: PartParser, first: int, last: int, head: str | None) -> ast.Rule:
+    """What can be saved of the rule in the tokens from `first` up to, not including, `last`."""
+    return _Recovery(part, first, last).rule(head or part.source.tokens[first].text)
+
+
+class _Recovery:
+    """Walks over the tokens of one rule from left to right."""
+
+    def __init__(self, part: PartParser, first: int, last: int) -> None:
+        self._part = part
+        self._source = part.source
+        self._tokens = part.source.tokens
+        self._first = first
+        self._last = last
+        self._index = first
+
+    def rule(self, head: str) -> ast.Rule:
+        """The rule; `head` is its first word."""
+        self._index += 1
+        name = self._name() if head == "rule" else None
+        condition = self._condition()
+        actions = self._actions()
+        contracts = self._contracts()
+        span = self._source.span(self._tokens[self._first], self._tokens[self._last - 1])
+        documentation = self._source.documentation.get(span.start)
+        return ast.Rule(name, condition, actions, contracts, documentation, span)
+
+    def _text(self, offset: int = 0) -> str:
+        index = self._index + offset
+        return self._tokens[index].text if index < self._last else ""
+
+    def _name(self) -> ast.Name | None:
+        """`NAME : if`; all three may be missing."""
+        name = None
+        if self._index < self._last and is_name(self._tokens[self._index]):
+            token = self._tokens[self._index]
+            name = ast.Name(token.text, self._source.span(token))
+            self._index += 1
+        elif self._text() in RESERVED and self._text() != "if":
+            self._part.findings.add(reserved_word(self._source, self._tokens[self._index]))
+            self._index += 1
+        else:
+            missing = errors.MissingName(place="behind", form=FORMS["rule"])
+            behind = self._tokens[self._index - 1]
+            self._part.findings.add(missing.at(self._source.span(behind)))
+        for sign, insertion in ((":", ":"), ("if", " if")):
+            if self._text() == sign:
+                self._index += 1
+            elif name is not None:
+                behind = self._tokens[self._index - 1]
+                finding = missing_sign(self._source, sign, behind, "rule", insertion)
+                self._part.findings.add(finding)
+        return name
+
+    def _condition(self) -> ast.Expression:
+        """Up to `then`; where that is missing, up to the brace."""
+        first = self._index
+        end = next(
+            (at for at in range(first, self._last) if self._tokens[at].text in ("then", "{")),
+            self._last,
+        )
+        has_then = end < self._last and self._tokens[end].text == "then"
+        self._index = end + has_then
+        if not has_then:
+            end -= first < end and self._tokens[end - 1].text in _ARROWS
+        behind = self._source.span(self._tokens[first - 1])
+        if first == end:
+            sign = self._tokens[first - 1].text
+            finding = errors.MissingValue(place="behind", sign=sign, form=FORMS["rule"])
+            self._part.findings.add(finding.at(behind))
+        elif not has_then and not self._is_cut_off():
+            self._report_missing_then(end)
+        condition = self._part.parse("expression", first, end) if first < end else None
+        return condition or self._part.broken(first, end, behind)
+
+    def _report_missing_then(self, end: int) -> None:
+        """`end` is the token behind the condition: an arrow, the brace, or the end of the rule."""
+        if end < self._index:
+            arrow = self._source.span(self._tokens[end])
+            fix = Fix("write `then`", (Edit(arrow, "then"),))
+            finding = errors.MissingThen(label_text="expected `then` instead of this")
+            self._part.findings.add(finding.at(arrow, fix=fix))
+            return
+        last = self._source.span(self._tokens[end - 1])
+        place = Span(last.file, last.end, last.end)
+        fix = Fix("insert `then`", (Edit(place, " then"),))
+        finding = errors.MissingThen(label_text="expected `then` behind this")
+        self._part.findings.add(finding.at(last, fix=fix))
+
+    def _actions(self) -> tuple[ast.Name, ...]:
+        """`{ NAME; ... }`."""
+        if self._index >= self._last:
+            if self._tokens[self._last - 1].text == "then":
+                self._part.findings.add(self._missing_brace())
+            return ()
+        brace = self._tokens[self._index]
+        if brace.text == "{":
+            self._index += 1
+        else:
+            self._part.findings.add(self._missing_brace())
+        names = []
+        while self._index < self._last and self._text() != "}" and not self._begins_contract():
+            name = self._action()
+            if name is not None:
+                names.append(name)
+        if self._text() == "}":
+            self._index += 1
+        elif brace.text == "{" and not self._is_cut_off():
+            behind = self._tokens[self._index - 1]
+            self._part.findings.add(unclosed_bracket(self._source, brace, behind, inserted=" }"))
+        return tuple(names)
+
+    def _missing_brace(self) -> Diagnostic:
+        return missing_sign(self._source, "{", self._tokens[self._index - 1], "rule", " {")
+
+    def _action(self) -> ast.Name | None:
+        """One `NAME ;`; anything else is reported and skipped up to the next `;`."""
+        token = self._tokens[self._index]
+        if token.text == ";":
+            self._index += 1
+            return None
+        if not is_name(token):
+            self._part.findings.add(explain_token(self._source, self._index, "actions"))
+            while self._index < self._last and self._text() not in (";", "}"):
+                self._index += 1
+            return None
+        self._index += 1
+        if self._text() == ";":
+            self._index += 1
+        elif self._text() == ",":
+            comma = self._tokens[self._index]
+            self._part.findings.add(wrong_sign(self._source, ";", comma, "actions"))
+            self._index += 1
+        elif not self._is_cut_off():
+            self._part.findings.add(missing_sign(self._source, ";", token, "actions"))
+        return ast.Name(token.text, self._source.span(token))
+
+    def _contracts(self) -> tuple[ast.ResumeContract, ...]:
+        """`clear when ...` and so on, up to the end of the rule."""
+        found = []
+        while self._index < self._last:
+            first = self._index
+            self._index += 1
+            while self._index < self._last and not self._begins_contract():
+                self._index += 1
+            contract = self._part.parse("contract", first, self._index)
+            if contract is not None:
+                found.append(contract)
+        return tuple(found)
+
+    def _begins_contract(self) -> bool:
+        return (self._text(), self._text(1)) in _CONTRACT_STARTS
+
+    def _is_cut_off(self) -> bool:
+        """Whether an unclosed text has swallowed the end of a line."""
+        return any(token.kind == "open_text" for token in self._tokens[self._first : self._last])

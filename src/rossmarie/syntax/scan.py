@@ -1,0 +1,121 @@
+"""Text -> words, signs, comments and documentation, in one linear pass.
+
+Any text goes in. What the words mean (keyword, name, unit) depends on their place and is decided
+by `automaton`; a `'''` that is never closed ends in front of the next line that begins an item, so
+that it does not swallow the rest of the file.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+from dslkit.source import SourceFile, Span
+from rossmarie.syntax.words import ITEM_WORDS
+
+_TOKEN = re.compile(
+    r"""
+      (?P<comment>//[^\n]*)
+    | (?P<documentation>'''.*?''')
+    | (?P<text>"[^"\n]*")
+    | (?P<open_documentation>''')
+    | (?P<open_text>"[^\n]*)
+    | (?P<word>[^\W\d]\w*)
+    | (?P<number>[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)
+    | (?P<sign>===|!==|==|!=|<=|>=|=<|=>|<>|&&|\|\||->|[^\s\ufeff])
+    """,
+    re.DOTALL | re.VERBOSE,
+)
+_ITEM_LINE = re.compile(rf"^[ \t]*(?:{'|'.join(ITEM_WORDS)})\b", re.MULTILINE)
+_TRIVIA = frozenset({"comment", "documentation", "open_documentation"})
+
+
+class Token(NamedTuple):
+    """A piece of text: `kind` is `word`, `number`, `sign`, `text` (in quotes), `open_text` (the
+    closing quote is missing), `comment`, `documentation` or `open_documentation`.
+    """
+
+    kind: str
+    text: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True)
+class Scan:
+    """A file in pieces: `tokens` carry meaning, `trivia` are comments and documentation strings."""
+
+    file: SourceFile
+    tokens: tuple[Token, ...]
+    trivia: tuple[Token, ...]
+
+    @cached_property
+    def documentation(self) -> dict[int, str]:
+        """Of each token right behind a documentation string: its start, and that text."""
+        found: dict[int, str] = {}
+        index = 0
+        for trivium in self.trivia:
+            if trivium.kind == "documentation":
+                while index < len(self.tokens) and self.tokens[index].start < trivium.end:
+                    index += 1
+                if index < len(self.tokens):
+                    found[self.tokens[index].start] = documentation_text(trivium.text)
+        return found
+
+    def span(self, first: Token, last: Token | None = None) -> Span:
+        """From the start of one token to the end of another, or of itself."""
+        return Span(self.file, first.start, (last or first).end)
+
+    def begins_line(self, index: int) -> bool:
+        """Whether no other token stands before this one on its line."""
+        before = self.tokens[index - 1].end if index else 0
+        return index == 0 or "\n" in self.file.text[before : self.tokens[index].start]
+
+
+def scan(file: SourceFile) -> Scan:
+    """Cut a text into tokens."""
+    found = list(_find(file.text))
+    tokens = tuple(token for token in found if token.kind not in _TRIVIA)
+    trivia = tuple(token for token in found if token.kind in _TRIVIA)
+    return Scan(file, tokens, trivia)
+
+
+def documentation_text(literal: str) -> str:
+    """What a documentation string says: without quotes, common indentation, trailing space."""
+    lines = inspect.cleandoc(literal[3:-3]).splitlines()
+    return "\n".join(line.rstrip() for line in lines).strip()
+
+
+def _find(text: str) -> Iterator[Token]:
+    found = list(_tokens(text, 0))
+    unclosed = next((token for token in found if token.kind == "open_documentation"), None)
+    if unclosed is None:
+        yield from found
+        return
+    # One ''' is missing, not necessarily the last: more likely in front of an item than inside.
+    for token in found:
+        if token is unclosed or _swallows_item(token):
+            end = _end_of_unclosed(text, token.start)
+            yield Token("open_documentation", text[token.start : end], token.start, end)
+            yield from _tokens(text, end)
+            return
+        yield token
+
+
+def _tokens(text: str, position: int) -> Iterator[Token]:
+    for match in _TOKEN.finditer(text, position):
+        yield Token(match.lastgroup or "", match.group(), match.start(), match.end())
+
+
+def _swallows_item(token: Token) -> bool:
+    return token.kind == "documentation" and _ITEM_LINE.search(token.text, 3) is not None
+
+
+def _end_of_unclosed(text: str, start: int) -> int:
+    following = _ITEM_LINE.search(text, start + 3)
+    end = following.start() if following else len(text)
+    return len(text[:end].rstrip())

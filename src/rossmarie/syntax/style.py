@@ -1,0 +1,163 @@
+"""A module -> what its tokens alone do not tell the formatter.
+
+Which tokens are one word (a unit, a topic), which stick together, and where a line may be broken;
+all by offsets into the text.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from rossmarie.syntax import ast
+from rossmarie.syntax.layout import Break
+from rossmarie.syntax.scan import Scan
+from rossmarie.syntax.walk import expressions, walk
+
+_PART = Break(1, 1)
+_OPERATOR = Break(2, 2)
+_ACTION = Break(2, 2)
+
+
+@dataclass
+class Style:
+    """Filled by `add`, item by item."""
+
+    source: Scan
+    words: dict[int, int] = field(default_factory=dict)
+    """Start and end of the units, topics and types."""
+    tight_behind: set[int] = field(default_factory=set)
+    """Ends of tokens that stick to the next one: a sign, the name of a function."""
+    spaced: set[int] = field(default_factory=set)
+    """Starts of dots that do not stick to what stands before."""
+    tight: set[int] = field(default_factory=set)
+    """Starts of colons that do."""
+    breaks: dict[int, Break] = field(default_factory=dict)
+    """Starts of tokens in front of which a line may be broken."""
+
+    def __post_init__(self) -> None:
+        self._starts = [token.start for token in self.source.tokens]
+
+    def index(self, offset: int) -> int:
+        """The number of the first token that does not begin before an offset."""
+        return bisect_left(self._starts, offset)
+
+    def add(self, item: ast.Item) -> None:
+        """Take in one item."""
+        match item:
+            case ast.Input():
+                self._input(item)
+            case ast.System(members=members):
+                for member in members:
+                    self._member(member)
+            case ast.Entity(conditions=conditions):
+                for condition in conditions:
+                    self._operators(condition.expression)
+            case ast.Rule():
+                self._rule(item)
+            case _:
+                pass
+        for root in expressions(item):
+            self._expression(root)
+
+    def _word(self, *words: ast.Name | ast.Unit | None) -> None:
+        self.words.update((word.span.start, word.span.end) for word in words if word is not None)
+
+    def _input(self, item: ast.Input) -> None:
+        self._word(item.topic, item.message_type, item.unit)
+        if item.message_type is not None and item.path:
+            self.spaced.add(self._start(item.message_type.span.end))
+        if item.timeout is not None:
+            timeout = self.source.tokens[self.index(item.timeout.span.start) - 1]
+            self.breaks[timeout.start] = _PART
+
+    def _member(self, member: ast.SystemMember) -> None:
+        match member:
+            case ast.TopicDeclaration(topic=topic, message_type=message_type, unit=unit):
+                self._word(topic, message_type, unit)
+            case ast.UnitDeclaration(message_type=message_type, unit=unit):
+                self._word(message_type, unit)
+            case ast.NodeDeclaration():
+                self._word(*member.publishes, *member.subscribes)
+                self._node(member)
+            case _:
+                pass
+
+    def _node(self, node: ast.NodeDeclaration) -> None:
+        tokens = self.source.tokens
+        last = self.index(node.span.end) - 1
+        for index in range(self.index(node.name.span.end) + 1, last):
+            if tokens[index - 1].text in ("{", ";"):
+                self.breaks[tokens[index].start] = _PART
+        self.breaks[tokens[last].start] = Break(1, 0)
+
+    def _rule(self, rule: ast.Rule) -> None:
+        if rule.name is not None:
+            self.tight.add(self._start(rule.name.span.end))
+        self._operators(rule.condition)
+        self.breaks[self._start(rule.condition.span.end)] = _PART
+        for action in rule.actions:
+            self.breaks[action.span.start] = _ACTION
+        if rule.actions:
+            semicolon = self.index(rule.actions[-1].span.end)
+            self.breaks[self.source.tokens[semicolon + 1].start] = Break(2, 1)
+        for contract in rule.contracts:
+            self.breaks[contract.span.start] = _PART
+            if isinstance(contract, ast.ClearWhen):
+                self._operators(contract.condition)
+
+    def _operators(self, root: ast.Expression) -> None:
+        """Break in front of the outermost `and`s and `or`s, also inside `(...) for 2 sec`."""
+        pending = [_peeled(root)]
+        while pending:
+            node = pending.pop()
+            connects = (ast.BinaryOperator.AND, ast.BinaryOperator.OR)
+            if isinstance(node, ast.Binary) and node.operator in connects:
+                self.breaks[self._start(node.left.span.end)] = _OPERATOR
+                pending += (node.left, node.right)
+
+    def _expression(self, root: ast.Expression) -> None:
+        for node in walk(root):
+            match node:
+                case ast.Number(unit=unit, span=span):
+                    self._word(unit)
+                    self._sign(span.start)
+                case ast.Bracket(unit=unit):
+                    self._word(unit)
+                case ast.Unary(operator=ast.UnaryOperator.NEGATE, span=span):
+                    self._sign(span.start)
+                case ast.Call(function=function):
+                    self.tight_behind.add(function.span.end)
+                case ast.Oscillates(span=span):
+                    self.tight_behind.add(span.start + len("oscillates"))
+                case ast.Index(value=value):
+                    self.tight_behind.add(value.span.end)
+                case _:
+                    pass
+
+    def _sign(self, start: int) -> None:
+        if self.source.file.text[start] == "-":
+            self.tight_behind.add(start + 1)
+
+    def _start(self, offset: int) -> int:
+        """The start of the first token at or behind an offset."""
+        return self.source.tokens[self.index(offset)].start
+
+
+def _peeled(node: ast.Expression) -> ast.Expression:
+    """What stands inside parentheses, `not` and `for`."""
+    while True:
+        match node:
+            case ast.Parenthesized(inner=node) | ast.Held(condition=node) | ast.Unary(operand=node):
+                continue
+            case _:
+                return node
+
+
+def collect_style(source: Scan, items: Iterable[ast.Item]) -> Style:
+    """The style of a whole module."""
+    style = Style(source)
+    for item in items:
+        style.add(item)
+    return style

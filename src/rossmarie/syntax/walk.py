@@ -1,0 +1,75 @@
+"""Walking over expressions. Nothing here recurses: any depth is fine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie.syntax import ast
+
+
+def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
+    """The expressions directly inside an expression, in the order in which they are written."""
+    found: tuple[ast.Expression | None, ...]
+    match expression:
+        case ast.Bracket(elements=found) | ast.Call(arguments=found):
+            pass
+        case ast.Member(value=value) | ast.Index(value=value):
+            found = (value,)
+        case ast.Unary(operand=value) | ast.Parenthesized(inner=value):
+            found = (value,)
+        case ast.Binary(left=left, right=right):
+            found = (left, right)
+        case ast.Membership(value=left, container=right):
+            found = (left, right)
+        case ast.Held(condition=left, duration=right):
+            found = (left, right)
+        case ast.Oscillates(value=value, count=count, window=window, swing=swing):
+            found = (value, count, window, swing)
+        case _:
+            found = ()
+    return tuple(child for child in found if child is not None)
+
+
+def walk(expression: ast.Expression) -> Iterator[ast.Expression]:
+    """The expression and everything inside it, each before its parts, from left to right."""
+    pending = [expression]
+    while pending:
+        current = pending.pop()
+        yield current
+        pending.extend(reversed(children(current)))
+
+
+def depth(expression: ast.Expression) -> int:
+    """How many expressions stand inside each other: 1 for a name, 2 for `-x`."""
+    deepest = 0
+    pending = [(expression, 1)]
+    while pending:
+        current, level = pending.pop()
+        deepest = max(deepest, level)
+        pending.extend((child, level + 1) for child in children(current))
+    return deepest
+
+
+def expressions(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
+    """The outermost expressions of an item or condition, in the order in which they are written."""
+    match item:
+        case ast.Constant(value=value):
+            yield value
+        case ast.Input(timeout=timeout) if timeout is not None:
+            yield timeout
+        case ast.Condition(expression=expression):
+            yield expression
+        case ast.Entity(conditions=conditions):
+            yield from (condition.expression for condition in conditions)
+        case ast.Rule(condition=condition, contracts=contracts):
+            yield condition
+            for contract in contracts:
+                yield from _of_contract(contract)
+
+
+def _of_contract(contract: ast.ResumeContract) -> Iterator[ast.Expression]:
+    match contract:
+        case ast.ClearWhen(condition=condition):
+            yield condition
+        case ast.ClearFor(duration=duration):
+            yield duration

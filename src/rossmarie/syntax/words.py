@@ -1,0 +1,51 @@
+"""The words of the language, as data."""
+
+from __future__ import annotations
+
+ITEM_WORDS = {
+    "import": "import_item",
+    "system": "system",
+    "action": "action",
+    "const": "constant",
+    "input": "input",
+    "entity": "entity",
+    "rule": "rule",
+    "if": "rule",
+}
+"""The words that begin an item, and the grammar's rule for that item."""
+
+MEMBER_WORDS = {
+    "topic": "topic_declaration",
+    "unit": "unit_declaration",
+    "messages": "messages_declaration",
+    "node": "node",
+}
+"""The words that begin a declaration inside a system."""
+
+OPERATOR_WORDS = frozenset({"and", "or", "not", "in", "for"})
+
+RESERVED = OPERATOR_WORDS | ITEM_WORDS.keys() | {"topic", "then", "true", "false"}
+"""Words that never are the name of a constant, input, entity, condition, action or rule."""
+
+FORMS = {
+    "module": "a file consists of imports, systems, actions, constants, inputs, entities and rules",
+    "actions": "actions are written `{ ACTION; ACTION; }`",
+    "import_item": 'an import is written `import "FILE.ross";`',
+    "system": "a system is written `system NAME { topic /TOPIC : PACKAGE/TYPE; }`",
+    "action": "an action is written `action NAME;`",
+    "constant": "a constant is written `const NAME = 0.5 m/s;`",
+    "input": "an input is written "
+    "`input NAME = topic /TOPIC : PACKAGE/TYPE .FIELD timeout 0.2 sec;`",
+    "entity": "an entity is written `entity NAME { CONDITION : EXPRESSION; }`",
+    "condition": "a condition is written `NAME : EXPRESSION;`",
+    "rule": "a rule is written `rule NAME: if CONDITION then { ACTION; };`",
+    "contract": "a resume contract is `clear when CONDITION`, `clear for 2 sec` or "
+    "`latched until reset`",
+    "expression": "a condition is built of names, comparisons, `and`, `or`, `not` and "
+    "`for DURATION`",
+    "topic_declaration": "a topic is declared as `topic /TOPIC : PACKAGE/TYPE;`",
+    "unit_declaration": "the unit of a field is declared as `unit PACKAGE/TYPE.FIELD = rad/s;`",
+    "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
+    "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
+}
+"""How each part of a file is written, for messages."""

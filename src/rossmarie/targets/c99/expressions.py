@@ -1,0 +1,182 @@
+"""Signals and tests as C expressions and statements.
+
+Takes a layout. Everything is given as *pieces*: statements together with the channels whose
+messages make them necessary, in an order in which operands come first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from rossmarie import ir
+from rossmarie.ir import Function
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.types import number
+
+_INFIX = {
+    Function.ADD: "+",
+    Function.SUBTRACT: "-",
+    Function.MULTIPLY: "*",
+    Function.DIVIDE: "/",
+}
+_STAYS_FINITE = {
+    Function.NEGATE,
+    Function.ABSOLUTE,
+    Function.MINIMUM,
+    Function.MAXIMUM,
+}
+_ALWAYS_FINITE = {Function.ROLL, Function.PITCH, Function.YAW}
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Statements that a message on any of the channels makes necessary."""
+
+    channels: frozenset[int]
+    lines: tuple[str, ...]
+
+
+class Expressions:
+    """Writes the signals of one machine; `parts` collects the C functions that they call."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+        self._machine = layout.machine
+        self.parts: set[str] = set()
+        self._infinite: list[bool] = []
+        for signal in self._machine.signals:
+            self._infinite.append(self._may_be_infinite(signal.node))
+
+    def operand(self, signal: int) -> str:
+        """A signal that is kept, or a constant."""
+        node = self._machine.signals[signal].node
+        if isinstance(node, ir.Constant):
+            return number(node.value)
+        return self.kept(self._layout.value_of_signal[signal])
+
+    def kept(self, value: int) -> str:
+        """A value where the monitor keeps it."""
+        return f"m->value[{self._layout.values[value].name}]"
+
+    def arrival(self, slot: int, raw: str) -> str:
+        """A scalar of a message, converted to SI."""
+        declared = self._machine.slots[slot]
+        value = next(i for i, kept in enumerate(self._layout.values) if kept.slot == slot)
+        return f"{self.kept(value)} = finite({converted(raw, declared.scale, declared.offset)});"
+
+    def signals(self) -> Iterator[Piece]:
+        """The computed signals, but those over arrays, and what remembers their samples."""
+        remembered: set[int] = set()
+        for index, signal in enumerate(self._machine.signals):
+            if isinstance(signal.node, ir.Fold | ir.Count) or index not in self._computed():
+                continue
+            channels = self._layout.supports.signals[index].channels
+            if isinstance(signal.node, ir.Rate | ir.Previous):
+                if not channels:
+                    continue  # a constant is never sampled: its rate stays unknown
+                if signal.node.signal not in remembered:
+                    remembered.add(signal.node.signal)
+                    yield Piece(channels, (self._sample(signal.node.signal),))
+            target = self.kept(self._layout.value_of_signal[index])
+            yield Piece(channels, (f"{target} = {self._signal(signal.node)};",))
+
+    def tests(self) -> Iterator[Piece]:
+        """Comparisons without fixed limits, as numbers."""
+        for truth, value in self._layout.value_of_test.items():
+            node = self._machine.truths[truth].node
+            if not isinstance(node, ir.Quantified):
+                self.parts.add("test")
+                outcome = f"outcome({', '.join(self.comparison(node, self.operand))})"
+                channels = self._layout.supports.truths[truth].channels
+                yield Piece(channels, (f"{self.kept(value)} = {outcome};",))
+
+    # --- signals -----------------------------------------------------------------------------
+
+    def _computed(self) -> dict[int, int]:
+        slots = {
+            index
+            for index, signal in enumerate(self._machine.signals)
+            if isinstance(signal.node, ir.Read)
+        }
+        kept = self._layout.value_of_signal
+        return {signal: value for signal, value in kept.items() if signal not in slots}
+
+    def _sample(self, signal: int) -> str:
+        self.parts.add("samples")
+        return f"sample(m, {self._layout.sampled.index(signal)}, {self.operand(signal)}, t_ns);"
+
+    def _signal(self, node: ir.SignalNode) -> str:
+        match node:
+            case ir.Apply():
+                return self.applied(node, self.operand)
+            case ir.Rate(signal=signal):
+                self.parts.add("rate")
+                return f"rate(m, {self._layout.sampled.index(signal)})"
+            case ir.Previous(signal=signal):
+                return f"m->before[{self._layout.sampled.index(signal)}]"
+            case _:
+                raise AssertionError(f"{type(node).__name__} is not computed from numbers")
+
+    def applied(self, node: ir.Apply, write: Callable[[int], str]) -> str:
+        """A function of operands that `write` writes."""
+        text = self._call(node.function, [write(operand) for operand in node.operands])
+        if node.function in _ALWAYS_FINITE:
+            return text
+        is_infinite = any(self._infinite[operand] for operand in node.operands)
+        if node.function in _STAYS_FINITE and not is_infinite:
+            return text
+        return f"finite({text})"
+
+    def _call(self, function: Function, operands: list[str]) -> str:
+        if function in _INFIX:
+            return f"{operands[0]} {_INFIX[function]} {operands[1]}"
+        if function is Function.NEGATE:
+            return f"-({operands[0]})"
+        if function is Function.ABSOLUTE:
+            return f"fabs({operands[0]})"
+        if function is Function.NORM:
+            total = f"{operands[0]} * {operands[0]}"
+            for operand in operands[1:]:
+                total = f"({total}) + {operand} * {operand}"
+            return f"sqrt({total})"
+        self.parts.add(function.value)
+        return f"{function.value}({', '.join(operands)})"
+
+    def _may_be_infinite(self, node: ir.SignalNode) -> bool:
+        match node:
+            case ir.Element() | ir.Fold():
+                return True
+            case ir.Previous(signal=signal):
+                return self._infinite[signal]
+            case _:
+                return False
+
+    # --- comparisons -------------------------------------------------------------------------
+
+    def comparison(self, node: ir.TruthNode, write: Callable[[int], str]) -> tuple[str, str]:
+        """Whether an operand is NaN, and what the comparison says where none is."""
+        match node:
+            case ir.Compare(comparison=comparison, left=left, right=right):
+                holds = f"{write(left)} {comparison.value} {write(right)}"
+                return self._unknown((left, right), write), holds
+            case ir.Between(signal=signal, low=low, high=high):
+                x = write(signal)
+                holds = f"{write(low)} <= {x} && {x} <= {write(high)}"
+                return self._unknown((signal, low, high), write), holds
+            case ir.Flag(signal=signal):
+                return self._unknown((signal,), write), f"{write(signal)} != 0.0"
+            case _:
+                raise AssertionError(f"{type(node).__name__} does not compare")
+
+    def _unknown(self, signals: tuple[int, ...], write: Callable[[int], str]) -> str:
+        nodes = self._machine.signals
+        variable = [s for s in signals if not isinstance(nodes[s].node, ir.Constant)]
+        return " || ".join(f"isnan({write(signal)})" for signal in variable) or "false"
+
+
+def converted(raw: str, scale: float, offset: float) -> str:
+    """A number as it arrives, in SI."""
+    if scale == 1.0 and offset == 0.0:
+        return raw
+    return f"{raw} * {number(scale)} + {number(offset)}"

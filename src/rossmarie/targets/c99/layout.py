@@ -1,0 +1,262 @@
+"""Where everything of a machine lives in the generated C.
+
+Takes a machine that `ir.verify` has passed. Gives the numbers and names of all parts:
+
+- *values* are the doubles that a monitor keeps: slots, computed signals, and *tests*, which are the
+  comparisons that have no fixed limits, as numbers (0, 1 or NaN);
+- a *guard* watches one value and owns the *leaves* that compare it with limits;
+- *nodes* are the truths, leaves first, and behind them the rules; what depends on a node stands
+  behind it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from rossmarie import ir
+from rossmarie.targets.c99 import names
+from rossmarie.targets.c99.limits import Limit, limits_of
+
+
+@dataclass(frozen=True)
+class Value:
+    """A number that a monitor keeps. Exactly one of the three indexes is set."""
+
+    name: str
+    remark: str
+    support: ir.Support
+    slot: int | None = None
+    signal: int | None = None
+    test: int | None = None
+
+
+@dataclass
+class Guard:
+    """What watches a value; `leaves` are truth indexes in the order of their nodes."""
+
+    name: str
+    value: int
+    leaves: list[int] = field(default_factory=list)
+    limits: list[Limit] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The layout of one machine. Lists of truth indexes are in the order of their nodes."""
+
+    machine: ir.Machine
+    name: str
+    supports: ir.Supports
+    elements: ir.ElementArrays
+    values: tuple[Value, ...]
+    value_of_signal: dict[int, int]
+    value_of_test: dict[int, int]
+    guards: tuple[Guard, ...]
+    literals: tuple[int, ...]
+    ages: tuple[int, ...]
+    oscillations: tuple[int, ...]
+    derived: tuple[int, ...]
+    held: tuple[int, ...]
+    sampled: tuple[int, ...]
+    node_of_truth: dict[int, int]
+    truth_names: dict[int, str]
+    rule_names: tuple[str, ...]
+    channel_names: tuple[str, ...]
+    input_names: tuple[str, ...]
+
+    @property
+    def leaf_count(self) -> int:
+        """How many truths look at numbers or at the clock."""
+        return len(self.node_of_truth) - len(self.derived)
+
+    @property
+    def truth_count(self) -> int:
+        """How many truths a monitor keeps."""
+        return len(self.node_of_truth)
+
+    def truths_in_order(self) -> list[int]:
+        """All truth indexes in the order of their nodes."""
+        return sorted(self.node_of_truth, key=self.node_of_truth.__getitem__)
+
+    def has_timeout(self, used: int) -> bool:
+        """Whether an input expires."""
+        return self.machine.inputs[used].timeout_ns is not None
+
+    def value_index(self, signal: int) -> int | None:
+        """Where a signal is kept; None for a constant."""
+        return self.value_of_signal.get(signal)
+
+    def blamed(self, support: ir.Support) -> list[int]:
+        """The values whose NaN means: unknown for lack of an input with a timeout (S30)."""
+        slots = [
+            index
+            for index, value in enumerate(self.values)
+            if value.slot is not None
+            and value.slot in support.slots
+            and self.has_timeout(self.machine.slots[value.slot].input)
+        ]
+        folds = [
+            self.value_of_signal[fold]
+            for fold in sorted(support.folds)
+            if any(map(self.has_timeout, self.supports.signals[fold].inputs))
+        ]
+        return slots + folds
+
+    def guard_blames(self, guard: Guard) -> list[int]:
+        """The same for the leaves of a guard; a quantifier blames its array whenever unknown."""
+        value = self.values[guard.value]
+        if value.test is not None:
+            node = self.machine.truths[value.test].node
+            if isinstance(node, ir.Quantified):
+                lost = any(map(self.has_timeout, value.support.inputs))
+                return [guard.value] if lost else []
+        return self.blamed(value.support)
+
+
+def lay_out(machine: ir.Machine) -> Layout:
+    """Number and name every part of a machine."""
+    return _Builder(machine).layout()
+
+
+class _Builder:
+    """Collects the parts of a layout in the order in which they are numbered."""
+
+    def __init__(self, machine: ir.Machine) -> None:
+        self.machine = machine
+        self.supports = ir.supports(machine)
+        self.elements = ir.element_arrays(machine)
+        self.values: list[Value] = []
+        self.value_of_signal: dict[int, int] = {}
+        self.value_of_test: dict[int, int] = {}
+        self.guards: dict[int, Guard] = {}
+        self.family = names.Family("value_")
+        self.guard_family = names.Family("guard_")
+        self.truth_family = names.Family("truth_")
+        self.whole = [i for i, a in enumerate(self.elements.truths) if a is None]
+
+    def layout(self) -> Layout:
+        self._slots()
+        self._signals()
+        for index in self.whole:
+            self._leaf(index)
+        guards = tuple(sorted(self.guards.values(), key=lambda guard: guard.value))
+        for guard in guards:
+            _sort(guard)
+        literals = self._of(ir.Literal)
+        ages = self._of(ir.AgeReaches)
+        oscillations = self._of(ir.Oscillates)
+        derived = self._of(ir.Not, ir.And, ir.Or, ir.Held)
+        guarded = [leaf for guard in guards for leaf in guard.leaves]
+        order = [*guarded, *oscillations, *ages, *literals, *derived]
+        return Layout(
+            machine=self.machine,
+            name=names.identifier(self.machine.name),
+            supports=self.supports,
+            elements=self.elements,
+            values=tuple(self.values),
+            value_of_signal=self.value_of_signal,
+            value_of_test=self.value_of_test,
+            guards=guards,
+            literals=literals,
+            ages=ages,
+            oscillations=oscillations,
+            derived=derived,
+            held=self._of(ir.Held),
+            sampled=self._sampled(),
+            node_of_truth={truth: node for node, truth in enumerate(order)},
+            truth_names={truth: self._truth_name(truth) for truth in order},
+            rule_names=_named("rule_", [rule.name for rule in self.machine.rules]),
+            channel_names=_named("", [channel.topic for channel in self.machine.channels]),
+            input_names=_named("input_", [used.name for used in self.machine.inputs]),
+        )
+
+    # --- values ------------------------------------------------------------------------------
+
+    def _keep(self, text: str, place: str, support: ir.Support, **index: int) -> int:
+        remark = f"{place}  {text}"
+        self.values.append(Value(self.family.name(text), remark, support, **index))
+        return len(self.values) - 1
+
+    def _slots(self) -> None:
+        """A signal that reads a slot is kept where the slot is."""
+        kept: dict[int, int] = {}
+        for index, slot in enumerate(self.machine.slots):
+            used = self.machine.inputs[slot.input]
+            text = ".".join((used.name, *map(str, slot.path)))
+            support = ir.Support(
+                slots=frozenset({index}),
+                inputs=frozenset({slot.input}),
+                channels=frozenset({used.channel}),
+            )
+            kept[index] = self._keep(text, names.place(used.span), support, slot=index)
+        for index, signal in enumerate(self.machine.signals):
+            if isinstance(signal.node, ir.Read):
+                self.value_of_signal[index] = kept[signal.node.slot]
+
+    def _signals(self) -> None:
+        for index, signal in enumerate(self.machine.signals):
+            is_kept = not isinstance(signal.node, ir.Constant | ir.Read)
+            if is_kept and self.elements.signals[index] is None:
+                support = self.supports.signals[index]
+                self.value_of_signal[index] = self._keep(
+                    signal.text, names.place(signal.span), support, signal=index
+                )
+
+    def _sampled(self) -> tuple[int, ...]:
+        """The signals whose samples are remembered."""
+        found = {
+            signal.node.signal
+            for signal in self.machine.signals
+            if isinstance(signal.node, ir.Rate | ir.Previous)
+        }
+        return tuple(sorted(found))
+
+    # --- truths ------------------------------------------------------------------------------
+
+    def _of(self, *kinds: type[ir.TruthNode]) -> tuple[int, ...]:
+        return tuple(i for i in self.whole if isinstance(self.machine.truths[i].node, kinds))
+
+    def _truth_name(self, index: int) -> str:
+        truth = self.machine.truths[index]
+        return self.truth_family.name(truth.name or truth.text)
+
+    def _leaf(self, index: int) -> None:
+        node = self.machine.truths[index].node
+        if not isinstance(node, ir.Compare | ir.Between | ir.Flag | ir.Quantified):
+            return
+        fixed = limits_of(self.machine, node)
+        if fixed is None:
+            value, found = self._test(index), [Limit(0.5, True)]
+        else:
+            value, found = self.value_of_signal[fixed.signal], fixed.limits
+        guard = self._guard(value)
+        guard.leaves.append(index)
+        guard.limits += [Limit(limit.at, limit.rises, index) for limit in found]
+
+    def _test(self, index: int) -> int:
+        truth = self.machine.truths[index]
+        support = self.supports.truths[index]
+        value = self._keep(truth.text, names.place(truth.span), support, test=index)
+        self.value_of_test[index] = value
+        return value
+
+    def _guard(self, value: int) -> Guard:
+        if value not in self.guards:
+            name = self.guard_family.name(self.values[value].name.removeprefix("value_"))
+            self.guards[value] = Guard(name, value)
+        return self.guards[value]
+
+
+def _sort(guard: Guard) -> None:
+    """Limits from low to high, leaves in the order of their lowest limits."""
+    guard.limits.sort(key=lambda limit: limit.at)
+    lowest: dict[int, int] = {}
+    for number, limit in enumerate(guard.limits):
+        lowest.setdefault(limit.leaf, number)
+    guard.leaves.sort(key=lambda leaf: lowest.get(leaf, -1))
+
+
+def _named(prefix: str, texts: Sequence[str]) -> tuple[str, ...]:
+    give: Callable[[str], str] = names.Family(prefix).name
+    return tuple(give(text) for text in texts)

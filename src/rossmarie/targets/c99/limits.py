@@ -1,0 +1,103 @@
+"""Comparisons with fixed limits as places on the line of numbers at which they change.
+
+Takes a leaf truth; gives the limits at which it flips, or None if it has no fixed ones. A limit
+`at` parts the numbers `x <= at` from those above, so `x >= c` has its limit one number below `c`.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from rossmarie import ir
+from rossmarie.ir import Comparison
+
+
+@dataclass(frozen=True)
+class Limit:
+    """Above `at` the truth is true if it `rises`, else false; below it is the opposite."""
+
+    at: float
+    rises: bool
+    leaf: int = -1
+
+
+@dataclass(frozen=True)
+class Limited:
+    """The limits of a truth on one signal, from low to high."""
+
+    signal: int
+    limits: list[Limit]
+
+
+_MIRRORED = {
+    Comparison.EQUAL: Comparison.EQUAL,
+    Comparison.NOT_EQUAL: Comparison.NOT_EQUAL,
+    Comparison.LESS: Comparison.GREATER,
+    Comparison.LESS_OR_EQUAL: Comparison.GREATER_OR_EQUAL,
+    Comparison.GREATER: Comparison.LESS,
+    Comparison.GREATER_OR_EQUAL: Comparison.LESS_OR_EQUAL,
+}
+
+
+def limits_of(machine: ir.Machine, node: ir.TruthNode) -> Limited | None:
+    """The limits of a comparison of one signal with constants."""
+    match node:
+        case ir.Compare(comparison=comparison, left=left, right=right):
+            low, high = _constant(machine, left), _constant(machine, right)
+            if low is None and high is not None:
+                return Limited(left, _compared(comparison, high))
+            if low is not None and high is None:
+                return Limited(right, _compared(_MIRRORED[comparison], low))
+        case ir.Between(signal=signal, low=low_signal, high=high_signal):
+            low, high = _constant(machine, low_signal), _constant(machine, high_signal)
+            if low is not None and high is not None and _constant(machine, signal) is None:
+                return Limited(signal, _between(low, high))
+        case ir.Flag(signal=signal) if _constant(machine, signal) is None:
+            return Limited(signal, _flag(machine, signal))
+        case _:
+            pass
+    return None
+
+
+def is_true_below(limits: list[Limit], leaf: int) -> bool:
+    """Whether a truth holds below all its limits; one without limits never holds."""
+    own = [limit for limit in limits if limit.leaf == leaf]
+    return bool(own) and not own[0].rises
+
+
+def _constant(machine: ir.Machine, signal: int) -> float | None:
+    node = machine.signals[signal].node
+    return node.value if isinstance(node, ir.Constant) else None
+
+
+def _below(value: float) -> float:
+    return math.nextafter(value, -math.inf)
+
+
+def _compared(comparison: Comparison, value: float) -> list[Limit]:
+    match comparison:
+        case Comparison.GREATER:
+            return [Limit(value, True)]
+        case Comparison.GREATER_OR_EQUAL:
+            return [Limit(_below(value), True)]
+        case Comparison.LESS:
+            return [Limit(_below(value), False)]
+        case Comparison.LESS_OR_EQUAL:
+            return [Limit(value, False)]
+        case Comparison.EQUAL:
+            return [Limit(_below(value), True), Limit(value, False)]
+        case Comparison.NOT_EQUAL:
+            return [Limit(_below(value), False), Limit(value, True)]
+
+
+def _between(low: float, high: float) -> list[Limit]:
+    return [Limit(_below(low), True), Limit(high, False)] if low <= high else []
+
+
+def _flag(machine: ir.Machine, signal: int) -> list[Limit]:
+    """A flag that arrives is 0 or 1; any other number is true unless it is 0."""
+    node = machine.signals[signal].node
+    if isinstance(node, ir.Read) and machine.slots[node.slot].kind is ir.Kind.FLAG:
+        return [Limit(0.5, True)]
+    return _compared(Comparison.NOT_EQUAL, 0.0)

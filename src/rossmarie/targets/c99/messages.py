@@ -1,0 +1,191 @@
+"""The functions that take messages in: one for each channel, and one for several at once.
+
+Takes a layout and the expressions of its machine; gives C text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+
+from rossmarie import ir
+from rossmarie.targets.c99 import types
+from rossmarie.targets.c99.elements import Elements
+from rossmarie.targets.c99.expressions import Expressions, Piece
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.text import indented
+
+
+class Messages:
+    """Writes what happens when messages arrive."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+        self._machine = layout.machine
+        self.expressions = Expressions(layout)
+        self._elements = Elements(layout, self.expressions)
+        self.fields = [
+            types.fields_of(self._machine, channel) for channel in range(len(layout.channel_names))
+        ]
+
+    # --- declarations ------------------------------------------------------------------------
+
+    def declarations(self) -> str:
+        """The public functions and the struct of all values."""
+        parts = []
+        for channel, name in enumerate(self._layout.channel_names):
+            topic = self._machine.channels[channel]
+            parts.append(f"/* A message on {topic.topic} ({topic.message_type}). */")
+            parts.append(f"int {self._public_signature(channel, name)};\n")
+        parts.append(self._values_struct())
+        return "\n".join(parts)
+
+    def _public_signature(self, channel: int, name: str) -> str:
+        monitor = self._layout.name
+        parameters = [f"{monitor}_monitor *m", "int64_t t_ns"]
+        for field in self.fields[channel]:
+            parameters += types.public_parameters(self._machine, field)
+        return f"{monitor}_update_{name}({', '.join(parameters)})"
+
+    def _values_struct(self) -> str:
+        monitor = self._layout.name
+        members = []
+        for channel, name in enumerate(self._layout.channel_names):
+            members.append(f"bool has_{name};")
+            fields = [p for field in self.fields[channel] for p in types.plain_parameters(field)]
+            if fields:
+                inside = indented(f"{field};" for field in fields)
+                members += ["struct {", *inside.splitlines(), f"}} {name};"]
+        body = indented(members or ["bool has_nothing;"])
+        return (
+            "/* Messages on several channels at one instant, those with has_...; in it flags are 0.0 "
+            "or 1.0,\n * and a scalar that the message lacks is NaN.\n */\n"
+            f"typedef struct {monitor}_values {{\n{body}\n}} {monitor}_values;\n\n"
+            f"int {monitor}_step({monitor}_monitor *m, int64_t t_ns, const {monitor}_values *v);\n"
+        )
+
+    # --- functions ---------------------------------------------------------------------------
+
+    def functions(self) -> str:
+        """The functions of all channels, and the one for several at once."""
+        parts = []
+        for channel, name in enumerate(self._layout.channel_names):
+            parts += [self._take(channel, name), self._update(channel, name)]
+        parts.append(self._step())
+        return "\n".join(parts)
+
+    def constants(self) -> list[str]:
+        """What is computed from constants only, once."""
+        return [line for piece in self._computed({}) if not piece.channels for line in piece.lines]
+
+    def _take(self, channel: int, name: str) -> str:
+        parameters = ["monitor *m", "int64_t t_ns"]
+        for field in self.fields[channel]:
+            parameters += types.plain_parameters(field)
+        pieces = self._all({channel: ""})
+        lines = [line for piece in pieces if channel in piece.channels for line in piece.lines]
+        return (
+            f"static int take_{name}({', '.join(parameters)})\n{{\n"
+            f"    int events = 0;\n"
+            f"    if (!is_calm(m, {channel}, t_ns)) {{\n"
+            f"        events = catch_up(m, t_ns);\n"
+            f"        if (events < 0)\n"
+            f"            return events;\n"
+            f"        arrive(m, {channel}, t_ns);\n"
+            f"        tick(m, t_ns);\n"
+            f"    }}\n"
+            f"    m->now_ns = t_ns;\n"
+            f"{indented(lines)}\n"
+            f"    if (m->pending)\n"
+            f"        events += evaluate(m, t_ns);\n"
+            f"    return events;\n}}\n"
+        )
+
+    def _update(self, channel: int, name: str) -> str:
+        arguments = ["m", "t_ns"]
+        for field in self.fields[channel]:
+            arguments += types.arguments(field)
+        return (
+            f"int {self._public_signature(channel, name)}\n{{\n"
+            f"    return take_{name}({', '.join(arguments)});\n}}\n"
+        )
+
+    def _step(self) -> str:
+        monitor, names = self._layout.name, self._layout.channel_names
+        calm = ["t_ns >= m->now_ns", "t_ns < m->wake_ns"]
+        calm += [f"(!v->has_{name} || m->quiet[{c}])" for c, name in enumerate(names)]
+        arrivals = []
+        for channel, name in enumerate(names):
+            arrivals += [f"if (v->has_{name})", f"    arrive(m, {channel}, t_ns);"]
+        body = list(self._guarded(self._all({c: f"v->{name}." for c, name in enumerate(names)})))
+        unused = [] if names else ["(void)v;"]
+        separator = " &&\n        "
+        return (
+            f"int {monitor}_step({monitor}_monitor *m, int64_t t_ns, const {monitor}_values *v)\n"
+            f"{{\n    int events = 0;\n{indented(unused)}"
+            f"    if (!({separator.join(calm)})) {{\n"
+            f"        events = catch_up(m, t_ns);\n"
+            f"        if (events < 0)\n"
+            f"            return events;\n"
+            f"{indented(arrivals, 2)}\n"
+            f"        tick(m, t_ns);\n"
+            f"    }}\n"
+            f"    m->now_ns = t_ns;\n"
+            f"{indented(body)}\n"
+            f"    if (m->pending)\n"
+            f"        events += evaluate(m, t_ns);\n"
+            f"    return events;\n}}\n"
+        )
+
+    def _guarded(self, pieces: Iterable[Piece]) -> Iterator[str]:
+        """The pieces, each under the condition that one of its channels has a message."""
+        relevant = (piece for piece in pieces if piece.channels)
+        for channels, group in groupby(relevant, key=lambda piece: piece.channels):
+            names = [f"v->has_{self._layout.channel_names[c]}" for c in sorted(channels)]
+            yield f"if ({' || '.join(names)}) {{"
+            yield from (f"    {line}" for piece in group for line in piece.lines)
+            yield "}"
+
+    # --- pieces ------------------------------------------------------------------------------
+
+    def _all(self, prefixes: dict[int, str]) -> Iterator[Piece]:
+        """Everything that messages on these channels can make necessary, in order; a field of
+        channel c is found at `prefixes[c]` plus its name.
+        """
+        yield from self._stamps()
+        yield from self._computed(prefixes)
+        yield from self._watching()
+
+    def _stamps(self) -> Iterator[Piece]:
+        watched = {self._machine.truths[age].node for age in self._layout.ages}
+        aged = {node.input for node in watched if isinstance(node, ir.AgeReaches)}
+        for index, used in enumerate(self._machine.inputs):
+            if used.timeout_ns is not None or index in aged:
+                line = f"m->stamp_ns[{self._layout.input_names[index]}] = t_ns;"
+                yield Piece(frozenset({used.channel}), (line,))
+
+    def _computed(self, prefixes: dict[int, str]) -> Iterator[Piece]:
+        for channel, prefix in prefixes.items():
+            for field in self.fields[channel]:
+                yield Piece(frozenset({channel}), tuple(self._received(field, prefix)))
+        yield from self.expressions.signals()
+        yield from self.expressions.tests()
+
+    def _received(self, field: types.Field, prefix: str) -> list[str]:
+        name = f"{prefix}{field.name}"
+        if field.slot is not None:
+            return [self.expressions.arrival(field.slot, name)]
+        assert field.array is not None, "a field is a slot or an array"
+        return self._elements.loop(field.array, name, f"{name}_count")
+
+    def _watching(self) -> Iterator[Piece]:
+        for guard in self._layout.guards:
+            channels = self._layout.values[guard.value].support.channels
+            value = self.expressions.kept(guard.value)
+            check = f"if (!is_inside(m, {guard.name}, {value}))"
+            yield Piece(channels, (check, f"    cross(m, {guard.name}, {value});"))
+        for number, truth in enumerate(self._layout.oscillations):
+            node = self._machine.truths[truth].node
+            assert isinstance(node, ir.Oscillates), "the layout lists oscillations"
+            channels = self._layout.supports.signals[node.signal].channels
+            yield Piece(channels, (f"follow(m, {number}, t_ns);",))

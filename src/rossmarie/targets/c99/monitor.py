@@ -1,0 +1,119 @@
+"""A machine as C99: `generate` gives the header and the source, `generate_loadable` also what
+`rossmarie.native` needs to run them in its own process.
+
+Takes a machine that `ir.verify` has passed and for which `unsupported` found nothing. The C behaves
+as the interpreter does, bit for bit; `docs/decisions/0004-c99-target.md` says how it is made fast.
+"""
+
+from __future__ import annotations
+
+from pathlib import PurePath
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from rossmarie import ir
+from rossmarie.targets.c99 import describe, host, state, tables
+from rossmarie.targets.c99.layout import Layout, lay_out
+from rossmarie.targets.c99.messages import Messages
+from rossmarie.targets.c99.nodes import derive
+from rossmarie.targets.c99.text import indented
+
+# The functions that a monitor may need, each after those that it calls.
+_PARTS = (
+    "minimum", "maximum", "roll", "pitch", "yaw", "test", "both", "either", "opposite", "element",
+    "any", "all", "count", "earlier", "wake_by", "samples", "rate", "guards", "held", "oscillations", "ages",
+    "expire", "expire_samples",
+)  # fmt: skip
+
+
+def generate(machine: ir.Machine) -> dict[str, str]:
+    """The files of a monitor, by name: NAME_monitor.h and NAME_monitor.c."""
+    return _Writer(machine).monitor_files()
+
+
+def generate_loadable(machine: ir.Machine) -> dict[str, str]:
+    """The files of a monitor, and host.c, which includes them and is compiled instead of them."""
+    writer = _Writer(machine)
+    return {**writer.monitor_files(), "host.c": writer.host_file()}
+
+
+class _Writer:
+    """Fills in the templates for one machine."""
+
+    def __init__(self, machine: ir.Machine) -> None:
+        self._layout = lay_out(machine)
+        self._messages = Messages(self._layout)
+        self._templates = Environment(
+            loader=PackageLoader("rossmarie.targets.c99"),
+            undefined=StrictUndefined,
+            autoescape=False,  # noqa: S701 -- C, not HTML
+            keep_trailing_newline=True,
+        )
+
+    def monitor_files(self) -> dict[str, str]:
+        name = self._layout.name
+        return {f"{name}_monitor.h": self._header(), f"{name}_monitor.c": self._source()}
+
+    def host_file(self) -> str:
+        return self._fill("host.c.j2", **host.blanks(self._layout, self._messages))
+
+    def _fill(self, template: str, **blanks: object) -> str:
+        known = {"name": self._layout.name, "files": _files(self._layout.machine)}
+        return self._templates.get_template(template).render(**known, **blanks)
+
+    def _part(self, name: str) -> str:
+        return self._fill(f"parts/{name}.c")
+
+    def _header(self) -> str:
+        layout = self._layout
+        return self._fill(
+            "monitor.h.j2",
+            guard=f"{layout.name.upper()}_MONITOR_H",
+            upper=layout.name.upper(),
+            rule_count=len(layout.machine.rules),
+            rule_rows=max(1, len(layout.machine.rules)),
+            rule_enum=describe.rule_enumeration(layout),
+            max_terms=describe.most(len(rule.terms) for rule in layout.machine.rules),
+            max_values=describe.most(len(rule.signals) for rule in layout.machine.rules),
+            max_inputs=describe.most(len(rule.inputs) for rule in layout.machine.rules),
+            members=indented(state.members(layout)),
+            declarations=self._messages.declarations(),
+        )
+
+    def _source(self) -> str:
+        layout = self._layout
+        messages = self._messages.functions()
+        constants = self._messages.constants()
+        derived, logic = derive(layout)
+        engine = self._fill(
+            "engine.c.j2",
+            derive=derived,
+            value=_value(layout),
+            wake=indented(state.wake(layout)),
+            tick=indented(state.tick(layout)),
+            restart=indented(state.restart(layout)),
+            calm=self._part("calm") if layout.channel_names else "",
+            channels=messages,
+            init=indented([*state.begin(layout), *constants]),
+            descriptions=describe.descriptions(layout),
+        )
+        needed = self._messages.expressions.parts | logic | state.parts(layout)
+        parts = ["core", *(part for part in _PARTS if part in needed)]
+        return self._fill(
+            "monitor.c.j2",
+            enums=tables.enumerations(layout),
+            tables=tables.tables(layout),
+            functions="\n".join([*map(self._part, parts), engine]),
+        )
+
+
+def _value(layout: Layout) -> str:
+    """The present value of a node."""
+    if not layout.derived:
+        return "m->fresh[node]"
+    return "node < LEAVES ? m->fresh[node] : derive(m, node, t_ns)"
+
+
+def _files(machine: ir.Machine) -> str:
+    found = {PurePath(rule.span.file.path).name for rule in machine.rules}
+    return ", ".join(sorted(found)) or machine.name

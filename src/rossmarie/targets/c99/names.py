@@ -1,0 +1,76 @@
+"""All names that the generated C invents.
+
+Takes any text; gives identifiers that are unique within their family, readable, and no words of
+C or C++.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from pathlib import PurePath
+
+from dslkit.source import Span
+
+_LONGEST = 40
+
+_RESERVED = frozenset(
+    """
+    alignas alignof and and_eq asm atomic auto bitand bitor bool break case catch char class compl
+    concept const consteval constexpr constinit const_cast continue co_await co_return co_yield
+    decltype default delete do double dynamic_cast else enum explicit export extern false float for
+    friend goto if inline int long mutable namespace new noexcept not not_eq nullptr operator or
+    or_eq private protected public register reinterpret_cast requires restrict return short signed
+    sizeof static static_assert static_cast struct switch template this thread_local throw true try
+    typedef typeid typename typeof union unsigned using virtual void volatile wchar_t while xor
+    xor_eq linux unix m t_ns events
+    """.split()
+)
+
+
+def identifier(text: str) -> str:
+    """The text as a word of letters, digits and underscores; never empty, never reserved."""
+    plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode("ascii")
+    word = re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")[:_LONGEST].strip("_")
+    if not word or word[0].isdigit():
+        word = f"n{word}"
+    return f"{word}_" if word in _RESERVED else word
+
+
+class Family:
+    """Identifiers that must differ from each other, all with one prefix."""
+
+    def __init__(self, prefix: str = "") -> None:
+        self._prefix = prefix
+        self._given: set[str] = set()
+
+    def name(self, text: str) -> str:
+        """A new identifier that reminds of the text."""
+        word = self._prefix + identifier(text)
+        candidate, number = word, 2
+        while candidate in self._given:
+            candidate, number = f"{word}_{number}", number + 1
+        self._given.add(candidate)
+        return candidate
+
+
+def comment(text: str) -> str:
+    """The text as the inside of a comment: on one line, with nothing that ends or hides it."""
+    joined = " ".join(text.split())
+    visible = "".join("?" if unicodedata.category(x)[0] == "C" else x for x in joined)
+    return visible.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+
+
+def place(span: Span) -> str:
+    """`file.ross:12`, without the folders, which differ from machine to machine."""
+    return f"{PurePath(span.file.path).name}:{span.begin.line}"
+
+
+def string(text: str) -> str:
+    """The text as a string literal, in UTF-8."""
+    escaped = []
+    for byte in text.encode("utf-8"):
+        letter = chr(byte)
+        is_plain = 32 <= byte < 127 and letter not in '"\\?'
+        escaped.append(letter if is_plain else f"\\{byte:03o}")
+    return f'"{"".join(escaped)}"'

@@ -1,0 +1,62 @@
+"""Truths that are made of other truths, as C."""
+
+from __future__ import annotations
+
+from rossmarie import ir
+from rossmarie.targets.c99 import names
+from rossmarie.targets.c99.layout import Layout
+
+
+def derive(layout: Layout) -> tuple[str, set[str]]:
+    """The function that evaluates one derived truth, and the parts that it calls."""
+    if not layout.derived:
+        return "", set()
+    parts: set[str] = set()
+    cases = []
+    for index in layout.derived:
+        truth = layout.machine.truths[index]
+        remark = names.comment(f"{names.place(truth.span)}  {truth.text}")
+        cases.append(f"    case {layout.truth_names[index]}: /* {remark} */")
+        cases.append(f"        return {_expression(layout, index, truth.node, parts)};")
+    unused = [] if layout.held else ["    (void)t_ns;"]
+    lines = [
+        "/* A truth that is made of other truths. */",
+        "static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)",
+        "{",
+        *unused,
+        "    switch (node) {",
+        *cases,
+        "    default:",
+        "        return UNKNOWN;",
+        "    }",
+        "}\n",
+    ]
+    return "\n".join(lines), parts
+
+
+def _expression(layout: Layout, index: int, node: ir.TruthNode, parts: set[str]) -> str:
+    match node:
+        case ir.Not(operand=operand):
+            parts.add("opposite")
+            return f"opposite({_truth(layout, operand)})"
+        case ir.And(operands=operands):
+            return _joined(layout, "both", operands, parts)
+        case ir.Or(operands=operands):
+            return _joined(layout, "either", operands, parts)
+        case ir.Held(operand=operand):
+            number = layout.held.index(index)
+            return f"held(m, {number}, {_truth(layout, operand)}, t_ns)"
+        case _:
+            raise AssertionError(f"{type(node).__name__} is a leaf")
+
+
+def _joined(layout: Layout, word: str, operands: tuple[int, ...], parts: set[str]) -> str:
+    parts.add(word)
+    text = _truth(layout, operands[0])
+    for operand in operands[1:]:
+        text = f"{word}({text}, {_truth(layout, operand)})"
+    return text
+
+
+def _truth(layout: Layout, index: int) -> str:
+    return f"m->truth[{layout.truth_names[index]}]"

@@ -1,0 +1,192 @@
+"""What a monitor remembers, and what time does to it: the members of its struct, and the lines
+that begin, restart, tick and look for the next timer. A machine pays only for what it uses.
+"""
+
+from __future__ import annotations
+
+from rossmarie import ir
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.text import indented
+
+
+def has_timeouts(layout: Layout) -> bool:
+    """Whether any input expires."""
+    return any(used.timeout_ns is not None for used in layout.machine.inputs)
+
+
+def parts(layout: Layout) -> set[str]:
+    """The C functions that the state needs."""
+    found = {
+        "guards": layout.guards,
+        "held": layout.held,
+        "oscillations": layout.oscillations,
+        "ages": layout.ages,
+        "samples": layout.sampled,
+        "earlier": has_timeouts(layout) or layout.held or layout.oscillations or layout.ages,
+        "wake_by": layout.held or layout.oscillations or layout.ages,
+        "expire_samples" if layout.sampled else "expire": has_timeouts(layout),
+    }
+    return {name for name, needed in found.items() if needed}
+
+
+def turns(layout: Layout) -> list[int]:
+    """How many turning points each oscillation remembers."""
+    nodes = [layout.machine.truths[index].node for index in layout.oscillations]
+    return [node.count for node in nodes if isinstance(node, ir.Oscillates)]
+
+
+def members(layout: Layout) -> list[str]:
+    """The members of the struct of a monitor; those that every message looks at come first."""
+    machine, truths = layout.machine, layout.truth_count
+    nodes = truths + len(machine.rules)
+    found = [
+        "int64_t now_ns;",
+        "int64_t wake_ns;",
+        f"bool quiet[{max(1, len(machine.channels))}];",
+        "bool pending;",
+        "bool started;",
+    ]
+    if layout.guards:
+        found += [f"double low[{len(layout.guards)}];", f"double high[{len(layout.guards)}];"]
+    found += [
+        f"double value[{max(1, len(layout.values))}];",
+        f"int64_t stamp_ns[{max(1, len(machine.inputs))}];",
+        f"unsigned char state[{max(1, len(machine.inputs))}];",
+        f"unsigned char active[{(max(1, len(machine.rules)) + 7) // 8}];",
+        f"unsigned char truth[{max(1, truths)}];",
+        f"unsigned char fresh[{max(1, layout.leaf_count)}];",
+        f"int64_t since_ns[{max(1, truths)}];",
+        f"uint64_t dirty[{max(1, (nodes + 63) // 64)}];",
+    ]
+    if layout.guards:
+        found.append(f"int region[{len(layout.guards)}];")
+    if layout.held:
+        found.append(f"int64_t held_due_ns[{len(layout.held)}];")
+    found += [*_sample_members(len(layout.sampled)), *_turn_members(turns(layout))]
+    return [*found, f"{layout.name}_callback on_event;", "void *user;"]
+
+
+def _sample_members(count: int) -> list[str]:
+    kinds = ("double latest", "double before", "int64_t latest_ns", "int64_t before_ns")
+    return [f"{kind}[{count}];" for kind in kinds if count]
+
+
+def _turn_members(counts: list[int]) -> list[str]:
+    if not counts:
+        return []
+    return [
+        f"double extreme[{len(counts)}];",
+        f"int64_t turn_ns[{sum(counts)}];",
+        f"uint16_t turns[{len(counts)}];",
+        f"uint16_t turn_next[{len(counts)}];",
+        f"signed char heading[{len(counts)}];",
+    ]
+
+
+def begin(layout: Layout) -> list[str]:
+    """What `init` does beyond clearing the memory."""
+    lines = [f"for (unsigned i = 0; i != {len(layout.values)}; i++)", "    m->value[i] = NAN;"]
+    for index in layout.literals:
+        node = layout.machine.truths[index].node
+        assert isinstance(node, ir.Literal), "the layout lists literals"
+        value = "TRUE" if node.value else "FALSE"
+        lines.append(f"m->fresh[{layout.truth_names[index]}] = {value};")
+    return lines
+
+
+def restart(layout: Layout) -> list[str]:
+    """What is forgotten when time begins, or begins again (S17)."""
+    lines = []
+    if layout.machine.inputs:
+        lines += ["for (unsigned i = 0; i != INPUTS; i++)", "    m->stamp_ns[i] = t_ns;"]
+    if has_timeouts(layout):
+        lines += [
+            "for (unsigned i = 0; i != INPUTS; i++)",
+            "    if (m->state[i] == EXPIRED)",
+            "        m->stamp_ns[i] = t_ns - input_timeouts[i];",
+        ]
+    if layout.channel_names:
+        lines += ["for (unsigned i = 0; i != CHANNELS; i++)", "    m->quiet[i] = false;"]
+    if layout.held:
+        lines += ["for (unsigned k = 0; k != HELD; k++)", "    m->held_due_ns[k] = NEVER;"]
+    if layout.sampled:
+        lines += ["for (unsigned k = 0; k != SAMPLED; k++)", "    forget_samples(m, k);"]
+        lines += ["for (unsigned i = 0; i != SAMPLED_VALUES; i++)"]
+        lines += ["    m->value[sampled_values[i]] = NAN;"]
+    if layout.oscillations:
+        lines += ["for (unsigned k = 0; k != OSCILLATIONS; k++)", "    forget_turns(m, k);"]
+    if layout.guards:
+        lines += [
+            "for (unsigned g = 0; g != GUARDS; g++) {",
+            "    m->region[g] = -(int)UNSET;",
+            "    m->low[g] = INFINITY;",
+            "    m->high[g] = -INFINITY;",
+            "}",
+            "review(m);",
+        ]
+    return lines
+
+
+def tick(layout: Layout) -> list[str]:
+    """What is looked at when a timer may be due."""
+    lines: list[str] = []
+    if has_timeouts(layout):
+        lines += [
+            "bool has_expired = false;",
+            "for (unsigned i = 0; i != INPUTS; i++) {",
+            "    if (m->state[i] == FRESH && input_timeouts[i] != 0 &&",
+            "        t_ns - m->stamp_ns[i] >= input_timeouts[i]) {",
+            "        expire(m, i);",
+            "        has_expired = true;",
+            "    }",
+            "}",
+            "if (has_expired)",
+            "    review(m);" if layout.guards else "    m->pending = true;",
+        ]
+    if layout.ages:
+        lines += ["for (unsigned k = 0; k != AGES; k++)", "    look_at_age(m, k, t_ns);"]
+    if layout.oscillations:
+        lines += ["for (unsigned k = 0; k != OSCILLATIONS; k++)"]
+        lines += ["    look_at_swings(m, k, t_ns);"]
+    if layout.held:
+        lines += [
+            "for (unsigned k = 0; k != HELD; k++)",
+            "    if (m->held_due_ns[k] <= t_ns && m->truth[held_nodes[k]] != TRUE)",
+            "        mark(m, held_nodes[k]);",
+        ]
+    return lines or ["(void)m;", "(void)t_ns;"]
+
+
+def wake(layout: Layout) -> list[str]:
+    """The search for the earliest timer (S15)."""
+    lines: list[str] = []
+    if has_timeouts(layout):
+        due = "m->stamp_ns[i] + input_timeouts[i]"
+        lines += [
+            "for (unsigned i = 0; i != INPUTS; i++)",
+            "    if (m->state[i] == FRESH && input_timeouts[i] != 0)",
+            *_earlier(due),
+        ]
+    if layout.ages:
+        lines += [
+            "for (unsigned k = 0; k != AGES; k++)",
+            "    if (m->truth[age_leaf[k]] == FALSE)",
+            *_earlier("m->stamp_ns[age_input[k]] + age_limits[k]"),
+        ]
+    if layout.oscillations:
+        lines += [
+            "for (unsigned k = 0; k != OSCILLATIONS; k++)",
+            "    if (m->truth[turn_leaf[k]] == TRUE)",
+            *_earlier("oldest_turn(m, k) + turn_windows[k]"),
+        ]
+    if layout.held:
+        lines += [
+            "for (unsigned k = 0; k != HELD; k++)",
+            "    if (m->held_due_ns[k] > m->now_ns)",
+            *_earlier("m->held_due_ns[k]"),
+        ]
+    return lines or ["(void)m;"]
+
+
+def _earlier(due: str) -> list[str]:
+    return indented([f"wake_ns = earlier(wake_ns, {due});"], 2).splitlines()

@@ -1,0 +1,1 @@
+static double minimum(double a, double b) { return isnan(a) || isnan(b) ? NAN : a < b ? a : b; }

@@ -1,0 +1,6 @@
+/* The slope over the last two samples, per second. */
+static double rate(const monitor *m, unsigned k)
+{
+    const double seconds = (double)(m->latest_ns[k] - m->before_ns[k]) / 1e9;
+    return finite((m->latest[k] - m->before[k]) / seconds);
+}

@@ -1,0 +1,46 @@
+"""Layout of C text: tables, enumerations, indentation."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Sequence
+
+from rossmarie.targets.c99 import names
+
+
+def indented(lines: Iterable[str], levels: int = 1) -> str:
+    """Lines, each moved to the right."""
+    return "\n".join("    " * levels + line for line in lines)
+
+
+def table(kind: str, name: str, entries: Sequence[object]) -> str:
+    """A constant table; C has no empty ones, so that one gets an entry nobody reads."""
+    listed = ", ".join(map(str, entries)) or "0"
+    opening = f"static const {kind} {name}[{max(1, len(entries))}] = {{"
+    if len(opening) + len(listed) + 2 <= 100:
+        return f"{opening}{listed}}};"
+    wrapped = textwrap.fill(listed, 96, initial_indent="    ", subsequent_indent="    ")
+    return f"{opening}\n{wrapped}}};"
+
+
+def remarked_table(kind: str, name: str, rows: Sequence[tuple[str, str]]) -> str:
+    """A constant table with a remark on every entry."""
+    if not rows:
+        return table(kind, name, ())
+    lines = indented(f"{entry}, /* {names.comment(remark)} */" for entry, remark in rows)
+    return f"static const {kind} {name}[{len(rows)}] = {{\n{lines}\n}};"
+
+
+def enumeration(rows: Sequence[tuple[str, str]], count: str) -> str:
+    """Names for 0, 1, 2 ... with a remark on each, and one for how many there are."""
+    listed = [f"{name}, /* {names.comment(remark)} */" for name, remark in rows]
+    return f"enum {{\n{indented([*listed, count])}\n}};"
+
+
+def lists(entry_kind: str, starts: str, entries: str, rows: Sequence[Sequence[object]]) -> str:
+    """Lists of different lengths: the entries of row i stand in [starts[i], starts[i + 1])."""
+    places = [0]
+    for row in rows:
+        places.append(places[-1] + len(row))
+    flat = [entry for row in rows for entry in row]
+    return f"{table('index_t', starts, places)}\n{table(entry_kind, entries, flat)}"

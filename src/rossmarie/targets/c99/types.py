@@ -1,0 +1,79 @@
+"""How numbers and parameters are written in C."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from rossmarie import ir
+from rossmarie.targets.c99 import names
+
+_SLOT_TYPES = {ir.Kind.REAL: "double", ir.Kind.FLAG: "bool", ir.Kind.TEXT: "int32_t"}
+
+
+def number(value: float) -> str:
+    """A double as a literal that reads back to the same bits, in parentheses if negative."""
+    if math.isinf(value):
+        return "INFINITY" if value > 0 else "(-INFINITY)"
+    text = repr(value)
+    return f"({text})" if text.startswith("-") else text
+
+
+def duration(nanoseconds: int) -> str:
+    """An integer literal of 64 bits."""
+    return f"INT64_C({nanoseconds})"
+
+
+@dataclass(frozen=True)
+class Field:
+    """A slot or an array of a channel's message, under the name of its parameter."""
+
+    name: str
+    slot: int | None = None
+    array: int | None = None
+
+
+def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
+    """What the messages of a channel carry: its slots, then its arrays."""
+    family = names.Family()
+
+    def named(path: tuple[str | int, ...]) -> str:
+        return family.name("_".join(map(str, path)) or "value")
+
+    def is_here(used: int) -> bool:
+        return machine.inputs[used].channel == channel
+
+    slots = [
+        Field(named(slot.path), slot=index)
+        for index, slot in enumerate(machine.slots)
+        if is_here(slot.input)
+    ]
+    arrays = [
+        Field(named(array.path), array=index)
+        for index, array in enumerate(machine.arrays)
+        if is_here(array.input)
+    ]
+    return (*slots, *arrays)
+
+
+def public_parameters(machine: ir.Machine, field: Field) -> list[str]:
+    """The parameters of a field in the public function."""
+    if field.slot is None:
+        return _array_parameters(field)
+    return [f"{_SLOT_TYPES[machine.slots[field.slot].kind]} {field.name}"]
+
+
+def plain_parameters(field: Field) -> list[str]:
+    """The parameters of a field where every scalar is a double."""
+    return _array_parameters(field) if field.slot is None else [f"double {field.name}"]
+
+
+def arguments(field: Field, prefix: str = "") -> list[str]:
+    """The field handed on as plain parameters."""
+    if field.slot is None:
+        return [f"{prefix}{field.name}", f"{prefix}{field.name}_count"]
+    return [f"{prefix}{field.name}"]
+
+
+def _array_parameters(field: Field) -> list[str]:
+    return [f"const double *{field.name}", f"size_t {field.name}_count"]

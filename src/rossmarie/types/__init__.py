@@ -1,0 +1,50 @@
+"""Types of expressions, the table of operators, and the messages of ROS."""
+
+from rossmarie.types.definitions import MessageDefinitionError
+from rossmarie.types.model import (
+    Array,
+    Boolean,
+    Box,
+    Interval,
+    Message,
+    Quantity,
+    Quaternion,
+    Text,
+    Type,
+    Unknown,
+    Unsupported,
+    Vector,
+)
+from rossmarie.types.operators import SIGNATURES, Fault, Operator, Outcome, apply, unit_faults
+from rossmarie.types.ros_messages import (
+    MessageCatalog,
+    message_value,
+    scalar_paths,
+    std_msgs_data,
+)
+
+__all__ = [
+    "SIGNATURES",
+    "Array",
+    "Boolean",
+    "Box",
+    "Fault",
+    "Interval",
+    "Message",
+    "MessageCatalog",
+    "MessageDefinitionError",
+    "Operator",
+    "Outcome",
+    "Quantity",
+    "Quaternion",
+    "Text",
+    "Type",
+    "Unknown",
+    "Unsupported",
+    "Vector",
+    "apply",
+    "message_value",
+    "scalar_paths",
+    "std_msgs_data",
+    "unit_faults",
+]

@@ -1,0 +1,149 @@
+"""Message definitions as written: the names of fields and of their types, nothing resolved.
+
+The common messages are read from `messages.msg` (see `snapshot`), others from folders of .msg
+files. Message names are in the short form, `sensor_msgs/Imu`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+STORED = Path(__file__).with_name("messages.msg")
+SEPARATOR = "=" * 80 + "\nMSG: "
+"""Between two messages in concatenated .msg text, as in the headers of ROS 1 bags."""
+
+_NAME = re.compile(r"([A-Za-z]\w*)/(?:msg/)?([A-Za-z]\w*)", re.ASCII)
+# What rosbags puts into messages without fields, as the IDL of ROS 2 does.
+_PADDING = "structure_needs_at_least_one_member"
+_LARGEST_FILE = 64 * 1024
+
+
+class Field(NamedTuple):
+    """The type of a field: `float32`, `geometry_msgs/Point`, and whether it is an array of them."""
+
+    base: str
+    is_array: bool
+
+    def __str__(self) -> str:
+        return self.base + "[]" * self.is_array
+
+
+Definition = Mapping[str, Field]
+
+
+class MessageDefinitionError(Exception):
+    """A .msg file that cannot be used: which, at what line (None: as a whole), and why."""
+
+    def __init__(self, path: Path, line: int | None, reason: str) -> None:
+        place = f"{path}:{line}" if line is not None else str(path)
+        super().__init__(f"{place}: {reason}")
+        self.path = path
+        self.line = line
+        self.reason = reason
+
+
+def normalized(name: str) -> str | None:
+    """`sensor_msgs/Imu` for `sensor_msgs/msg/Imu`; None if this cannot be the name of a message."""
+    match = _NAME.fullmatch(name)
+    return f"{match[1]}/{match[2]}" if match else None
+
+
+@lru_cache(maxsize=1)
+def stored_texts() -> Mapping[str, str]:
+    """The text of each common message, by name; `read_stored` makes sense of it."""
+    blocks = STORED.read_text(encoding="utf-8").split(SEPARATOR)[1:]
+    return dict(block.split("\n", 1) for block in blocks)
+
+
+def read_stored(name: str) -> Definition | None:
+    """The definition of a common message, None if it is not one."""
+    text = stored_texts().get(name)
+    if text is None:
+        return None
+    fields = (line.split(" ") for line in text.splitlines())
+    return {field: Field(base.removesuffix("[]"), base.endswith("[]")) for base, field in fields}
+
+
+def find_file(name: str, search_paths: Sequence[Path]) -> Path | None:
+    """The .msg file of a message, in the first folder that has it."""
+    package, _, short = name.partition("/")
+    for folder in search_paths:
+        for parts in ((package, "msg"), (package,)):
+            path = folder.joinpath(*parts, f"{short}.msg")
+            if path.is_file():
+                return path
+    return None
+
+
+def names_in(search_path: Path) -> list[str]:
+    """The names of all messages in a folder, whether or not their files can be used."""
+    files = [*search_path.glob("*/*.msg"), *search_path.glob("*/msg/*.msg")]
+    packages = (file.parents[1] if file.parent.name == "msg" else file.parent for file in files)
+    return [f"{package.name}/{file.stem}" for file, package in zip(files, packages, strict=True)]
+
+
+def read_file(path: Path, name: str) -> Definition:
+    """The definition in a .msg file. Raises `MessageDefinitionError` if there is none."""
+    definition: dict[str, Field] = {}
+    for number, line in enumerate(_read_text(path).splitlines(), start=1):
+        for field, type_ in _read_line(path, number, line, name).items():
+            if field in definition:
+                raise MessageDefinitionError(path, number, f"a second field named {field!r}")
+            definition[field] = type_
+    return definition
+
+
+def _read_text(path: Path) -> str:
+    try:
+        with path.open("rb") as file:
+            data = file.read(_LARGEST_FILE + 1)
+        text = data.decode("utf-8-sig")
+    except OSError as error:
+        reason = error.strerror or type(error).__name__
+        raise MessageDefinitionError(path, None, f"cannot be read: {reason}") from error
+    except UnicodeDecodeError as error:
+        raise MessageDefinitionError(path, None, "is not UTF-8 text") from error
+    if len(data) > _LARGEST_FILE:
+        raise MessageDefinitionError(path, None, f"is larger than {_LARGEST_FILE // 1024} KiB")
+    return text
+
+
+def _read_line(path: Path, number: int, line: str, name: str) -> Definition:
+    """Lines are parsed one by one, because rosbags does not say which one it stumbled over."""
+    if not line.partition("#")[0].strip():
+        return {}
+    from rosbags.typesys import TypesysError, get_types_from_msg
+
+    package, _, short = name.partition("/")
+    try:
+        types = get_types_from_msg(line, f"{package}/msg/{short}")
+    except (TypesysError, AssertionError, ValueError) as error:
+        # Parts that rosbags asserts or converts while parsing fail with the latter two.
+        reason = f"not a field or constant of a message: {line.strip()[:60]!r}"
+        raise MessageDefinitionError(path, number, reason) from error
+    return from_rosbags(types)[name]
+
+
+def from_rosbags(types: Mapping[str, Any]) -> dict[str, Definition]:
+    """The field definitions of rosbags in our own terms."""
+    return {
+        normalized(name) or name: {
+            field: _field(description) for field, description in fields if field != _PADDING
+        }
+        for name, (_constants, fields) in types.items()
+    }
+
+
+def _field(description: Any) -> Field:
+    kind, content = description
+    if kind.name in ("ARRAY", "SEQUENCE"):
+        return Field(_field(content[0]).base, is_array=True)
+    if kind.name == "BASE":
+        return Field(content[0], is_array=False)
+    # rosbags does not know wide strings and takes the word for a message of the package.
+    base = "wstring" if content.endswith("/wstring") else normalized(content) or content
+    return Field(base, is_array=False)

@@ -1,0 +1,194 @@
+"""The types of ROS messages and of their fields.
+
+Definitions come from `definitions`, units from the overrides given and then from `field_units`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from rossmarie.types import definitions
+from rossmarie.types.definitions import Field, MessageDefinitionError
+from rossmarie.types.field_units import FIELD_UNITS
+from rossmarie.types.model import (
+    Array,
+    Boolean,
+    Message,
+    Quantity,
+    Quaternion,
+    Text,
+    Type,
+    Unsupported,
+    Vector,
+)
+from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
+
+FieldPath = tuple[str, ...]
+UnitOverrides = Mapping[tuple[str, FieldPath], Unit]
+Level = tuple[str, FieldPath]
+"""A message that encloses a field, and the path to the field from there."""
+
+VECTORS = frozenset(("geometry_msgs/Vector3", "geometry_msgs/Point", "geometry_msgs/Point32"))
+QUATERNION = "geometry_msgs/Quaternion"
+INSTANTS = frozenset(("builtin_interfaces/Time", "builtin_interfaces/Duration"))
+_MOST_FIELDS = 20_000
+_MOST_LEVELS = 32
+_TEXTS = frozenset(("string", "wstring"))
+
+
+class MessageCatalog:
+    """All messages that are known: those on the search paths, then the common ones of ROS.
+
+    A folder of the search paths has files `PACKAGE/msg/NAME.msg` or `PACKAGE/NAME.msg`. Overrides
+    are keyed by the message, `my_msgs/Wheel`, and the path of the field in it; they beat the
+    built-in table wherever that message is part of another one.
+    """
+
+    def __init__(
+        self, search_paths: Sequence[Path] = (), unit_overrides: UnitOverrides | None = None
+    ) -> None:
+        self._search_paths = tuple(search_paths)
+        self._overrides = _normalized_overrides(unit_overrides or {})
+        self._found: dict[str, Message | None] = {}
+        self._definitions: dict[str, definitions.Definition | None] = {}
+        self._fields_left = _MOST_FIELDS
+
+    def find(self, name: str) -> Message | None:
+        """The message `sensor_msgs/Imu`, also spelled `sensor_msgs/msg/Imu`; None if unknown.
+
+        Raises `MessageDefinitionError` if its .msg file, or that of a message in it, is malformed.
+        """
+        short = definitions.normalized(name)
+        if short is None:
+            return None
+        if short not in self._found:
+            self._fields_left = _MOST_FIELDS
+            self._found[short] = self._message(short, ((short, ()),))
+        return self._found[short]
+
+    def known_names(self) -> Sequence[str]:
+        """The names of all messages, sorted."""
+        names = set(definitions.stored_texts())
+        for folder in self._search_paths:
+            names.update(definitions.names_in(folder))
+        return sorted(names)
+
+    def _definition(self, name: str) -> definitions.Definition | None:
+        if name not in self._definitions:
+            path = definitions.find_file(name, self._search_paths)
+            self._definitions[name] = (
+                definitions.read_file(path, name) if path else definitions.read_stored(name)
+            )
+        return self._definitions[name]
+
+    def _message(self, name: str, levels: tuple[Level, ...]) -> Message | None:
+        definition = self._definition(name)
+        if definition is None:
+            return None
+        self._fields_left -= len(definition)
+        if self._fields_left < 0:
+            outermost, _ = levels[0]
+            path = definitions.find_file(outermost, self._search_paths) or Path(outermost)
+            raise MessageDefinitionError(path, None, f"has more than {_MOST_FIELDS} fields")
+        return Message(
+            name,
+            {
+                field: self._type(type_, tuple((outer, (*path, field)) for outer, path in levels))
+                for field, type_ in definition.items()
+            },
+        )
+
+    def _type(self, field: Field, levels: tuple[Level, ...]) -> Type:
+        base = field.base
+        if field.is_array:
+            return self._array(base, levels)
+        if base == "bool":
+            return Boolean()
+        if base in _TEXTS:
+            return Text()
+        if base in INSTANTS:
+            return Quantity(parse_unit("s"))
+        if base == QUATERNION:
+            return Quaternion()
+        if base in VECTORS:
+            return Vector(Quantity(self._unit((*levels, (base, ())))))
+        if "/" not in base:
+            return Quantity(self._unit(levels))
+        return self._nested(base, levels)
+
+    def _array(self, base: str, levels: tuple[Level, ...]) -> Type:
+        if base == "bool":
+            return Array(Boolean())
+        if "/" in base or base in _TEXTS:
+            kind = "strings" if base in _TEXTS else f"{base} messages"
+            return Unsupported(f"an array of {kind}; rules can use arrays of numbers and booleans")
+        return Array(Quantity(self._unit(levels)))
+
+    def _nested(self, base: str, levels: tuple[Level, ...]) -> Type:
+        if any(name == base for name, _ in levels):
+            return Unsupported(f"a {base} message inside itself")
+        if len(levels) >= _MOST_LEVELS:
+            return Unsupported(f"more than {_MOST_LEVELS} messages inside each other")
+        message = self._message(base, (*levels, (base, ())))
+        return message or Unsupported(f"a {base} message, of which no definition is known")
+
+    def _unit(self, levels: tuple[Level, ...]) -> Unit | None:
+        """Any override beats the table; of each, the outermost message that knows the unit."""
+        keys = [key for level in levels for key in _keys(level)]
+        for key in keys:
+            if key in self._overrides:
+                return self._overrides[key]
+        for name, path in keys:
+            fields = FIELD_UNITS.get(name, {})
+            field = ".".join(path)
+            if field in fields:
+                symbol = fields[field]
+                return None if symbol is None else parse_unit(symbol)
+        return None
+
+
+def message_value(message: Message) -> Type:
+    """What a whole message is as a value: a vector, a quaternion, else the message itself."""
+    if message.name in VECTORS:
+        element = message.fields["x"]
+        return Vector(element) if isinstance(element, Quantity) else message
+    return Quaternion() if message.name == QUATERNION else message
+
+
+def std_msgs_data(type_: Type) -> Type | None:
+    """The type of the `data` of a std_msgs message that has no other field; None for the rest."""
+    if not isinstance(type_, Message) or not type_.name.startswith("std_msgs/"):
+        return None
+    return type_.fields["data"] if tuple(type_.fields) == ("data",) else None
+
+
+def scalar_paths(type_: Type) -> Iterator[tuple[FieldPath, Quantity | Boolean | Text]]:
+    """The scalars that a value consists of, in the order of the definition; arrays have none."""
+    if isinstance(type_, (Quantity, Boolean, Text)):
+        yield (), type_
+    elif isinstance(type_, Vector):
+        yield from (((axis,), type_.element) for axis in "xyz")
+    elif isinstance(type_, Quaternion):
+        yield from (((axis,), Quantity(DIMENSIONLESS)) for axis in "xyzw")
+    elif isinstance(type_, Message):
+        for name, field in type_.fields.items():
+            for path, scalar in scalar_paths(field):
+                yield (name, *path), scalar
+
+
+def _normalized_overrides(overrides: UnitOverrides) -> UnitOverrides:
+    return {
+        (definitions.normalized(name) or name, path): unit
+        for (name, path), unit in overrides.items()
+    }
+
+
+def _keys(level: Level) -> Iterator[Level]:
+    """A vector has one unit: what is stated for one of its axes is stated for all."""
+    name, path = level
+    if name in VECTORS:
+        path = ()
+    else:
+        yield level
+    yield from ((name, (*path, axis)) for axis in "xyz")

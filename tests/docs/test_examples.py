@@ -1,0 +1,86 @@
+"""The code that the documentation shows: rules are checked, Python and commands are run.
+
+Each page has a folder of its own, with the examples of the project in it. A block with a name
+behind its language (a fence that says `ross arm.ross`) is saved there under that name. The commands
+of this project and Python run there, all others are taken on trust.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from dslkit.diagnostics import Severity
+from rossmarie.driver import check_file
+from support import expectations, transcript
+from support.checking import compare_file
+from support.markdown import Block, blocks
+
+ROOT = Path(__file__).parents[2]
+PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
+SHARED = ROOT.parent / "shared"
+
+
+def name(page: Path) -> str:
+    return page.relative_to(ROOT).as_posix()
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_the_examples_of_a_page_work(page: Path, tmp_path: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    if any("../shared/" in block.text for block in blocks(text)) and not SHARED.is_dir():
+        pytest.skip("the page replays a recording of the optional folder ../shared")
+    folder = tmp_path / "project"
+    shutil.copytree(ROOT / "examples", folder / "examples")
+    if SHARED.is_dir():
+        (tmp_path / "shared").symlink_to(SHARED)
+    for block in blocks(text):
+        problems = check_block(block, folder)
+        assert not problems, f"{name(page)}:{block.line}: " + "\n".join(problems)
+
+
+def check_block(block: Block, folder: Path) -> list[str]:
+    if block.language == "ross":
+        return check_rules(block, folder)
+    if block.language == "console":
+        return transcript.run(block.text, folder)
+    if block.language == "python":
+        return run_python(block, folder)
+    return []
+
+
+def check_rules(block: Block, folder: Path) -> list[str]:
+    """Rules without stated expectations have no errors; warnings are not worth a comment."""
+    path = folder / (block.name or "rules.ross")
+    path.write_text(block.text, encoding="utf-8")
+    if expectations.parse(block.text):
+        return compare_file(path, bless=False)
+    found = check_file(path).diagnostics
+    return [
+        f"{one.primary.span}: {one.code}: {one.title}"
+        for one in found
+        if one.severity is Severity.ERROR
+    ]
+
+
+def run_python(block: Block, folder: Path) -> list[str]:
+    path = folder / (block.name or "example.py")
+    path.write_text(block.text, encoding="utf-8")
+    done = subprocess.run(
+        [sys.executable, path], cwd=folder, capture_output=True, text=True, check=False
+    )
+    return [done.stderr] if done.returncode else []
+
+
+LINK = re.compile(r"\]\((?!https?://|mailto:)([^)#\s]+)(?:#[^)]*)?\)")
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_links_inside_the_project_lead_somewhere(page: Path) -> None:
+    targets = LINK.findall(page.read_text(encoding="utf-8"))
+    assert [target for target in targets if not (page.parent / target).exists()] == []

@@ -1,0 +1,71 @@
+"""Diagnostics declared as classes, and their collector."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import pytest
+
+from dslkit.diagnostics import Collector, Error, Fix, Label, Severity, Warning
+from dslkit.source import SourceFile, Span
+
+FILE = SourceFile("x.ross", "const a = 1\nconst b = 2\n")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mismatch(Error, code="ROSS999", name="mismatch"):
+    title = "`{found}` is not `{wanted}`"
+    label = "this is {found}"
+    note = "they differ"
+    help = "write {wanted}"
+    found: str
+    wanted: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Unused(Warning, code="ROSS998", name="unused"):
+    title = "not used"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Misspelt(Error, code="ROSS997", name="misspelt"):
+    title = "`{fuond}`"
+    found: str
+
+
+def span(start: int) -> Span:
+    return Span(FILE, start, start + 1)
+
+
+def test_the_fields_fill_the_texts() -> None:
+    other = Label(span(0), "the other")
+    fix = Fix("do", ())
+    found = Mismatch(found="m", wanted="s").at(span(6), other, fix=fix, notes=("and so",))
+    assert (found.code, found.name, found.severity) == ("ROSS999", "mismatch", Severity.ERROR)
+    assert (found.title, found.help) == ("`m` is not `s`", "write s")
+    assert found.primary == Label(span(6), "this is m")
+    assert (found.labels, found.notes, found.fix) == ((other,), ("they differ", "and so"), fix)
+
+
+def test_a_help_at_hand_replaces_the_general_one() -> None:
+    found = Mismatch(found="m", wanted="s").at(span(6), help="did you mean `s`?")
+    assert found.help == "did you mean `s`?"
+
+
+def test_braces_in_values_are_left_alone() -> None:
+    assert Mismatch(found="{x}", wanted="}").at(span(0)).title == "`{x}` is not `}`"
+
+
+def test_a_misspelt_placeholder_is_found() -> None:
+    Mismatch.check_placeholders()
+    with pytest.raises(ValueError, match="fuond"):
+        Misspelt.check_placeholders()
+
+
+def test_the_collector_keeps_each_finding_once_and_in_order() -> None:
+    collector = Collector()
+    collector.extend([Unused().at(span(6)), Unused().at(span(0)), Unused().at(span(6))])
+    assert [found.primary.span.start for found in collector.sorted()] == [0, 6]
+    assert not collector.has_errors
+    collector.add(Mismatch(found="a", wanted="b").at(span(3)))
+    assert collector.has_errors

@@ -1,0 +1,67 @@
+"""A short run of the fuzzer, and every file that a long run ever found."""
+
+from __future__ import annotations
+
+import os
+import random
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fuzz.mutation import mutate, seeds
+from fuzz.target import check_bytes
+from rossmarie.driver import check_file
+
+FOUND = sorted((Path(__file__).parent / "found").glob("*"))
+ROUNDS = 60
+
+
+@pytest.mark.parametrize("path", FOUND, ids=lambda path: path.name)
+def test_what_was_found_stays_mended(path: Path, tmp_path: Path) -> None:
+    check_bytes(path.read_bytes(), tmp_path)
+
+
+def test_damaged_examples_are_findings_not_crashes(tmp_path: Path) -> None:
+    chance = random.Random(1 if os.environ.get("CI") else None)
+    known = seeds()
+    for _ in range(ROUNDS):
+        content = mutate(chance.choice(known), known, chance)
+        try:
+            check_bytes(content, tmp_path)
+        except Exception as error:
+            raise AssertionError(f"this file: {content!r}") from error
+
+
+@given(st.binary(max_size=200))
+def test_any_bytes_are_findings_not_crashes(
+    tmp_path_factory: pytest.TempPathFactory, content: bytes
+) -> None:
+    check_bytes(content, tmp_path_factory.getbasetemp())
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"",
+        b"\0" * 4096,
+        b"\xff\xfe" + "rule".encode("utf-16-le"),
+        b"(" * 100_000,
+        b"const a = " + b"not " * 50_000,
+        b"const a = " + b"-" * 50_000 + b"1",
+        b"const a = 1" + b" + 1" * 100_000,
+        b"'''" + b"x" * 2_000_000,
+        b"entity e { a : b.c" + b".d" * 50_000 + b"; }",
+        b"rule " * 150_000,
+        b"const a = 3 " + b"m" * 100_000,
+        b"input x = topic " + b"/a" * 100_000,
+    ],
+    ids=lambda content: content[:20].decode("latin-1"),
+)
+def test_files_made_to_hurt_get_a_located_answer(content: bytes, tmp_path: Path) -> None:
+    check_bytes(content, tmp_path)
+    (tmp_path / "again.ross").write_bytes(content)
+    found = check_file(tmp_path / "again.ross").diagnostics
+    assert all(one.primary.span.end <= len(one.primary.span.file.text) for one in found)
+    assert bool(found) == bool(content)

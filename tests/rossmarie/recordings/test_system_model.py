@@ -1,0 +1,67 @@
+"""The system model of a recording."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rossmarie.recordings import RecordingError, open_recording, write_model
+from support.recordings import ROS1, START_NS, readings, write_mcap, write_ros1
+
+
+def test_topics_types_and_rates(tmp_path: Path) -> None:
+    path = write_ros1(tmp_path / "outdoor drive-2.bag", readings(ROS1))
+    with open_recording(path) as recording:
+        text = write_model(recording)
+    assert text == (
+        "// Written from outdoor drive-2.bag: 0.9 s.\n"
+        "system outdoor_drive_2 {\n"
+        "    topic /battery : std_msgs/Float32;   // 10 messages, 11.0 Hz\n"
+        "    topic /scan : sensor_msgs/LaserScan; // 10 messages, 11.0 Hz\n"
+        "}\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "identifier"), [("2024-05-01", "recording_2024_05_01"), ("å", "recording")]
+)
+def test_name_of_the_system(tmp_path: Path, name: str, identifier: str) -> None:
+    with open_recording(write_ros1(tmp_path / f"{name}.bag", readings(ROS1))) as recording:
+        assert f"system {identifier} {{" in write_model(recording)
+
+
+def test_types_of_ones_own(tmp_path: Path) -> None:
+    path = write_mcap(
+        tmp_path / "drive.mcap",
+        profile="ros2",
+        schema=("my_msgs/msg/Wheel", "ros2msg", "float32 speed"),
+        channel=("/wheel", "cdr"),
+        messages=[(START_NS, b"")],
+    )
+    with open_recording(path) as recording:
+        text = write_model(recording)
+    assert "    // not in the standard packages: my_msgs/Wheel\n" in text
+    assert "    topic /wheel : my_msgs/Wheel; // 1 message\n" in text
+
+
+def test_what_rules_cannot_name_is_a_comment(tmp_path: Path) -> None:
+    path = write_mcap(
+        tmp_path / "drive.mcap",
+        profile="ros2",
+        schema=("nav2_msgs/action/Spin_FeedbackMessage", "ros2msg", ""),
+        channel=("/spin/_action/feedback", "cdr"),
+        messages=[(START_NS, b"")],
+    )
+    with open_recording(path) as recording:
+        text = write_model(recording)
+    expected = "    // topic /spin/_action/feedback : nav2_msgs/action/Spin_FeedbackMessage;"
+    assert expected in text
+
+
+def test_csv_has_no_types(tmp_path: Path) -> None:
+    path = tmp_path / "drive.csv"
+    path.write_text("time,/a.x\n0,1\n")
+    with open_recording(path) as recording, pytest.raises(RecordingError) as caught:
+        write_model(recording)
+    assert caught.value.diagnostic.code == "ROSS617"

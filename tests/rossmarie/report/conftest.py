@@ -1,0 +1,157 @@
+"""A drive of 80 s, replayed: 6 rules, 5 signals, a lost sensor, and a rule that stays active."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from rossmarie import ir
+from rossmarie.interpreter import Interpreter
+from rossmarie.ir import ChannelValues, Comparison, Event
+from rossmarie.report import Replay, axis_seconds, plan_plots
+from support.drafts import SECOND, Draft
+
+START_NS = 1_700_000_000 * SECOND
+LENGTH_S = 80
+DEGREES = 180 / math.pi
+
+IMU, ODOMETRY, SCAN, FIX = range(4)
+
+
+@pytest.fixture(scope="session")
+def drive() -> Replay:
+    """The drive, over recorded time without jumps."""
+    machine = drive_machine()
+    return replay_of(machine, list(drive_messages()))
+
+
+def replay_of(machine: ir.Machine, messages: list[tuple[int, int, ChannelValues]]) -> Replay:
+    """Messages (stamp, channel, values) through the interpreter, sampled after each."""
+    monitor = Interpreter(machine)
+    events: list[Event] = []
+    latest: dict[int, tuple[int, ChannelValues]] = {}
+    stamps, samples = [], []
+    for stamp, channel, values in messages:
+        events += monitor.update(stamp, {channel: values})
+        latest[channel] = (stamp, values)
+        stamps.append(stamp)
+        samples.append(_sampled(machine, latest, stamp))
+    stamps_ns = np.array(stamps, dtype=np.int64)
+    times = axis_seconds(stamps_ns, stamps[0])
+    columns = np.array(samples)
+    return Replay(
+        machine=machine,
+        rules_file="rules/yard.ross",
+        recording="recordings/yard_drive.mcap",
+        monitor="interpreter",
+        start_ns=stamps[0],
+        end_ns=stamps[-1],
+        events=tuple(events),
+        plots=tuple(plan.plot(times, columns[:, plan.signal]) for plan in plan_plots(machine)),
+        notes=("Topic /battery is not in the recording; its rules cannot become active.",),
+    )
+
+
+def _sampled(
+    machine: ir.Machine, latest: dict[int, tuple[int, ChannelValues]], stamp: int
+) -> list[float]:
+    """The signals that read a slot, NaN where none came or the input has expired."""
+    row = []
+    for signal in machine.signals:
+        value = math.nan
+        if isinstance(signal.node, ir.Read):
+            slot = machine.slots[signal.node.slot]
+            used = machine.inputs[slot.input]
+            at, values = latest.get(used.channel, (stamp, ChannelValues()))
+            if used.timeout_ns is None or stamp - at < used.timeout_ns:
+                value = values.slots.get(signal.node.slot, math.nan) * slot.scale + slot.offset
+        row.append(value)
+    return row
+
+
+def drive_machine() -> ir.Machine:
+    """Tilt, jolts, speed while tilted, turning, distance, and a sensor that must not be lost."""
+    draft = Draft()
+    topics = ("/imu/data", "/odom", "/scan", "/fix")
+    types = ("sensor_msgs/Imu", "nav_msgs/Odometry", "sensor_msgs/LaserScan", "sensor_msgs/NavSatFix")
+    draft.channels = [ir.Channel(*pair) for pair in zip(topics, types, strict=True)]
+
+    def read(channel: int, name: str, text: str, unit: str, timeout: float, scale: float = 1) -> int:
+        used = draft.input(channel, int(timeout * SECOND))
+        draft.inputs[used] = replace(draft.inputs[used], name=name)
+        return draft.signal(ir.Read(draft.slot(used)), text, unit, scale)
+
+    def compare(signal: int, how: Comparison, limit: float, name: str | None, text: str) -> int:
+        return draft.truth(ir.Compare(how, signal, draft.constant(limit)), name, text)
+
+    def rule(name: str, condition: int, actions: str, contract: str, doc: str, **how: object) -> None:
+        index = draft.rule(condition, **how)  # type: ignore[arg-type]
+        draft.rules[index] = replace(
+            draft.rules[index], name=name, actions=tuple(actions.split()), contract=contract,
+            documentation=doc or None,
+        )  # fmt: skip
+
+    pitch = read(IMU, "orientation", "orientation.pitch()", "deg", 0.5, DEGREES)
+    jolt = read(IMU, "acceleration", "acceleration.z", "m/s^2", 0.5)
+    turn = read(IMU, "turning", "turning.z", "rad/s", 0.5)
+    speed = read(ODOMETRY, "speed", "speed", "m/s", 0.5)
+    nearest = read(SCAN, "ranges", "min(ranges)", "m", 1.0)
+    low, high = draft.constant(-10 / DEGREES), draft.constant(10 / DEGREES)
+    level = draft.truth(ir.Between(pitch, low, high), None, "orientation.pitch() in tilt")
+    tilted = draft.truth(ir.Not(level), None, "orientation.pitch() not in tilt")
+    steep = draft.truth(
+        ir.Held(tilted, 2 * SECOND), "imu.steep", "orientation.pitch() not in tilt for 2 s"
+    )
+    moving = compare(speed, Comparison.GREATER, 0.1, "drive.moving", "speed > 0.1 m/s")
+    fast = compare(speed, Comparison.GREATER, 1.2, "drive.fast", "speed > maxSpeed")
+    bump = compare(jolt, Comparison.GREATER, 13.0, "imu.bump", "acceleration.z > 13 m/s^2")
+    spin = compare(turn, Comparison.GREATER, 0.8, "imu.spinning", "turning.z > 0.8 rad/s")
+    near = compare(nearest, Comparison.LESS, 0.6, "scan.near", "min(ranges) < 0.6 m")
+    far = compare(nearest, Comparison.GREATER, 1.5, "scan.clear", "min(ranges) > 1.5 m")
+    calm = draft.truth(ir.Held(draft.truth(ir.Not(bump)), SECOND))
+    both = draft.truth(ir.And((steep, moving)), None, "imu.steep and drive.moving")
+    wild = draft.truth(ir.And((bump, fast)), None, "imu.bump and drive.fast")
+    as_soon = "clears as soon as its condition is false"
+    rule("slow_on_slope", both, "lowSpeed", as_soon, "Uphill or downhill for longer than a bump.")
+    rule("slow_on_bump", bump, "lowSpeed", "clears for 1 s without", "", release=calm)
+    rule("keep_distance", near, "stop", "clears when scan.clear", "", release=far)
+    rule("no_spinning", spin, "stopTurning lowSpeed", as_soon, "")
+    rule("stop_on_crash", wild, "stop", "latched until reset", "Somebody has to look.", latched=True)
+    rule("too_fast_in_yard", compare(speed, Comparison.GREATER, 3, None, "speed > 3 m/s"), "lowSpeed",
+         as_soon, "")  # fmt: skip
+    return draft.machine("yard")
+
+
+def drive_messages() -> Iterator[tuple[int, int, ChannelValues]]:
+    """Imu at 30 Hz with a gap, odometry at 10 Hz, a scan at 5 Hz; the same on every call."""
+    noise = random.Random(4)  # noqa: S311
+    for tick in range(LENGTH_S * 30 + 1):
+        t = tick / 30
+        stamp = START_NS + tick * SECOND // 30
+        if not 57.0 < t < 60.5:
+            yield stamp, IMU, _imu(t, noise)
+        if tick % 3 == 0:
+            speed = 0.9 + 0.5 * math.sin(t / 9) - 1.3 * math.exp(-(((t - 44) / 3.5) ** 2))
+            yield stamp, ODOMETRY, ChannelValues({3: max(0.0, speed) + noise.gauss(0, 0.012)})
+        if tick % 6 == 0:
+            nearest = 2.6 + 0.7 * math.sin(t / 5) - 2.6 * math.exp(-(((t - 44) / 3) ** 2))
+            yield stamp, SCAN, ChannelValues({4: max(0.2, nearest + noise.gauss(0, 0.03))})
+
+
+def _imu(t: float, noise: random.Random) -> ChannelValues:
+    slope = 14 * (math.tanh((t - 22) / 1.2) - math.tanh((t - 31) / 1.2)) / 2
+    slope -= 13 * (math.tanh((t - 64) / 1.0) - math.tanh((t - 70) / 1.0)) / 2
+    bumps = sum(9 * math.exp(-abs(t - at) * 5) * math.cos((t - at) * 25) for at in (9, 15.5, 16.2, 38, 74))
+    turning = 0.25 * math.sin(t / 4) + 0.95 * math.exp(-(((t - 50) / 1.1) ** 2))
+    return ChannelValues(
+        {
+            0: (slope + noise.gauss(0, 0.5)) / DEGREES,
+            1: 9.81 + bumps + noise.gauss(0, 0.35),
+            2: turning + noise.gauss(0, 0.03),
+        }
+    )

@@ -1,0 +1,53 @@
+"""Rules files through the whole check, compared with the expectations in them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from dslkit.diagnostics import Diagnostic, apply_edits
+from rossmarie.driver import check_file
+from support import expectations
+
+
+def compare_file(path: Path, *, bless: bool) -> list[str]:
+    """What differs between the findings on a rules file and the expectations in it.
+
+    Findings in the files that it imports are compared with the expectations there.
+    """
+    found = check_file(path).diagnostics
+    own = [one for one in found if one.primary.span.file.path == str(path)]
+    text = path.read_bytes().decode("utf-8")
+    if bless:
+        path.write_bytes(expectations.bless(text, own).encode("utf-8"))
+        return []
+    problems = expectations.compare(text, own)
+    for one in found:
+        file = one.primary.span.file
+        if one not in own and expectations.compare(file.text, [one]):
+            problems.append(f"found, not expected, in {file.path}: {one.code}: {one.title}")
+    return problems
+
+
+def useless_fixes(path: Path) -> list[str]:
+    """The findings on a rules file that are still there when their own fix has been applied."""
+    useless = []
+    for one in check_file(path).diagnostics:
+        edits = one.fix.edits if one.fix is not None else ()
+        in_file = [edit for edit in edits if edit.span.file.path == str(path)]
+        if not in_file or len(in_file) != len(edits):
+            continue
+        before = path.read_bytes()
+        fixed = apply_edits(in_file[0].span.file.text, in_file)
+        path.write_bytes(fixed.encode("utf-8"))
+        after = check_file(path).diagnostics
+        path.write_bytes(before)
+        if _count(after, one) >= _count(check_file(path).diagnostics, one):
+            useless.append(f"{one.primary.span}: {one.code}: {one.title}: {one.fix}")
+    return useless
+
+
+def _count(found: Sequence[Diagnostic], like: Diagnostic) -> int:
+    """How many findings have the code of `like` and concern the same words."""
+    words = like.primary.span.text
+    return sum((one.code, one.primary.span.text) == (like.code, words) for one in found)

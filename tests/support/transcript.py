@@ -1,0 +1,88 @@
+"""What a page shows of a terminal: commands behind `$`, and what they print."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+_RUN = ("rossmarie ", "python ", "echo $?")
+_TIME_LIMIT_S = 120
+
+
+@dataclass(frozen=True)
+class Step:
+    """A command and the output shown below it (empty: none is shown)."""
+
+    command: str
+    output: str
+
+
+def steps(text: str) -> list[Step]:
+    """The commands of a block, in order."""
+    pieces = re.split(r"^\$ ", text, flags=re.MULTILINE)[1:]
+    return [
+        Step(command.strip(), output) for command, _, output in (p.partition("\n") for p in pieces)
+    ]
+
+
+def shows(shown: str, actual: str) -> bool:
+    """Whether a page that shows `shown` shows what was printed.
+
+    `...` stands for any lines if it is alone on its line, else for any part of its line.
+    """
+    pattern = ""
+    for line in shown.rstrip().split("\n"):
+        if line.strip() == "...":
+            pattern += r"(.*\n)*?"
+        else:
+            pattern += ".*".join(re.escape(part) for part in line.rstrip().split("...")) + r"[ ]*\n"
+    return re.fullmatch(pattern, actual.rstrip() + "\n") is not None
+
+
+def run(text: str, folder: Path) -> list[str]:
+    """Run the commands of a block in `folder`; what was not as shown.
+
+    Commands of this project and Python run; all others are taken on trust. A command whose output
+    is not shown has to succeed.
+    """
+    problems = []
+    exit_code = 0
+    for step in steps(text):
+        if not step.command.startswith(_RUN):
+            continue
+        if step.command == "echo $?":
+            printed = f"{exit_code}\n"
+        else:
+            exit_code, printed = _execute(step.command, folder)
+        if step.output.strip() and not shows(step.output, printed):
+            problems.append(f"$ {step.command}\nprinted\n{printed}\nnot\n{step.output}")
+        elif not step.output.strip() and exit_code != 0:
+            problems.append(f"$ {step.command}\nended with {exit_code} and printed\n{printed}")
+    return problems
+
+
+def _execute(command: str, folder: Path) -> tuple[int, str]:
+    programs = str(Path(sys.executable).parent)
+    environment = {
+        **os.environ,
+        "PATH": f"{programs}{os.pathsep}{os.environ['PATH']}",
+        "COLUMNS": "100",
+        "NO_COLOR": "1",
+        "TERM": "dumb",
+    }
+    done = subprocess.run(
+        command,
+        shell=True,
+        cwd=folder,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        encoding="utf-8",
+        timeout=_TIME_LIMIT_S,
+        check=False,
+    )
+    return done.returncode, done.stdout
