@@ -30,14 +30,14 @@ browser:
 	command -v google-chrome >/dev/null || tools/setup_debian.sh chromium
 
 demo: $(READY) compiler
-	@$(RUN)/python examples/demo/record.py build/demo/demo.mcap
+	$(RUN)/python examples/demo/record.py build/demo
 	$(RUN)/rossmarie check examples/demo/demo.ross
-	$(RUN)/rossmarie replay examples/demo/demo.ross build/demo/demo.mcap --out build/demo
+	$(RUN)/rossmarie replay examples/demo/demo.ross build/demo --out build/demo/report
 ifneq ($(wildcard $(HUSKY_RECORDING)),)
 	$(RUN)/rossmarie replay examples/husky/husky.ross $(HUSKY_RECORDING) --out build/husky
 	@echo "the real drive:  open $(CURDIR)/build/husky/timeline.html in a browser"
 endif
-	@echo "the timeline:    open $(CURDIR)/build/demo/timeline.html in a browser"
+	@echo "the timeline:    open $(CURDIR)/build/demo/report/timeline.html in a browser"
 
 test: $(READY) compiler browser
 	$(RUN)/pytest

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import time
 import unicodedata
 from pathlib import Path
 
@@ -158,6 +159,28 @@ def test_a_mark_on_each_line_is_never_lost(text: str) -> None:
     shown = render_text([found], width=60).plain
     for mark in ("^ here", "- first", "- last"):
         assert mark in shown
+
+
+def test_marks_far_apart_share_a_line_that_fits() -> None:
+    file = SourceFile("x.ross", f"a{'.' * 70}b")
+    ends = (Label(place(file, "b"), "last"),)
+    found = Diagnostic("ROSS999", "x", Severity.ERROR, "t", Label(place(file, "a"), ""), ends)
+    assert render_text([found], width=80).plain.count("a...") == 1
+
+
+def test_findings_on_a_huge_line_are_shown_in_no_time() -> None:
+    file = SourceFile("x.ross", "x " * 500_000)
+    found = [unit_fix(file, offset) for offset in range(0, 1_000_000, 10_000)]
+    begin = time.process_time()
+    render_text(found)
+    assert time.process_time() - begin < 2.0
+
+
+def unit_fix(file: SourceFile, offset: int) -> Diagnostic:
+    span = Span(file, offset, offset + 1)
+    edit = Edit(span, "yy")
+    label = Label(span, "")
+    return Diagnostic("ROSS999", "x", Severity.ERROR, "t", label, fix=Fix("f", (edit,)))
 
 
 def test_the_summary_counts() -> None:

@@ -94,68 +94,73 @@ def draw(file: SourceFile, marks: Iterable[Mark], gutter: Gutter, width: int) ->
 
 
 def _draw_line(text: str, marks: Sequence[Mark], gutter: Gutter, width: int) -> Iterator[Text]:
-    shown = _ShownLine(text)
-    for together in _fitting_together(shown, marks, width):
-        window = shown.window(together, width)
-        yield gutter.row(shown.clip(window), together[0].line)
-        for mark in together:
-            yield gutter.row(shown.underline(mark, window))
+    for together in _fitting_together(text, marks, width):
+        shown = _ShownLine(text, together, width)
+        yield gutter.row(shown.text, together[0].line)
+        yield from (gutter.row(shown.underline(mark)) for mark in together)
 
 
-def _fitting_together(
-    shown: _ShownLine, marks: Sequence[Mark], width: int
-) -> Iterator[Sequence[Mark]]:
+def _fitting_together(text: str, marks: Sequence[Mark], width: int) -> Iterator[Sequence[Mark]]:
     """All marks at once if one stretch of the line can show where all begin, else one by one."""
-    columns = [shown.column(mark.start) for mark in marks]
-    if shown.width <= width or max(columns) - min(columns) < width // 2:
+    starts = [mark.start for mark in marks]
+    between = text[min(starts) : max(starts)]
+    if _fits(text, width) or _fits(between, width // 2 - 1):
         yield marks
     else:
         yield from ([mark] for mark in marks)
 
 
+def _fits(text: str, width: int) -> bool:
+    return len(text) <= width and sum(cells(shown) for shown, _ in columns_of(text)) <= width
+
+
 class _ShownLine:
-    """A source line as the terminal shows it; characters are counted as in the source."""
+    """The stretch of a source line that the terminal shows, about `width` columns, with its marks.
 
-    def __init__(self, text: str) -> None:
-        self._pieces = list(columns_of(text))
-        last, column = self._pieces[-1] if self._pieces else ("", 0)
-        self.width = column + cells(last)
-        self._columns = [column for _, column in self._pieces]
+    However long the line is, only what is near the first mark is looked at.
+    """
 
-    def column(self, character: int) -> int:
-        """The column at which a character begins; past the end, one column each."""
-        beyond = character - len(self._columns)
-        return self._columns[character] if beyond < 0 else self.width + beyond
+    def __init__(self, line: str, marks: Sequence[Mark], width: int) -> None:
+        first = min(mark.start for mark in marks)
+        reach = 4 * width
+        self._origin = max(first - reach, 0)
+        pieces = list(columns_of(line[self._origin : first + reach]))
+        columns = [column for _, column in pieces]
+        self._columns = [*columns, columns[-1] + cells(pieces[-1][0]) if pieces else 0]
+        last = max(mark.end for mark in marks)
+        left = self._left_edge(first, last, width)
+        start = bisect_left(columns, left)
+        end = bisect_left(columns, left + width)
+        is_cut = self._origin + end < len(line)
+        lead = "" if self._origin + start == 0 else _ELISION
+        self._shift = len(lead) - self._column(self._origin + start)
+        self._end = self._columns[end] if is_cut else None
+        shown = "".join(piece for piece, _ in pieces[start:end])
+        self.text = f"{lead}{shown}{_ELISION if is_cut else ''}".rstrip()
 
-    def window(self, marks: Sequence[Mark], width: int) -> tuple[int, int]:
-        """The range of characters to show so that the marks are seen; all if they fit."""
-        if self.width <= width:
-            return 0, len(self._pieces)
-        first = min(self.column(mark.start) for mark in marks)
-        last = max(self.column(mark.end) for mark in marks)
-        spare = max(width - (last - first), width // 3)
-        left = min(max(first - spare // 2, 0), self.width - width)
-        end = bisect_left(self._columns, left + width)
-        return bisect_left(self._columns, left), end
-
-    def clip(self, window: tuple[int, int]) -> str:
-        """The characters of the window, with a sign where something is cut off."""
-        start, end = window
-        shown = "".join(piece for piece, _ in self._pieces[start:end])
-        before = _ELISION if start > 0 else ""
-        after = _ELISION if end < len(self._pieces) else ""
-        return f"{before}{shown}{after}".rstrip()
-
-    def underline(self, mark: Mark, window: tuple[int, int]) -> Text:
-        """The row below the line, with the part of `mark` that lies in the window, and its text."""
-        start, end = window
-        origin = self.column(start) - (1 if start > 0 else 0)
-        left = self.column(mark.start)
-        right = self.column(mark.end)
-        if end < len(self._pieces):
-            right = min(right, self.column(end))
-        row = Text(" " * (left - origin))
+    def underline(self, mark: Mark) -> Text:
+        """The row below the line, with the part of `mark` that is shown, and its text."""
+        left, right = self._column(mark.start), self._column(mark.end)
+        if self._end is not None:
+            right = min(right, self._end)
+        row = Text(" " * (left + self._shift))
         row.append(mark.symbol * max(right - left, 1), mark.style)
         if mark.text:
             row.append(f" {mark.text}", mark.style)
         return row
+
+    def _column(self, character: int) -> int:
+        """The column, from that of the origin, of a character of the line; past the end of what
+        is looked at, one column each.
+        """
+        index = character - self._origin
+        beyond = max(index - len(self._columns) + 1, 0)
+        return self._columns[index - beyond] + beyond
+
+    def _left_edge(self, first: int, last: int, width: int) -> int:
+        """The column to begin at, so that the marks from `first` to `last` are seen in context."""
+        begin, end, total = self._column(first), self._column(last), self._columns[-1]
+        if total <= width:
+            return 0
+        spare = max(width - (end - begin), width // 3)
+        return min(max(begin - spare // 2, 0), total - width)

@@ -32,8 +32,10 @@ class SourceFile:
     @cached_property
     def line_starts(self) -> tuple[int, ...]:
         """The offset at which each line begins."""
-        newlines = [index + 1 for index, letter in enumerate(self.text) if letter == "\n"]
-        return (0, *newlines)
+        starts = [0]
+        while newline := self.text.find("\n", starts[-1]) + 1:
+            starts.append(newline)
+        return tuple(starts)
 
     def position(self, offset: int) -> Position:
         """The line and column of an offset between 0 and the length of the text."""

@@ -27,6 +27,8 @@ from rossmarie.syntax import ast
 from rossmarie.syntax.walk import walk
 from rossmarie.types import Unknown
 
+_LONGEST_CIRCLE = 8
+
 
 @dataclass(frozen=True)
 class CheckOptions:
@@ -45,7 +47,9 @@ def check(
     was_parsed = not collector.has_errors
     declarations = collect(modules, collector)
     context = Context(collector, declarations)
-    model = read_system_model(declarations.systems, options.message_folders, collector)
+    model = read_system_model(
+        declarations.systems, options.message_folders, context.suggestions, collector
+    )
     resolve_inputs(model, context)
     _check_constants(context)
     resolve_timeouts(context)
@@ -87,9 +91,15 @@ def _constants_in(constant: ast.Constant, context: Context) -> list[ast.Constant
 
 def _report_circular_constant(circle: Sequence[ast.Constant], context: Context) -> None:
     names = [constant.name.text for constant in circle]
-    finding = CircularConstant(identifier=names[0], cycle=" -> ".join([*names, names[0]]))
-    labels = [Label(other.name.span, "part of the circle") for other in circle[1:]]
+    finding = CircularConstant(identifier=names[0], cycle=_circle(names))
+    labels = [Label(other.name.span, "part of the circle") for other in circle[1:_LONGEST_CIRCLE]]
     context.collector.add(finding.at(circle[0].name.span, *labels))
+
+
+def _circle(names: Sequence[str]) -> str:
+    """`a -> b -> a`; the middle of a long circle is left out."""
+    shown = names if len(names) <= _LONGEST_CIRCLE else [*names[: _LONGEST_CIRCLE - 1], "..."]
+    return " -> ".join([*shown, names[0]])
 
 
 def _check_constant(constant: ast.Constant, is_first: bool, context: Context) -> None:
@@ -130,10 +140,10 @@ def _check_circles(conditions: dict[ConditionKey, Uses], context: Context) -> No
     _, circles = in_order({key: tuple(uses.conditions) for key, uses in conditions.items()})
     for circle in circles:
         names = [".".join(key) for key in circle]
-        finding = CircularCondition(identifier=names[0], cycle=" -> ".join([*names, names[0]]))
+        finding = CircularCondition(identifier=names[0], cycle=_circle(names))
         steps = zip(circle, (*circle[1:], circle[0]), strict=True)
         first, *others = [conditions[key].conditions[needed] for key, needed in steps]
-        labels = [Label(span, "and this on the next") for span in others]
+        labels = [Label(span, "and this on the next") for span in others[:_LONGEST_CIRCLE]]
         context.collector.add(finding.at(first, *labels))
 
 

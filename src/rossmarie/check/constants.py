@@ -38,12 +38,16 @@ def fold(node: ast.Expression, type_: Type, context: Context) -> Value | None:
     if isinstance(node, ast.Parenthesized):
         return context.values.get(id(node.inner))
     number = _number(node, type_, context) if isinstance(type_, Quantity) else None
-    if number is None:
-        return None
-    if not math.isfinite(number):
+    return None if number is None else Value(type_, (number,))
+
+
+def record(node: ast.Expression, value: Value, context: Context) -> bool:
+    """Keep the value of a node; False, after reporting it, if it is beyond all numbers."""
+    if not all(map(math.isfinite, value.numbers)):
         context.collector.add(ConstantTooLarge().at(node.span))
-        return None
-    return Value(type_, (number,))
+        return False
+    context.values[id(node)] = value
+    return True
 
 
 def _number(node: ast.Expression, quantity: Quantity, context: Context) -> float | None:

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from dslkit.diagnostics import Collector
 from dslkit.source import Span
 from rossmarie.check.declarations import Declarations
 from rossmarie.check.model import CheckedInput, Value
+from rossmarie.check.suggestions import Suggestions
+from rossmarie.check.trees import stripped
 from rossmarie.syntax import ast
+from rossmarie.syntax.walk import walk
 from rossmarie.types import Type, Unknown
 
 ConditionKey = tuple[str, str]
@@ -39,8 +43,31 @@ class Context:
     values: dict[int, Value] = field(default_factory=dict)
     used_names: set[str] = field(default_factory=set)
     used_conditions: set[ConditionKey] = field(default_factory=set)
+    suggestions: Suggestions = field(default_factory=Suggestions)
     entity: str | None = None
     uses: Uses = field(default_factory=Uses)
+
+    @cached_property
+    def names_used_as_numbers(self) -> frozenset[str]:
+        """The names that stand anywhere but behind `in`."""
+        parts = [
+            part
+            for expression in self.declarations.expressions()
+            for part in walk(expression)
+            if isinstance(part, ast.Reference | ast.Membership)
+        ]
+        ranges = {
+            id(stripped(part.container)) for part in parts if isinstance(part, ast.Membership)
+        }
+        return frozenset(
+            part.name.text
+            for part in parts
+            if isinstance(part, ast.Reference) and id(part) not in ranges
+        )
+
+    def may_suggest(self) -> bool:
+        """Whether to look for what a misspelt name may have meant."""
+        return self.suggestions.take(len(self.declarations.names))
 
     def type_of(self, node: ast.Expression) -> Type:
         """The type found for a node; `Unknown` if it was passed over."""

@@ -7,7 +7,7 @@ nothing is reported about again.
 
 from __future__ import annotations
 
-from rossmarie.check.constants import fold
+from rossmarie.check.constants import fold, record
 from rossmarie.check.context import Context
 from rossmarie.check.describe import describe
 from rossmarie.check.functions import type_of_call, type_of_oscillates
@@ -47,8 +47,8 @@ def _fold(node: ast.Expression, context: Context) -> None:
     if id(node) in context.values or isinstance(type_, Unknown):
         return
     value = fold(node, type_, context)
-    if value is not None:
-        context.values[id(node)] = value
+    if value is not None and not record(node, value, context):
+        context.types[id(node)] = Unknown()
 
 
 def _type_of(node: ast.Expression, context: Context) -> Type:

@@ -23,6 +23,8 @@ from rossmarie.types import (
 )
 from rossmarie.units import DIMENSIONLESS, Unit
 
+_ANGLES = ("roll", "pitch", "yaw")
+
 
 def members(type_: Type) -> dict[str, Type]:
     """What can be written behind a dot, other than a function."""
@@ -87,6 +89,10 @@ def _report_unknown(
     near = near_name(name.text, known)
     if near is not None:
         help, fix = f"did you mean `{near}`?", rename(name, near)
+    elif isinstance(owner, Quaternion) and name.text in _ANGLES:
+        behind = Span(name.span.file, name.span.end, name.span.end)
+        help = f"it is a function: write `{owner_text}.{name.text}()`"
+        fix = Fix(f"write `{name.text}()`", (Edit(behind, "()"),))
     elif known:
         help, fix = f"it has {listed(known)}", None
     elif name.text == "data":

@@ -48,8 +48,8 @@ MOST_TURNING_POINTS = 64
 USAGES: Mapping[Operator, str] = {
     Operator.ABS: "abs(x)",
     Operator.NORM: "norm(vector)",
-    Operator.MIN: "min(a, b) or min(array)",
-    Operator.MAX: "max(a, b) or max(array)",
+    Operator.MIN: "min(a, b)` or `min(array)",
+    Operator.MAX: "max(a, b)` or `max(array)",
     Operator.ANY: "any(array > 1)",
     Operator.ALL: "all(array > 1)",
     Operator.COUNT: "count(array > 1)",
@@ -92,7 +92,8 @@ def type_of_call(node: ast.Call, context: Context) -> Type:
 
 def _report_unknown(name: ast.Name, context: Context) -> None:
     known = [*_FUNCTIONS, Operator.OSCILLATES.value]
-    near = near_name(name.text, known)
+    begun = (function for function in known if name.text.startswith(function))
+    near = near_name(name.text, known) or next(begun, None)
     help = f"there are {listed(known)}" if near is None else f"did you mean `{near}`?"
     fix = None if near is None else rename(name, near)
     finding = UnknownFunction(identifier=name.text)

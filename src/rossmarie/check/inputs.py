@@ -12,7 +12,7 @@ from rossmarie.check.fields import has_no_number, select, unit_of, with_unit
 from rossmarie.check.model import CheckedInput
 from rossmarie.check.name_errors import TopicTypeConflict, TopicWithoutType
 from rossmarie.check.operands import duration_ns
-from rossmarie.check.suggestions import listed, near_name, rename
+from rossmarie.check.suggestions import listed, rename
 from rossmarie.check.system_model import (
     SystemModel,
     Topic,
@@ -87,7 +87,7 @@ def _message(
 
 def _report_without_type(name: ast.Name, model: SystemModel, collector: Collector) -> None:
     finding = TopicWithoutType(topic=name.text)
-    near = near_name(name.text, model.known_topics)
+    near = model.near_topic(name.text)
     example = f"`topic {full_name(name.text)} : PACKAGE/TYPE;`"
     if near is not None:
         fix = rename(name, near)
@@ -127,7 +127,7 @@ def _in_unit(
         return Unknown()
     if has_no_number(type_):
         _report_no_number(declaration.unit, type_, field, collector)
-        return type_
+        return Unknown()
     contradiction = contradicts(known, unit, field)
     if contradiction is None:
         return _rescaled(type_, unit)

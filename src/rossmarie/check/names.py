@@ -28,10 +28,13 @@ from rossmarie.types import Boolean, Type, Unknown
 def type_of_reference(node: ast.Reference, context: Context) -> Type:
     """The type of a name that stands alone; the value of a constant is recorded."""
     name = node.name
-    if context.entity is not None and _has_condition(context.entity, name.text, context):
-        _use_condition(context.entity, name, context)
-        return Boolean()
     declared = context.declarations.names.get(name.text)
+    own = context.entity
+    # A condition that has the name of a value is reported already; the value is used.
+    hides = is_value_name(name.text, context)
+    if own is not None and not hides and _has_condition(own, name.text, context):
+        _use_condition(own, name, context)
+        return Boolean()
     if declared is None:
         _report_undeclared(name, context)
         return Unknown()
@@ -75,6 +78,11 @@ def is_value(node: ast.Expression, context: Context) -> bool:
     name = node.name.text
     if context.entity is not None and _has_condition(context.entity, name, context):
         return not isinstance(context.declarations.names.get(name), ast.Entity)
+    return is_value_name(name, context)
+
+
+def is_value_name(name: str, context: Context) -> bool:
+    """Whether a name stands for a constant or an input."""
     return isinstance(context.declarations.names.get(name), ast.Constant | ast.Input)
 
 
@@ -106,7 +114,7 @@ def _condition_of(entity: str, name: ast.Name, context: Context) -> Type:
         _use_condition(entity, name, context)
         return Boolean()
     known = context.declarations.conditions.get(entity, {})
-    near = near_name(name.text, known)
+    near = near_name(name.text, known) if context.may_suggest() else None
     finding = UnknownCondition(identifier=name.text, entity=entity)
     if near is not None:
         context.used_conditions.add((entity, near))
@@ -120,6 +128,9 @@ def _condition_of(entity: str, name: ast.Name, context: Context) -> Type:
 
 
 def _report_undeclared(name: ast.Name, context: Context) -> None:
+    if not context.may_suggest():
+        context.collector.add(UndeclaredName(identifier=name.text).at(name.span))
+        return
     own = context.declarations.conditions.get(context.entity or "", {})
     values = _named(context, ast.Constant, ast.Input)
     finding = UndeclaredName(identifier=name.text)
@@ -154,8 +165,11 @@ def _use_guess(name: str, context: Context) -> None:
 
 
 def _report_undeclared_entity(name: ast.Name, member: ast.Name, context: Context) -> None:
-    known = _named(context, ast.Entity, ast.Input)
     finding = UndeclaredEntity(identifier=name.text)
+    if not context.may_suggest():
+        context.collector.add(finding.at(name.span))
+        return
+    known = _named(context, ast.Entity, ast.Input)
     near = near_name(name.text, known)
     if near is None:
         notes = (f"declared are {listed(tuple(known))}",) if known else ()
@@ -173,8 +187,11 @@ def _report_undeclared_entity(name: ast.Name, member: ast.Name, context: Context
 
 
 def _report_undeclared_action(name: ast.Name, context: Context) -> None:
-    known = _named(context, ast.Action)
     finding = UndeclaredAction(identifier=name.text)
+    if not context.may_suggest():
+        context.collector.add(finding.at(name.span))
+        return
+    known = _named(context, ast.Action)
     near = near_name(name.text, known)
     if near is None:
         notes = (f"declared are {listed(tuple(known))}",) if known else ()
@@ -199,7 +216,9 @@ def _report_wrong_kind(
     context.collector.add(finding.at(name.span, place, help=_instead(declared, expected, context)))
 
 
-def _instead(declared: object, expected: str, context: Context) -> str:
+def _instead(declared: object, expected: str, context: Context) -> str | None:
+    if not context.may_suggest():
+        return None
     if isinstance(declared, ast.Entity) and expected == "a value":
         name = declared.name.text
         conditions = context.declarations.conditions.get(name, {})

@@ -18,7 +18,7 @@ from rossmarie.check.operands import (
     report_not_a_number,
     require_condition,
 )
-from rossmarie.check.trees import stripped, text_of
+from rossmarie.check.trees import quoted, stripped, text_of
 from rossmarie.check.type_errors import DivisionByZero, Incomparable, TruthCompared
 from rossmarie.check.unit_errors import TemperatureArithmetic
 from rossmarie.check.units import Operand, check_fit_of, operand_of
@@ -58,9 +58,9 @@ def type_of_binary(node: ast.Binary, context: Context) -> Type:
             _report_ambiguous_for(node, held, context)
         return applied(operator, (node.left, node.right), context)
     if operator in ARITHMETIC:
-        if operator is Operator.DIVIDE:
-            _check_divisor(node.right, context)
-        return applied(operator, (node.left, node.right), context)
+        type_ = applied(operator, (node.left, node.right), context)
+        is_by_zero = operator is Operator.DIVIDE and _is_zero(node.right, context)
+        return Unknown() if is_by_zero else type_
     return _comparison(operator, node, context)
 
 
@@ -148,8 +148,8 @@ def _report_ambiguous_for(node: ast.Binary, held: ast.Held, context: Context) ->
     finding = AmbiguousFor(
         duration=text_of(held.duration),
         last=text_of(held.condition),
-        narrow=" ".join(f"{before}({held.span.text})".split()),
-        wide=" ".join(f"({inside}){behind}".split()),
+        narrow=quoted(f"{before}({held.span.text})"),
+        wide=quoted(f"({inside}){behind}"),
     )
     edits = (
         Edit(Span(file, held.span.start, held.span.start), "("),
@@ -188,7 +188,7 @@ def _truth_comparison(operator: Operator, node: ast.Binary, context: Context) ->
     if isinstance(literal, ast.Boolean) and operator in EQUALITY:
         is_same = literal.value == (operator is Operator.EQUAL)
         meant = other.span.text if is_same else f"not ({other.span.text})"
-        help = f"write `{' '.join(meant.split())}`"
+        help = f"write `{quoted(meant)}`"
         fix = Fix(help, (Edit(node.span, meant),))
     finding = TruthCompared(operator=operator.value)
     context.collector.add(finding.at(node.span, help=help, fix=fix))
@@ -198,8 +198,12 @@ def _truth_comparison(operator: Operator, node: ast.Binary, context: Context) ->
 def _report_incomparable(node: ast.Binary, context: Context) -> Type:
     left, right = (describe(context.type_of(side)) for side in (node.left, node.right))
     finding = Incomparable(left=left, right=right, operator=node.operator.value)
-    same = "texts have no order; compare them with `==` or `!=`"
-    help = same if left == right else "compare like with like"
+    if left == right:
+        help = "texts have no order; compare them with `==` or `!=`"
+    elif is_truth(context.type_of(node.left)) or is_truth(context.type_of(node.right)):
+        help = "use the condition by itself, or `not` and the condition"
+    else:
+        help = 'write both sides as texts, `"3"`'
     context.collector.add(finding.at(node.span, help=help))
     return Unknown()
 
@@ -214,9 +218,13 @@ def _warn_of_equality(operator: Operator, node: ast.Binary, context: Context) ->
     if all(map(_has_no_unit, numbers)) and all(value.numbers[0].is_integer() for value in values):
         return
     sign = "<" if operator is Operator.EQUAL else ">"
-    unit = numbers[0].quantity.unit
-    step = "0.01" if unit is None or _has_no_unit(numbers[0]) else f"0.01 {unit.symbol}"
-    advice = f"abs({text_of(node.left)} - {text_of(node.right)}) {sign} {step}"
+    known = next((side for side in numbers if id(side.node) in context.values), numbers[0])
+    unit = known.quantity.unit
+    step = "0.01" if unit is None or _has_no_unit(known) else f"0.01 {unit.symbol}"
+    gap = f"{text_of(node.left)} - {text_of(node.right)}"
+    if values and values[0].numbers == (0.0,):
+        gap = text_of(next(side.node for side in numbers if side is not known))
+    advice = f"abs({gap}) {sign} {step}"
     finding = ExactEquality(operator=operator.value, advice=advice)
     context.collector.add(finding.at(node.span))
 
@@ -237,7 +245,10 @@ def _age_comparison(operator: Operator, node: ast.Binary, context: Context) -> T
     return Boolean()
 
 
-def _check_divisor(divisor: ast.Expression, context: Context) -> None:
+def _is_zero(divisor: ast.Expression, context: Context) -> bool:
+    """Whether a divisor is always zero; reports it."""
     value = context.values.get(id(divisor))
-    if value is not None and value.numbers == (0.0,):
+    is_zero = value is not None and value.numbers == (0.0,)
+    if is_zero:
         context.collector.add(DivisionByZero().at(divisor.span))
+    return is_zero

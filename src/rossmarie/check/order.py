@@ -11,12 +11,14 @@ Node = TypeVar("Node", bound=Hashable)
 def in_order(
     needs: Mapping[Node, Sequence[Node]],
 ) -> tuple[list[Node], list[tuple[Node, ...]]]:
-    """The nodes, each behind those it needs, and the circles met on the way (without recursion).
+    """The nodes, each behind those it needs, and circles of nodes that share no node.
 
-    Every node of `needs` is in the first list, those of circles somewhere in it.
+    Every node of `needs` is in the first list, those of circles somewhere in it. If there is any
+    circle, at least one is returned. Does not recurse.
     """
     order: list[Node] = []
     circles: list[tuple[Node, ...]] = []
+    in_circles: set[Node] = set()
     done: set[Node] = set()
     for start in needs:
         path: list[Node] = []
@@ -32,7 +34,10 @@ def in_order(
                     done.add(finished)
                     order.append(finished)
             elif node in on_path:
-                circles.append(tuple(path[on_path[node] :]))
+                circle = tuple(path[on_path[node] :])
+                if in_circles.isdisjoint(circle):
+                    in_circles.update(circle)
+                    circles.append(circle)
             elif node not in done:
                 on_path[node] = len(path)
                 path.append(node)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dslkit.diagnostics import Edit, Fix, Label
+from rossmarie.check.constants import record
 from rossmarie.check.context import Context
 from rossmarie.check.describe import describe, is_plain
 from rossmarie.check.model import Value
@@ -23,7 +24,6 @@ from rossmarie.check.type_errors import (
 from rossmarie.check.unit_errors import MisplacedUnit
 from rossmarie.check.units import Operand, check_fit, check_fit_of, read_unit
 from rossmarie.syntax import ast
-from rossmarie.syntax.walk import walk
 from rossmarie.types import Boolean, Box, Fault, Interval, Operator, Quantity, Type, Unknown, apply
 from rossmarie.units import Unit
 
@@ -72,15 +72,13 @@ def _range_of(node: ast.Bracket, element: Quantity, numbers: list[float], contex
         pairs = [sorted(numbers[axis : axis + 2]) for axis in range(0, _BOX_LENGTH, 2)]
         box = Box(element)
         ordered = tuple(end for pair in pairs for end in pair)
-        context.values[id(node)] = Value(box, ordered)
-        return box
+        return box if record(node, Value(box, ordered), context) else Unknown()
     low, high = numbers
     if low > high:
         _report_swapped(node, context)
         return Unknown()
     interval = Interval(element)
-    context.values[id(node)] = Value(interval, (low, high))
-    return interval
+    return interval if record(node, Value(interval, (low, high)), context) else Unknown()
 
 
 def _report_swapped(node: ast.Bracket, context: Context) -> None:
@@ -133,7 +131,8 @@ def _report_scalar(node: ast.Membership, scalar: Type, context: Context) -> None
     constant = constant_of(stripped(node.container), context.declarations)
     written = node.container if constant is None else constant.value
     meant = _interval_around_zero(written)
-    place = written if constant is None or _is_always_a_range(constant, context) else node.container
+    is_shared = constant is not None and constant.name.text in context.names_used_as_numbers
+    place = node.container if is_shared else written
     fix = Fix(f"write the interval `{meant}`", (Edit(place.span, meant),))
     help = f"if {text_of(written)} to either side of zero is meant, write `{meant}`"
     labels: tuple[Label, ...] = ()
@@ -150,16 +149,3 @@ def _interval_around_zero(written: ast.Expression) -> str:
         return f"[-{end}, {end}]{unit}"
     text = text_of(written)
     return f"[-({text}), {text}]"
-
-
-def _is_always_a_range(constant: ast.Constant, context: Context) -> bool:
-    """Whether every use of a constant is behind `in`, so that its declaration can be changed."""
-    as_range, all_uses = 0, 0
-    for expression in context.declarations.expressions():
-        for part in walk(expression):
-            if constant_of(part, context.declarations) is constant:
-                all_uses += 1
-            elif isinstance(part, ast.Membership):
-                container = constant_of(stripped(part.container), context.declarations)
-                as_range += container is constant
-    return as_range == all_uses

@@ -11,11 +11,32 @@ from rossmarie.syntax import ast
 NEAR = 0.7
 VERY_NEAR = 0.85
 LISTED = 12
+LONGEST_NAME = 100
+MOST_COMPARISONS = 50_000
+
+
+class Suggestions:
+    """How much more effort goes into suggestions.
+
+    Each is sought among all names; a large file full of undeclared names would take for ever.
+    """
+
+    def __init__(self) -> None:
+        self._left = MOST_COMPARISONS
+
+    def take(self, candidates: int) -> bool:
+        """Whether one more suggestion may be sought among so many names."""
+        self._left -= candidates
+        return self._left >= 0
 
 
 def near_name(name: str, known: Iterable[str]) -> str | None:
     """The known name that looks most like `name`, if any does; case does not matter."""
-    by_folded = {candidate.lower(): candidate for candidate in known}
+    if len(name) > LONGEST_NAME:
+        return None
+    by_folded = {
+        candidate.lower(): candidate for candidate in known if len(candidate) <= LONGEST_NAME
+    }
     matches = difflib.get_close_matches(name.lower(), by_folded, n=1, cutoff=NEAR)
     return by_folded[matches[0]] if matches else None
 

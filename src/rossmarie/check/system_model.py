@@ -21,7 +21,7 @@ from rossmarie.check.name_errors import (
     UndeclaredTopic,
     UnknownMessageType,
 )
-from rossmarie.check.suggestions import near_name, rename
+from rossmarie.check.suggestions import Suggestions, near_name, rename
 from rossmarie.check.unit_errors import MisplacedUnit, UnitContradictsField
 from rossmarie.check.units import read_unit
 from rossmarie.syntax import ast
@@ -52,6 +52,7 @@ class SystemModel:
     """The topics, by full name and by alias, and the messages."""
 
     messages: MessageCatalog
+    suggestions: Suggestions
     topics: dict[str, Topic] = field(default_factory=dict)
     aliases: dict[str, Topic] = field(default_factory=dict)
 
@@ -59,10 +60,21 @@ class SystemModel:
         """The topic that a name in a rules file means: an alias, else a topic's own name."""
         return self.aliases.get(name) or self.topics.get(full_name(name))
 
-    @property
-    def known_topics(self) -> list[str]:
-        """Every name that `find` finds, as a user would write it."""
-        return [*self.aliases, *self.topics, *(topic.lstrip("/") for topic in self.topics)]
+    def near_topic(self, name: str) -> str | None:
+        """A name that `find` finds and that looks like `name`."""
+        if not self.suggestions.take(len(self.aliases) + 2 * len(self.topics)):
+            return None
+        bare = (topic.lstrip("/") for topic in self.topics)
+        return near_name(name, [*self.aliases, *self.topics, *bare])
+
+    def near_type(self, name: str) -> str | None:
+        """A known type of the same name in another package, else one spelled much alike."""
+        known = self.messages.known_names()
+        if not self.suggestions.take(len(known)):
+            return None
+        own = name.rpartition("/")[2].lower()
+        same = [candidate for candidate in known if candidate.rpartition("/")[2].lower() == own]
+        return near_name(name, same) or next(iter(same), None) or near_name(name, known)
 
 
 def full_name(topic: str) -> str:
@@ -76,13 +88,16 @@ def type_name(name: str) -> str:
 
 
 def read_system_model(
-    systems: Sequence[ast.System], message_folders: Sequence[Path], collector: Collector
+    systems: Sequence[ast.System],
+    message_folders: Sequence[Path],
+    suggestions: Suggestions,
+    collector: Collector,
 ) -> SystemModel:
     """Gather the members of all system models; `message_folders` are searched after theirs."""
     members = [member for system in systems for member in system.members]
     folders = [*_folders(members, collector), *message_folders]
     units = dict(_declared_units(members, collector))
-    model = SystemModel(MessageCatalog(folders, units))
+    model = SystemModel(MessageCatalog(folders, units), suggestions)
     for member in members:
         if isinstance(member, ast.TopicDeclaration):
             _add_topic(member, model, collector)
@@ -105,8 +120,7 @@ def find_message(name: ast.Name, model: SystemModel, collector: Collector) -> Me
         collector.add(finding.at(name.span))
         return None
     if found is None:
-        known = model.messages.known_names()
-        near = _near_type(type_name(name.text), known)
+        near = model.near_type(type_name(name.text))
         help = (
             f"did you mean `{near}`?"
             if near is not None
@@ -115,13 +129,6 @@ def find_message(name: ast.Name, model: SystemModel, collector: Collector) -> Me
         fix = rename(name, near) if near is not None else None
         collector.add(UnknownMessageType(identifier=name.text).at(name.span, help=help, fix=fix))
     return found
-
-
-def _near_type(name: str, known: Sequence[str]) -> str | None:
-    """A type of the same name in another package, else one that is spelled much alike."""
-    own = name.rpartition("/")[2].lower()
-    same = [candidate for candidate in known if candidate.rpartition("/")[2].lower() == own]
-    return near_name(name, same) or next(iter(same), None) or near_name(name, known)
 
 
 def _folders(members: Sequence[ast.SystemMember], collector: Collector) -> Iterator[Path]:
@@ -210,7 +217,9 @@ def _topic_unit(
         return unit
     data = std_msgs_data(message)
     if data is None or has_no_number(data):
-        advice = f"name the field: `unit {message.name}.FIELD = {declaration.unit.text};`"
+        advice = f"leave `in {declaration.unit.text}` out"
+        if data is None:
+            advice = f"name the field: `unit {message.name}.FIELD = {declaration.unit.text};`"
         _report_misplaced(declaration.unit, message.name, advice, collector)
         return None
     contradiction = contradicts(unit_of(data), unit, f"{message.name}.data")
@@ -230,7 +239,7 @@ def contradicts(known: Unit | None, stated: Unit, field_name: str) -> UnitContra
 def _check_node(node: ast.NodeDeclaration, model: SystemModel, collector: Collector) -> None:
     for name in (*node.publishes, *node.subscribes):
         if model.find(name.text) is None:
-            near = near_name(name.text, model.known_topics)
+            near = model.near_topic(name.text)
             help = f"did you mean `{near}`?" if near is not None else None
             fix = rename(name, near) if near is not None else None
             finding = UndeclaredTopic(topic=full_name(name.text))

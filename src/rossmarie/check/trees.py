@@ -5,10 +5,19 @@ from __future__ import annotations
 from rossmarie.check.declarations import Declarations
 from rossmarie.syntax import ast
 
+LONGEST_QUOTE = 160
+
 
 def text_of(node: ast.Expression) -> str:
-    """What the user wrote, on one line."""
-    return " ".join(node.span.text.split())
+    """What the user wrote, as `quoted`."""
+    return quoted(node.span.text)
+
+
+def quoted(text: str) -> str:
+    """A text of the user on one line; of a long one, the beginning and the end."""
+    line = " ".join(text.split())
+    half = LONGEST_QUOTE // 2
+    return line if len(line) <= LONGEST_QUOTE else f"{line[:half]} ... {line[-half:]}"
 
 
 def stripped(node: ast.Expression) -> ast.Expression:

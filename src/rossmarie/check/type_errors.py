@@ -24,7 +24,7 @@ class VectorAsScalar(Error, code="ROSS202", name="vector-as-scalar"):
 
     title = "a vector is not one number"
     label = "this is {found}"
-    note = "a vector is neither less nor greater than a number"
+    note = "nothing says which of its three numbers is meant"
     help = "choose a component, `{text}.x`, `{text}.y` or `{text}.z`, or the length, `norm({text})`"
     found: str
     text: str
@@ -124,7 +124,7 @@ class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
     title = "an elementwise expression may use one array and constants"
     label = "{found}"
     note = "`{function}` looks at the elements of one array, one by one"
-    help = "compare `{text}` in a condition of its own and join the two by `and`"
+    help = "compare the least or greatest element with `{text}`: `min(...)` or `max(...)`"
     found: str
     function: str
     text: str
@@ -166,8 +166,9 @@ class NotConstant(Error, code="ROSS215", name="not-constant"):
     """Something that changes where a constant is needed."""
 
     title = "{purpose} has to be constant"
-    label = "this is not known before the monitor runs"
-    help = "use numbers, constants and arithmetic on them"
+    label = "this is not constant"
+    note = "it has to be known before the monitor runs"
+    help = "use numbers, texts, `true`, `false`, other constants and arithmetic on them"
     purpose: str
 
 

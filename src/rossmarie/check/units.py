@@ -18,7 +18,7 @@ from rossmarie.check.unit_errors import (
 )
 from rossmarie.syntax import ast
 from rossmarie.types import Array, Box, Interval, Quantity, Vector, unit_faults
-from rossmarie.units import DIMENSIONLESS, Unit, UnknownUnitError, divide, parse_unit
+from rossmarie.units import DIMENSIONLESS, Unit, UnknownUnitError, divide, multiply, parse_unit
 
 SECOND = parse_unit("s")
 ANGLE = parse_unit("rad").dimension
@@ -104,7 +104,10 @@ def _report_mismatch(odd: Operand, other: Operand, purpose: str, context: Contex
         expected=describe_quantity(other.quantity),
         purpose=purpose,
     )
-    context.collector.add(finding.at(odd.node.span, *labels))
+    help = None
+    if is_plain(other.quantity):
+        help = "leave the unit out, or choose something that has one for the other side"
+    context.collector.add(finding.at(odd.node.span, *labels, help=help))
 
 
 def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], context: Context) -> None:
@@ -119,11 +122,21 @@ def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], contex
         found_dimension=str(found.dimension),
         expected=expected.symbol,
     )
-    help = f"write a value in {expected.symbol}"
-    if id(quantity.node) not in context.values:
+    meant = _meant_unit(found, expected)
+    help = f"write a value in {meant.symbol}"
+    is_changing = id(quantity.node) not in context.values
+    if is_changing and isinstance(context.type_of(quantity.node), Quantity):
         help += f", or compare the rate of change, `rate({text_of(quantity.node)})`"
-    fix = _unit_fix(odd, expected, context)
+    fix = _unit_fix(odd, meant, context)
     context.collector.add(finding.at(odd.node.span, *labels, help=help, fix=fix))
+
+
+def _meant_unit(found: Unit, expected: Unit) -> Unit:
+    """What `found` becomes with or without its time: deg/s for deg, where rad/s is expected."""
+    is_rate = _is_rate_of(found, expected)
+    meant = multiply(found, SECOND) if is_rate else divide(found, SECOND)
+    is_simple = "*" not in meant.symbol or "*" in expected.symbol
+    return meant if is_simple else expected
 
 
 def _unit_fix(odd: Operand, unit: Unit, context: Context) -> Fix | None:
@@ -138,12 +151,15 @@ def _report_missing_unit(plain: Operand, other: Operand, context: Context) -> No
     unit = other.quantity.unit or DIMENSIONLESS
     number = literal_of(plain.node, context.declarations)
     if number is None:
-        corrected, fix = f"{text_of(plain.node)} in {unit.symbol}", None
+        corrected, fix = f"({text_of(plain.node)}) * 1 {unit.symbol}", None
     else:
         corrected = f"{text_of(number)} {unit.symbol}"
         behind = Span(number.span.file, number.span.end, number.span.end)
         fix = Fix(f"write `{corrected}`", (Edit(behind, f" {unit.symbol}"),))
     is_angle = unit.dimension == ANGLE
+    if is_angle and number is not None:
+        # Only the user knows which; the wrong one would be off by a factor of 57.
+        corrected, fix = f"{text_of(number)} deg` or `{text_of(number)} rad", None
     finding = MissingUnit(
         expected=unit.symbol,
         dimension=str(unit.dimension),

@@ -9,6 +9,7 @@ from dslkit.source import Span
 from rossmarie.check.context import ConditionKey, Context, Uses
 from rossmarie.check.declarations import Named, kind_of
 from rossmarie.check.meaning_errors import MissingTimeout, UnusedName
+from rossmarie.check.names import is_value_name
 from rossmarie.syntax import ast
 
 _REASONS: Mapping[str, str] = {
@@ -43,6 +44,7 @@ def _warn_of_entity(entity: ast.Entity, context: Context) -> None:
         condition
         for condition in entity.conditions
         if (entity.name.text, condition.name.text) not in context.used_conditions
+        and not is_value_name(condition.name.text, context)
     ]
     if len(unused) == len(entity.conditions):
         if entity.name.text not in context.used_names:
@@ -64,8 +66,10 @@ def warn_of_missing_timeouts(
 ) -> None:
     """Warn of every input without a timeout that some rule rests on, directly or not."""
     warned: set[str] = set()
+    seen: set[ConditionKey] = set()
     for rule, uses in rules:
-        for name in sorted(_inputs_behind(uses, conditions) - warned):
+        reached = {name for part in _reached(uses, conditions, seen) for name in part.inputs}
+        for name in sorted(reached - warned):
             declaration = context.inputs[name].declaration
             if declaration.timeout is None:
                 warned.add(name)
@@ -74,12 +78,10 @@ def warn_of_missing_timeouts(
                 context.collector.add(finding.at(declaration.name.span, place))
 
 
-def _inputs_behind(uses: Uses, conditions: Mapping[ConditionKey, Uses]) -> set[str]:
-    return {name for reached in _reached(uses, conditions) for name in reached.inputs}
-
-
-def _reached(uses: Uses, conditions: Mapping[ConditionKey, Uses]) -> Iterator[Uses]:
-    seen: set[ConditionKey] = set()
+def _reached(
+    uses: Uses, conditions: Mapping[ConditionKey, Uses], seen: set[ConditionKey]
+) -> Iterator[Uses]:
+    """What a rule rests on, without the conditions that were `seen` behind earlier rules."""
     pending = [uses]
     while pending:
         current = pending.pop()

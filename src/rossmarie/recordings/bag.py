@@ -140,7 +140,9 @@ class BagRecording:
             _report_missing(extractor, connection, machine, collector)
         decode = store.deserialize_ros1 if connection.encoding == "ros1" else store.deserialize_cdr
         spans = [input_span(machine, reader) for match in matches for reader in match.inputs]
-        unreadable = Unreadable(topic, self.topics[topic].count, self.start_ns, spans)
+        unreadable = Unreadable(
+            topic, self.topics[topic].count, self.start_ns, "keeps its last value there", spans
+        )
         return _Reading(lambda content: decode(content, name), extractors, unreadable)
 
     def _read(self, readings: Mapping[str, _Reading], collector: Collector) -> Iterator[Update]:
@@ -210,6 +212,6 @@ def _report_missing(
             topic=connection.topic,
             field=field_text(missing.path),
             kind=kind_text(missing),
-            source=connection.message_type,
+            reason=f"this is how the recorded {connection.message_type} is defined",
         )
         collector.add(finding.at(input_span(machine, missing.input)))

@@ -8,12 +8,14 @@ from array import array
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from math import nan
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING
 
 from rossmarie.ir import Machine
 from rossmarie.recordings.model import Update
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
@@ -50,5 +52,7 @@ class Columns:
 
     def slot(self, index: int) -> Column:
         """What has been kept of a slot so far."""
+        import numpy as np  # slow to import, and not needed before there is something to plot
+
         times = np.array(self._times[self._channel_of[index]], dtype=np.int64)
         return Column(times, np.array(self._values[index], dtype=np.float64))

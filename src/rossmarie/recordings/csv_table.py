@@ -84,7 +84,7 @@ class CsvRecording:
             if columns.used():
                 readers.append(_ChannelReader(match, columns, machine, self))
         if not readers and machine.channels:
-            raise RecordingError(nothing_to_replay(self.topics, machine, self.path))
+            raise nothing_to_replay(self.topics, machine, self.path, collector)
         return self._read(readers, collector)
 
     def close(self) -> None:
@@ -104,7 +104,7 @@ class CsvRecording:
     def _report_missing(
         self, match: Match, columns: Columns, machine: Machine, collector: Collector
     ) -> None:
-        source = f"`{self.path.name}`"
+        reason = f"`{self.path.name}` has no column for it"
         is_blank = bool(columns.used()) and not any(map(self.filled, columns.used()))
         for reader in match.inputs:
             span = input_span(machine, reader)
@@ -116,7 +116,7 @@ class CsvRecording:
                 continue
             for field in missing:
                 text, kind = field_text(field.path), kind_text(field)
-                finding = FieldNotRecorded(topic=match.topic, field=text, kind=kind, source=source)
+                finding = FieldNotRecorded(topic=match.topic, field=text, kind=kind, reason=reason)
                 collector.add(finding.at(span))
             if is_blank:
                 collector.add(TopicNeverSent(topic=match.topic).at(span))
@@ -175,7 +175,9 @@ class CsvRecording:
             raise RecordingError(at_file(RecordingEmpty(reason="it has no rows"), self.path))
         self.start_ns, self.end_ns = start_ns, end_ns
         self._count_filled(patterns)
-        rows = RowsSkipped(count=skipped.total(), reason=next(iter(skipped), ""))
+        count = skipped.total()
+        total = count + patterns.total()
+        rows = RowsSkipped(count=count, total=total, reason=next(iter(skipped), ""))
         self.findings: tuple[Diagnostic, ...] = (at_file(rows, self.path),) if skipped else ()
 
     def _count_filled(self, patterns: Mapping[tuple[bool, ...], int]) -> None:
@@ -218,7 +220,9 @@ class _ChannelReader:
         spans = [input_span(machine, reader) for reader in match.inputs]
         self._used = columns.used()
         filled = sum(recording.filled(column) for column in self._used)
-        self.unreadable = Unreadable(match.topic, filled, recording.start_ns, spans)
+        self.unreadable = Unreadable(
+            match.topic, filled, recording.start_ns, "is unknown there", spans
+        )
         kinds = {index: match.slots[index].kind for index in columns.slots}
         self._numbers = {i: c for i, c in columns.slots.items() if kinds[i] is not Kind.TEXT}
         self._texts = {i: c for i, c in columns.slots.items() if kinds[i] is Kind.TEXT}

@@ -70,16 +70,16 @@ class TopicNeverSent(Warning, code="ROSS603", name="topic-never-sent"):
 
 @dataclass(frozen=True, kw_only=True)
 class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
-    """A field that the recorded messages do not have, or not as a value of this kind."""
+    """A field that a recorded topic does not have, or not as a value of this kind."""
 
-    title = "the recorded messages on `{topic}` have no field `{field}` that holds {kind}"
+    title = "`{topic}` is recorded without a field `{field}` that holds {kind}"
     label = "this field stays unknown in this replay"
-    note = "the recording brings its own definition of {source}"
-    help = "record with the message definitions that the rules were written for"
+    note = "{reason}"
+    help = "record again with {field}, or read another field"
     topic: str
     field: str
     kind: str
-    source: str
+    reason: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -87,7 +87,7 @@ class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     """Messages of a topic that do not match their definition."""
 
     title = "{count} of {total} values on `{topic}` cannot be read"
-    label = "keeps its last value there"
+    label = "{effect}"
     note = "the first one, {seconds:.3f} s into the recording: {reason}"
     help = "check the recording, and that its type definitions are those it was recorded with"
     topic: str
@@ -95,6 +95,7 @@ class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     total: int
     seconds: float
     reason: str
+    effect: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,7 +105,7 @@ class DefinitionMissing(Warning, code="ROSS606", name="definition-missing"):
     title = "no definition of {type_name}, the type of `{topic}`"
     label = "stays unknown in this replay"
     note = "{reason}"
-    help = "name a folder that holds {type_name} as a .msg file"
+    help = "name the folder that holds {type_name} as a .msg file: `--messages DIR`"
     type_name: str
     topic: str
     reason: str
@@ -221,10 +222,11 @@ class TimeColumnMissing(Error, code="ROSS620", name="time-column-missing"):
 class RowsSkipped(Warning, code="ROSS621", name="rows-skipped"):
     """Rows of a CSV file that are not an instant and values."""
 
-    title = "{count} rows are skipped"
+    title = "{count} of {total} rows are skipped"
     label = "{reason}"
     help = "give every row an instant, and as many cells as there are columns"
     count: int
+    total: int
     reason: str
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from dslkit.diagnostics import Collector, Diagnostic, Template
+from dslkit.diagnostics import Collector, Template
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import Array, Kind, Machine, Slot
 from rossmarie.recordings.errors import (
@@ -48,6 +48,7 @@ class Unreadable:
     topic: str
     total: int
     start_ns: int
+    effect: str
     spans: Sequence[Span]
     count: int = 0
     first: tuple[int, str] | None = None
@@ -68,6 +69,7 @@ class Unreadable:
             total=self.total,
             seconds=(at_ns - self.start_ns) / 1e9,
             reason=reason,
+            effect=self.effect,
         )
         for span in self.spans:
             collector.add(finding.at(span))
@@ -103,14 +105,18 @@ def match_topics(
             for reader in match.inputs:
                 collector.add(finding.at(input_span(machine, reader), help=advice))
     if not matches and machine.channels:
-        raise RecordingError(nothing_to_replay(topics, machine, path))
+        raise nothing_to_replay(topics, machine, path, collector)
     return matches
 
 
-def nothing_to_replay(topics: Mapping[str, Topic], machine: Machine, path: Path) -> Diagnostic:
-    """The finding that no channel of a machine is recorded."""
+def nothing_to_replay(
+    topics: Mapping[str, Topic], machine: Machine, path: Path, collector: Collector
+) -> RecordingError:
+    """That no channel of a machine can be read, and what has been found out about each."""
     expected = listed(channel.topic for channel in machine.channels)
-    return at_file(NothingToReplay(expected=expected, recorded=listed(topics)), path)
+    finding = at_file(NothingToReplay(expected=expected, recorded=listed(topics)), path)
+    reasons = {f"{found.title}; {found.help}" for found in collector.sorted()}
+    return RecordingError(replace(finding, notes=(*finding.notes, *sorted(reasons))))
 
 
 def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:

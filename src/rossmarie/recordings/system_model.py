@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from rossmarie.recordings.definitions import is_standard
 from rossmarie.recordings.errors import RecordingError, RecordingUntyped, at_file
 from rossmarie.recordings.model import Recording, Topic
 
@@ -47,6 +46,8 @@ def _remark(topic: Topic, seconds: float) -> str:
 
 def _definitions(topics: list[Topic]) -> Iterator[str]:
     """A hint if there are types that the rule language does not know by itself."""
+    from rossmarie.recordings.definitions import is_standard  # imports rosbags, which is slow
+
     types = {topic.message_type or "" for topic in topics}
     own = sorted(name for name in types if _TYPE.fullmatch(name) and not is_standard(name))
     if own:

@@ -5,6 +5,10 @@ from __future__ import annotations
 _MINUTE = 600
 _HOUR = 36_000
 _DAY = 864_000
+"""Longer units, in tenths of a second."""
+
+_ALMOST_A_SECOND_NS = 995_000_000
+"""From here on two digits would say 1."""
 
 
 def format_position(position_ns: int) -> str:
@@ -20,7 +24,7 @@ def format_length(length_ns: int) -> str:
     """A length of time: `0.04 s`, `12.4 s`, `3 min 05 s`, `2 h 10 min`, `3 d 4 h`."""
     if length_ns == 0:
         return "0 s"
-    if length_ns < 1_000_000_000:
+    if length_ns < _ALMOST_A_SECOND_NS:
         return f"{max(length_ns / 1e9, 0.001):.2g} s"
     tenths = _tenths(length_ns)
     if tenths < _MINUTE:

@@ -14,6 +14,9 @@ from rossmarie.syntax.limits import ends_value
 from rossmarie.syntax.scan import Scan, Token
 from rossmarie.syntax.words import ITEM_WORDS, MEMBER_WORDS, OPERATOR_WORDS, RESERVED
 
+_NEVER_LAST = RESERVED - {"true", "false"}
+_CONTINUATIONS = frozenset({"when", "until", "timeout", "then", "clear", "latched"})
+
 
 class Piece(NamedTuple):
     """The tokens from `first` up to, not including, `last`.
@@ -68,6 +71,8 @@ class _Cutter:
             awaits_if = awaits_if and text not in ("then", "{")
             if self._begins_item(index, depth) or (text == ";" and depth == 0):
                 return index
+            if depth == 0 and self._begins_unknown(first, index, kind):
+                return index
             if text == "{":
                 depth += 1
             elif text == "}":
@@ -88,10 +93,10 @@ class _Cutter:
     def _begins_item(self, index: int, depth: int) -> bool:
         token = self._tokens[index]
         before = self._tokens[index - 1]
-        if token.kind != "word" or before.text == ".":
+        if token.kind != "word" or (before.text == "." and not self._names_something(index + 1)):
             return False
         if token.text not in ITEM_WORDS:
-            return depth == 0 and self._begins_unknown(index)
+            return False
         if depth:
             if self._text(index + 1) in (";", ":"):
                 return False
@@ -99,23 +104,29 @@ class _Cutter:
         is_name = before.text in ITEM_WORDS and before.text != "if"
         return self._source.begins_line(index) or (_ends_item(before) and not is_name)
 
-    def _begins_unknown(self, index: int) -> bool:
+    def _begins_unknown(self, first: int, index: int, kind: str | None) -> bool:
         """Whether a word that begins no item is meant to: `entitty imu {` on a line of its own."""
-        if self._tokens[index].text in RESERVED or not _ends_item(self._tokens[index - 1]):
+        token, before = self._tokens[index], self._tokens[index - 1]
+        if token.kind != "word" or not self._source.begins_line(index):
             return False
-        if not self._source.begins_line(index) or index + 1 == len(self._tokens):
+        if not _ends_item(before) or before.text in _NEVER_LAST:
             return False
-        after = self._tokens[index + 1]
-        is_word = after.kind == "word" and after.text not in OPERATOR_WORDS
-        is_known = is_word and after.text in (
-            "when",
-            "until",
-            "timeout",
-            "then",
-            "clear",
-            "latched",
-        )
-        return (is_word and not is_known) or after.kind == "text"
+        if kind in ("rule", "input") and {token.text, before.text} & _CONTINUATIONS:
+            return False
+        if token.text == "topic":
+            return kind != "input" or any(self._text(at) == "topic" for at in range(first, index))
+        if token.text in RESERVED:
+            return token.text == "then" and kind != "rule"
+        return self._names_something(index + 1)
+
+    def _names_something(self, index: int) -> bool:
+        """Whether a token stands behind a word as behind `entitty` or `limit`."""
+        if index == len(self._tokens):
+            return False
+        token = self._tokens[index]
+        if token.kind != "word":
+            return token.kind == "text" or token.text in (":", "=")
+        return token.text not in OPERATOR_WORDS and token.text not in _CONTINUATIONS
 
     def _meant(self, index: int) -> str | None:
         """The word that begins an item and is nearest to this one."""

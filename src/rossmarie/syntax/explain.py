@@ -13,7 +13,6 @@ from dslkit.diagnostics import Diagnostic, Edit, Fix, Label
 from dslkit.source import Span
 from rossmarie.syntax import errors
 from rossmarie.syntax.automaton import Failure
-from rossmarie.syntax.limits import ends_value
 from rossmarie.syntax.scan import Scan, Token
 from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, RESERVED
 
@@ -162,6 +161,8 @@ class _Case:
         self._form = FORMS[kind]
         if "$TYPE_NAME" in failure.expected:
             self._form = "a message type is written `PACKAGE/TYPE`, such as `sensor_msgs/Imu`"
+        elif failure.expected == {_VALUE}:
+            self._form = "an element of an array is chosen by a whole number, as in `ranges[0]`"
 
     def finding(self) -> Diagnostic:
         """The best explanation."""
@@ -207,8 +208,7 @@ class _Case:
         return self._tokens[self._last - 1].end
 
     def _operand_is_missing(self) -> bool:
-        before = self._before
-        return _VALUE in self._expected and (before is None or not ends_value(before))
+        return {_VALUE, "$NAME"} <= self._expected
 
     def _name(self) -> Diagnostic | None:
         if "$NAME" not in self._expected:
@@ -223,7 +223,7 @@ class _Case:
         return finding.at(self._source.span(before))
 
     def _value(self) -> Diagnostic | None:
-        if _VALUE not in self._expected or not self._operand_is_missing():
+        if not self._operand_is_missing():
             return None
         before = self._before
         if before is None or before.text in ("(", "["):

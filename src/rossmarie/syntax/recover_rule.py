@@ -58,7 +58,7 @@ class _Recovery:
             token = self._tokens[self._index]
             name = ast.Name(token.text, self._source.span(token))
             self._index += 1
-        elif self._text() in RESERVED and self._text() != "if":
+        elif self._text() in RESERVED and (self._text() != "if" or self._text(1) == ":"):
             self._part.findings.add(reserved_word(self._source, self._tokens[self._index]))
             self._index += 1
         else:

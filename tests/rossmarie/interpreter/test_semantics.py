@@ -48,6 +48,9 @@ F, T, U, L = TruthValue
 
 Value = float | Sequence[float]
 
+UPRIGHT = (0.43788759365057206, 0.49581224138185065)
+"""x and y of an orientation (x, y, -x, y) whose pitch rounding takes beyond the range of asin."""
+
 
 class Bench:
     """A monitor under test. Slots and arrays are fed by channel, instants are in seconds."""
@@ -169,15 +172,26 @@ def test_s5_norm():
 
 
 @pytest.mark.parametrize("length", [1.0, 0.01, 700.0])
-def test_s5_angles_of_an_orientation_of_any_length(length):
-    half = math.radians(30) / 2
-    sine, cosine = length * math.sin(half), length * math.cos(half)
-    assert result_of(Function.ROLL, sine, 0.0, 0.0, cosine) == pytest.approx(math.radians(30))
-    assert result_of(Function.PITCH, 0.0, sine, 0.0, cosine) == pytest.approx(math.radians(30))
-    assert result_of(Function.YAW, 0.0, 0.0, sine, cosine) == pytest.approx(math.radians(30))
-    # Straight up: rounding takes the sine of this one just above 1, where asin has no value.
-    up = math.sqrt(0.5) * length
-    assert result_of(Function.PITCH, 0.0, up, 0.0, up) == pytest.approx(math.pi / 2)
+@pytest.mark.parametrize("angles", [(0.5, 0.0, 0.0), (0.1, -0.7, 2.5), (-3.0, 1.5, -0.3)])
+def test_s5_angles_of_an_orientation_of_any_length(length, angles):
+    (sr, cr), (sp, cp), (sy, cy) = ((math.sin(a / 2), math.cos(a / 2)) for a in angles)
+    orientation = (  # yaw about z, then pitch about y, then roll about x (REP 103)
+        length * (sr * cp * cy - cr * sp * sy),
+        length * (cr * sp * cy + sr * cp * sy),
+        length * (cr * cp * sy - sr * sp * cy),
+        length * (cr * cp * cy + sr * sp * sy),
+    )
+    functions = (Function.ROLL, Function.PITCH, Function.YAW)
+    found = tuple(result_of(function, *orientation) for function in functions)
+    assert found == pytest.approx(angles)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_s5_a_sine_beyond_one_is_cut(sign):
+    x, y = UPRIGHT
+    assert (2.0 * (y * y + x * x)) / (((x * x + y * y) + x * x) + y * y) > 1.0
+    pitch = result_of(Function.PITCH, x, sign * y, -sign * x, y)
+    assert pitch == sign * math.pi / 2
 
 
 def test_s5_an_orientation_of_zeros_is_unknown():

@@ -155,7 +155,7 @@ def test_cells_that_are_no_numbers(tmp_path: Path) -> None:
 def test_rows_that_do_not_fit(tmp_path: Path, row: str) -> None:
     updates, found = replay(write(tmp_path, f"time,battery\n0,1\n{row}\n2,2\n{row}\n"))
     assert codes(found) == ["ROSS621"]
-    assert found[0].title == "2 rows are skipped"
+    assert found[0].title == "2 of 4 rows are skipped"
     assert "row 3" in found[0].primary.text
     assert volts(updates) == [1.0, 2.0]
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from rosbags.rosbag1 import Writer as Writer1
+from rosbags.rosbag2 import CompressionMode, StoragePlugin
 from rosbags.typesys.store import Typestore
 
 from dslkit.diagnostics import Severity
@@ -30,6 +31,7 @@ from support.recordings import (
     volts,
     write_kind,
     write_ros1,
+    write_ros2,
 )
 
 VOLTS = [12.0 + i / 2 for i in range(200)]
@@ -258,11 +260,33 @@ def test_directory_with_several_recordings(tmp_path: Path) -> None:
     assert "`a.bag`, `b.bag`" in error.diagnostic.title
 
 
-def test_file_that_may_not_be_read(tmp_path: Path) -> None:
+def test_path_that_cannot_be_followed(tmp_path: Path) -> None:
     path = tmp_path / "loop.bag"
-    path.symlink_to(tmp_path / "loop2.bag")
-    (tmp_path / "loop2.bag").mkdir()
-    assert refusal(path).diagnostic.code == "ROSS612"
+    path.symlink_to(path)
+    assert refusal(path).diagnostic.code in ("ROSS610", "ROSS611")
+
+
+def test_name_that_is_too_long(tmp_path: Path) -> None:
+    assert refusal(tmp_path / f"{'x' * 5000}.bag").diagnostic.code in ("ROSS610", "ROSS611")
+
+
+def test_compressed_file_with_damaged_metadata(tmp_path: Path) -> None:
+    folder = write_ros2(
+        tmp_path / "drive", readings(ROS2), StoragePlugin.SQLITE3, CompressionMode.FILE
+    )
+    (folder / "metadata.yaml").write_text("{}")
+    error = refusal(folder)
+    assert error.diagnostic.code == "ROSS614"
+    assert "zstd -d" in error.diagnostic.title
+
+
+def test_last_file_of_a_split_recording_is_empty(tmp_path: Path) -> None:
+    path = written(tmp_path, "mcap directory")
+    (path / "metadata.yaml").unlink()
+    (path / "drive_1.mcap").touch()
+    updates, found = replay(path)
+    assert found == ()
+    assert len(updates) == 200
 
 
 def test_ros2_file_named_as_ros1(tmp_path: Path) -> None:

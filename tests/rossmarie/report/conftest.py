@@ -78,10 +78,17 @@ def drive_machine() -> ir.Machine:
     """Tilt, jolts, speed while tilted, turning, distance, and a sensor that must not be lost."""
     draft = Draft()
     topics = ("/imu/data", "/odom", "/scan", "/fix")
-    types = ("sensor_msgs/Imu", "nav_msgs/Odometry", "sensor_msgs/LaserScan", "sensor_msgs/NavSatFix")
+    types = (
+        "sensor_msgs/Imu",
+        "nav_msgs/Odometry",
+        "sensor_msgs/LaserScan",
+        "sensor_msgs/NavSatFix",
+    )
     draft.channels = [ir.Channel(*pair) for pair in zip(topics, types, strict=True)]
 
-    def read(channel: int, name: str, text: str, unit: str, timeout: float, scale: float = 1) -> int:
+    def read(
+        channel: int, name: str, text: str, unit: str, timeout: float, scale: float = 1
+    ) -> int:
         used = draft.input(channel, int(timeout * SECOND))
         draft.inputs[used] = replace(draft.inputs[used], name=name)
         return draft.signal(ir.Read(draft.slot(used)), text, unit, scale)
@@ -89,7 +96,9 @@ def drive_machine() -> ir.Machine:
     def compare(signal: int, how: Comparison, limit: float, name: str | None, text: str) -> int:
         return draft.truth(ir.Compare(how, signal, draft.constant(limit)), name, text)
 
-    def rule(name: str, condition: int, actions: str, contract: str, doc: str, **how: object) -> None:
+    def rule(
+        name: str, condition: int, actions: str, contract: str, doc: str, **how: object
+    ) -> None:
         index = draft.rule(condition, **how)  # type: ignore[arg-type]
         draft.rules[index] = replace(
             draft.rules[index], name=name, actions=tuple(actions.split()), contract=contract,
@@ -121,15 +130,17 @@ def drive_machine() -> ir.Machine:
     rule("slow_on_bump", bump, "lowSpeed", "clears for 1 s without", "", release=calm)
     rule("keep_distance", near, "stop", "clears when scan.clear", "", release=far)
     rule("no_spinning", spin, "stopTurning lowSpeed", as_soon, "")
-    rule("stop_on_crash", wild, "stop", "latched until reset", "Somebody has to look.", latched=True)
-    rule("too_fast_in_yard", compare(speed, Comparison.GREATER, 3, None, "speed > 3 m/s"), "lowSpeed",
-         as_soon, "")  # fmt: skip
+    rule(
+        "stop_on_crash", wild, "stop", "latched until reset", "Somebody has to look.", latched=True
+    )
+    speeding = compare(speed, Comparison.GREATER, 3, None, "speed > 3 m/s")
+    rule("too_fast_in_yard", speeding, "lowSpeed", as_soon, "")
     return draft.machine("yard")
 
 
 def drive_messages() -> Iterator[tuple[int, int, ChannelValues]]:
     """Imu at 30 Hz with a gap, odometry at 10 Hz, a scan at 5 Hz; the same on every call."""
-    noise = random.Random(4)  # noqa: S311
+    noise = random.Random(4)
     for tick in range(LENGTH_S * 30 + 1):
         t = tick / 30
         stamp = START_NS + tick * SECOND // 30
@@ -146,7 +157,9 @@ def drive_messages() -> Iterator[tuple[int, int, ChannelValues]]:
 def _imu(t: float, noise: random.Random) -> ChannelValues:
     slope = 14 * (math.tanh((t - 22) / 1.2) - math.tanh((t - 31) / 1.2)) / 2
     slope -= 13 * (math.tanh((t - 64) / 1.0) - math.tanh((t - 70) / 1.0)) / 2
-    bumps = sum(9 * math.exp(-abs(t - at) * 5) * math.cos((t - at) * 25) for at in (9, 15.5, 16.2, 38, 74))
+    bumps = sum(
+        9 * math.exp(-abs(t - at) * 5) * math.cos((t - at) * 25) for at in (9, 15.5, 16.2, 38, 74)
+    )
     turning = 0.25 * math.sin(t / 4) + 0.95 * math.exp(-(((t - 50) / 1.1) ** 2))
     return ChannelValues(
         {

@@ -31,13 +31,13 @@ def bare(node: Any) -> Any:
     return (type(node).__name__, *(bare(value) for value in values))
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def parsed() -> Callable[[str], Parsed]:
     """Parses a text; gives the module and the findings."""
     return parse_text
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def accepted() -> Callable[[str], ast.Module]:
     """Parses a text that has to be without findings."""
 
@@ -49,7 +49,7 @@ def accepted() -> Callable[[str], ast.Module]:
     return parse_without_findings
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def without_spans() -> Callable[[ast.Module], Any]:
     """The items of a module as nested tuples without spans."""
     return lambda module: bare(module.items)

@@ -16,10 +16,10 @@ function formatPosition(seconds, decimals = 1) {
 
 function formatLength(seconds) {
   if (seconds === 0) return "0 s";
-  if (seconds < 1) return Number(Math.max(seconds, 0.001).toPrecision(2)) + " s";
+  if (seconds < 0.995) return Number(Math.max(seconds, 0.001).toPrecision(2)) + " s";
   if (seconds < 60) return seconds.toFixed(1) + " s";
   const rounded = Math.round(seconds);
-  if (seconds < 3600) return Math.floor(rounded / 60) + " min " + (rounded % 60) + " s";
+  if (seconds < 3600) return Math.floor(rounded / 60) + " min " + String(rounded % 60).padStart(2, "0") + " s";
   return Math.floor(rounded / 3600) + " h " + Math.round((rounded % 3600) / 60) + " min";
 }
 

@@ -161,12 +161,16 @@ class View {
     this.selection.style.width = this.frame.toX(ends[1]) - this.frame.toX(ends[0]) + "px";
   }
 
+  cancel() {
+    this.drag = null;
+    this.selection.hidden = true;
+  }
+
   release(event) {
     const { drag } = this;
     if (!drag) return;
-    this.drag = null;
     const selected = !this.selection.hidden;
-    this.selection.hidden = true;
+    this.cancel();
     if (selected) {
       const ends = [drag.instant, this.instantAt(event)].sort((one, other) => one - other);
       this.show(...ends);
@@ -225,6 +229,7 @@ class View {
     on("pointerleave", () => this.leave());
     on("pointerdown", (event) => this.press(event));
     on("pointerup", (event) => this.release(event));
+    on("pointercancel", () => this.cancel());
     on("dblclick", () => this.reset());
     on("keydown", (event) => this.key(event));
     on("wheel", (event) => this.wheel(event), { passive: false });

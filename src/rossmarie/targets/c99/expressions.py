@@ -59,11 +59,14 @@ class Expressions:
         """A value where the monitor keeps it."""
         return f"m->value[{self._layout.values[value].name}]"
 
-    def arrival(self, slot: int, raw: str) -> str:
-        """A scalar of a message, converted to SI."""
+    def arrival(self, slot: int, raw: str, *, is_raw: bool) -> str:
+        """A scalar of a message, converted to SI, and unknown if not finite unless `is_raw`."""
         declared = self._machine.slots[slot]
-        value = next(i for i, kept in enumerate(self._layout.values) if kept.slot == slot)
-        return f"{self.kept(value)} = finite({converted(raw, declared.scale, declared.offset)});"
+        text = converted(raw, declared.scale, declared.offset)
+        if not is_raw:
+            text = f"known({text})"
+        self.parts.add("known")
+        return f"{self.kept(self._layout.value_of_slot[slot])} = {text};"
 
     def signals(self) -> Iterator[Piece]:
         """The computed signals, but those over arrays, and what remembers their samples."""
@@ -111,7 +114,7 @@ class Expressions:
             case ir.Apply():
                 return self.applied(node, self.operand)
             case ir.Rate(signal=signal):
-                self.parts.add("rate")
+                self.parts |= {"rate", "known"}
                 return f"rate(m, {self._layout.sampled.index(signal)})"
             case ir.Previous(signal=signal):
                 return f"m->before[{self._layout.sampled.index(signal)}]"
@@ -126,7 +129,8 @@ class Expressions:
         is_infinite = any(self._infinite[operand] for operand in node.operands)
         if node.function in _STAYS_FINITE and not is_infinite:
             return text
-        return f"finite({text})"
+        self.parts.add("known")
+        return f"known({text})"
 
     def _call(self, function: Function, operands: list[str]) -> str:
         if function in _INFIX:

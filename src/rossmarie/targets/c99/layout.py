@@ -50,6 +50,7 @@ class Layout:
     supports: ir.Supports
     elements: ir.ElementArrays
     values: tuple[Value, ...]
+    value_of_slot: tuple[int, ...]
     value_of_signal: dict[int, int]
     value_of_test: dict[int, int]
     guards: tuple[Guard, ...]
@@ -74,6 +75,11 @@ class Layout:
     def truth_count(self) -> int:
         """How many truths a monitor keeps."""
         return len(self.node_of_truth)
+
+    def aged_inputs(self) -> set[int]:
+        """The inputs whose age a truth asks."""
+        nodes = (self.machine.truths[index].node for index in self.ages)
+        return {node.input for node in nodes if isinstance(node, ir.AgeReaches)}
 
     def truths_in_order(self) -> list[int]:
         """All truth indexes in the order of their nodes."""
@@ -155,6 +161,7 @@ class _Builder:
             supports=self.supports,
             elements=self.elements,
             values=tuple(self.values),
+            value_of_slot=tuple(range(len(self.machine.slots))),
             value_of_signal=self.value_of_signal,
             value_of_test=self.value_of_test,
             guards=guards,

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 
-from rossmarie import ir
 from rossmarie.targets.c99 import types
+from rossmarie.targets.c99.coverage import covered_values, is_seen_by_guards
 from rossmarie.targets.c99.elements import Elements
 from rossmarie.targets.c99.expressions import Expressions, Piece
 from rossmarie.targets.c99.layout import Layout
@@ -24,6 +24,7 @@ class Messages:
         self._machine = layout.machine
         self.expressions = Expressions(layout)
         self._elements = Elements(layout, self.expressions)
+        self._covered = covered_values(layout)
         self.fields = [
             types.fields_of(self._machine, channel) for channel in range(len(layout.channel_names))
         ]
@@ -70,7 +71,13 @@ class Messages:
         """The functions of all channels, and the one for several at once."""
         parts = []
         for channel, name in enumerate(self._layout.channel_names):
-            parts += [self._take(channel, name), self._update(channel, name)]
+            parts += [
+                self._receive(channel, name),
+                self._settle(channel, name),
+                self._late(channel, name),
+                self._take(channel, name),
+                self._update(channel, name),
+            ]
         parts.append(self._step())
         return "\n".join(parts)
 
@@ -78,52 +85,108 @@ class Messages:
         """What is computed from constants only, once."""
         return [line for piece in self._computed({}) if not piece.channels for line in piece.lines]
 
-    def _take(self, channel: int, name: str) -> str:
+    def _parameters(self, channel: int) -> str:
         parameters = ["monitor *m", "int64_t t_ns"]
         for field in self.fields[channel]:
             parameters += types.plain_parameters(field)
-        pieces = self._all({channel: ""})
-        lines = [line for piece in pieces if channel in piece.channels for line in piece.lines]
-        return (
-            f"static int take_{name}({', '.join(parameters)})\n{{\n"
-            f"    int events = 0;\n"
-            f"    if (!is_calm(m, {channel}, t_ns)) {{\n"
-            f"        events = catch_up(m, t_ns);\n"
-            f"        if (events < 0)\n"
-            f"            return events;\n"
-            f"        arrive(m, {channel}, t_ns);\n"
-            f"        tick(m, t_ns);\n"
-            f"    }}\n"
-            f"    m->now_ns = t_ns;\n"
-            f"{indented(lines)}\n"
-            f"    if (m->pending)\n"
-            f"        events += evaluate(m, t_ns);\n"
-            f"    return events;\n}}\n"
-        )
+        return ", ".join(parameters)
 
-    def _update(self, channel: int, name: str) -> str:
+    def _arguments(self, channel: int) -> str:
         arguments = ["m", "t_ns"]
         for field in self.fields[channel]:
             arguments += types.arguments(field)
+        return ", ".join(arguments)
+
+    def _receive(self, channel: int, name: str) -> str:
+        """Store and compute, without looking at what changes by it."""
+        pieces = [*self._stamps(), *self._computed({channel: ""}, raw=self._covered)]
+        lines = [line for piece in pieces if channel in piece.channels for line in piece.lines]
+        return (
+            f"INLINE void receive_{name}({self._parameters(channel)})\n{{\n"
+            f"    m->now_ns = t_ns;\n{indented(lines)}\n}}\n"
+        )
+
+    def _settle(self, channel: int, name: str) -> str:
+        """A number left its guard."""
+        lines = []
+        for value in sorted(self._covered):
+            if channel not in self._layout.values[value].support.channels:
+                continue
+            kept = self.expressions.kept(value)
+            lines.append(f"{kept} = known({kept});")
+        for piece in self._guards():
+            lines += piece.lines if channel in piece.channels else ()
+        return (
+            f"RARE int settle_{name}(monitor *m, int64_t t_ns)\n{{\n"
+            f"    if (!m->quiet[{channel}])\n"
+            f"        arrive(m, {channel}, t_ns);\n"
+            f"{indented(lines)}\n"
+            f"    return evaluate(m, t_ns);\n}}\n"
+        )
+
+    def _late(self, channel: int, name: str) -> str:
+        """A timer may be due, or time begins, or goes backwards."""
+        return (
+            f"RARE int late_{name}({self._parameters(channel)})\n{{\n"
+            f"    int events = catch_up(m, t_ns);\n"
+            f"    if (events < 0)\n"
+            f"        return events;\n"
+            f"    arrive(m, {channel}, t_ns);\n"
+            f"    tick(m, t_ns);\n"
+            f"    receive_{name}({self._arguments(channel)});\n"
+            f"    events += settle_{name}(m, t_ns);\n"
+            f"    set_wake(m);\n"
+            f"    return events;\n}}\n"
+        )
+
+    def _take(self, channel: int, name: str) -> str:
+        calm = "is_calm(m, t_ns)"
+        if not is_seen_by_guards(self._layout, channel):
+            calm += f" && m->quiet[{channel}]"
+        inside = [
+            f"is_inside(m, {guard.name}, {self.expressions.kept(guard.value)})"
+            for guard in self._layout.guards
+            if channel in self._layout.values[guard.value].support.channels
+        ]
+        if any(channel in piece.channels for piece in self._followed()):
+            inside.append("!m->pending")
+        separator = " &&\n                   "
+        settle = (
+            f"    if (UNLIKELY(!({separator.join(inside)})))\n        return settle_{name}(m, t_ns);\n"
+            if inside
+            else ""
+        )
+        return (
+            f"static int take_{name}({self._parameters(channel)})\n{{\n"
+            f"    if (UNLIKELY(!({calm})))\n"
+            f"        return late_{name}({self._arguments(channel)});\n"
+            f"    receive_{name}({self._arguments(channel)});\n"
+            f"{settle}"
+            f"    return 0;\n}}\n"
+        )
+
+    def _update(self, channel: int, name: str) -> str:
         return (
             f"int {self._public_signature(channel, name)}\n{{\n"
-            f"    return take_{name}({', '.join(arguments)});\n}}\n"
+            f"    return take_{name}({self._arguments(channel)});\n}}\n"
         )
 
     def _step(self) -> str:
         monitor, names = self._layout.name, self._layout.channel_names
-        calm = ["t_ns >= m->now_ns", "t_ns < m->wake_ns"]
+        calm = ["is_calm(m, t_ns)"] if names else ["t_ns >= m->now_ns && t_ns < m->wake_ns"]
         calm += [f"(!v->has_{name} || m->quiet[{c}])" for c, name in enumerate(names)]
         arrivals = []
         for channel, name in enumerate(names):
             arrivals += [f"if (v->has_{name})", f"    arrive(m, {channel}, t_ns);"]
-        body = list(self._guarded(self._all({c: f"v->{name}." for c, name in enumerate(names)})))
+        prefixes = {c: f"v->{name}." for c, name in enumerate(names)}
+        pieces = [*self._stamps(), *self._computed(prefixes), *self._guards()]
         unused = [] if names else ["(void)v;"]
-        separator = " &&\n        "
+        separator = " && "
         return (
             f"int {monitor}_step({monitor}_monitor *m, int64_t t_ns, const {monitor}_values *v)\n"
             f"{{\n    int events = 0;\n{indented(unused)}"
-            f"    if (!({separator.join(calm)})) {{\n"
+            f"    const bool calm = {separator.join(calm)};\n"
+            f"    if (!calm) {{\n"
             f"        events = catch_up(m, t_ns);\n"
             f"        if (events < 0)\n"
             f"            return events;\n"
@@ -131,9 +194,11 @@ class Messages:
             f"        tick(m, t_ns);\n"
             f"    }}\n"
             f"    m->now_ns = t_ns;\n"
-            f"{indented(body)}\n"
+            f"{indented(self._guarded(pieces))}\n"
             f"    if (m->pending)\n"
             f"        events += evaluate(m, t_ns);\n"
+            f"    if (!calm)\n"
+            f"        set_wake(m);\n"
             f"    return events;\n}}\n"
         )
 
@@ -148,44 +213,41 @@ class Messages:
 
     # --- pieces ------------------------------------------------------------------------------
 
-    def _all(self, prefixes: dict[int, str]) -> Iterator[Piece]:
-        """Everything that messages on these channels can make necessary, in order; a field of
-        channel c is found at `prefixes[c]` plus its name.
-        """
-        yield from self._stamps()
-        yield from self._computed(prefixes)
-        yield from self._watching()
-
     def _stamps(self) -> Iterator[Piece]:
-        watched = {self._machine.truths[age].node for age in self._layout.ages}
-        aged = {node.input for node in watched if isinstance(node, ir.AgeReaches)}
         for index, used in enumerate(self._machine.inputs):
-            if used.timeout_ns is not None or index in aged:
+            if used.timeout_ns is not None or index in self._layout.aged_inputs():
                 line = f"m->stamp_ns[{self._layout.input_names[index]}] = t_ns;"
                 yield Piece(frozenset({used.channel}), (line,))
 
-    def _computed(self, prefixes: dict[int, str]) -> Iterator[Piece]:
+    def _computed(
+        self, prefixes: dict[int, str], raw: frozenset[int] = frozenset()
+    ) -> Iterator[Piece]:
+        """All numbers, in order; a field of channel c is found at `prefixes[c]` plus its name.
+        The values in `raw` are left as they arrive.
+        """
         for channel, prefix in prefixes.items():
             for field in self.fields[channel]:
-                yield Piece(frozenset({channel}), tuple(self._received(field, prefix)))
+                yield Piece(frozenset({channel}), tuple(self._received(field, prefix, raw)))
         yield from self.expressions.signals()
         yield from self.expressions.tests()
+        yield from self._followed()
 
-    def _received(self, field: types.Field, prefix: str) -> list[str]:
+    def _received(self, field: types.Field, prefix: str, raw: frozenset[int]) -> list[str]:
         name = f"{prefix}{field.name}"
         if field.slot is not None:
-            return [self.expressions.arrival(field.slot, name)]
+            is_raw = self._layout.value_of_slot[field.slot] in raw
+            return [self.expressions.arrival(field.slot, name, is_raw=is_raw)]
         assert field.array is not None, "a field is a slot or an array"
         return self._elements.loop(field.array, name, f"{name}_count")
 
-    def _watching(self) -> Iterator[Piece]:
+    def _followed(self) -> Iterator[Piece]:
+        for number, truth in enumerate(self._layout.oscillations):
+            channels = self._layout.supports.truths[truth].channels
+            yield Piece(channels, (f"follow(m, {number}, t_ns);",))
+
+    def _guards(self) -> Iterator[Piece]:
         for guard in self._layout.guards:
             channels = self._layout.values[guard.value].support.channels
             value = self.expressions.kept(guard.value)
             check = f"if (!is_inside(m, {guard.name}, {value}))"
             yield Piece(channels, (check, f"    cross(m, {guard.name}, {value});"))
-        for number, truth in enumerate(self._layout.oscillations):
-            node = self._machine.truths[truth].node
-            assert isinstance(node, ir.Oscillates), "the layout lists oscillations"
-            channels = self._layout.supports.signals[node.signal].channels
-            yield Piece(channels, (f"follow(m, {number}, t_ns);",))

@@ -1,5 +1,7 @@
 /* Kleene's conjunction. */
 static unsigned char both(unsigned char a, unsigned char b)
 {
-    return a == FALSE || b == FALSE ? FALSE : a > b ? a : b;
+    if (a == FALSE || b == FALSE)
+        return FALSE;
+    return a > b ? a : b;
 }

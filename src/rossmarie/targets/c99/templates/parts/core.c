@@ -1,8 +1,5 @@
 /* --- the core ------------------------------------------------------------------------------ */
 
-/* Not finite is unknown: x - (x - x) is x, to the bit, if x is finite, and NaN if it is not. */
-static double finite(double x) { return x - (x - x); }
-
 static void mark(monitor *m, unsigned node)
 {
     m->dirty[node / 64] |= (uint64_t)1 << (node % 64);
@@ -18,11 +15,3 @@ static unsigned lowest(uint64_t bits)
         23, 58, 17, 10, 51, 25, 36, 32, 60, 20, 57, 16, 50, 31, 19, 15, 30, 14, 13, 12};
     return places[((bits & (~bits + 1)) * UINT64_C(0x022fdd63cc95386d)) >> 58];
 }
-
-/* A new value of a truth that looks at numbers or at the clock. */
-static void set_leaf(monitor *m, unsigned leaf, unsigned char value)
-{
-    m->fresh[leaf] = value;
-    mark(m, leaf);
-}
-

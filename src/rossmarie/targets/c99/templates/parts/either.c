@@ -1,5 +1,7 @@
 /* Kleene's disjunction. */
 static unsigned char either(unsigned char a, unsigned char b)
 {
-    return a == TRUE || b == TRUE ? TRUE : a > b ? a : b;
+    if (a == TRUE || b == TRUE)
+        return TRUE;
+    return a > b ? a : b;
 }

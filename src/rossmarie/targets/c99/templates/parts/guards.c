@@ -1,6 +1,14 @@
+/* A new value of a truth that looks at numbers or at the clock. */
+static void set_leaf(monitor *m, unsigned leaf, unsigned char value)
+{
+    m->fresh[leaf] = value;
+    mark(m, leaf);
+}
+
+/* Not inside if not finite. (Written so that each comparison needs one instruction.) */
 static bool is_inside(const monitor *m, unsigned g, double x)
 {
-    return x > m->low[g] && x <= m->high[g];
+    return x > m->low[g] && !(x > m->high[g]);
 }
 
 /* Whether the value behind a guard is unknown for lack of an input with a timeout. */
@@ -46,7 +54,7 @@ static void cross(monitor *m, unsigned g, double x)
         set_leaf(m, limit_leaf[place - 1], limit_above[place - 1] == TRUE ? FALSE : TRUE);
     m->region[g] = (int)(place - first);
     m->low[g] = place == first ? -INFINITY : limits[place - 1];
-    m->high[g] = place == end ? INFINITY : limits[place];
+    m->high[g] = place == end ? DBL_MAX : limits[place];
 }
 
 /* Look at all numbers again, after some of them were forgotten. */

@@ -1,2 +1,7 @@
 /* Kleene's negation. */
-static unsigned char opposite(unsigned char a) { return a == FALSE ? TRUE : a == TRUE ? FALSE : a; }
+static unsigned char opposite(unsigned char a)
+{
+    if (a == FALSE)
+        return TRUE;
+    return a == TRUE ? (unsigned char)FALSE : a;
+}

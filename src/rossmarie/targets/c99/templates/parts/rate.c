@@ -2,5 +2,5 @@
 static double rate(const monitor *m, unsigned k)
 {
     const double seconds = (double)(m->latest_ns[k] - m->before_ns[k]) / 1e9;
-    return finite((m->latest[k] - m->before[k]) / seconds);
+    return known((m->latest[k] - m->before[k]) / seconds);
 }

@@ -1,0 +1,85 @@
+"""Which files a path to a recording stands for."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from pathlib import Path
+
+from rossmarie.recordings.errors import (
+    RecordingEmpty,
+    RecordingError,
+    RecordingKindUnknown,
+    RecordingNotFound,
+    RecordingUnreadable,
+    at_file,
+)
+
+METADATA = "metadata.yaml"
+"""Beside the files of a ROS 2 bag; a recorder that dies does not write it."""
+
+_BAGS = (".bag", ".db3", ".mcap")
+_KINDS = (*_BAGS, ".csv")
+
+
+def recording_files(path: Path) -> list[Path]:
+    """The files of a recording that are not empty, in the order in which they were written.
+
+    Raises `RecordingError` if there is none that can be opened.
+    """
+    try:
+        files = _files(path)
+        filled = [file for file in files if file.stat().st_size > 0]
+        for file in filled:
+            file.open("rb").close()
+    except OSError as error:
+        reason = (error.strerror or "it cannot be read").lower()
+        raise RecordingError(at_file(RecordingUnreadable(reason=reason), path)) from error
+    if not filled:
+        raise RecordingError(at_file(RecordingEmpty(reason="it has no content"), path))
+    return filled
+
+
+def _files(path: Path) -> list[Path]:
+    """The files of a recording, in the order in which they were written."""
+    if path.is_dir():
+        return _files_in(path)
+    if not path.exists():
+        raise RecordingError(at_file(RecordingNotFound(hint=_similar(path)), path))
+    if path.suffix not in _KINDS:
+        ending = f"`{path.suffix}`" if path.suffix else "a name without an ending"
+        reason = f"{ending} is not a kind of recording that can be read"
+        raise RecordingError(at_file(RecordingKindUnknown(reason=reason), path))
+    return [path]
+
+
+def _files_in(folder: Path) -> list[Path]:
+    """The storage files of a bag directory; those of a long recording are numbered."""
+    found = [file for file in folder.iterdir() if file.suffix in _BAGS and file.is_file()]
+    has_metadata = (folder / METADATA).is_file()
+    if has_metadata:
+        found += folder.glob("*.zstd")
+    if not found:
+        reason = "there is no recording in this directory"
+        raise RecordingError(at_file(RecordingKindUnknown(reason=reason), folder))
+    if not has_metadata and len({_unnumbered(file) for file in found}) > 1:
+        names = ", ".join(sorted(f"`{file.name}`" for file in found))
+        reason = f"there are several recordings in this directory: {names}"
+        raise RecordingError(at_file(RecordingKindUnknown(reason=reason), folder))
+    return sorted(found, key=lambda file: (_number(file), file.name))
+
+
+def _unnumbered(file: Path) -> str:
+    return re.sub(r"_\d+$", "", file.stem) + file.suffix
+
+
+def _number(file: Path) -> int:
+    match = re.search(r"_(\d+)$", file.stem)
+    return int(match.group(1)) if match else -1
+
+
+def _similar(path: Path) -> str:
+    folder = path.parent
+    present = [found.name for found in folder.iterdir()] if folder.is_dir() else []
+    near = difflib.get_close_matches(path.name, present, n=1)
+    return f"did you mean `{folder / near[0]}`?" if near else "check the path"

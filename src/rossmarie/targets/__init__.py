@@ -1,0 +1,1 @@
+"""What a machine can be compiled to."""

@@ -1,0 +1,110 @@
+"""The blanks of `host.c.j2`: how columns and packed values become the calls of a monitor."""
+
+from __future__ import annotations
+
+from rossmarie import ir
+from rossmarie.targets.c99 import types
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.messages import Messages
+from rossmarie.targets.c99.text import indented
+
+
+def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
+    """What the template leaves open."""
+    return {
+        "updates": "\n".join(_update(layout, messages, c) for c in _channels(layout)),
+        "step": indented(_step(layout, messages)),
+        "columns": indented(_columns(layout)),
+        "row": indented(_row(layout, messages), 2),
+        "cases": indented(_cases(layout, messages), 2),
+        "active_bytes": (max(1, len(layout.machine.rules)) + 7) // 8,
+    }
+
+
+def _channels(layout: Layout) -> range:
+    return range(len(layout.channel_names))
+
+
+def _update(layout: Layout, messages: Messages, channel: int) -> str:
+    """One message, every scalar as a double."""
+    fields = messages.fields[channel]
+    parameters = ["host *h", "int64_t t_ns"]
+    arguments = ["&h->machine", "t_ns"]
+    for field in fields:
+        parameters += types.plain_parameters(field)
+        arguments += types.arguments(field)
+    call = f"take_{layout.channel_names[channel]}({', '.join(arguments)})"
+    return f"int host_update_{channel}({', '.join(parameters)})\n{{\n    return {call};\n}}\n"
+
+
+def _step(layout: Layout, messages: Messages) -> list[str]:
+    lines = [] if layout.channel_names else ["(void)present;", "v.has_nothing = true;"]
+    for channel, name in enumerate(layout.channel_names):
+        lines.append(f"v.has_{name} = present[{channel}] != 0;")
+        for field in messages.fields[channel]:
+            if field.slot is not None:
+                lines.append(f"v.{name}.{field.name} = slots[{field.slot}];")
+            else:
+                lines.append(f"v.{name}.{field.name} = arrays[{field.array}];")
+                lines.append(f"v.{name}.{field.name}_count = counts[{field.array}];")
+    return lines
+
+
+# --- columns ---------------------------------------------------------------------------------
+
+
+def _columns(layout: Layout) -> list[str]:
+    lines = [] if layout.machine.slots else ["(void)columns;"]
+    for index, slot in enumerate(layout.machine.slots):
+        kind = "unsigned char" if slot.kind is ir.Kind.FLAG else "double"
+        lines.append(f"const {kind} *column_{index} = (const {kind} *)columns[{index}];")
+    if len(layout.channel_names) != 1:
+        lines.append(f"{layout.name}_values v;")
+        lines += [f"v.has_{name} = true;" for name in layout.channel_names or ["nothing"]]
+    return lines
+
+
+def _cell(field: types.Field) -> list[str]:
+    return ["NULL", "0"] if field.slot is None else [f"column_{field.slot}[i]"]
+
+
+def _row(layout: Layout, messages: Messages) -> list[str]:
+    if len(layout.channel_names) == 1:
+        cells = [cell for field in messages.fields[0] for cell in _cell(field)]
+        arguments = ", ".join(["&h->machine", "times[i]", *cells])
+        return [f"if (take_{layout.channel_names[0]}({arguments}) < 0)", "    return i;"]
+    lines = []
+    for channel, name in enumerate(layout.channel_names):
+        for field in messages.fields[channel]:
+            if field.slot is not None:
+                lines.append(f"v.{name}.{field.name} = column_{field.slot}[i];")
+            else:
+                lines.append(f"v.{name}.{field.name} = NULL;")
+                lines.append(f"v.{name}.{field.name}_count = 0;")
+    call = f"{layout.name}_step(&h->machine, times[i], &v)"
+    return [*lines, f"if ({call} < 0)", "    return i;"]
+
+
+# --- events ----------------------------------------------------------------------------------
+
+
+def _cases(layout: Layout, messages: Messages) -> list[str]:
+    lines = []
+    for channel, name in enumerate(layout.channel_names):
+        fields = messages.fields[channel]
+        slots = [field for field in fields if field.slot is not None]
+        arrays = [field for field in fields if field.array is not None]
+        arguments = ["&h->machine", "times[i]"]
+        arguments += [f"slots[{place}]" for place in range(len(slots))]
+        lines.append(f"case {channel}:")
+        offset = ""
+        for place in range(len(arrays)):
+            arguments += [f"elements{offset}", f"counts[{place}]"]
+            offset += f" + counts[{place}]"
+        body = [f"result = take_{name}({', '.join(arguments)});"]
+        if slots:
+            body.append(f"slots += {len(slots)};")
+        if arrays:
+            body += [f"elements +={offset.removeprefix(' +')};", f"counts += {len(arrays)};"]
+        lines += [f"    {line}" for line in [*body, "break;"]]
+    return lines

@@ -1,0 +1,83 @@
+"""Machines as JSON: nothing is lost, and nothing else is read."""
+
+import json
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rossmarie import ir
+from support.drafts import Draft
+from support.machines import machines
+
+
+@settings(max_examples=60, deadline=None)
+@given(machines())
+def test_round_trip(machine):
+    text = ir.machine_to_json(machine)
+    again = ir.machine_from_json(text)
+    ir.verify(again)
+    assert ir.machine_to_json(again) == text
+    assert ir.dump_text(again) == ir.dump_text(machine)
+
+
+def test_numbers_keep_every_bit():
+    draft = Draft()
+    values = (0.1, -0.0, 5e-324, 1.7976931348623157e308, 1e16, 3.0)
+    for value in values:
+        draft.constant(value)
+    again = ir.machine_from_json(ir.machine_to_json(draft.machine()))
+    assert [repr(signal.node.value) for signal in again.signals] == [repr(v) for v in values]
+
+
+def test_spans_keep_their_sources():
+    draft = Draft()
+    draft.truth(ir.Literal(True))
+    again = ir.machine_from_json(ir.machine_to_json(draft.machine()))
+    assert str(again.truths[0].span) == "draft.ross:1:1"
+    assert again.truths[0].span.text == "draft"
+
+
+def readable() -> dict[str, object]:
+    draft = Draft()
+    draft.rule(draft.above(draft.read(), 1.0))
+    return json.loads(ir.machine_to_json(draft.machine()))
+
+
+def test_other_versions_are_refused():
+    for member, value in (("version", 2), ("format", "something")):
+        with pytest.raises(ir.UnreadableMachine, match="not version 1 of a rossmarie-machine"):
+            ir.machine_from_json(json.dumps({**readable(), member: value}))
+
+
+@pytest.mark.parametrize(
+    ("path", "value"),
+    [
+        (("machine", "rules"), 3),
+        (("machine", "rules"), [{}]),
+        (("machine", "truths", 0, "node", "class"), "Rate"),
+        (("machine", "truths", 0, "node", "class"), "Nothing"),
+        (("machine", "truths", 0, "node", "comparison"), "=>"),
+        (("machine", "truths", 0, "node", "left"), 0.5),
+        (("machine", "truths", 0, "node", "left"), True),
+        (("machine", "truths", 0, "name"), 1),
+        (("machine", "truths", 0, "span"), [7, 0, 1]),
+        (("machine", "truths", 0, "span"), "here"),
+        (("machine", "signals", 1, "node", "value"), "1"),
+        (("files",), [{}]),
+    ],
+)
+def test_what_is_no_machine_is_refused(path, value):
+    whole = readable()
+    place = whole
+    for step in path[:-1]:
+        place = place[step]
+    place[path[-1]] = value
+    with pytest.raises(ir.UnreadableMachine):
+        ir.machine_from_json(json.dumps(whole))
+
+
+@given(st.text(max_size=20) | st.sampled_from(("null", "[]", "{}", "3", "[" * 100_000)))
+def test_any_text_is_read_or_refused(text):
+    with pytest.raises(ir.UnreadableMachine):
+        ir.machine_from_json(text)

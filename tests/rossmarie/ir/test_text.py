@@ -1,0 +1,55 @@
+"""The readable dump."""
+
+from hypothesis import given, settings
+
+from rossmarie import ir
+from support.drafts import SECOND, Draft
+from support.machines import machines
+
+
+def test_dump():
+    draft = Draft(texts=('say "x"',))
+    x = draft.read(timeout_ns=SECOND // 4)
+    element = draft.elements()
+    least = draft.signal(ir.Fold(ir.Folding.MINIMUM, element), text="min(ranges)", unit="m")
+    near = draft.truth(
+        ir.Compare(ir.Comparison.LESS, least, x), name="scan.near", text="min(ranges) < x"
+    )
+    draft.rule(draft.truth(ir.Held(near, 3 * SECOND // 2)), latched=True)
+    expected = (
+        "machine scanner",
+        "",
+        "channel 0 = /topic_0 : std_msgs/Float64",
+        "channel 1 = /topic_1 : std_msgs/Float64",
+        "",
+        "input 0 = input_0 of channel 0 timeout 0.25 s | draft.ross:1:1",
+        "input 1 = input_1 of channel 1               | draft.ross:1:1",
+        "",
+        "slot 0 = real of input 0 .slot_0",
+        "array 0 = of input 1 .array_0",
+        "",
+        'text 0 = "say \\"x\\""',
+        "",
+        "s0 = read slot 0                             | signal_0 | draft.ross:1:1",
+        "s1 = element of array 0                      | signal_1 | draft.ross:1:1",
+        "s2 = minimum over elements s1                | min(ranges) in m | draft.ross:1:1",
+        "",
+        "t0 = s2 < s0                                 "
+        "| scan.near: min(ranges) < x | draft.ross:1:1",
+        "t1 = t0 for 1.5 s                            | truth_1 | draft.ross:1:1",
+        "",
+        "rule rule_1 = if t1, latched                 | clears by contract | draft.ross:1:1",
+        "  actions stop",
+        "  terms t0, t1; signals s0, s2",
+        "",
+    )
+    assert ir.dump_text(draft.machine("scanner")).split("\n") == list(expected)
+
+
+@settings(max_examples=40, deadline=None)
+@given(machines())
+def test_every_part_has_its_line(machine):
+    lines = ir.dump_text(machine).splitlines()
+    for letter, parts in (("s", machine.signals), ("t", machine.truths)):
+        numbered = [line for line in lines if line.startswith(letter) and line[1].isdigit()]
+        assert len(numbered) == len(parts)

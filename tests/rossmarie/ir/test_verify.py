@@ -1,0 +1,181 @@
+"""What `verify` accepts, and what it says of each defect."""
+
+import dataclasses
+import math
+
+import pytest
+from hypothesis import given, settings
+
+from rossmarie import ir
+from support.drafts import SECOND, Draft
+from support.machines import machines
+
+
+@settings(max_examples=100, deadline=None)
+@given(machines())
+def test_machines_that_grow_by_the_rules_pass(machine):
+    ir.verify(machine)
+
+
+def refused(draft: Draft) -> str:
+    with pytest.raises(ir.MalformedMachine) as refusal:
+        ir.verify(draft.machine())
+    return str(refusal.value)
+
+
+def signal_after(*nodes: ir.SignalNode) -> str:
+    """What is said of the last of some signals on a machine with a number and an array."""
+    draft = Draft()
+    draft.read()
+    draft.elements()
+    for node in nodes:
+        draft.signal(node)
+    return refused(draft)
+
+
+@pytest.mark.parametrize(
+    ("node", "said"),
+    [
+        (ir.Constant(math.inf), "signal 2 (Constant): inf is not finite"),
+        (ir.Constant(math.nan), "signal 2 (Constant): nan is not finite"),
+        (ir.Read(1), "signal 2 (Read): there is no slot 1"),
+        (ir.Read(-1), "signal 2 (Read): there is no slot -1"),
+        (ir.Element(1), "signal 2 (Element): there is no array 1"),
+        (ir.Rate(2), "signal 2 (Rate): operand 2 does not stand before its user"),
+        (ir.Previous(-1), "signal 2 (Previous): operand -1 does not stand before its user"),
+        (ir.Count(0), "signal 2 (Count): there is no truth 0"),
+        (ir.Apply(ir.Function.ADD, (0,)), "signal 2 (Apply): add of 1 operands"),
+        (ir.Apply(ir.Function.NORM, ()), "signal 2 (Apply): norm of 0 operands"),
+        (ir.Apply(ir.Function.ROLL, (0, 0, 0)), "signal 2 (Apply): roll of 3 operands"),
+        (ir.Apply(ir.Function.ADD, (0, 1)), "signal 2 (Apply): operand 0 is not elementwise"),
+        (ir.Rate(1), "signal 2 (Rate): operand 1 is elementwise"),
+        (ir.Fold(ir.Folding.MINIMUM, 0), "signal 2 (Fold): folds no elements"),
+    ],
+)
+def test_signals(node, said):
+    assert signal_after(node) == said
+
+
+@pytest.mark.parametrize(
+    ("node", "said"),
+    [
+        (ir.Not(1), "truth 1 (Not): operand 1 does not stand before its user"),
+        (ir.Flag(2), "truth 1 (Flag): there is no signal 2"),
+        (ir.And((0,)), "truth 1 (And): 1 operands"),
+        (ir.Or(()), "truth 1 (Or): 0 operands"),
+        (ir.Held(0, 0), "truth 1 (Held): a duration of 0 ns"),
+        (ir.Held(0, 2**61), f"truth 1 (Held): a duration of {2**61} ns"),
+        (ir.AgeReaches(2, 1), "truth 1 (AgeReaches): there is no input 2"),
+        (ir.AgeReaches(0, 0), "truth 1 (AgeReaches): a duration of 0 ns"),
+        (ir.Oscillates(0, 0, 1, 0.0), "truth 1 (Oscillates): 0 turning points"),
+        (ir.Oscillates(0, 1, -1, 0.0), "truth 1 (Oscillates): a duration of -1 ns"),
+        (ir.Oscillates(0, 1, 1, -1.0), "truth 1 (Oscillates): a swing of -1.0"),
+        (ir.Oscillates(0, 1, 1, math.inf), "truth 1 (Oscillates): inf is not finite"),
+        (ir.Oscillates(1, 1, 1, 0.0), "truth 1 (Oscillates): operand 1 is elementwise"),
+        (ir.Quantified(ir.Quantifier.ANY, 0), "truth 1 (Quantified): quantifies no elements"),
+        (ir.Between(1, 1, 0), "truth 1 (Between): operand 0 is not elementwise"),
+        (ir.Flag(0), "truth 1 (Flag): tests a real"),
+    ],
+)
+def test_truths(node, said):
+    draft = Draft()
+    x = draft.read()
+    draft.elements()
+    draft.truth(ir.Compare(ir.Comparison.LESS, x, x))
+    draft.truth(node)
+    assert refused(draft) == said
+
+
+def test_elementwise_truths_stay_below_folds():
+    draft = Draft()
+    element = draft.elements()
+    on_elements = draft.above(element, 0.0)
+    draft.truth(ir.Held(on_elements, 1))
+    assert refused(draft) == "truth 1 (Held): operand 0 is elementwise"
+    draft.truths[-1] = dataclasses.replace(draft.truths[-1], node=ir.Literal(True))
+    draft.truth(ir.And((on_elements, 1)))
+    ir.verify(draft.machine())
+    draft.truth(ir.AgeReaches(0, 1))
+    draft.truth(ir.And((on_elements, 3)))
+    assert refused(draft) == "truth 4 (And): operand 3 is not elementwise"
+
+
+def test_elements_of_two_arrays_do_not_meet():
+    draft = Draft()
+    draft.apply(ir.Function.ADD, draft.elements(), draft.elements())
+    assert refused(draft) == "elementwise: elements of 2 arrays meet"
+
+
+def test_what_is_counted_stands_before_the_count():
+    draft = Draft()
+    element = draft.elements()
+    counted = draft.above(element, 0.0)
+    draft.signal(ir.Count(counted))
+    ir.verify(draft.machine())
+    draft.signals[1], draft.signals[2] = draft.signals[2], draft.signals[1]
+    draft.truths[0] = dataclasses.replace(
+        draft.truths[0], node=ir.Compare(ir.Comparison.GREATER, element, 2)
+    )
+    assert refused(draft) == "signal 1 (Count): operand 2 does not stand before its user"
+
+
+def test_texts_are_compared_with_literals_only():
+    draft = Draft(texts=("docked",))
+    one, other = (draft.read(kind=ir.Kind.TEXT) for _ in range(2))
+    literal = draft.constant(0.0)
+    draft.truth(ir.Compare(ir.Comparison.EQUAL, one, literal))
+    ir.verify(draft.machine())
+    for comparison, right in ((ir.Comparison.LESS, literal), (ir.Comparison.EQUAL, other)):
+        draft.truth(ir.Compare(comparison, one, right))
+        assert refused(draft) == "truth 1 (Compare): operand 0 is a text"
+        draft.truths.pop()
+
+
+def test_flags_are_no_numbers():
+    draft = Draft()
+    draft.signal(ir.Rate(draft.read(kind=ir.Kind.FLAG)))
+    assert refused(draft) == "signal 1 (Rate): operand 0 is a flag"
+
+
+def test_inputs():
+    draft = Draft()
+    draft.input(0)
+    assert refused(draft) == "input 0: there is no channel 0"
+    draft.channel()
+    draft.slot(1)
+    assert refused(draft) == "slot 0: there is no input 1"
+    draft.slots[0] = dataclasses.replace(draft.slots[0], input=0, kind=ir.Kind.TEXT, scale=2.0)
+    assert refused(draft) == "slot 0: a scaled text"
+    draft.slots[0] = dataclasses.replace(draft.slots[0], scale=math.nan)
+    assert refused(draft) == "slot 0: nan is not finite"
+    draft.slots.clear()
+    draft.input(0, timeout_ns=0)
+    assert refused(draft) == "input 1: a duration of 0 ns"
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"condition": 9}, "there is no truth 9"),
+        ({"release": -1}, "there is no truth -1"),
+        ({"condition": 0}, "truth 0 is elementwise"),
+        ({"terms": ()}, "wrong terms"),
+        ({"signals": (0,)}, "wrong signals"),
+        ({"inputs": ()}, "wrong inputs"),
+    ],
+)
+def test_rules(change, said):
+    draft = Draft()
+    some = draft.truth(ir.Quantified(ir.Quantifier.ANY, draft.above(draft.elements(), 0.0)))
+    draft.rule(draft.truth(ir.Held(some, SECOND)))
+    ir.verify(draft.machine())
+    draft.rules[0] = dataclasses.replace(draft.rules[0], **change)
+    assert refused(draft) == f"rule 0 (rule_1): {said}"
+
+
+def test_rule_names_are_unique():
+    draft = Draft()
+    for _ in range(2):
+        draft.rule(draft.truth(ir.Literal(True)))
+    draft.rules[1] = dataclasses.replace(draft.rules[1], name="rule_1")
+    assert refused(draft) == "rule rule_1: there are 2 of this name"

@@ -1,0 +1,43 @@
+from __future__ import annotations
+
+import io
+import re
+
+import pytest
+
+from rossmarie.report import Replay, write_table
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_plain_text_has_one_line_for_each_rule(drive: Replay) -> None:
+    out = io.StringIO()
+    write_table(drive, out)
+    head, *rows = out.getvalue().splitlines()
+    assert re.split(r"  +", head) == ["Rule", "Activations", "Active for", "Longest", "First cause"]
+    assert [row.split()[0] for row in rows] == [rule.name for rule in drive.machine.rules]
+    assert re.match(r"slow_on_slope +3 +11\.3 s +5\.7 s +00:24\.7  imu\.steep: ", rows[0])
+    assert rows[4].endswith("still active at the end")
+    assert not re.search(r"\x1b| $", out.getvalue(), re.MULTILINE)
+
+
+def test_it_fits_a_terminal_of_80_columns(drive: Replay, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.setenv("TERM", "xterm")
+    out = Terminal()
+    write_table(drive, out)
+    plain = re.sub(r"\x1b\[[0-9;]*m", "", out.getvalue())
+    assert max(len(line) for line in plain.splitlines()) <= 80
+    for rule in drive.machine.rules:
+        assert rule.name in plain
+    assert "…" not in plain
+
+
+def test_a_rule_that_was_never_active_says_so(drive: Replay) -> None:
+    quiet = Replay(drive.machine, "a", "b", "native", 0, 1, (), (), ())
+    out = io.StringIO()
+    write_table(quiet, out)
+    assert out.getvalue().count("never") == len(drive.machine.rules)

@@ -1,0 +1,172 @@
+"""Each mistake has its own message, at its exact place, and a fix that mends it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from dslkit.diagnostics import Diagnostic, apply_edits
+from rossmarie.syntax import ast, errors
+
+Parsed = Callable[[str], tuple[ast.Module, tuple[Diagnostic, ...]]]
+
+
+def codes(found: tuple[Diagnostic, ...]) -> list[tuple[str, str]]:
+    return [(one.code, one.primary.span.text) for one in found]
+
+
+# The mistakes that have one obvious remedy: text, code, marked text, text after the fix.
+FIXABLE = [
+    ("entitty imu { }", "ROSS005", "entitty", "entity imu { }"),
+    ("ruel r: if a then {}", "ROSS005", "ruel", "rule r: if a then {}"),
+    ("Const a = 3", "ROSS005", "Const", "const a = 3"),
+    ("constant a = 3", "ROSS005", "constant", "const a = 3"),
+    ('improt "a.ross"', "ROSS005", "improt", 'import "a.ross"'),
+    ("iff a then {}", "ROSS005", "iff", "if a then {}"),
+    ("limit = 3", "ROSS005", "limit", "const limit = 3"),
+    ("entity e { a : b }", "ROSS006", "b", "entity e { a : b; }"),
+    ("entity e { a : b c : d; }", "ROSS006", "b", "entity e { a : b; c : d; }"),
+    ("entity e { a : b > 3\n m : d; }", "ROSS006", "3", "entity e { a : b > 3;\n m : d; }"),
+    ("if a then { b }", "ROSS006", "b", "if a then { b; }"),
+    ("if a then { b c; }", "ROSS006", "b", "if a then { b; c; }"),
+    ("if a then { b, c; }", "ROSS006", ",", "if a then { b; c; }"),
+    ("const a 3", "ROSS006", "a", "const a = 3"),
+    ("const a : 3", "ROSS006", ":", "const a = 3"),
+    ("const a == 3", "ROSS006", "==", "const a = 3"),
+    ("input a topic /t", "ROSS006", "a", "input a = topic /t"),
+    ("input a = /t", "ROSS006", "=", "input a = topic /t"),
+    ("rule r if a then {}", "ROSS006", "r", "rule r: if a then {}"),
+    ("rule r: a then {}", "ROSS006", ":", "rule r: if a then {}"),
+    ("entity e a : b; }", "ROSS006", "e", "entity e { a : b; }"),
+    ("system s { topic /t p/T; }", "ROSS006", "t", "system s { topic /t : p/T; }"),
+    ("system s { topic /t : p/T }", "ROSS006", "T", "system s { topic /t : p/T; }"),
+    ("entity e { a : (b or c; }", "ROSS007", "(", "entity e { a : (b or c); }"),
+    ("const a = [1, 2", "ROSS007", "[", "const a = [1, 2]"),
+    ("if a then { b;", "ROSS007", "{", "if a then { b; }"),
+    ("if a then { b; clear for 2 s", "ROSS007", "{", "if a then { b; } clear for 2 s"),
+    ("entity e { a : b;\nconst c = 3", "ROSS007", "{", "entity e { a : b;\n}\nconst c = 3"),
+    ("system s { topic /t : p/T;", "ROSS007", "{", "system s { topic /t : p/T;\n}"),
+    ("}", "ROSS008", "}", ""),
+    ("entity e { a : b); }", "ROSS008", ")", "entity e { a : b; }"),
+    ("if a { b; }", "ROSS009", "a", "if a then { b; }"),
+    ("if a -> { b; }", "ROSS009", "->", "if a then { b; }"),
+    ("if a => { b; }", "ROSS009", "=>", "if a then { b; }"),
+    ("if a do { b; }", "ROSS009", "do", "if a then { b; }"),
+    ("entity e { a : b && c; }", "ROSS010", "&&", "entity e { a : b and c; }"),
+    ("entity e { a : b||c; }", "ROSS010", "||", "entity e { a : b or c; }"),
+    ("entity e { a : !b; }", "ROSS010", "!", "entity e { a : not b; }"),
+    ("entity e { a : b = 3; }", "ROSS010", "=", "entity e { a : b == 3; }"),
+    ("entity e { a : b === 3; }", "ROSS010", "===", "entity e { a : b == 3; }"),
+    ("entity e { a : b <> 3; }", "ROSS010", "<>", "entity e { a : b != 3; }"),
+    ("entity e { a : b => 3; }", "ROSS010", "=>", "entity e { a : b >= 3; }"),
+    ("entity e { a : b ≤ 3; }", "ROSS010", "≤", "entity e { a : b <= 3; }"),
+    ("entity e { a : 1 < b < 3; }", "ROSS011", "<", "entity e { a : (1 < b and b < 3); }"),
+    ("entity e { a : not b in c > d; }", "ROSS011", ">", None),
+    ('const a = "b', "ROSS003", '"b', 'const a = "b"'),
+    ('import "b;', "ROSS003", '"b;', 'import "b";'),
+    ("import b.ross;", "ROSS018", "b.ross", 'import "b.ross";'),
+    ("''' a\nconst b = 3", "ROSS004", "'''", "''' a'''\nconst b = 3"),
+    ("action a { b; { } }", "ROSS020", "{ b; { } }", "action a;"),
+]
+
+
+@pytest.mark.parametrize(("text", "code", "marked", "mended"), FIXABLE)
+def test_a_mistake_is_found_once_and_its_fix_mends_it(
+    parsed: Parsed, text: str, code: str, marked: str, mended: str | None
+) -> None:
+    _, found = parsed(text)
+    assert codes(found) == [(code, marked)]
+    assert found[0].fix is not None
+    fixed = apply_edits(text, found[0].fix.edits)
+    if mended is not None:
+        assert fixed == mended
+    assert parsed(fixed)[1] == ()
+
+
+MISTAKES = [
+    ("@", "ROSS002", "@"),
+    ("const a = 3 # no", "ROSS002", "#"),
+    ("const a = \0", "ROSS002", "\0"),
+    ("const a = \ud800", "ROSS002", "\ud800"),
+    ("const größe = 3", "ROSS002", "ö"),
+    ("entity e { a : b ^ 2 > 3; }", "ROSS002", "^"),
+    ("entity e { a : 'b'; }", "ROSS002", "'"),
+    ("a : b > 3;", "ROSS005", "a"),
+    ("topic /t : p/T;", "ROSS005", "topic"),
+    ("then { }", "ROSS005", "then"),
+    ("hello world", "ROSS005", "hello"),
+    ("(3)", "ROSS018", "("),
+    ("entity e { a : " + "(" * 65 + "b" + ")" * 65 + "; }", "ROSS012", "("),
+    ("const input = 3", "ROSS014", "input"),
+    ("entity e { rule : a; }", "ROSS014", "rule"),
+    ("entity e { a : b > topic; }", "ROSS014", "topic"),
+    ("if a then { const; }", "ROSS014", "const"),
+    ("rule if: if a then { }", "ROSS014", "if"),
+    ("const = 3", "ROSS015", "const"),
+    ("const 3x = 3", "ROSS015", "const"),
+    ("entity { a : b; }", "ROSS015", "entity"),
+    ("rule: if a then { }", "ROSS015", "rule"),
+    ("entity e { a : b > ; }", "ROSS016", ">"),
+    ("entity e { a : ; }", "ROSS016", ":"),
+    ("entity e { a : b and; }", "ROSS016", "and"),
+    ("entity e { a : (b or ); }", "ROSS016", "or"),
+    ("entity e { a : b > for 3 s; }", "ROSS016", ">"),
+    ("entity e { a : () > 3; }", "ROSS016", ")"),
+    ("const a =", "ROSS016", "="),
+    ("if then { a; }", "ROSS016", "if"),
+    ("const a", "ROSS017", "a"),
+    ("entity e", "ROSS017", "e"),
+    ("entity e { a : b c > 3; }", "ROSS018", "c"),
+    ("entity e { a : b -> c; }", "ROSS018", "->"),
+    ("entity e { a : b.(c); }", "ROSS018", "("),
+    ("entity e { a : b[c] > 3; }", "ROSS018", "c"),
+    ("input a = topic /t : Imu", "ROSS018", "Imu"),
+    ("if a then { } claer for 2 s", "ROSS018", "claer"),
+    ("if a then { } else { b; }", "ROSS018", "else"),
+    ("const a = 1e999 m", "ROSS019", "1e999"),
+    ("entity e { a : b[1.5] > 3; }", "ROSS019", "1.5"),
+    ("entity e { a : b[9999999999] > 3; }", "ROSS019", "9999999999"),
+    ("entity e { a : oscillates(b, 3); }", "ROSS021", "oscillates"),
+    ("entity e { a : norm(b, 3 times); }", "ROSS021", "3 times"),
+    ("entity e { a : b.c(within 3 s); }", "ROSS021", "within 3 s"),
+]
+
+
+@pytest.mark.parametrize(("text", "code", "marked"), MISTAKES)
+def test_a_mistake_is_found_once(parsed: Parsed, text: str, code: str, marked: str) -> None:
+    _, found = parsed(text)
+    assert codes(found) == [(code, marked)]
+
+
+def test_every_code_is_tested() -> None:
+    tested = {code for _, code, *_ in (*FIXABLE, *MISTAKES)}
+    elsewhere = {"ROSS001", "ROSS013", "ROSS022"}  # test_limits.py
+    assert tested | elsewhere == {found.code for found in errors.ALL}
+
+
+@pytest.mark.parametrize(("text", "code", "marked"), [case[:3] for case in (*FIXABLE, *MISTAKES)])
+def test_a_mistake_costs_nothing_around_it(
+    parsed: Parsed, text: str, code: str, marked: str
+) -> None:
+    """Items before and behind a mistake are read as if it were not there."""
+    module, found = parsed(f"const before = 3\n{text}\nconst behind = 4\naction last;\n")
+    assert codes(found) == [(code, marked)]
+    names = [item.name.text for item in module.items if isinstance(item, ast.Constant | ast.Action)]
+    assert names[0] == "before"
+    assert names[-2:] == ["behind", "last"]
+
+
+def test_messages_say_what_to_write(parsed: Parsed) -> None:
+    (found,) = parsed("entity e { a : 0 < b < 3; }")[1]
+    assert found.help == "write `0 < b and b < 3`"
+    (found,) = parsed("entitty e { }")[1]
+    assert found.help == "did you mean `entity`?"
+    (found,) = parsed("const a = \x07")[1]
+    assert found.title == "the control character U+0007 has no meaning here"
+    (found,) = parsed("const größe = 3")[1]
+    assert "U+00F6, latin small letter o with diaeresis" in found.title
+    (found,) = parsed("entity e { a : b;\nconst c = 3")[1]
+    assert [(label.span.text, label.text) for label in found.labels] == [
+        ("const", "the next item begins here")
+    ]

@@ -1,0 +1,200 @@
+"""The canonical text: what it looks like, and that nothing is lost on the way to it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rossmarie.syntax import ast, format_module
+
+Accepted = Callable[[str], ast.Module]
+WithoutSpans = Callable[[ast.Module], Any]
+
+EXAMPLES = sorted((Path(__file__).parents[3] / "examples").rglob("*.ross"))
+
+CASES = {
+    "statements end in a semicolon": (
+        'import "a.ross" const a=3m/s input i=topic /t:p/T.x in N timeout 0.2s action b',
+        """\
+import "a.ross";
+
+const a = 3 m/s;
+
+input i = topic /t : p/T .x in N timeout 0.2 s;
+
+action b;
+""",
+    ),
+    "the printed form of an input": ("input  f=topic W . force", "input f = topic W.force;\n"),
+    "items of one kind stand together, with the empty lines of their author": (
+        "action a;;\naction b;\n\n\n\naction c; const d = 1",
+        "action a;\naction b;\n\naction c;\n\nconst d = 1;\n",
+    ),
+    "expressions": (
+        "const a=-1+ - b*( c-d )/e . f( g,-2 )[ 0 ]\n"
+        "const h=[-1 ,2]deg const i = - - 3 const j=f( )",
+        "const a = -1 + -b * (c - d) / e.f(g, -2)[0];\n"
+        "const h = [-1, 2] deg;\nconst i = --3;\nconst j = f();\n",
+    ),
+    "an entity": (
+        "entity e{a:b for 2 s;\n\n\nc : not d   in[1,2]m ;}if e.a then{x;y;}",
+        """\
+entity e {
+    a : b for 2 s;
+
+    c : not d in [1, 2] m;
+}
+
+if e.a then { x; y; };
+""",
+    ),
+    "words before parentheses": (
+        "entity e{a:not(b)and(c)for(d)or f (g)>min( 1,2 )or-(x)in(h);}",
+        "entity e {\n    a : not (b) and (c) for (d) or f(g) > min(1, 2) or -(x) in (h);\n}\n",
+    ),
+    "a system": (
+        'system s{messages "m";topic /t:p/T;topic A=/b:p/U in rad/s;node n{publishes /t;subscribes'
+        " /a,B;};unit p/T . x=m;}",
+        """\
+system s {
+    messages "m";
+
+    topic /t : p/T;
+    topic A = /b : p/U in rad/s;
+
+    node n { publishes /t; subscribes /a, B; }
+
+    unit p/T.x = m;
+}
+""",
+    ),
+    "a long rule": (
+        "rule r:if first_entity.first_condition and second_entity.second_condition then "
+        "{ first_action; second_action; } clear for 2 sec",
+        """\
+rule r: if first_entity.first_condition and second_entity.second_condition
+    then { first_action; second_action; }
+    clear for 2 sec;
+""",
+    ),
+    "a longer rule": (
+        "if first_entity.first_condition and second_entity.second_condition or third_entity"
+        ".third_condition_of_all then { first_action_with_a_long_name; "
+        "second_action_with_a_long_name; third_action_with_a_long_name; } "
+        "clear when first_entity.last_condition",
+        """\
+if first_entity.first_condition
+        and second_entity.second_condition
+        or third_entity.third_condition_of_all
+    then {
+        first_action_with_a_long_name;
+        second_action_with_a_long_name;
+        third_action_with_a_long_name;
+    }
+    clear when first_entity.last_condition;
+""",
+    ),
+    "comments stay beside what they belong to": (
+        """\
+// the file
+
+
+// a limit
+const a = 3 // trailing
+// below
+entity e { // entity
+    // first
+    a : b; // is b
+
+    // last
+}
+// the end""",
+        """\
+// the file
+
+// a limit
+const a = 3;  // trailing
+
+// below
+entity e {  // entity
+    // first
+    a : b;  // is b
+
+    // last
+}
+// the end
+""",
+    ),
+    "comments inside statements": (
+        "entity e { a : b // one\n and // two\n // three\n c // four\n ; // five\n}",
+        """\
+entity e {
+    a : b  // one
+            and  // two
+            // three
+            c;  // four
+    // five
+}
+""",
+    ),
+    "documentation": (
+        "'''one line'''entity e{'''  two\n      lines\n        here  '''a:b;'''loose'''}",
+        """\
+'''one line'''
+entity e {
+    '''
+    two
+    lines
+      here
+    '''
+    a : b;
+    '''loose'''
+}
+""",
+    ),
+    "documentation that ends in a quotation mark": (
+        "'''it's 'fine' '''const a = 1",
+        "'''it's 'fine' '''\nconst a = 1;\n",
+    ),
+    "documentation in front of a semicolon documents nothing": (
+        "const a = 1 '''stray\nwords''' ; const b = 2",
+        "const a = 1;\n// stray\n// words\nconst b = 2;\n",
+    ),
+    "nothing": (" \n\n ", ""),
+    "only a comment": ("\n\n//  hm  \n\n", "//  hm\n"),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_the_canonical_text(accepted: Accepted, without_spans: WithoutSpans, name: str) -> None:
+    text, expected = CASES[name]
+    assert format_module(accepted(text)) == expected
+    assert without_spans(accepted(expected)) == without_spans(accepted(text))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_canonical_text_stays_as_it_is(accepted: Accepted, name: str) -> None:
+    expected = CASES[name][1]
+    assert format_module(accepted(expected)) == expected
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.name)
+def test_examples_keep_their_meaning(
+    accepted: Accepted, without_spans: WithoutSpans, path: Path
+) -> None:
+    module = accepted(path.read_text(encoding="utf-8"))
+    text = format_module(module)
+    again = accepted(text)
+    assert without_spans(again) == without_spans(module)
+    assert format_module(again) == text
+    assert max(len(line) for line in text.split("\n")) <= 100
+
+
+def test_windows_line_ends_become_plain(accepted: Accepted) -> None:
+    text = "const a = 1 // one\r\n\r\n'''two\r\nlines'''\r\nconst b = 2\r\n"
+    plain = format_module(accepted(text.replace("\r", "")))
+    assert format_module(accepted(text)) == plain
+    assert "\r" not in plain

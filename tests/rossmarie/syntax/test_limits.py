@@ -1,0 +1,140 @@
+"""Bounds: what is too large, too deep or too wrong is said to be so, in little time."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import pytest
+
+from dslkit.diagnostics import Diagnostic
+from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, format_module
+from rossmarie.syntax.limits import MAXIMUM_DEPTH, MAXIMUM_ERRORS, MAXIMUM_NESTING
+from rossmarie.syntax.walk import depth, expressions
+
+Parsed = Callable[[str], tuple[ast.Module, tuple[Diagnostic, ...]]]
+
+FULL = MAXIMUM_FILE_SIZE - 64
+
+
+def entity(expression: str) -> str:
+    return f"entity e {{ a : {expression}; b : c; }}"
+
+
+def codes(found: tuple[Diagnostic, ...]) -> list[str]:
+    return [one.code for one in found]
+
+
+@pytest.mark.parametrize(
+    ("opening", "closing"),
+    [("(", ")"), ("not ", ""), ("- ", ""), ("!", ""), ("f(", ")"), ("- (", ")"), ("[", "]")],
+)
+def test_nesting_is_bounded(parsed: Parsed, opening: str, closing: str) -> None:
+    levels = MAXIMUM_NESTING // sum(opening.count(sign) for sign in ("(", "[", "not", "-", "!"))
+    _, found = parsed(entity(f"{opening * levels}x{closing * levels} > 3"))
+    assert "ROSS012" not in codes(found)
+    module, found = parsed(entity(f"{opening * (levels + 1)}x{closing * (levels + 1)} > 3"))
+    assert "ROSS012" in codes(found)
+    (saved,) = module.items
+    assert isinstance(saved, ast.Entity)
+    assert [condition.name.text for condition in saved.conditions] == ["a", "b"]
+    assert isinstance(saved.conditions[0].expression, ast.Broken)
+
+
+def test_brackets_beside_each_other_are_no_nesting(parsed: Parsed) -> None:
+    text = " and ".join(["(not (x > -3))"] * 70)
+    assert parsed(entity(text))[1] == ()
+
+
+@pytest.mark.parametrize(
+    "link", [" + x", " and x", " or x", ".x", "[0]", ".x()", " for 1 s", " * 2"]
+)
+def test_the_length_of_an_expression_is_bounded(parsed: Parsed, link: str) -> None:
+    module, found = parsed(entity("x" + link * (MAXIMUM_DEPTH - 10)))
+    assert found == ()
+    assert format_module(module)
+    module, found = parsed(entity("x" + link * (MAXIMUM_DEPTH + 1)))
+    assert codes(found) == ["ROSS013"]
+    (saved,) = module.items
+    assert isinstance(saved, ast.Entity)
+    assert isinstance(saved.conditions[0].expression, ast.Broken)
+
+
+def test_whatever_is_accepted_can_be_walked_by_recursion(parsed: Parsed) -> None:
+    inner = "x" + " + x" * 150
+    for _ in range(20):
+        inner = f"({inner}) + x"
+    module, found = parsed(entity(inner))
+    assert found == ()
+    (item,) = module.items
+    assert max(depth(root) for root in expressions(item)) <= MAXIMUM_DEPTH
+
+
+def test_a_file_of_the_largest_size_is_read(parsed: Parsed) -> None:
+    comment = "// é\n"
+    text = comment * (MAXIMUM_FILE_SIZE // len(comment.encode()))
+    padding = MAXIMUM_FILE_SIZE - len(text.encode())
+    assert parsed(text + " " * padding)[1] == ()
+    module, found = parsed(text + " " * (padding + 1))
+    assert codes(found) == ["ROSS001"]
+    assert module.items == ()
+
+
+def test_the_number_of_findings_is_bounded(parsed: Parsed) -> None:
+    for text in ("a;\n" * 1000, f"entity e {{ {'a : ;' * 1000} }} const x = 3"):
+        _, found = parsed(text)
+        assert len(found) == MAXIMUM_ERRORS + 1
+        assert codes(found).count("ROSS022") == 1
+
+
+HUGE = {
+    "chain": "const x = " + "a + " * (FULL // 4) + "a",
+    "words": "const " * (FULL // 6),
+    "parentheses": "const x = " + "((((    " * (FULL // 8),
+    "not": "const x = " + "not " * (FULL // 4),
+    "items": "action a;\n" * (FULL // 10),
+    "entity": "entity e {" + "a : b > 3;" * (FULL // 10) + "}",
+    "open entities": "entity e {\n" * (FULL // 11),
+    "open actions": "action a {\n" * (FULL // 11),
+    "rules": "if a then { b; }\n" * (FULL // 17),
+    "misspelt": "entitty e {}\n" * (FULL // 13),
+    "names": "ab cd\n" * (FULL // 6),
+    "quotes": '"' * FULL,
+    "documentation": "'" * FULL,
+    "documentation and words": "''' x " * (FULL // 6),
+    "digits": "const x = " + "1" * FULL,
+    "exponent": "const x = 1e" + "9" * FULL,
+    "unit": "const x = 3 " + "metre/" * (FULL // 6) + "s",
+    "nul": "\0" * FULL,
+    "braces": "{" * FULL,
+    "stray": "} " * (FULL // 2),
+    "comparisons": "const x = " + "ab < " * (FULL // 5),
+    "spaces": " " * FULL,
+    "arguments": "const x = f(" + "abc, " * (FULL // 5) + "a)",
+}
+
+
+@pytest.mark.parametrize("name", HUGE)
+def test_huge_files_take_bounded_time(parsed: Parsed, name: str) -> None:
+    assert len(HUGE[name]) <= MAXIMUM_FILE_SIZE
+    start = time.process_time()
+    parsed(HUGE[name])
+    assert time.process_time() - start < 20  # seconds of CPU; far more if it were quadratic
+
+
+def test_a_hundred_rules_are_parsed_quickly(parsed: Parsed) -> None:
+    text = "action stop;\n" + "".join(
+        f"""const limit{index} = {index}.5 m/s
+        input speed{index} = topic /odom{index} : nav_msgs/Odometry .twist.linear.x timeout 0.2 sec
+        entity sensor{index} {{
+            fast : abs(speed{index}) > limit{index} and speed{index} + 1 m/s < 4 m/s for 4.0 sec;
+        }}
+        rule r{index}: if sensor{index}.fast then {{ stop; }} clear for 2.0 sec;
+        """
+        for index in range(100)
+    )
+    parsed(text)  # reads the tables
+    start = time.process_time()
+    _, found = parsed(text)
+    assert found == ()
+    assert time.process_time() - start < 1.0  # about 0.06 s when measured; CI machines vary
