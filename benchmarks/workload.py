@@ -94,7 +94,6 @@ def rossmarie_rules(copies: int) -> str:
 
 
 def _rossmarie_lines(copies: int) -> Iterator[str]:
-    yield 'system bench { messages "msg"; topic /sample : bench_msgs/Sample; }'
     for name in (*REALS, "contact"):
         yield f"input {name} = topic /sample : bench_msgs/Sample .{name};"
     yield "action react;"

@@ -20,7 +20,6 @@ if ! .venv/bin/python -m pip --version >/dev/null 2>&1; then
     echo "setup: creating the environment .venv with $("$python" --version)"
     "$python" -m venv --clear .venv
 fi
-echo "setup: installing into .venv from PyPI: this project and the $(grep -c '==' constraints.txt) \
-pinned packages of constraints.txt that apply"
+echo "setup: installing this project and what constraints.txt pins into .venv, from PyPI"
 .venv/bin/python -m pip install --quiet --disable-pip-version-check \
     --constraint constraints.txt --editable ".[dev${EXTRAS:+,$EXTRAS}]"

@@ -11,7 +11,6 @@ from rossmarie.syntax import ast
 NEAR = 0.7
 VERY_NEAR = 0.85
 LISTED = 12
-LONGEST_NAME = 100
 MOST_COMPARISONS = 50_000
 
 
@@ -32,11 +31,7 @@ class Suggestions:
 
 def near_name(name: str, known: Iterable[str]) -> str | None:
     """The known name that looks most like `name`, if any does; case does not matter."""
-    if len(name) > LONGEST_NAME:
-        return None
-    by_folded = {
-        candidate.lower(): candidate for candidate in known if len(candidate) <= LONGEST_NAME
-    }
+    by_folded = {candidate.lower(): candidate for candidate in known}
     matches = difflib.get_close_matches(name.lower(), by_folded, n=1, cutoff=NEAR)
     return by_folded[matches[0]] if matches else None
 

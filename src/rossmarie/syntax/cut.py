@@ -93,9 +93,9 @@ class _Cutter:
     def _begins_item(self, index: int, depth: int) -> bool:
         token = self._tokens[index]
         before = self._tokens[index - 1]
-        if token.kind != "word" or (before.text == "." and not self._names_something(index + 1)):
-            return False
         if token.text not in ITEM_WORDS:
+            return False
+        if before.text == "." and not self._is_word(index + 1):
             return False
         if depth:
             if self._text(index + 1) in (";", ":"):
@@ -121,11 +121,15 @@ class _Cutter:
 
     def _names_something(self, index: int) -> bool:
         """Whether a token stands behind a word as behind `entitty` or `limit`."""
+        return self._text(index) in (":", "=") or self._is_word(index)
+
+    def _is_word(self, index: int) -> bool:
+        """Whether a token is a text or a word that does not carry on what stands before it."""
         if index == len(self._tokens):
             return False
         token = self._tokens[index]
         if token.kind != "word":
-            return token.kind == "text" or token.text in (":", "=")
+            return token.kind == "text"
         return token.text not in OPERATOR_WORDS and token.text not in _CONTINUATIONS
 
     def _meant(self, index: int) -> str | None:

@@ -17,7 +17,9 @@ LEAVES = st.one_of(
     st.sampled_from(
         ["[1, 2] m", "[2, 1]", "[1, 2, 3]", "[-1, 1, -1, 1, -1, 1] m", "imu.orientation"]
     ),
-    st.sampled_from(["scan.ranges", "imu.linear_acceleration", "scan.ranges[0]", "e.c", "e.d"]),
+    st.sampled_from(
+        ["scan.ranges", "imu.linear_acceleration", "scan.ranges[0]", "scan.scan_time", "e.c", "e.d"]
+    ),
 )
 FUNCTIONS = st.sampled_from(
     (

@@ -69,6 +69,14 @@ def test_one_spike_among_many_samples_stays_where_it_was() -> None:
     assert kept_times[np.argmax(kept)] == times[31_415]
 
 
+def test_a_gap_keeps_its_beginning_and_where_it_was_last_seen() -> None:
+    values = np.sin(np.arange(1000.0))
+    values[400] = math.nan
+    values[600] = math.nan
+    times, kept = envelope(plot_of(np.arange(1000.0), values), 6)
+    assert times[np.isnan(kept)].tolist() == [400.0, 600.0]
+
+
 def test_a_repeated_value_is_stored_once() -> None:
     times, values = envelope(plot_of(np.arange(5.0), np.array([1.0, 1, 1, 2, 2])), 100)
     assert times.tolist() == [0.0, 3.0, 4.0]

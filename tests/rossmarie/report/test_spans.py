@@ -45,6 +45,7 @@ def test_every_verdict_begins_or_ends_exactly_one_span(
     spans = [span for row in active_spans(replay) for span in row]
     used = [place for span in spans for place in (span.opened, span.closed) if place is not None]
     assert sorted(used) == sorted(verdicts)
+    assert all(span.end_ns == replay.duration_ns for span in spans if span.closed is None)
     still = {span.rule for span in spans if span.closed is None}
     assert still == {rule for rule, is_active in enumerate(active) if is_active}
 
@@ -66,6 +67,7 @@ def test_summaries_add_up(case: tuple[ir.Machine, list[Step]]) -> None:
         summarize(replay), active_spans(replay), active, strict=True
     ):
         assert summary.activations == len(spans)
+        assert summary.lost_activations == len([span for span in spans if span.lost])
         assert summary.total_ns == sum(span.end_ns - span.start_ns for span in spans)
         assert summary.longest_ns <= summary.total_ns <= replay.duration_ns
         assert summary.active_at_end == is_active

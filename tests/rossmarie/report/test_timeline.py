@@ -80,6 +80,7 @@ def test_hostile_names_stay_text(drive: Replay) -> None:
     page = Page(text)
     assert page.tags == Page(render_timeline(drive)).tags
     assert len(page.scripts) == 2
+    assert not set("<>&") & set(page.scripts[0])
     assert data_of(text)["rules"][0]["name"] == HOSTILE
 
 

@@ -31,7 +31,7 @@ WORDS = [
     *("==", "&&", "||", "->", "=>", "oscillates", "messages", "unit"),
 ]
 
-thorough = settings(max_examples=200, suppress_health_check=[HealthCheck.too_slow], deadline=None)
+thorough = settings(max_examples=100, suppress_health_check=[HealthCheck.too_slow], deadline=None)
 
 
 def check_invariants(parsed: Parsed, text: str) -> None:
@@ -211,7 +211,7 @@ def programs(draw: st.DrawFn) -> str:
     return "".join(word + draw(GAPS) for item in drawn for word in item)
 
 
-@settings(thorough, max_examples=300)
+@thorough
 @given(text=programs())
 def test_formatting_keeps_the_tree_and_the_comments(
     parsed: Parsed, without_spans: WithoutSpans, text: str

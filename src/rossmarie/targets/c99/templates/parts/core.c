@@ -6,12 +6,19 @@ static void mark(monitor *m, unsigned node)
     m->pending = true;
 }
 
-/* The index of the lowest bit that is set, by a de Bruijn sequence. */
+/* The index of the lowest bit that is set. */
 static unsigned lowest(uint64_t bits)
 {
-    static const unsigned char places[64] = {
-        0,  1,  2,  53, 3,  7,  54, 27, 4,  38, 41, 8,  34, 55, 48, 28, 62, 5,  39, 46, 44, 42,
-        22, 9,  24, 35, 59, 56, 49, 18, 29, 11, 63, 52, 6,  26, 37, 40, 33, 47, 61, 45, 43, 21,
-        23, 58, 17, 10, 51, 25, 36, 32, 60, 20, 57, 16, 50, 31, 19, 15, 30, 14, 13, 12};
-    return places[((bits & (~bits + 1)) * UINT64_C(0x022fdd63cc95386d)) >> 58];
+#if defined(__GNUC__)
+    return (unsigned)__builtin_ctzll(bits);
+#else
+    unsigned place = 0;
+    for (unsigned width = 32; width != 0; width /= 2) {
+        if ((bits & (((uint64_t)1 << width) - 1)) == 0) {
+            bits >>= width;
+            place += width;
+        }
+    }
+    return place;
+#endif
 }

@@ -36,18 +36,16 @@ static void lose_sight(monitor *m, unsigned g)
 static void cross(monitor *m, unsigned g, double x)
 {
     const unsigned first = guard_limits[g], end = guard_limits[g + 1];
-    unsigned place;
+    unsigned place = first;
     if (isnan(x)) {
         lose_sight(m, g);
         return;
     }
-    if (m->region[g] >= 0) {
-        place = first + (unsigned)m->region[g];
-    } else {
-        place = first;
+    if (m->region[g] >= 0)
+        place += (unsigned)m->region[g];
+    else
         for (unsigned leaf = guard_leaves[g]; leaf != guard_leaves[g + 1]; leaf++)
             set_leaf(m, leaf, leaf_below[leaf]);
-    }
     for (; place != end && x > limits[place]; place++)
         set_leaf(m, limit_leaf[place], limit_above[place]);
     for (; place != first && x <= limits[place - 1]; place--)

@@ -1,0 +1,94 @@
+"""Our monitor on the workload: the generated C called sample by sample, and from Python."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import cffi
+from in_process import Columns, Round, compile_shared
+from workload import REALS, rossmarie_rules
+
+from rossmarie.driver import compile_file
+from rossmarie.ir import Machine
+from rossmarie.targets.c99 import generate
+
+DECLARATIONS = """
+void steps(size_t, int64_t *, double *, double *, double *, double *, uint8_t *, uint8_t *,
+           uint64_t *);
+"""
+
+# One call of the generated update a sample, in a file of its own, so that the compiler cannot look
+# into it; with three rules their activity is written and counted, as the hand-written loop does.
+HARNESS = """
+#include <string.h>
+#include "{name}_monitor.h"
+void steps(size_t n, const int64_t *t, const double *speed, const double *pitch,
+           const double *distance, const double *force_z, const uint8_t *contact, uint8_t *out,
+           uint64_t *counts)
+{{
+    static {name}_monitor m;
+    {name}_init(&m, NULL, NULL);
+    memset(counts, 0, 3 * sizeof *counts);
+    for (size_t i = 0; i < n; i++) {{
+        {name}_update_sample(&m, t[i], {arguments});
+        {record}
+    }}
+}}
+"""
+RECORD = """
+        unsigned active = m.active[0];
+        out[i] = (uint8_t)active;
+        counts[0] += active & 1;
+        counts[1] += active >> 1 & 1;
+        counts[2] += active >> 2 & 1;
+"""
+
+
+def machine(folder: Path, copies: int) -> Machine:
+    """The workload compiled by ROSSMarie, from its text."""
+    folder.mkdir(parents=True, exist_ok=True)
+    rules = folder / f"workload_{3 * copies}.ross"
+    rules.write_text(rossmarie_rules(copies), encoding="utf-8")
+    messages = [Path(__file__).parent / "msg"]
+    result, _ = compile_file(rules, message_folders=messages)
+    return result
+
+
+def opaque_steps(
+    compiled: Machine, folder: Path, flags: list[str], columns: Columns
+) -> Round:
+    """The generated update, one opaque call a sample."""
+    for file, text in generate(compiled).items():
+        (folder / file).write_text(text, encoding="utf-8")
+    # The fields of the message, in the order in which the generated function takes them.
+    fields = [str(slot.path[0]) for slot in compiled.slots]
+    harness = folder / f"{compiled.name}_steps.c"
+    harness.write_text(
+        HARNESS.format(
+            name=compiled.name,
+            arguments=", ".join(f"{field}[i]" for field in fields),
+            record=RECORD if len(compiled.rules) == 3 else "(void)out;",
+        ),
+        encoding="utf-8",
+    )
+    output = folder / f"{compiled.name}{''.join(flags)}.so"
+    compile_shared([harness, folder / f"{compiled.name}_monitor.c"], output, flags)
+    ffi = cffi.FFI()
+    ffi.cdef(DECLARATIONS)
+    library: Any = ffi.dlopen(str(output))
+    pointers = [ffi.from_buffer("int64_t[]", columns["t_ns"])]
+    pointers += [ffi.from_buffer("double[]", columns[name]) for name in REALS]
+    pointers.append(ffi.from_buffer("uint8_t[]", columns["contact"]))
+    samples = len(columns["t_ns"])
+    active = ffi.new("uint8_t[]", samples)
+    counts = ffi.new("uint64_t[3]")
+
+    def run() -> tuple[float, list[int]]:
+        start = time.process_time()
+        library.steps(samples, *pointers, active, counts)
+        return time.process_time() - start, list(counts)
+
+    return run

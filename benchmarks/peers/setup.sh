@@ -1,0 +1,22 @@
+#!/bin/sh
+# Installs the peers by name into build/bench: rtamt and reelay from PyPI, R2U2 and RTLola from
+# crates.io. A peer that cannot be installed is left out of the table, which says so.
+set -u
+cd "$(dirname "$0")/../.."
+bench=$PWD/build/bench
+mkdir -p "$bench"
+
+echo "bench: installing rtamt and reelay from PyPI into build/bench/venv"
+[ -x "$bench/venv/bin/python" ] || "${PYTHON:-python3}" -m venv "$bench/venv"
+"$bench/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    numpy rtamt==0.4.10 reelay==25.0.0 || echo "bench: rtamt and reelay are left out"
+
+if command -v cargo >/dev/null; then
+    echo "bench: building R2U2 and RTLola from crates.io (some minutes the first time)"
+    export CARGO_TARGET_DIR="$bench/cargo"
+    (cd benchmarks/peers/rust && cargo build --quiet --release) || echo "bench: RTLola is left out"
+    [ -x "$bench/tools/bin/r2u2_cli" ] ||
+        cargo install --quiet r2u2_cli@4.2.4 --root "$bench/tools" || echo "bench: R2U2 is left out"
+else
+    echo "bench: no cargo, so R2U2 and RTLola are left out"
+fi

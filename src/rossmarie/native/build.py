@@ -1,0 +1,86 @@
+"""C text in, the path of a shared library out.
+
+Libraries are kept in the user's cache folder under a name that tells their text, the compiler and
+its options, so that the same text is compiled once; several processes may build at once.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shlex
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+OPTIONS = ("-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared")
+
+
+class NoCompilerError(Exception):
+    """This machine has no C compiler."""
+
+
+class BuildError(Exception):
+    """The C compiler did not accept the text: a fault of the program that wrote it."""
+
+
+def cache_folder() -> Path:
+    """Where libraries are kept: `$XDG_CACHE_HOME/rossmarie`, or `~/.cache/rossmarie`."""
+    base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+    return Path(base) / "rossmarie"
+
+
+def compiler() -> list[str]:
+    """The command of the C compiler: `$CC`, else the first of cc, gcc, clang on the path.
+
+    Raises `NoCompilerError` if there is none.
+    """
+    named = os.environ.get("CC")
+    candidates = [shlex.split(named)] if named else [["cc"], ["gcc"], ["clang"]]
+    for command in candidates:
+        if command and (found := shutil.which(command[0])):
+            return [found, *command[1:]]
+    looked = " ".join(command[0] for command in candidates if command)
+    raise NoCompilerError(f"no C compiler found (looked for {looked})")
+
+
+def build(
+    files: Mapping[str, str], main: str, options: Sequence[str] = OPTIONS, *, rebuild: bool = False
+) -> Path:
+    """Compile the file `main` among `files` to a shared library, unless that was done before.
+
+    Raises `NoCompilerError`, or `BuildError` with what the compiler said, or `OSError` if the cache
+    cannot be written.
+    """
+    command = [*compiler(), *options]
+    library = cache_folder() / f"{_digest(files, main, command)}.so"
+    if rebuild or not library.is_file():
+        library.parent.mkdir(parents=True, exist_ok=True)
+        _compile(files, main, command, library)
+    return library
+
+
+def _digest(files: Mapping[str, str], main: str, command: Sequence[str]) -> str:
+    """A name for the result: the version of the compiler counts by its file's size and time."""
+    found = Path(command[0]).resolve().stat()
+    digest = hashlib.sha256()
+    for part in (main, *command, str(found.st_size), str(found.st_mtime_ns)):
+        digest.update(part.encode() + b"\0")
+    for name in sorted(files):
+        digest.update(name.encode() + b"\0" + files[name].encode() + b"\0")
+    return digest.hexdigest()[:32]
+
+
+def _compile(files: Mapping[str, str], main: str, command: Sequence[str], library: Path) -> None:
+    """Build aside and move into place, so that nobody ever sees half a library."""
+    with tempfile.TemporaryDirectory(dir=library.parent) as folder:
+        for name, text in files.items():
+            (Path(folder) / name).write_text(text, encoding="utf-8")
+        built = Path(folder) / "built.so"
+        call = [*command, "-o", str(built), str(Path(folder) / main), "-lm"]
+        result = subprocess.run(call, capture_output=True, text=True, check=False)
+        if result.returncode != 0:
+            raise BuildError(result.stderr.strip() or f"{call[0]} failed")
+        built.replace(library)

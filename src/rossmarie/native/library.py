@@ -1,0 +1,54 @@
+"""The only place that speaks to cffi: a loaded library, with types.
+
+Takes the path of a library built from `host.c`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import cffi
+
+# What cffi gives out has no static types; it does not leave this file but as `Pointer`.
+Pointer = Any
+
+
+class Library:
+    """A library of one machine, and the memory that is handed to it."""
+
+    def __init__(self, path: Path, declarations: str) -> None:
+        """Raises `OSError` if the file is no library."""
+        self._ffi = cffi.FFI()
+        self._ffi.cdef(declarations)
+        self._functions: Any = self._ffi.dlopen(str(path))
+        self.null: Pointer = self._ffi.NULL
+
+    def function(self, name: str) -> Callable[..., Any]:
+        """A function by name; raises `OSError` if the library lacks it."""
+        try:
+            found: Callable[..., Any] = getattr(self._functions, name)
+        except AttributeError as error:
+            raise OSError(str(error)) from error
+        return found
+
+    def owned(self, pointer: Pointer, release: Callable[..., Any]) -> Pointer:
+        """A pointer that is released when Python forgets it."""
+        return self._ffi.gc(pointer, release)
+
+    def pointer(self, kind: str, buffer: object) -> Pointer:
+        """The memory of an array; it must live as long as the pointer is used."""
+        return self._ffi.from_buffer(kind, buffer)
+
+    def new(self, kind: str, initial: object) -> Pointer:
+        """New memory, filled."""
+        return self._ffi.new(kind, initial)
+
+    def is_null(self, pointer: Pointer) -> bool:
+        """Whether a pointer leads nowhere."""
+        return bool(pointer == self._ffi.NULL)
+
+    def bytes_at(self, pointer: Pointer, size: int) -> bytes:
+        """A copy of some memory."""
+        return bytes(self._ffi.buffer(pointer, size)) if size else b""

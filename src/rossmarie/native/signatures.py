@@ -1,0 +1,64 @@
+"""The functions of `host.c` as cffi wants them declared.
+
+Takes a machine. The order of fields is that of the generated code: the slots of a channel in index
+order, then its arrays.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rossmarie import ir
+
+_FIXED = """
+typedef struct host host;
+host *host_new(void);
+void host_free(host *);
+size_t host_event_size(void);
+size_t host_event_count(host *);
+void *host_events(host *);
+int host_failed(host *);
+void host_forget_events(host *);
+unsigned char *host_active(host *);
+int host_advance(host *, int64_t);
+int host_reset(host *, int64_t, int);
+int64_t host_next_wake(host *);
+int host_step(host *, int64_t, unsigned char *, double *, double **, size_t *);
+size_t host_run(host *, size_t, int64_t *, void **, unsigned char *);
+size_t host_run_events(host *, size_t, int64_t *, int32_t *, double *, double *, size_t *);
+"""
+
+
+@dataclass(frozen=True)
+class Fields:
+    """What the messages of one channel carry, as indexes of the machine."""
+
+    slots: tuple[int, ...]
+    arrays: tuple[int, ...]
+
+
+def fields_of(machine: ir.Machine) -> tuple[Fields, ...]:
+    """The fields of every channel."""
+    channels = range(len(machine.channels))
+    return tuple(Fields(_slots(machine, c), _arrays(machine, c)) for c in channels)
+
+
+def _slots(machine: ir.Machine, channel: int) -> tuple[int, ...]:
+    inputs = machine.inputs
+    return tuple(i for i, slot in enumerate(machine.slots) if inputs[slot.input].channel == channel)
+
+
+def _arrays(machine: ir.Machine, channel: int) -> tuple[int, ...]:
+    inputs = machine.inputs
+    return tuple(i for i, a in enumerate(machine.arrays) if inputs[a.input].channel == channel)
+
+
+def declarations(fields: tuple[Fields, ...]) -> str:
+    """All functions of the library."""
+    lines = [_FIXED]
+    for channel, carried in enumerate(fields):
+        parameters = ["host *", "int64_t"]
+        parameters += ["double"] * len(carried.slots)
+        parameters += ["double *", "size_t"] * len(carried.arrays)
+        lines.append(f"int host_update_{channel}({', '.join(parameters)});")
+    return "\n".join(lines)
