@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import cffi
-from in_process import Columns, Round, compile_shared
-from workload import REALS, rossmarie_rules
+import numpy as np
+from in_process import Columns, Round, compile_shared, python_rows
+from workload import PERIOD_NS, REALS, rossmarie_rules
 
 from rossmarie.driver import compile_file
-from rossmarie.ir import Machine
+from rossmarie.driver.monitor import Monitor
+from rossmarie.ir import Change, Machine, Verdict
 from rossmarie.targets.c99 import generate
 
 DECLARATIONS = """
@@ -92,3 +93,54 @@ def opaque_steps(
         return time.process_time() - start, list(counts)
 
     return run
+
+
+def from_python_columns(compiled: Machine, columns: Columns, chunk: int) -> Round:
+    """Numpy columns handed over in chunks; the activity behind every sample comes back."""
+    names = (*REALS, "contact")
+    times = columns["t_ns"]
+    chunks = [
+        (times[start : start + chunk], {name: columns[name][start : start + chunk] for name in names})
+        for start in range(0, len(times), chunk)
+    ]
+
+    def run() -> tuple[float, list[int]]:
+        monitor = Monitor(compiled, ())
+        results = []
+        start = time.process_time()
+        for instants, values in chunks:
+            results.append(monitor.run(instants, values))
+        took = time.process_time() - start
+        active = np.concatenate([result.active for result in results])
+        return took, [int(count) for count in active.sum(axis=0)]
+
+    return run
+
+
+def from_python_steps(compiled: Machine, columns: Columns, samples: int) -> Round:
+    """One call a sample with Python numbers; activity is counted from the events."""
+    rows = python_rows(columns, samples)
+    end_ns = samples * PERIOD_NS
+
+    def run() -> tuple[float, list[int]]:
+        monitor = Monitor(compiled, ())
+        step = monitor.update_call("/sample")
+        order = [("t_ns", *REALS, "contact").index(name) for name in monitor.fields("/sample")]
+        ordered = [(row[0], *(row[index] for index in order)) for row in rows]
+        start = time.process_time()
+        for row in ordered:
+            step(*row)
+        took = time.process_time() - start
+        return took, _active_samples(monitor, end_ns)
+
+    return run
+
+
+def _active_samples(monitor: Monitor, end_ns: int) -> list[int]:
+    """For how many samples each rule was active: rules change at the instants of samples here."""
+    counts = [0] * len(monitor.rules)
+    for event in monitor.take_events():
+        if isinstance(event, Verdict):
+            left = (end_ns - event.at_ns) // PERIOD_NS
+            counts[event.rule] += -left if event.change is Change.CLEARED else left
+    return counts

@@ -1,1 +1,28 @@
-"""ROSSMARie: safety rules for robots, checked before launch and monitored at run time."""
+"""ROSSMARie: safety rules for robots, checked before launch and monitored at run time.
+
+    monitor = rossmarie.load("rules.ross")
+    events = monitor.update(at_ns, {"speed": 0.4})
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rossmarie.driver.monitor import Monitor, load
+    from rossmarie.driver.pipeline import RulesError
+
+__all__ = ["Monitor", "RulesError", "load"]
+
+
+def __getattr__(name: str) -> object:
+    """Import the compiler only when somebody asks for it: every subpackage imports this one."""
+    if name in ("Monitor", "load"):
+        from rossmarie.driver import monitor
+
+        return getattr(monitor, name)
+    if name == "RulesError":
+        from rossmarie.driver import pipeline
+
+        return pipeline.RulesError
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

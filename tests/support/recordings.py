@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from binascii import crc32
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
@@ -168,10 +169,12 @@ def write_mcap(
     schema: tuple[str, str, str],
     channel: tuple[str, str],
     messages: Sequence[tuple[int, bytes]],
+    checksums: Sequence[int] = (),
 ) -> Path:
-    """A bare MCAP file without chunks or summary, record by record (https://mcap.dev/spec).
+    """A bare MCAP file without summary, record by record (https://mcap.dev/spec).
 
-    `schema` is name, encoding and text; `channel` is topic and message encoding.
+    `schema` is name, encoding and text; `channel` is topic and message encoding. Messages are not
+    in chunks, or each in one of its own with its part of `checksums` (-1: the right one).
     """
 
     def text(*values: str) -> bytes:
@@ -181,12 +184,21 @@ def write_mcap(
     def record(operation: int, content: bytes) -> bytes:
         return struct.pack("<BQ", operation, len(content)) + content
 
+    def chunk(at: int, content: bytes, checksum: int) -> bytes:
+        checksum = crc32(content) if checksum == -1 else checksum
+        head = struct.pack("<QQQI", at, at, len(content), checksum) + text("")
+        return record(0x06, head + struct.pack("<Q", len(content)) + content)
+
+    stored = [record(0x05, struct.pack("<HIQQ", 1, 0, at, at) + c) for at, c in messages]
+    if checksums:
+        stamps = [at for at, _ in messages]
+        stored = [chunk(*part) for part in zip(stamps, stored, checksums, strict=True)]
     magic = b"\x89MCAP0\r\n"
     records = [
         record(0x01, text(profile, "by hand")),
         record(0x03, struct.pack("<H", 1) + text(*schema)),
         record(0x04, struct.pack("<HH", 1, 1) + text(*channel) + struct.pack("<I", 0)),
-        *(record(0x05, struct.pack("<HIQQ", 1, 0, at, at) + content) for at, content in messages),
+        *stored,
         record(0x0F, struct.pack("<I", 0)),
         record(0x02, struct.pack("<QQI", 0, 0, 0)),
     ]

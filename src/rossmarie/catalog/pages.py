@@ -46,7 +46,7 @@ def sarif_rules(version: str) -> Tool:
 
 
 def _read(found: type[Template]) -> str:
-    page = files("rossmarie.catalog").joinpath("pages", f"{found.code}.md")
+    page = files("rossmarie.catalog") / "pages" / f"{found.code}.md"
     return page.read_text(encoding="utf-8")
 
 

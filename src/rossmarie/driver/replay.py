@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from dslkit.diagnostics import Collector, Diagnostic
-from rossmarie.driver.monitor import Started, start_monitor
+from rossmarie.driver.monitor import Started, start_engine
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Event, Machine
@@ -41,13 +41,13 @@ def replay_file(
     with open_recording(recording_path, message_folders) as recording:
         collector.extend(recording.findings)
         updates = recording.updates(machine, collector, topic_map)
-        started = start_monitor(machine)
+        started = start_engine(machine)
         sampler = _Sampler(machine)
         events: list[Event] = []
         for update in _told(updates, recording, on_progress):
-            events += started.monitor.update(update.at_ns, update.channels)
+            events += started.engine.update(update.at_ns, update.channels)
             sampler.feed(update)
-        events += started.monitor.advance(max(recording.end_ns, sampler.last_ns))
+        events += started.engine.advance(max(recording.end_ns, sampler.last_ns))
         replay = Replay(
             machine=machine,
             rules_file=str(rules),

@@ -37,10 +37,8 @@ class Samples:
         self.latest, self.latest_ns = value, at_ns
 
     def rate(self) -> float:
-        """The slope per second, NaN unless both samples are finite (S19)."""
+        """The slope per second (S19); of samples that are not finite it is not finite either."""
         if self.latest_ns is None or self.before_ns is None:
-            return NAN
-        if not (math.isfinite(self.before) and math.isfinite(self.latest)):
             return NAN
         seconds = float(self.latest_ns - self.before_ns) / 1e9
         return finite_or_nan((self.latest - self.before) / seconds)

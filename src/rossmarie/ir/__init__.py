@@ -39,6 +39,7 @@ from rossmarie.ir.model import (
     Truth,
     TruthNode,
 )
+from rossmarie.ir.naming import field_names
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.support import (
     ElementArrays,
@@ -117,6 +118,7 @@ __all__ = [
     "dump_text",
     "element_arrays",
     "explain",
+    "field_names",
     "is_leaf",
     "leaf_truths",
     "machine_from_json",

@@ -22,7 +22,7 @@ VERSION = 1
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
 
-class UnreadableMachine(Exception):  # noqa: N818 -- the defect is the name
+class UnreadableMachine(Exception):
     """A text is no machine of this version."""
 
 

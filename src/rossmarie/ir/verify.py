@@ -26,7 +26,7 @@ from rossmarie.ir.support import (
 )
 
 
-class MalformedMachine(Exception):  # noqa: N818 -- the defect is the name
+class MalformedMachine(Exception):
     """A machine breaks its own rules: a fault of the compiler, never of the user's file."""
 
 

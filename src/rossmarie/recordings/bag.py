@@ -186,7 +186,9 @@ class BagRecording:
         except RecordingError:
             return
         self._storages.append(salvaged)
-        yield from filter(self._is_fit, salvaged.messages(topics, last_ns))
+        for stored in salvaged.messages(topics):
+            if (last_ns is None or stored.at_ns > last_ns) and self._is_fit(stored):
+                yield stored
 
     def _is_fit(self, stored: Stored) -> bool:
         first = self._connections[stored.connection.topic][0]

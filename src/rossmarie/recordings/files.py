@@ -23,7 +23,7 @@ _KINDS = (*_BAGS, ".csv")
 
 
 def recording_files(path: Path) -> list[Path]:
-    """The files of a recording that are not empty, in the order in which they were written.
+    """The files of a recording that are not empty.
 
     Raises `RecordingError` if there is none that can be opened.
     """
@@ -41,7 +41,7 @@ def recording_files(path: Path) -> list[Path]:
 
 
 def _files(path: Path) -> list[Path]:
-    """The files of a recording, in the order in which they were written."""
+    """The files of a recording, empty ones too."""
     if path.is_dir():
         return _files_in(path)
     if not path.exists():
@@ -54,8 +54,8 @@ def _files(path: Path) -> list[Path]:
 
 
 def _files_in(folder: Path) -> list[Path]:
-    """The storage files of a bag directory; those of a long recording are numbered."""
-    found = [file for file in folder.iterdir() if file.suffix in _BAGS and file.is_file()]
+    """The storage files of a bag directory; those of a long recording have numbered names."""
+    found = [file for file in sorted(folder.iterdir()) if file.suffix in _BAGS and file.is_file()]
     has_metadata = (folder / METADATA).is_file()
     if has_metadata:
         found += folder.glob("*.zstd")
@@ -66,16 +66,11 @@ def _files_in(folder: Path) -> list[Path]:
         names = ", ".join(sorted(f"`{file.name}`" for file in found))
         reason = f"there are several recordings in this directory: {names}"
         raise RecordingError(at_file(RecordingKindUnknown(reason=reason), folder))
-    return sorted(found, key=lambda file: (_number(file), file.name))
+    return found
 
 
 def _unnumbered(file: Path) -> str:
     return re.sub(r"_\d+$", "", file.stem) + file.suffix
-
-
-def _number(file: Path) -> int:
-    match = re.search(r"_(\d+)$", file.stem)
-    return int(match.group(1)) if match else -1
 
 
 def _similar(path: Path) -> str:

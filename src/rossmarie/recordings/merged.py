@@ -22,9 +22,9 @@ class MergedStorage:
             return None
         return min(start for start, _ in spans), max(end for _, end in spans)
 
-    def messages(self, topics: Collection[str], after_ns: int | None = None) -> Iterator[Stored]:
-        """The messages on some topics, from behind an instant on."""
-        streams = [part.messages(topics, after_ns) for part in self._parts]
+    def messages(self, topics: Collection[str]) -> Iterator[Stored]:
+        """The messages on some topics."""
+        streams = [part.messages(topics) for part in self._parts]
         return heapq.merge(*streams, key=lambda stored: stored.at_ns)
 
     def close(self) -> None:

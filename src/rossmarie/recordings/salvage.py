@@ -86,11 +86,11 @@ class SalvagedStorage:
         """The stamps of the first and the last message; None if there is none."""
         return (self._places[0].at_ns, self._places[-1].at_ns) if self._places else None
 
-    def messages(self, topics: Collection[str], after_ns: int | None = None) -> Iterator[Stored]:
-        """The messages on some topics, from behind an instant on."""
+    def messages(self, topics: Collection[str]) -> Iterator[Stored]:
+        """The messages on some topics."""
         for at_ns, number, chunk, start, end in self._places:
             connection = self._by_id[number]
-            if connection.topic in topics and (after_ns is None or at_ns > after_ns):
+            if connection.topic in topics:
                 source = self._file if chunk == OUTSIDE else self._content(chunk)
                 yield Stored(connection, at_ns, source[start:end])
 

@@ -54,11 +54,11 @@ class SalvagedRows:
         """The stamps of the first and the last message; None if there is none."""
         return (self._rows[0][0], self._rows[-1][0]) if self._rows else None
 
-    def messages(self, topics: Collection[str], after_ns: int | None = None) -> Iterator[Stored]:
-        """The messages on some topics, from behind an instant on."""
+    def messages(self, topics: Collection[str]) -> Iterator[Stored]:
+        """The messages on some topics."""
         for at_ns, row, topic in self._rows:
             connection = self._by_id[topic]
-            if connection.topic in topics and (after_ns is None or at_ns > after_ns):
+            if connection.topic in topics:
                 content = self._content(row)
                 if content is not None:
                     yield Stored(connection, at_ns, content)

@@ -73,8 +73,8 @@ class Storage(Protocol):
     def span(self) -> tuple[int, int] | None:
         """The stamps of the first and the last message; None if there is none."""
 
-    def messages(self, topics: Collection[str], after_ns: int | None = None) -> Iterator[Stored]:
-        """The messages on some topics, from behind an instant on."""
+    def messages(self, topics: Collection[str]) -> Iterator[Stored]:
+        """The messages on some topics."""
 
     def close(self) -> None:
         """Release the file."""
@@ -112,14 +112,13 @@ class IntactStorage:
             return None
         return self._reader.start_time, self._reader.end_time - 1
 
-    def messages(self, topics: Collection[str], after_ns: int | None = None) -> Iterator[Stored]:
-        """The messages on some topics, from behind an instant on."""
+    def messages(self, topics: Collection[str]) -> Iterator[Stored]:
+        """The messages on some topics."""
         chosen = [opened for opened in self._opened if opened.topic in topics]
         if not chosen:
             return
         ours = {opened.id: _connection(opened) for opened in chosen}
-        start = None if after_ns is None else after_ns + 1
-        for opened, at_ns, content in self._reader.messages(chosen, start=start):
+        for opened, at_ns, content in self._reader.messages(chosen):
             yield Stored(ours[opened.id], at_ns, content)
 
     def close(self) -> None:

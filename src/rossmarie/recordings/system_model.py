@@ -40,7 +40,7 @@ def _line(topic: Topic) -> str:
 
 def _remark(topic: Topic, seconds: float) -> str:
     messages = "1 message" if topic.count == 1 else f"{topic.count} messages"
-    rate = f", {topic.count / seconds:.1f} Hz" if topic.count > 0 and seconds > 0 else ""
+    rate = f", {topic.count / seconds:.1f} Hz" if topic.count > 1 and seconds > 0 else ""
     return messages + rate
 
 

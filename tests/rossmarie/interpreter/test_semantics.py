@@ -489,6 +489,19 @@ def test_s17_samples_are_forgotten():
     assert bench.truth(shaking) is F
 
 
+def test_s17_after_a_jump_the_next_message_is_the_first_sample():
+    draft = Draft()
+    shaking = draft.truth(Oscillates(draft.read(), 1, 100 * SECOND, 0.0))
+    bench = Bench(draft)
+    bench.send(10, c0=5.0)
+    bench.advance(0)
+    bench.send(1, c0=1.0)  # would be on its way down from 5
+    bench.send(2, c0=2.0)
+    assert bench.truth(shaking) is F
+    bench.send(3, c0=1.0)
+    assert bench.truth(shaking) is T
+
+
 def test_s17_rules_keep_their_state_until_evaluated():
     draft = Draft()
     draft.rule(draft.above(draft.read(), 0.0))
@@ -806,6 +819,8 @@ def test_s32_turning_points():
 def test_s32_small_swings_do_not_count():
     # Neither do swings of just the given size: they have to be larger.
     assert shaken((0.0, 5.0, 4.0, 5.0, 4.0), 1, 1.0) == [F] * 5
+    assert shaken((0.0, -5.0, -4.0, -5.0, -4.0), 1, 1.0) == [F] * 5
+    assert shaken((0.0, 1.0, 0.0, 0.5, -0.5), 1, 1.0) == [F] * 5
     assert shaken((0.0, 0.5, -0.5, 5.0, 3.0), 1, 1.0) == [F, F, F, F, T]
 
 

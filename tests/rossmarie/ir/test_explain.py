@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, ChannelValues, TruthValue, Verdict, explain
+from support.compiled import machine_of, machine_of_rules
 from support.machines import cases, take
-from support.programs import machine_of, machine_of_rules
 
 SECOND = 1_000_000_000
 

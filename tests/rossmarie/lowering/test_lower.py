@@ -7,7 +7,7 @@ import pytest
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Comparison, Function
-from support.programs import INPUTS, machine_of, machine_of_condition, machine_of_rules
+from support.compiled import INPUTS, machine_of, machine_of_condition, machine_of_rules
 
 SECOND = 1_000_000_000
 

@@ -165,16 +165,14 @@ def test_directory_without_metadata(tmp_path: Path) -> None:
 
 
 def test_split_recording_without_metadata(tmp_path: Path) -> None:
+    """Its parts overlap in time: every third message of each topic is in the same one."""
     folder = tmp_path / "split"
     folder.mkdir()
     everything = readings(ROS2, 12)
-    for number in range(12):
-        part = write_ros2(
-            tmp_path / f"part{number}",
-            everything[2 * number : 2 * number + 2],
-            StoragePlugin.SQLITE3,
-        )
-        shutil.copy(part / f"part{number}.db3", folder / f"drive_{number}.db3")
+    for number in range(3):
+        name = f"part{number}"
+        part = write_ros2(tmp_path / name, everything[number::3], StoragePlugin.SQLITE3)
+        shutil.copy(part / f"{name}.db3", folder / f"drive_{number}.db3")
     updates, found = replay(folder)
     assert found == ()
     assert volts(updates) == [12.0 + i / 2 for i in range(12)]

@@ -13,7 +13,7 @@ from support.recordings import ROS1, START_NS, machine, readings, slot, write_ro
 RULES = machine(
     [("/battery", "std_msgs/Float32"), ("/scan", "sensor_msgs/LaserScan")],
     [("battery", 0), ("scan", 1)],
-    [slot(0, "data"), slot(1, "range_max"), slot(1, "ranges", 7)],
+    [slot(0, "data"), slot(1, "range_max"), slot(1, "not", "recorded")],
 )
 
 

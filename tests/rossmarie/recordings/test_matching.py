@@ -158,7 +158,8 @@ def test_topic_with_two_types(tmp_path: Path) -> None:
     name = "std_msgs/msg/Float64"
     other = [("/battery", START_NS + 5, name, ROS1.types[name](data=99.0))]
     path = write_ros1(tmp_path / "drive.bag", readings(ROS1) + other)
-    updates, _ = replay(path)
+    updates, found = replay(path)
+    assert found == ()
     assert volts(updates) == [12.0 + i / 2 for i in range(10)]
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.recordings import RecordingError, open_recording, write_model
-from support.recordings import ROS1, START_NS, readings, write_mcap, write_ros1
+from support.recordings import ROS1, START_NS, battery, readings, write_mcap, write_ros1
 
 
 def test_topics_types_and_rates(tmp_path: Path) -> None:
@@ -21,6 +21,12 @@ def test_topics_types_and_rates(tmp_path: Path) -> None:
         "    topic /scan : sensor_msgs/LaserScan; // 10 messages, 11.0 Hz\n"
         "}\n"
     )
+
+
+def test_a_single_message_has_no_rate(tmp_path: Path) -> None:
+    found = [*readings(ROS1), ("/once", START_NS, *battery(ROS1, 12.0))]
+    with open_recording(write_ros1(tmp_path / "drive.bag", found)) as recording:
+        assert "topic /once : std_msgs/Float32;      // 1 message\n" in write_model(recording)
 
 
 @pytest.mark.parametrize(

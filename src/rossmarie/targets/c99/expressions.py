@@ -106,7 +106,7 @@ class Expressions:
         return {signal: value for signal, value in kept.items() if signal not in slots}
 
     def _sample(self, signal: int) -> str:
-        self.parts.add("samples")
+        self.parts.add("sample")
         return f"sample(m, {self._layout.sampled.index(signal)}, {self.operand(signal)}, t_ns);"
 
     def _signal(self, node: ir.SignalNode) -> str:

@@ -4,6 +4,7 @@ Takes a machine that `ir.verify` has passed. Gives the numbers and names of all 
 
 - *values* are the doubles that a monitor keeps: slots, computed signals, and *tests*, which are the
   comparisons that have no fixed limits, as numbers (0, 1 or NaN);
+- *literals* are the truths that never change;
 - a *guard* watches one value and owns the *leaves* that compare it with limits;
 - *nodes* are the truths, leaves first, and behind them the rules; what depends on a node stands
   behind it.
@@ -149,9 +150,10 @@ class _Builder:
         guards = tuple(sorted(self.guards.values(), key=lambda guard: guard.value))
         for guard in guards:
             _sort(guard)
-        literals = self._of(ir.Literal)
+        swinging = self._of(ir.Oscillates)
+        oscillations = tuple(i for i in swinging if not self._is_still(i))
+        literals = (*self._of(ir.Literal), *(i for i in swinging if self._is_still(i)))
         ages = self._of(ir.AgeReaches)
-        oscillations = self._of(ir.Oscillates)
         derived = self._of(ir.Not, ir.And, ir.Or, ir.Held)
         guarded = [leaf for guard in guards for leaf in guard.leaves]
         order = [*guarded, *oscillations, *ages, *literals, *derived]
@@ -223,6 +225,11 @@ class _Builder:
 
     def _of(self, *kinds: type[ir.TruthNode]) -> tuple[int, ...]:
         return tuple(i for i in self.whole if isinstance(self.machine.truths[i].node, kinds))
+
+    def _is_still(self, index: int) -> bool:
+        """Whether a truth asks a constant to oscillate, which it never does."""
+        signals = ir.compared_signals(self.machine.truths[index].node)
+        return all(isinstance(self.machine.signals[s].node, ir.Constant) for s in signals)
 
     def _truth_name(self, index: int) -> str:
         truth = self.machine.truths[index]

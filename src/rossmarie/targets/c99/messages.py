@@ -83,7 +83,8 @@ class Messages:
 
     def constants(self) -> list[str]:
         """What is computed from constants only, once."""
-        return [line for piece in self._computed({}) if not piece.channels for line in piece.lines]
+        pieces = (*self.expressions.signals(), *self.expressions.tests())
+        return [line for piece in pieces if not piece.channels for line in piece.lines]
 
     def _parameters(self, channel: int) -> str:
         parameters = ["monitor *m", "int64_t t_ns"]
@@ -238,7 +239,8 @@ class Messages:
             is_raw = self._layout.value_of_slot[field.slot] in raw
             return [self.expressions.arrival(field.slot, name, is_raw=is_raw)]
         assert field.array is not None, "a field is a slot or an array"
-        return self._elements.loop(field.array, name, f"{name}_count")
+        unused = [f"(void){name};", f"(void){name}_count;"]
+        return self._elements.loop(field.array, name, f"{name}_count") or unused
 
     def _followed(self) -> Iterator[Piece]:
         for number, truth in enumerate(self._layout.oscillations):

@@ -21,7 +21,7 @@ from rossmarie.targets.c99.text import indented
 # The functions that a monitor may need, each after those that it calls.
 _PARTS = (
     "known", "minimum", "maximum", "roll", "pitch", "yaw", "test", "both", "either", "opposite", "element",
-    "any", "all", "count", "earlier", "wake_by", "samples", "rate", "guards", "held", "oscillations", "ages",
+    "any", "all", "count", "earlier", "wake_by", "samples", "sample", "rate", "guards", "held", "oscillations", "follow", "ages",
     "expire", "expire_samples",
 )  # fmt: skip
 

@@ -20,6 +20,7 @@ def parts(layout: Layout) -> set[str]:
         "guards": layout.guards,
         "held": layout.held,
         "oscillations": layout.oscillations,
+        "follow": any(layout.supports.truths[index].channels for index in layout.oscillations),
         "ages": layout.ages,
         "samples": layout.sampled,
         "earlier": has_timeouts(layout) or layout.held or layout.oscillations or layout.ages,
@@ -88,8 +89,7 @@ def begin(layout: Layout) -> list[str]:
     lines = [f"for (unsigned i = 0; i != {len(layout.values)}; i++)", "    m->value[i] = NAN;"]
     for index in layout.literals:
         node = layout.machine.truths[index].node
-        assert isinstance(node, ir.Literal), "the layout lists literals"
-        value = "TRUE" if node.value else "FALSE"
+        value = "TRUE" if node == ir.Literal(True) else "FALSE"
         lines.append(f"m->fresh[{layout.truth_names[index]}] = {value};")
     return lines
 

@@ -1,0 +1,57 @@
+"""How long the command line takes to start, and a check of 100 rules."""
+
+from __future__ import annotations
+
+import statistics
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from workload import rossmarie_rules
+
+IMPORT = """
+import time
+start = time.process_time()
+import rossmarie.cli.main
+print(time.process_time() - start)
+"""
+CHECK = """
+import sys
+from pathlib import Path
+import time
+import rossmarie.cli.main
+from rossmarie.driver import check_file
+start = time.process_time()
+result = check_file(Path(sys.argv[1]), message_folders=[Path(sys.argv[2])])
+took = time.process_time() - start
+assert result.program is not None
+print(took)
+"""
+ROUNDS = 7
+
+
+def lines(folder: Path) -> Iterator[str]:
+    """The table of the compiler."""
+    rules = folder / "hundred.ross"
+    text = rossmarie_rules(34).splitlines()
+    # 34 copies of three rules, less the last two: one hundred.
+    rules.write_text("\n".join(text[:-2]) + "\n", encoding="utf-8")
+    messages = Path(__file__).parent / "msg"
+    yield "## The compiler"
+    yield ""
+    yield "| | CPU seconds | to reach |"
+    yield "|---|---|---|"
+    yield f"| import of the command line | {_median(IMPORT):.2f} | under 0.3 |"
+    checked = _median(CHECK, str(rules), str(messages))
+    yield f"| `rossmarie check` of 100 rules, after import | {checked:.2f} | under 0.5 |"
+
+
+def _median(program: str, *arguments: str) -> float:
+    """The median of what a program, each time in a new process, prints."""
+    seconds = []
+    for _ in range(ROUNDS):
+        command = [sys.executable, "-c", program, *arguments]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        seconds.append(float(done.stdout))
+    return statistics.median(seconds)
