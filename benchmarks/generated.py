@@ -54,13 +54,10 @@ def machine(folder: Path, copies: int) -> Machine:
     rules = folder / f"workload_{3 * copies}.ross"
     rules.write_text(rossmarie_rules(copies), encoding="utf-8")
     messages = [Path(__file__).parent / "msg"]
-    result, _ = compile_file(rules, message_folders=messages)
-    return result
+    return compile_file(rules, message_folders=messages).machine
 
 
-def opaque_steps(
-    compiled: Machine, folder: Path, flags: list[str], columns: Columns
-) -> Round:
+def opaque_steps(compiled: Machine, folder: Path, flags: list[str], columns: Columns) -> Round:
     """The generated update, one opaque call a sample."""
     for file, text in generate(compiled).items():
         (folder / file).write_text(text, encoding="utf-8")
@@ -100,12 +97,15 @@ def from_python_columns(compiled: Machine, columns: Columns, chunk: int) -> Roun
     names = (*REALS, "contact")
     times = columns["t_ns"]
     chunks = [
-        (times[start : start + chunk], {name: columns[name][start : start + chunk] for name in names})
+        (
+            times[start : start + chunk],
+            {name: columns[name][start : start + chunk] for name in names},
+        )
         for start in range(0, len(times), chunk)
     ]
 
     def run() -> tuple[float, list[int]]:
-        monitor = Monitor(compiled, ())
+        monitor = Monitor(compiled)
         results = []
         start = time.process_time()
         for instants, values in chunks:
@@ -123,7 +123,7 @@ def from_python_steps(compiled: Machine, columns: Columns, samples: int) -> Roun
     end_ns = samples * PERIOD_NS
 
     def run() -> tuple[float, list[int]]:
-        monitor = Monitor(compiled, ())
+        monitor = Monitor(compiled)
         step = monitor.update_call("/sample")
         order = [("t_ns", *REALS, "contact").index(name) for name in monitor.fields("/sample")]
         ordered = [(row[0], *(row[index] for index in order)) for row in rows]

@@ -170,5 +170,3 @@ def closure_steps(columns: Columns, samples: int) -> Round:
         return time.process_time() - start, [first, second, third]
 
     return run
-
-

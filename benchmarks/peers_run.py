@@ -58,9 +58,7 @@ def r2u2(bench: Path, samples: int, copies: int, rounds: int) -> Measured | None
         check=False,
     )
     program = bench / "cargo" / "release" / "r2u2"
-    return _measure(
-        [program, bench / "trace", output / "spec.bin", samples, 3 * copies, rounds]
-    )
+    return _measure([program, bench / "trace", output / "spec.bin", samples, 3 * copies, rounds])
 
 
 def _python_peer(

@@ -14,7 +14,7 @@ from typing import TypeVar
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from workload import PERIOD_NS, REALS, Constants, constants  # noqa: E402
+from workload import PERIOD_NS, REALS, Constants, constants
 
 PERIOD_S = PERIOD_NS / 1e9
 Monitors = TypeVar("Monitors")

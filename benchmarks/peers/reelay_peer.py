@@ -26,7 +26,10 @@ def main() -> None:
     rows = arguments.rows()
 
     def build() -> list[reelay.discrete_timed_monitor]:
-        return [reelay.discrete_timed_monitor(pattern=text, condense=False) for text in patterns(arguments)]
+        return [
+            reelay.discrete_timed_monitor(pattern=text, condense=False)
+            for text in patterns(arguments)
+        ]
 
     def run(monitors: list[reelay.discrete_timed_monitor]) -> list[int]:
         counts = [0, 0, 0]

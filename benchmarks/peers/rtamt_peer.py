@@ -1,4 +1,4 @@
-"""rtamt's online discrete-time monitors (Python) on the workload: TRACE_FOLDER SAMPLES COPIES ROUNDS.
+"""rtamt's online monitors (Python) on the workload: TRACE_FOLDER SAMPLES COPIES ROUNDS.
 
 A robustness above zero counts as active.
 """

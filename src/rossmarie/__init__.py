@@ -1,7 +1,6 @@
 """ROSSMARie: safety rules for robots, checked before launch and monitored at run time.
 
-    monitor = rossmarie.load("rules.ross")
-    events = monitor.update(at_ns, {"speed": 0.4})
+`rossmarie.load("rules.ross")` gives a running `Monitor`; `docs/reference/python.md` has its use.
 """
 
 from __future__ import annotations

@@ -83,6 +83,13 @@ def test_sarif_columns_count_code_points_and_paths_are_uris() -> None:
     assert location["region"]["startColumn"] == 8
 
 
+def test_sarif_keeps_the_bytes_of_undecodable_paths() -> None:
+    file = SourceFile("r\udcff.ross", "force")
+    log = json.loads(render_sarif([warning(place(file, "force"))], TOOL))
+    location = log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]
+    assert location["artifactLocation"]["uri"] == "r%FF.ross"
+
+
 def check_sarif(log: Any) -> None:
     """The parts of the standard (SARIF 2.1.0, sections in comments) that this tool uses."""
     assert log["version"] == "2.1.0"  # 3.13.2

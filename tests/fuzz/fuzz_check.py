@@ -43,7 +43,7 @@ def fuzz_by_coverage(folder: Path, seconds: int) -> None:
     corpus.mkdir()
     for number, content in enumerate(seeds()):
         (corpus / str(number)).write_bytes(content)
-    options = [f"-max_total_time={seconds}", f"-artifact_prefix={FOUND}/", "-timeout=10"]
+    options = [f"-max_total_time={seconds}", f"-artifact_prefix={FOUND}/", "-timeout=30"]
     atheris.Setup([sys.argv[0], *options, str(corpus)], lambda data: check_bytes(data, folder))
     atheris.Fuzz()
 

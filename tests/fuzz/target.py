@@ -12,7 +12,7 @@ from rossmarie.catalog import sarif_rules
 from rossmarie.driver import check_file
 from rossmarie.lowering import lower
 
-CPU_LIMIT_S = 5.0
+CPU_LIMIT_S = 10.0
 TOOL = sarif_rules("0")
 
 

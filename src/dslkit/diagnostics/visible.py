@@ -35,6 +35,10 @@ def columns_of(line: str) -> Iterator[tuple[str, int]]:
     """
     column = 0
     for character in line:
+        if " " <= character <= "~":
+            yield character, column
+            column += 1
+            continue
         if character == "\t":
             shown = " " * (_TAB_STOP - column % _TAB_STOP)
         else:

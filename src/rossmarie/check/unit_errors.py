@@ -12,11 +12,11 @@ class UnitMismatch(Error, code="ROSS301", name="unit-mismatch"):
     """Two quantities of different dimensions where one dimension is needed."""
 
     title = "{found} does not fit {expected}"
-    label = "this is in {found} ({found_dimension})"
+    label = "{words}"
     note = "only quantities of one dimension can be {purpose}"
     help = "give both sides a unit of one dimension, such as {expected}"
     found: str
-    found_dimension: str
+    words: str
     expected: str
     purpose: str
 
@@ -26,13 +26,12 @@ class RateAgainstQuantity(Error, code="ROSS302", name="rate-against-quantity"):
     """A quantity compared with a rate of change of that quantity."""
 
     title = "{rate} is the rate of change of {quantity}, and does not fit it"
-    label = "this is in {found} ({found_dimension})"
+    label = "{words}"
     note = "how much something is and how fast it changes are different things"
     help = "write a value in {expected}"
     rate: str
     quantity: str
-    found: str
-    found_dimension: str
+    words: str
     expected: str
 
 

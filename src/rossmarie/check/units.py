@@ -100,7 +100,7 @@ def _report_mismatch(odd: Operand, other: Operand, purpose: str, context: Contex
         return
     finding = UnitMismatch(
         found=describe_quantity(odd.quantity),
-        found_dimension=str(found.dimension),
+        words=_is_in(odd).text,
         expected=describe_quantity(other.quantity),
         purpose=purpose,
     )
@@ -118,8 +118,7 @@ def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], contex
     finding = RateAgainstQuantity(
         rate=describe_quantity(rate.quantity),
         quantity=describe_quantity(quantity.quantity),
-        found=found.symbol,
-        found_dimension=str(found.dimension),
+        words=_is_in(odd).text,
         expected=expected.symbol,
     )
     meant = _meant_unit(found, expected)

@@ -11,7 +11,7 @@ import enum
 import sys
 import traceback
 from pathlib import Path
-from typing import Annotated, Optional
+from typing import Annotated
 
 import typer
 
@@ -28,11 +28,11 @@ app = typer.Typer(
 
 Rules = Annotated[Path, typer.Argument(metavar="RULES", help="A .ross file.")]
 Systems = Annotated[
-    Optional[list[Path]],
+    list[Path] | None,
     typer.Option("--system", metavar="FILE", help="A system model beside those imported."),
 ]
 MessageFolders = Annotated[
-    Optional[list[Path]],
+    list[Path] | None,
     typer.Option("--messages", metavar="DIR", help="A folder with .msg files."),
 ]
 
@@ -162,7 +162,7 @@ def replay(
         Path, typer.Argument(metavar="RECORDING", help=".bag, .db3, .mcap, a bag folder, or .csv.")
     ],
     topic_map: Annotated[
-        Optional[list[str]],
+        list[str] | None,
         typer.Option(
             "--topic-map",
             metavar="RULES=RECORDED",
@@ -170,7 +170,7 @@ def replay(
         ),
     ] = None,
     out: Annotated[
-        Optional[Path],
+        Path | None,
         typer.Option("--out", metavar="DIR", help="Write timeline.html and verdicts.jsonl here."),
     ] = None,
     system: Systems = None,
@@ -186,7 +186,7 @@ def replay(
 def model(
     recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Any recording.")],
     out: Annotated[
-        Optional[Path], typer.Option("--out", "-o", metavar="FILE", help="Write here.")
+        Path | None, typer.Option("--out", "-o", metavar="FILE", help="Write here.")
     ] = None,
 ) -> None:
     """Write the system model of a recording: its topics and their types."""

@@ -26,12 +26,12 @@ def build_files(
     A file whose content would not change is not touched, so that a build system sees no change.
     Raises `RulesError` for errors in the rules, `OSError` if the folder cannot be written.
     """
-    machine, found = compile_file(rules, systems=systems, message_folders=message_folders)
+    compiled = compile_file(rules, systems=systems, message_folders=message_folders)
     folder.mkdir(parents=True, exist_ok=True)
     written = []
-    for name, text in TARGETS[target](machine).items():
+    for name, text in TARGETS[target](compiled.machine).items():
         path = folder / name
         if not path.is_file() or path.read_text(encoding="utf-8") != text:
             path.write_text(text, encoding="utf-8", newline="\n")
         written.append(path)
-    return written, found
+    return written, compiled.warnings

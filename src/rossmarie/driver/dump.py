@@ -38,7 +38,7 @@ def dump(
         raise RulesError(result.diagnostics)
     if after is Stage.CHECK:
         return "\n".join(_symbols(result.program)) + "\n"
-    machine, _ = compile_file(rules, systems=systems, message_folders=message_folders)
+    machine = compile_file(rules, systems=systems, message_folders=message_folders).machine
     if after is Stage.LOWER:
         return dump_text(machine)
     return "\n".join(generate(machine).values())

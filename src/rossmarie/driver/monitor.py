@@ -7,19 +7,18 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
-from typing import Protocol, Union
+from typing import Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from dslkit.diagnostics import Diagnostic
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Event, Kind, Machine, Verdict, explain, field_names
 from rossmarie.native import BuildError, NativeMonitor, NoCompilerError, load_native
 from rossmarie.targets.c99 import generate_loadable
 
-Value = Union[float, bool, str, Sequence[float]]
+Value: TypeAlias = float | bool | str | Sequence[float]
 """What a message field holds: a number, a flag, a text, or the elements of an array."""
 
 
@@ -87,9 +86,8 @@ class Monitor:
     Instants are integers in nanoseconds on one clock; values are in the units of the messages.
     """
 
-    def __init__(self, machine: Machine, warnings: tuple[Diagnostic, ...]) -> None:
+    def __init__(self, machine: Machine) -> None:
         self.machine = machine
-        self.warnings = warnings
         started = start_engine(machine)
         self._engine = started.engine
         self.kind = started.kind
@@ -173,9 +171,7 @@ class Monitor:
             if self._channel(slot.input) == channel
         )
 
-    def run(
-        self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]
-    ) -> Run:
+    def run(self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]) -> Run:
         """Whole columns: every topic is updated at each instant with the values of that row.
 
         `times_ns` has the shape (rows,), as every column has; there is a column for each field.
@@ -237,4 +233,6 @@ def load(
     message_folders: Sequence[Path] = (),
 ) -> Monitor:
     """The monitor of a rules file. Raises `RulesError`, which holds all that is wrong with it."""
-    return Monitor(*compile_file(Path(rules), systems=systems, message_folders=message_folders))
+    return Monitor(
+        compile_file(Path(rules), systems=systems, message_folders=message_folders).machine
+    )

@@ -6,7 +6,7 @@ last one that runs.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -56,13 +56,34 @@ def check_file(
     return CheckResult(modules, program, collector.sorted())
 
 
+@dataclass(frozen=True)
+class Compiled:
+    """A rules file without errors: its machine, the warnings on it, and where the definitions of
+    its messages may lie.
+    """
+
+    machine: Machine
+    warnings: tuple[Diagnostic, ...]
+    message_folders: tuple[Path, ...]
+
+
 def compile_file(
     rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
-) -> tuple[Machine, tuple[Diagnostic, ...]]:
-    """The machine of a rules file, and the warnings on it. Raises `RulesError`."""
+) -> Compiled:
+    """Check a rules file and lower it. Raises `RulesError`."""
     result = check_file(rules, systems=systems, message_folders=message_folders)
     if result.program is None:
         raise RulesError(result.diagnostics)
     machine = lower(result.program)
     verify(machine)
-    return machine, result.diagnostics
+    folders = (*message_folders, *_declared_folders(result.modules))
+    return Compiled(machine, result.diagnostics, folders)
+
+
+def _declared_folders(modules: Sequence[ast.Module]) -> Iterator[Path]:
+    """The folders that system models name, relative to the declaring file."""
+    for module in modules:
+        for item in module.items:
+            for member in item.members if isinstance(item, ast.System) else ():
+                if isinstance(member, ast.MessagesDeclaration):
+                    yield Path(module.file.path).parent / member.path.value

@@ -36,9 +36,10 @@ def replay_file(
     `topic_map` leads from topics of the rules to recorded ones. Raises `RulesError` for errors in
     the rules and `RecordingError` if nothing can be read.
     """
-    machine, warnings = compile_file(rules, systems=systems, message_folders=message_folders)
+    compiled = compile_file(rules, systems=systems, message_folders=message_folders)
+    machine = compiled.machine
     collector = Collector()
-    with open_recording(recording_path, message_folders) as recording:
+    with open_recording(recording_path, compiled.message_folders) as recording:
         collector.extend(recording.findings)
         updates = recording.updates(machine, collector, topic_map)
         started = start_engine(machine)
@@ -59,7 +60,7 @@ def replay_file(
             plots=sampler.plots(recording.start_ns),
             notes=_notes(started, collector.sorted()),
         )
-    return replay, (*warnings, *collector.sorted())
+    return replay, (*compiled.warnings, *collector.sorted())
 
 
 def _notes(started: Started, found: Sequence[Diagnostic]) -> tuple[str, ...]:

@@ -9,9 +9,10 @@ from __future__ import annotations
 from functools import reduce
 
 from rossmarie import ir
+from rossmarie.interpreter import arithmetic
+from rossmarie.interpreter.arithmetic import NAN
 from rossmarie.interpreter.memory import Memory
-from rossmarie.ir import TruthValue, arithmetic, kleene
-from rossmarie.ir.arithmetic import NAN
+from rossmarie.ir import TruthValue, kleene
 from rossmarie.ir.comparison import compare, is_between, is_set
 
 

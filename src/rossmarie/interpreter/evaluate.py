@@ -9,9 +9,10 @@ from __future__ import annotations
 import math
 
 from rossmarie import ir
+from rossmarie.interpreter import arithmetic
 from rossmarie.interpreter.elements import Elements
 from rossmarie.interpreter.memory import Memory, Samples
-from rossmarie.ir import InputState, TruthValue, arithmetic, kleene
+from rossmarie.ir import InputState, TruthValue, kleene
 from rossmarie.ir.comparison import compare, is_between, is_set
 
 

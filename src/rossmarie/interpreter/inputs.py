@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rossmarie import ir
+from rossmarie.interpreter.arithmetic import NAN, finite_or_nan
 from rossmarie.interpreter.memory import Memory
 from rossmarie.ir import ChannelValues, InputState
-from rossmarie.ir.arithmetic import NAN, finite_or_nan
 
 
 class Inputs:

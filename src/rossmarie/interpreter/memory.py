@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from rossmarie import ir
+from rossmarie.interpreter.arithmetic import NAN, finite_or_nan
 from rossmarie.ir import InputState, TruthValue
-from rossmarie.ir.arithmetic import NAN, finite_or_nan
 
 
 @dataclass

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 
 from dslkit.source import Span
 from rossmarie import ir
-from rossmarie.ir import TruthValue, arithmetic, comparison
+from rossmarie.ir import TruthValue, comparison
 from rossmarie.units import DIMENSIONLESS, Unit
 
 
@@ -48,12 +48,7 @@ class Nodes:
         return self._add_signal(node, node, shown)
 
     def apply(self, function: ir.Function, operands: tuple[int, ...], shown: Shown) -> int:
-        """A function; of constants, a constant if it has a value."""
-        known = [self._constant_value(operand) for operand in operands]
-        if None not in known:
-            value = arithmetic.apply(function, tuple(x for x in known if x is not None))
-            if math.isfinite(value):
-                return self.constant(value, shown)
+        """A function; those of constants are constant values of the checked program already."""
         node = ir.Apply(function, operands)
         return self._add_signal(node, node, shown)
 

@@ -4,7 +4,6 @@
 to a machine, in the order of time.
 """
 
-from rossmarie.recordings.columns import Column, Columns
 from rossmarie.recordings.errors import ALL, RecordingError
 from rossmarie.recordings.model import Recording, Topic, Update
 from rossmarie.recordings.opening import open_recording
@@ -12,8 +11,6 @@ from rossmarie.recordings.system_model import write_model
 
 __all__ = [
     "ALL",
-    "Column",
-    "Columns",
     "Recording",
     "RecordingError",
     "Topic",

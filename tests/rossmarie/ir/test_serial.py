@@ -64,6 +64,8 @@ def test_other_versions_are_refused():
         (("machine", "truths", 0, "span"), [7, 0, 1]),
         (("machine", "truths", 0, "span"), "here"),
         (("machine", "signals", 1, "node", "value"), "1"),
+        (("machine", "texts"), {}),
+        (("machine", "rules", 0, "priority"), 1),
         (("files",), [{}]),
     ],
 )

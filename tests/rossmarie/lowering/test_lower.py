@@ -239,6 +239,27 @@ def test_words_stand_on_one_line_without_comments():
     assert machine.truths[-2].text == 'battery > 3 V and mode == "a  // b"'
 
 
+def test_constants_stay_apart_by_unit_and_sign_of_zero():
+    machine = machine_of_condition(
+        "battery > 3 V or odom.twist.twist.linear.x > 3 m/s or battery < 0 V or battery < -(0 V)"
+    )
+    constants = [s for s in machine.signals if isinstance(s.node, ir.Constant)]
+    found = [(s.unit, repr(s.node.value)) for s in constants]
+    assert found == [("V", "3.0"), ("m/s", "3.0"), ("V", "0.0"), ("V", "-0.0")]
+
+
+def test_a_signal_is_shown_in_the_unit_that_it_is_first_compared_with():
+    machine = machine_of_condition(
+        "imu.orientation.yaw() > 90 deg and imu.orientation.yaw() < 3 rad"
+    )
+    units = [s.unit for s in machine.signals if isinstance(s.node, ir.Apply)]
+    assert units == ["deg"]
+
+
+def test_what_is_always_false_never_holds():
+    assert condition("false for 2 sec or estop")[1] == ir.Flag(0)
+
+
 # --- conditions ------------------------------------------------------------------------------
 
 

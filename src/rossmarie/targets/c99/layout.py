@@ -7,7 +7,7 @@ Takes a machine that `ir.verify` has passed. Gives the numbers and names of all 
 - *literals* are the truths that never change;
 - a *guard* watches one value and owns the *leaves* that compare it with limits;
 - *nodes* are the truths, leaves first, and behind them the rules; what depends on a node stands
-  behind it.
+  behind it. Oscillations are no leaves here: they are evaluated when marked, as derived truths are.
 """
 
 from __future__ import annotations
@@ -69,8 +69,8 @@ class Layout:
 
     @property
     def leaf_count(self) -> int:
-        """How many truths look at numbers or at the clock."""
-        return len(self.node_of_truth) - len(self.derived)
+        """How many truths are set where a number or an age is looked at, without being marked."""
+        return len(self.node_of_truth) - len(self.oscillations) - len(self.derived)
 
     @property
     def truth_count(self) -> int:
@@ -156,7 +156,7 @@ class _Builder:
         ages = self._of(ir.AgeReaches)
         derived = self._of(ir.Not, ir.And, ir.Or, ir.Held)
         guarded = [leaf for guard in guards for leaf in guard.leaves]
-        order = [*guarded, *oscillations, *ages, *literals, *derived]
+        order = [*guarded, *ages, *literals, *oscillations, *derived]
         return Layout(
             machine=self.machine,
             name=names.identifier(self.machine.name),

@@ -12,7 +12,7 @@ from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.coverage import covered_values, is_seen_by_guards
 from rossmarie.targets.c99.elements import Elements
 from rossmarie.targets.c99.expressions import Expressions, Piece
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.layout import Guard, Layout
 from rossmarie.targets.c99.text import indented
 
 
@@ -108,25 +108,26 @@ class Messages:
         )
 
     def _settle(self, channel: int, name: str) -> str:
-        """A number left its guard."""
-        lines = []
-        for value in sorted(self._covered):
-            if channel not in self._layout.values[value].support.channels:
-                continue
-            kept = self.expressions.kept(value)
-            lines.append(f"{kept} = known({kept});")
-        for piece in self._guards():
-            lines += piece.lines if channel in piece.channels else ()
+        """A number left its guard, maybe others too: the first is known, so that the processor
+        guesses right about the rest.
+        """
+        if not self._guards_of(channel):
+            return ""
+        lines = [line for piece in self._guards() if channel in piece.channels
+                 for line in piece.lines]  # fmt: skip
         return (
-            f"RARE int settle_{name}(monitor *m, int64_t t_ns)\n{{\n"
+            f"RARE int settle_{name}(monitor *m, int64_t t_ns, unsigned first)\n{{\n"
             f"    if (!m->quiet[{channel}])\n"
             f"        arrive(m, {channel}, t_ns);\n"
+            f"    cross(m, first, m->value[guard_value[first]], t_ns);\n"
             f"{indented(lines)}\n"
             f"    return evaluate(m, t_ns);\n}}\n"
         )
 
     def _late(self, channel: int, name: str) -> str:
         """A timer may be due, or time begins, or goes backwards."""
+        guards = self._guards_of(channel)
+        settle = f"settle_{name}(m, t_ns, {guards[0].name})" if guards else "evaluate(m, t_ns)"
         return (
             f"RARE int late_{name}({self._parameters(channel)})\n{{\n"
             f"    int events = catch_up(m, t_ns);\n"
@@ -135,7 +136,7 @@ class Messages:
             f"    arrive(m, {channel}, t_ns);\n"
             f"    tick(m, t_ns);\n"
             f"    receive_{name}({self._arguments(channel)});\n"
-            f"    events += settle_{name}(m, t_ns);\n"
+            f"    events += {settle};\n"
             f"    set_wake(m);\n"
             f"    return events;\n}}\n"
         )
@@ -143,28 +144,25 @@ class Messages:
     def _take(self, channel: int, name: str) -> str:
         calm = "is_calm(m, t_ns)"
         if not is_seen_by_guards(self._layout, channel):
-            calm += f" && m->quiet[{channel}]"
-        inside = [
-            f"is_inside(m, {guard.name}, {self.expressions.kept(guard.value)})"
-            for guard in self._layout.guards
-            if channel in self._layout.values[guard.value].support.channels
-        ]
+            calm = f"({calm} && m->quiet[{channel}])"
+        checks = []
+        for guard in self._guards_of(channel):
+            value = self.expressions.kept(guard.value)
+            checks.append(f"if (UNLIKELY(!is_inside(m, {guard.name}, {value})))")
+            checks.append(f"    return settle_{name}(m, t_ns, {guard.name});")
         if any(channel in piece.channels for piece in self._followed()):
-            inside.append("!m->pending")
-        separator = " &&\n                   "
-        settle = (
-            f"    if (UNLIKELY(!({separator.join(inside)})))\n        return settle_{name}(m, t_ns);\n"
-            if inside
-            else ""
-        )
+            checks += ["if (m->pending)", "    return evaluate(m, t_ns);"]
         return (
-            f"static int take_{name}({self._parameters(channel)})\n{{\n"
-            f"    if (UNLIKELY(!({calm})))\n"
+            f"INLINE int take_{name}({self._parameters(channel)})\n{{\n"
+            f"    if (UNLIKELY(!{calm}))\n"
             f"        return late_{name}({self._arguments(channel)});\n"
             f"    receive_{name}({self._arguments(channel)});\n"
-            f"{settle}"
-            f"    return 0;\n}}\n"
+            f"{indented([*checks, 'return 0;'])}\n}}\n"
         )
+
+    def _guards_of(self, channel: int) -> list[Guard]:
+        values = self._layout.values
+        return [g for g in self._layout.guards if channel in values[g.value].support.channels]
 
     def _update(self, channel: int, name: str) -> str:
         return (
@@ -252,4 +250,4 @@ class Messages:
             channels = self._layout.values[guard.value].support.channels
             value = self.expressions.kept(guard.value)
             check = f"if (!is_inside(m, {guard.name}, {value}))"
-            yield Piece(channels, (check, f"    cross(m, {guard.name}, {value});"))
+            yield Piece(channels, (check, f"    cross(m, {guard.name}, {value}, t_ns);"))

@@ -21,8 +21,8 @@ from rossmarie.targets.c99.text import indented
 # The functions that a monitor may need, each after those that it calls.
 _PARTS = (
     "known", "minimum", "maximum", "roll", "pitch", "yaw", "test", "both", "either", "opposite", "element",
-    "any", "all", "count", "earlier", "wake_by", "samples", "sample", "rate", "guards", "held", "oscillations", "follow", "ages",
-    "expire", "expire_samples",
+    "any", "all", "count", "earlier", "wake_by", "samples", "sample", "rate", "as_is", "covered",
+    "guards", "held", "oscillations", "follow", "ages", "expire", "expire_samples",
 )  # fmt: skip
 
 
@@ -88,7 +88,7 @@ class _Writer:
         engine = self._fill(
             "engine.c.j2",
             derive=derived,
-            value=_value(layout),
+            value="derive(m, node, t_ns)" if derived else "UNKNOWN",
             wake=indented(state.wake(layout)),
             tick=indented(state.tick(layout)),
             restart=indented(state.restart(layout)),
@@ -105,13 +105,6 @@ class _Writer:
             tables=tables.tables(layout),
             functions="\n".join([*map(self._part, parts), engine]),
         )
-
-
-def _value(layout: Layout) -> str:
-    """The present value of a node."""
-    if not layout.derived:
-        return "m->fresh[node]"
-    return "node < LEAVES ? m->fresh[node] : derive(m, node, t_ns)"
 
 
 def _files(machine: ir.Machine) -> str:

@@ -1,4 +1,4 @@
-"""Truths that are made of other truths, as C."""
+"""Truths that are evaluated when marked, as C: those made of others, and oscillations."""
 
 from __future__ import annotations
 
@@ -9,18 +9,19 @@ from rossmarie.targets.c99.layout import Layout
 
 def derive(layout: Layout) -> tuple[str, set[str]]:
     """The function that evaluates one derived truth, and the parts that it calls."""
-    if not layout.derived:
+    marked = (*layout.oscillations, *layout.derived)
+    if not marked:
         return "", set()
     parts: set[str] = set()
     cases = []
-    for index in layout.derived:
+    for index in marked:
         truth = layout.machine.truths[index]
         remark = names.comment(f"{names.place(truth.span)}  {truth.text}")
         cases.append(f"    case {layout.truth_names[index]}: /* {remark} */")
         cases.append(f"        return {_expression(layout, index, truth.node, parts)};")
     unused = [] if layout.held else ["    (void)t_ns;"]
     lines = [
-        "/* A truth that is made of other truths. */",
+        "/* The value of a truth that was marked. */",
         "static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)",
         "{",
         *unused,
@@ -43,6 +44,8 @@ def _expression(layout: Layout, index: int, node: ir.TruthNode, parts: set[str])
             return _joined(layout, "both", operands, parts)
         case ir.Or(operands=operands):
             return _joined(layout, "either", operands, parts)
+        case ir.Oscillates():
+            return f"m->swinging[{layout.oscillations.index(index)}]"
         case ir.Held(operand=operand):
             number = layout.held.index(index)
             return f"held(m, {number}, {_truth(layout, operand)}, t_ns)"

@@ -5,6 +5,7 @@ that begin, restart, tick and look for the next timer. A machine pays only for w
 from __future__ import annotations
 
 from rossmarie import ir
+from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.text import indented
 
@@ -18,6 +19,8 @@ def parts(layout: Layout) -> set[str]:
     """The C functions that the state needs."""
     found = {
         "guards": layout.guards,
+        "covered": covered_values(layout),
+        "as_is": layout.guards and not covered_values(layout),
         "held": layout.held,
         "oscillations": layout.oscillations,
         "follow": any(layout.supports.truths[index].channels for index in layout.oscillations),
@@ -55,7 +58,6 @@ def members(layout: Layout) -> list[str]:
         f"unsigned char state[{max(1, len(machine.inputs))}];",
         f"unsigned char active[{(max(1, len(machine.rules)) + 7) // 8}];",
         f"unsigned char truth[{max(1, truths)}];",
-        f"unsigned char fresh[{max(1, layout.leaf_count)}];",
         f"int64_t since_ns[{max(1, truths)}];",
         f"uint64_t dirty[{max(1, (nodes + 63) // 64)}];",
     ]
@@ -81,16 +83,13 @@ def _turn_members(counts: list[int]) -> list[str]:
         f"uint16_t turns[{len(counts)}];",
         f"uint16_t turn_next[{len(counts)}];",
         f"signed char heading[{len(counts)}];",
+        f"unsigned char swinging[{len(counts)}];",
     ]
 
 
 def begin(layout: Layout) -> list[str]:
     """What `init` does beyond clearing the memory."""
     lines = [f"for (unsigned i = 0; i != {len(layout.values)}; i++)", "    m->value[i] = NAN;"]
-    for index in layout.literals:
-        node = layout.machine.truths[index].node
-        value = "TRUE" if node == ir.Literal(True) else "FALSE"
-        lines.append(f"m->fresh[{layout.truth_names[index]}] = {value};")
     return lines
 
 
@@ -115,6 +114,9 @@ def restart(layout: Layout) -> list[str]:
         lines += ["    m->value[sampled_values[i]] = NAN;"]
     if layout.oscillations:
         lines += ["for (unsigned k = 0; k != OSCILLATIONS; k++)", "    forget_turns(m, k);"]
+    for index in layout.literals:
+        value = "TRUE" if layout.machine.truths[index].node == ir.Literal(True) else "FALSE"
+        lines.append(f"set_truth(m, {layout.truth_names[index]}, {value}, t_ns);")
     if layout.guards:
         lines += [
             "for (unsigned g = 0; g != GUARDS; g++) {",
@@ -122,7 +124,7 @@ def restart(layout: Layout) -> list[str]:
             "    m->low[g] = INFINITY;",
             "    m->high[g] = -INFINITY;",
             "}",
-            "review(m);",
+            "review(m, t_ns);",
         ]
     return lines
 
@@ -141,7 +143,7 @@ def tick(layout: Layout) -> list[str]:
             "    }",
             "}",
             "if (has_expired)",
-            "    review(m);" if layout.guards else "    m->pending = true;",
+            "    review(m, t_ns);" if layout.guards else "    m->pending = true;",
         ]
     if layout.ages:
         lines += ["for (unsigned k = 0; k != AGES; k++)", "    look_at_age(m, k, t_ns);"]

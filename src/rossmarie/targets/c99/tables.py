@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.targets.c99 import names
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.coverage import covered_values
+from rossmarie.targets.c99.layout import Guard, Layout
 from rossmarie.targets.c99.limits import is_true_below
 from rossmarie.targets.c99.state import has_timeouts, turns
 from rossmarie.targets.c99.text import enumeration, lists, remarked_table, table
@@ -44,7 +45,9 @@ def enumerations(layout: Layout) -> str:
         "OSCILLATIONS": len(layout.oscillations),
         "SAMPLED": len(layout.sampled),
         "SAMPLED_VALUES": len(_sampled_values(layout)),
+        "COVERED": len(covered_values(layout)),
         "LATCHED": 0xFFFF,
+        "NO_TWIN": 0xFFFF,
         "WORDS": (layout.truth_count + len(machine.rules) + 63) // 64,
     }
     counts = "\n".join(f"    {name} = {size}," for name, size in sizes.items()).rstrip(",")
@@ -187,8 +190,9 @@ def _rule_tables(layout: Layout) -> str:
 
 
 def _guard_tables(layout: Layout) -> str:
-    leaves, starts, limits, owners, above, below = [0], [0], [], [], [], []
+    leaves, starts, limits, owners, above, below, twins = [0], [0], [], [], [], [], []
     for guard in layout.guards:
+        twins += [_twin(guard, number_, starts[-1]) for number_ in range(len(guard.limits))]
         leaves.append(leaves[-1] + len(guard.leaves))
         starts.append(starts[-1] + len(guard.limits))
         for limit in guard.limits:
@@ -198,21 +202,33 @@ def _guard_tables(layout: Layout) -> str:
         for leaf in guard.leaves:
             below.append("TRUE" if is_true_below(guard.limits, leaf) else "FALSE")
     values = [layout.values[guard.value].name for guard in layout.guards]
+    covered = [layout.values[value].name for value in sorted(covered_values(layout))]
     return "\n".join(
         [
             "/* Guards: guard g watches a value, owns the truths [guard_leaves[g], guard_leaves[g + 1])",
             " * and the limits [guard_limits[g], guard_limits[g + 1]), from low to high. A number above",
-            " * limits[i] gives the truth limit_leaf[i] the value limit_above[i].",
+            " * limits[i] gives the truth limit_leaf[i] the value limit_above[i]; limit_twin[i] is the other",
+            " * limit of the same truth, if it has two.",
             " */",
             table("index_t", "guard_value", values),
+            *([table("index_t", "covered_values", covered)] if covered else []),
             table("index_t", "guard_leaves", leaves),
             table("index_t", "guard_limits", starts),
             remarked_table("double", "limits", limits),
             table("index_t", "limit_leaf", owners),
+            table("index_t", "limit_twin", twins),
             table("unsigned char", "limit_above", above),
             table("unsigned char", "leaf_below", below),
         ]
     )
+
+
+def _twin(guard: Guard, number_: int, start: int) -> object:
+    """The other limit of the same truth."""
+    for other, limit in enumerate(guard.limits):
+        if other != number_ and limit.leaf == guard.limits[number_].leaf:
+            return start + other
+    return "NO_TWIN"
 
 
 def _blame_tables(layout: Layout) -> str:

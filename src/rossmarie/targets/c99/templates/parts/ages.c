@@ -5,11 +5,9 @@ static void look_at_age(monitor *m, unsigned k, int64_t t_ns)
     const bool is_known = m->state[input] != NEVER_RECEIVED;
     const int64_t due_ns = m->stamp_ns[input] + age_limits[k];
     const unsigned char value = !is_known ? age_unknown[k] : t_ns >= due_ns ? TRUE : FALSE;
-    m->fresh[age_leaf[k]] = value;
     if (value == TRUE)
         m->quiet[input_channel[input]] = false;
     if (value == FALSE)
         wake_by(m, due_ns);
-    if (value != m->truth[age_leaf[k]])
-        mark(m, age_leaf[k]);
+    set_truth(m, age_leaf[k], value, t_ns);
 }

@@ -1,13 +1,13 @@
 /* --- the core ------------------------------------------------------------------------------ */
 
-static void mark(monitor *m, unsigned node)
+INLINE void mark(monitor *m, unsigned node)
 {
     m->dirty[node / 64] |= (uint64_t)1 << (node % 64);
     m->pending = true;
 }
 
 /* The index of the lowest bit that is set. */
-static unsigned lowest(uint64_t bits)
+INLINE unsigned lowest(uint64_t bits)
 {
 #if defined(__GNUC__)
     return (unsigned)__builtin_ctzll(bits);
@@ -21,4 +21,15 @@ static unsigned lowest(uint64_t bits)
     }
     return place;
 #endif
+}
+
+/* A truth has a value; if that is new, what depends on it is marked. */
+INLINE void set_truth(monitor *m, unsigned node, unsigned value, int64_t t_ns)
+{
+    if (value == m->truth[node])
+        return;
+    m->truth[node] = (unsigned char)value;
+    m->since_ns[node] = t_ns;
+    for (unsigned i = node_users[node]; i != node_users[node + 1]; i++)
+        mark(m, users[i]);
 }

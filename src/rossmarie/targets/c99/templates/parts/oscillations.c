@@ -29,7 +29,7 @@ static unsigned char swings(monitor *m, unsigned k, int64_t t_ns)
 static void look_at_swings(monitor *m, unsigned k, int64_t t_ns)
 {
     const unsigned char value = swings(m, k, t_ns);
-    m->fresh[turn_leaf[k]] = value;
+    m->swinging[k] = value;
     if (value == TRUE)
         wake_by(m, oldest_turn(m, k) + turn_windows[k]);
     if (value != m->truth[turn_leaf[k]])
