@@ -9,10 +9,10 @@ running ROS 2 would write it, and the same on every run.
 
 from __future__ import annotations
 
-import shutil
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -228,9 +228,17 @@ def readings(noise: np.random.Generator) -> Iterator[tuple[str, int, Any]]:
 
 
 def write(folder: Path) -> Path:
-    """Write the recording into `folder`, which is replaced; the path of the .mcap file."""
-    if (folder / "metadata.yaml").exists():
-        shutil.rmtree(folder)
+    """Write the recording into `folder`; other files there stay. The path of the .mcap file."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with TemporaryDirectory(dir=folder) as scratch:
+        bag = Path(scratch) / folder.name
+        _write_bag(bag)
+        for file in bag.iterdir():
+            file.replace(folder / file.name)
+    return folder / f"{folder.name}.mcap"
+
+
+def _write_bag(folder: Path) -> None:
     with Writer(folder, version=9, storage_plugin=StoragePlugin.MCAP) as writer:
         connections = {
             topic: writer.add_connection(topic, message_type, typestore=TYPES)
@@ -239,7 +247,6 @@ def write(folder: Path) -> Path:
         for topic, at_ns, reading in readings(np.random.default_rng(SEED)):
             connection = connections[topic]
             writer.write(connection, at_ns, TYPES.serialize_cdr(reading, connection.msgtype))
-    return folder / f"{folder.name}.mcap"
 
 
 if __name__ == "__main__":

@@ -47,11 +47,12 @@ def _finding(found: Diagnostic, width: int) -> Iterator[Text]:
         if file.text:
             place += f":{in_file[0].line}:{in_file[0].start + 1}"
         yield Text(" " * gutter.width).append(arrow, GUTTER_STYLE).append(f" {place}")
-        yield gutter.row()
         if file.text:
+            yield gutter.row()
             yield from draw(file, in_file, gutter, width)
         else:
-            yield from (gutter.row(Text(mark.text, mark.style)) for mark in in_file)
+            remarks = (mark for mark in in_file if mark.text)
+            yield from (gutter.row(Text(mark.text, mark.style)) for mark in remarks)
     if found.notes or found.help is not None or found.fix is not None:
         yield gutter.row()
     for note in found.notes:

@@ -33,8 +33,28 @@ Systems = Annotated[
 ]
 MessageFolders = Annotated[
     list[Path] | None,
-    typer.Option("--messages", metavar="DIR", help="A folder with .msg files."),
+    typer.Option(
+        "--messages", metavar="DIR", help="A folder with .msg files.", exists=True, file_okay=False
+    ),
 ]
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"rossmarie {output.own_version()}")
+        raise typer.Exit
+
+
+@app.callback()
+def rossmarie(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", help="Print the version.", is_eager=True, callback=_print_version
+        ),
+    ] = False,
+) -> None:
+    """Safety rules for robots: check them, build their monitor, replay a recording."""
 
 
 class TargetName(str, enum.Enum):
@@ -65,7 +85,7 @@ def check(
     results = [
         check_file(path, systems=system or (), message_folders=messages or ()) for path in files
     ]
-    found = tuple(finding for result in results for finding in result.diagnostics)
+    found = output.each_once(finding for result in results for finding in result.diagnostics)
     output.print_diagnostics(found, format, file_count=len(files))
     raise typer.Exit(output.exit_code(found))
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import enum
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from importlib.metadata import version
+from pathlib import Path
 from typing import NoReturn
 
 import typer
@@ -20,7 +21,7 @@ from dslkit.diagnostics import Diagnostic, Severity, summary
 INTERNAL_ERROR = 70
 """The exit code for a defect of this tool (sysexits: EX_SOFTWARE)."""
 
-_UNREADABLE = frozenset({"ROSS801", "ROSS802"})
+_UNREADABLE = frozenset({"ROSS610", "ROSS611", "ROSS801", "ROSS802"})
 
 
 class Format(str, enum.Enum):
@@ -39,6 +40,21 @@ def exit_code(found: Sequence[Diagnostic]) -> int:
     return 1 if codes else 0
 
 
+def own_version() -> str:
+    """The installed version of this tool."""
+    return version("rossmarie")
+
+
+def each_once(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    """The findings, each once: what two rules files import is checked with each of them."""
+    kept: dict[tuple[object, ...], Diagnostic] = {}
+    for finding in found:
+        span = finding.primary.span
+        place = (Path(span.file.path).resolve(), span.start, span.end)
+        kept.setdefault((finding.code, finding.title, *place), finding)
+    return tuple(kept.values())
+
+
 def print_diagnostics(found: Sequence[Diagnostic], form: Format, *, file_count: int) -> None:
     """All findings; as text with a closing line that counts them."""
     if form is Format.TEXT:
@@ -52,7 +68,7 @@ def print_diagnostics(found: Sequence[Diagnostic], form: Format, *, file_count: 
         from dslkit.diagnostics.render_sarif import render_sarif
         from rossmarie.catalog import sarif_rules
 
-        typer.echo(render_sarif(found, sarif_rules(version("rossmarie"))), nl=False)
+        typer.echo(render_sarif(found, sarif_rules(own_version())), nl=False)
 
 
 def print_findings(found: Sequence[Diagnostic]) -> None:

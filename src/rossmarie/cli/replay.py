@@ -12,6 +12,7 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, T
 
 from rossmarie.cli import output
 from rossmarie.driver import RulesError
+from rossmarie.driver.monitor import NATIVE
 from rossmarie.driver.replay import replay_file
 from rossmarie.recordings import RecordingError, open_recording, write_model
 from rossmarie.report import Replay, render_timeline, verdict_lines, write_table
@@ -30,13 +31,15 @@ def run_replay(
 ) -> None:
     """Replay, print the findings and the table, and write the reports into `out`."""
     pairs = dict(_pair(text) for text in topic_map)
+    console = Console(stderr=True)
     progress = Progress(
         TextColumn("replaying"),
         BarColumn(),
         TaskProgressColumn(),
         TimeRemainingColumn(),
-        console=Console(stderr=True),
+        console=console,
         transient=True,
+        disable=not console.is_terminal,
     )
     try:
         with progress:
@@ -53,8 +56,10 @@ def run_replay(
         output.reject(error.diagnostics)
     except RecordingError as error:
         output.print_findings([error.diagnostic])
-        raise typer.Exit(1) from None
+        raise typer.Exit(output.exit_code([error.diagnostic])) from None
     output.print_findings(found)
+    if replay.monitor != NATIVE:
+        typer.echo(replay.notes[0], err=True)
     write_table(replay, sys.stdout)
     if out is not None:
         _write_reports(replay, out)
@@ -86,7 +91,7 @@ def write_model_of(recording: Path, out: Path | None) -> None:
             text = write_model(opened)
     except RecordingError as error:
         output.print_findings([error.diagnostic])
-        raise typer.Exit(1) from None
+        raise typer.Exit(output.exit_code([error.diagnostic])) from None
     if out is None:
         typer.echo(text, nl=False)
         return

@@ -18,6 +18,9 @@ from rossmarie.ir import ChannelValues, Event, Kind, Machine, Verdict, explain, 
 from rossmarie.native import BuildError, NativeMonitor, NoCompilerError, load_native
 from rossmarie.targets.c99 import generate_loadable
 
+NATIVE = "native"
+INTERPRETER = "interpreter"
+
 Value: TypeAlias = float | bool | str | Sequence[float]
 """What a message field holds: a number, a flag, a text, or the elements of an array."""
 
@@ -64,7 +67,7 @@ class InterpretedRun:
 
 @dataclass(frozen=True)
 class Started:
-    """An engine, its kind (`native` or `interpreter`), and why it is not native."""
+    """An engine, its kind (`NATIVE` or `INTERPRETER`), and why it is not native."""
 
     engine: Engine
     kind: str
@@ -74,10 +77,10 @@ class Started:
 def start_engine(machine: Machine) -> Started:
     """An engine in its initial state; its verdicts are the same whatever its kind."""
     try:
-        return Started(load_native(machine, generate_loadable(machine)), "native", None)
+        return Started(load_native(machine, generate_loadable(machine)), NATIVE, None)
     except (NoCompilerError, BuildError, OSError) as error:
         reason = f"the monitor is interpreted, which is slower: {error}"
-        return Started(Interpreter(machine), "interpreter", reason)
+        return Started(Interpreter(machine), INTERPRETER, reason)
 
 
 class Monitor:

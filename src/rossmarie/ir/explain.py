@@ -33,7 +33,8 @@ class Cause:
     """A condition that decided, with what it looked at.
 
     `name` is the user's name of it, or of the nearest condition around it. `since_ns` is since when
-    it has been so: of a true `C for d`, since when C has been true.
+    it has been so: of a true `C for d`, since when C has been true. `limits` are the values of the
+    named constants that the condition compares with.
     """
 
     truth: int
@@ -42,6 +43,7 @@ class Cause:
     value: TruthValue
     since_ns: int
     readings: tuple[Reading, ...]
+    limits: tuple[str, ...]
     span: Span
 
     def line(self, origin_ns: int = 0) -> str:
@@ -50,6 +52,7 @@ class Cause:
         # "x = 3 m, not in [1, 2] m" reads better than "x = 3 m, x not in [1, 2] m".
         lone = f"{self.readings[0].text} " if len(self.readings) == 1 else ""
         shown.append(self.text.removeprefix(lone))
+        shown += self.limits
         since = f"{_WORDS[self.value]} since {(self.since_ns - origin_ns) / 1e9:.3f} s"
         prefix = f"{self.name}: " if self.name else ""
         return prefix + ", ".join((*shown, since))
@@ -81,9 +84,10 @@ class Explanation:
     contract: str
 
     def lines(self, origin_ns: int = 0) -> tuple[str, ...]:
-        """A line for each lost input and each cause, the first telling most."""
-        lost = tuple(lost.line() for lost in self.lost_inputs)
-        return (*lost, *(cause.line(origin_ns) for cause in self.causes))
+        """A line for each lost input; where none is to blame, one for each cause."""
+        if self.lost_inputs:
+            return tuple(lost.line() for lost in self.lost_inputs)
+        return tuple(cause.line(origin_ns) for cause in self.causes)
 
     def line(self, origin_ns: int = 0) -> str:
         """All of it on one line."""
@@ -192,7 +196,8 @@ class _Snapshot:
             text=self._machine.truths[truth].text,
             value=self._value(truth),
             since_ns=self._since(truth),
-            readings=tuple(self._readings(truth)),
+            readings=tuple(map(self._reading, self._compared(truth, constant=False))),
+            limits=tuple(self._limits(truth)),
             span=self._machine.truths[truth].span,
         )
 
@@ -211,17 +216,34 @@ class _Snapshot:
         # A negation changes together with what it negates.
         return next(self._since_ns[i] for i in self._chain(truth) if i in self._since_ns)
 
-    def _readings(self, truth: int) -> Iterator[Reading]:
-        """What the leaves that decided looked at, each signal once."""
+    def _compared(self, truth: int, *, constant: bool) -> Iterator[int]:
+        """What the leaves that decided compare, each signal once."""
         signals: dict[int, None] = {}
         waiting = [truth]
         while waiting:
             index = waiting.pop()
             waiting += reversed(self._deciding(index))
             for signal in compared_signals(self._machine.truths[index].node):
-                if signal in self._values:
+                is_constant = isinstance(self._machine.signals[signal].node, ir.Constant)
+                if is_constant if constant else signal in self._values:
                     signals.setdefault(signal)
-        return map(self._reading, signals)
+        return iter(signals)
+
+    def _limits(self, truth: int) -> Iterator[str]:
+        """Named constants with their values; both ends of an interval have its name."""
+        ends: dict[str, list[float]] = {}
+        units: dict[str, str] = {}
+        for index in self._compared(truth, constant=True):
+            signal = self._machine.signals[index]
+            if signal.text.isidentifier() and isinstance(signal.node, ir.Constant):
+                ends.setdefault(signal.text, []).append(
+                    signal.node.value * signal.scale + signal.offset
+                )
+                units[signal.text] = signal.unit
+        for name, values in ends.items():
+            shown = ", ".join(f"{value:.6g}" for value in values)
+            shown = f"[{shown}]" if len(values) > 1 else shown
+            yield f"{name} = {shown} {units[name]}".rstrip()
 
     def _reading(self, index: int) -> Reading:
         signal = self._machine.signals[index]

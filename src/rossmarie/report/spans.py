@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rossmarie.ir import Change, Machine, Verdict, explain
+from rossmarie.ir import Change, Event, InputState, Machine, Verdict, explain
 from rossmarie.report.axis import PlacedEvent, place
 from rossmarie.report.model import Replay
 
@@ -37,7 +37,11 @@ class ActiveSpan:
 
 @dataclass(frozen=True)
 class Summary:
-    """One rule over a whole replay; `first_ns` is on the axis of the replay."""
+    """One rule over a whole replay; `first_ns` is on the axis of the replay.
+
+    The first cause is that of the first activation that is not a start: waiting for the first
+    message on an input tells nothing about the drive. A rule that only ever waited has that.
+    """
 
     rule: str
     activations: int
@@ -88,15 +92,27 @@ def _summary(
     machine: Machine, rule: str, spans: tuple[ActiveSpan, ...], placed: tuple[PlacedEvent, ...]
 ) -> Summary:
     lengths = [span.length_ns for span in spans]
+    telling = (span for span in spans if not _is_start(placed[span.opened].event))
+    first = next(telling, spans[0] if spans else None)
     return Summary(
         rule=rule,
         activations=len(spans),
         lost_activations=sum(span.lost for span in spans),
         total_ns=sum(lengths),
         longest_ns=max(lengths, default=0),
-        first_ns=spans[0].start_ns if spans else None,
-        first_cause=_cause(machine, placed[spans[0].opened]) if spans else "",
+        first_ns=first.start_ns if first else None,
+        first_cause=_cause(machine, placed[first.opened]) if first else "",
         active_at_end=bool(spans) and spans[-1].closed is None,
+    )
+
+
+def _is_start(event: Event) -> bool:
+    """Whether a rule became active for want of a first message."""
+    return (
+        isinstance(event, Verdict)
+        and event.change is Change.ACTIVATED_LOST
+        and InputState.NEVER in event.inputs
+        and InputState.EXPIRED not in event.inputs
     )
 
 

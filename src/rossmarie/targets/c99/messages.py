@@ -119,7 +119,8 @@ class Messages:
             f"RARE int settle_{name}(monitor *m, int64_t t_ns, unsigned first)\n{{\n"
             f"    if (!m->quiet[{channel}])\n"
             f"        arrive(m, {channel}, t_ns);\n"
-            f"    cross(m, first, m->value[guard_value[first]], t_ns);\n"
+            f"    if (first != GUARDS)\n"
+            f"        cross(m, first, m->value[guard_value[first]], t_ns);\n"
             f"{indented(lines)}\n"
             f"    return evaluate(m, t_ns);\n}}\n"
         )
@@ -127,7 +128,7 @@ class Messages:
     def _late(self, channel: int, name: str) -> str:
         """A timer may be due, or time begins, or goes backwards."""
         guards = self._guards_of(channel)
-        settle = f"settle_{name}(m, t_ns, {guards[0].name})" if guards else "evaluate(m, t_ns)"
+        settle = f"settle_{name}(m, t_ns, GUARDS)" if guards else "evaluate(m, t_ns)"
         return (
             f"RARE int late_{name}({self._parameters(channel)})\n{{\n"
             f"    int events = catch_up(m, t_ns);\n"

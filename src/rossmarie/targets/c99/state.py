@@ -62,7 +62,7 @@ def members(layout: Layout) -> list[str]:
         f"uint64_t dirty[{max(1, (nodes + 63) // 64)}];",
     ]
     if layout.guards:
-        found.append(f"int region[{len(layout.guards)}];")
+        found.append(f"int place[{len(layout.guards)}];")
     if layout.held:
         found.append(f"int64_t held_due_ns[{len(layout.held)}];")
     found += [*_sample_members(len(layout.sampled)), *_turn_members(turns(layout))]
@@ -120,7 +120,7 @@ def restart(layout: Layout) -> list[str]:
     if layout.guards:
         lines += [
             "for (unsigned g = 0; g != GUARDS; g++) {",
-            "    m->region[g] = -(int)UNSET;",
+            "    m->place[g] = -(int)UNSET;",
             "    m->low[g] = INFINITY;",
             "    m->high[g] = -INFINITY;",
             "}",

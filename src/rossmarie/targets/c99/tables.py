@@ -5,6 +5,8 @@ Takes a layout; gives C text. Every entry that a user's words stand behind carri
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from rossmarie import ir
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.coverage import covered_values
@@ -190,15 +192,12 @@ def _rule_tables(layout: Layout) -> str:
 
 
 def _guard_tables(layout: Layout) -> str:
-    leaves, starts, limits, owners, above, below, twins = [0], [0], [], [], [], [], []
+    leaves, starts, below = [0], [0], []
+    rows: list[_LimitRow] = []
     for guard in layout.guards:
-        twins += [_twin(guard, number_, starts[-1]) for number_ in range(len(guard.limits))]
+        rows += _limit_rows(layout, guard, len(rows))
         leaves.append(leaves[-1] + len(guard.leaves))
-        starts.append(starts[-1] + len(guard.limits))
-        for limit in guard.limits:
-            limits.append((number(limit.at), _remark(layout, limit.leaf)))
-            owners.append(layout.truth_names[limit.leaf])
-            above.append("TRUE" if limit.rises else "FALSE")
+        starts.append(len(rows))
         for leaf in guard.leaves:
             below.append("TRUE" if is_true_below(guard.limits, leaf) else "FALSE")
     values = [layout.values[guard.value].name for guard in layout.guards]
@@ -206,28 +205,51 @@ def _guard_tables(layout: Layout) -> str:
     return "\n".join(
         [
             "/* Guards: guard g watches a value, owns the truths [guard_leaves[g], guard_leaves[g + 1])",
-            " * and the limits [guard_limits[g], guard_limits[g + 1]), from low to high. A number above",
-            " * limits[i] gives the truth limit_leaf[i] the value limit_above[i]; limit_twin[i] is the other",
-            " * limit of the same truth, if it has two.",
+            " * and the limits between guard_limits[g] and guard_limits[g + 1] - 1, from low to high. A",
+            " * number above limits[i] gives the truth limit_leaf[i] the value limit_above[i];",
+            " * limit_twin[i] is the other limit of the same truth, if it has two.",
             " */",
             table("index_t", "guard_value", values),
             *([table("index_t", "covered_values", covered)] if covered else []),
             table("index_t", "guard_leaves", leaves),
             table("index_t", "guard_limits", starts),
-            remarked_table("double", "limits", limits),
-            table("index_t", "limit_leaf", owners),
-            table("index_t", "limit_twin", twins),
-            table("unsigned char", "limit_above", above),
+            remarked_table("double", "limits", [(row.at, row.remark) for row in rows]),
+            table("index_t", "limit_leaf", [row.leaf for row in rows]),
+            table("index_t", "limit_twin", [row.twin for row in rows]),
+            table("unsigned char", "limit_above", [row.above for row in rows]),
             table("unsigned char", "leaf_below", below),
         ]
     )
 
 
-def _twin(guard: Guard, number_: int, start: int) -> object:
+@dataclass(frozen=True)
+class _LimitRow:
+    """An entry of the tables of limits; the default is one that is no limit but an end."""
+
+    at: str
+    remark: str
+    leaf: str = "0"
+    twin: str = "NO_TWIN"
+    above: str = "FALSE"
+
+
+def _limit_rows(layout: Layout, guard: Guard, start: int) -> list[_LimitRow]:
+    """The limits of a guard between two ends."""
+    name = layout.values[guard.value].name.removeprefix("value_")
+    rows = [_LimitRow("-INFINITY", f"below all limits of {name}")]
+    for number_, limit in enumerate(guard.limits):
+        above = "TRUE" if limit.rises else "FALSE"
+        twin = _twin(guard, number_, start + 1)
+        leaf = layout.truth_names[limit.leaf]
+        rows.append(_LimitRow(number(limit.at), _remark(layout, limit.leaf), leaf, twin, above))
+    return [*rows, _LimitRow("DBL_MAX", f"above all limits of {name}")]
+
+
+def _twin(guard: Guard, number_: int, start: int) -> str:
     """The other limit of the same truth."""
     for other, limit in enumerate(guard.limits):
         if other != number_ and limit.leaf == guard.limits[number_].leaf:
-            return start + other
+            return str(start + other)
     return "NO_TWIN"
 
 

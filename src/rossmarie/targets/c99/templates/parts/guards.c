@@ -16,65 +16,81 @@ static unsigned char unknown_kind(const monitor *m, unsigned g)
 RARE void lose_sight(monitor *m, unsigned g, int64_t t_ns)
 {
     const unsigned char kind = unknown_kind(m, g);
-    if (m->region[g] == -(int)kind)
+    if (m->place[g] == -(int)kind)
         return;
-    m->region[g] = -(int)kind;
+    m->place[g] = -(int)kind;
     m->low[g] = INFINITY; /* nothing is inside */
     m->high[g] = -INFINITY;
     for (unsigned leaf = guard_leaves[g]; leaf != guard_leaves[g + 1]; leaf++)
         set_truth(m, leaf, kind, t_ns);
 }
 
+/* The place of a guard is the limit at or below its number. */
+static void settle_at(monitor *m, unsigned g, unsigned place)
+{
+    m->place[g] = (int)place;
+    m->low[g] = limits[place];
+    m->high[g] = limits[place + 1];
+}
+
 /* A number that was unknown is known: every truth starts below its limits. */
-RARE void gain_sight(monitor *m, unsigned g, double x, int64_t t_ns)
+static void gain_sight(monitor *m, unsigned g, double x, int64_t t_ns)
 {
     unsigned place = guard_limits[g];
     for (unsigned leaf = guard_leaves[g]; leaf != guard_leaves[g + 1]; leaf++)
         set_truth(m, leaf, leaf_below[leaf], t_ns);
-    for (; place != guard_limits[g + 1] && x > limits[place]; place++)
-        set_truth(m, limit_leaf[place], limit_above[place], t_ns);
-    m->region[g] = (int)(place - guard_limits[g]);
+    for (; place + 2 != guard_limits[g + 1] && x > limits[place + 1]; place++)
+        set_truth(m, limit_leaf[place + 1], limit_above[place + 1], t_ns);
+    settle_at(m, g, place);
 }
 
-/* A number crossed limits: flip the truths there, but for those with both their limits among them. */
-static void flip(monitor *m, unsigned from, unsigned to, bool is_rising, int64_t t_ns)
+/* A number crossed the limits behind `from` up to `to`: flip the truths there, but for those with
+ * both their limits among them.
+ */
+static void flip(monitor *m, unsigned from, unsigned to, unsigned is_falling, int64_t t_ns)
 {
-    for (unsigned i = from; i != to; i++) {
-        const bool has_twin_there = limit_twin[i] >= from && limit_twin[i] < to;
+    for (unsigned i = from + 1; i <= to; i++) {
+        const bool has_twin_there = limit_twin[i] > from && limit_twin[i] <= to;
         if (!has_twin_there)
-            set_truth(m, limit_leaf[i], limit_above[i] ^ (is_rising ? 0u : 1u), t_ns);
+            set_truth(m, limit_leaf[i], limit_above[i] ^ is_falling, t_ns);
     }
 }
 
-/* A number left its guard. */
+/* A number crossed several limits, or became known or unknown. */
+RARE void cross_far(monitor *m, unsigned g, double x, int64_t t_ns)
+{
+    unsigned place = (unsigned)m->place[g];
+    if (!isfinite(x))
+        x = or_unknown(m, g);
+    if (isnan(x)) {
+        lose_sight(m, g, t_ns);
+    } else if (m->place[g] < 0) {
+        gain_sight(m, g, x, t_ns);
+    } else if (x > limits[place + 1]) {
+        while (place + 2 != guard_limits[g + 1] && x > limits[place + 1])
+            place++;
+        flip(m, (unsigned)m->place[g], place, 0, t_ns);
+        settle_at(m, g, place);
+    } else {
+        while (place != guard_limits[g] && x <= limits[place])
+            place--;
+        flip(m, place, (unsigned)m->place[g], 1, t_ns);
+        settle_at(m, g, place);
+    }
+}
+
+/* A number left its guard. Most cross a single limit: one truth flips. */
 static void cross(monitor *m, unsigned g, double x, int64_t t_ns)
 {
-    const unsigned first = guard_limits[g], end = guard_limits[g + 1];
-    const unsigned old = first + (unsigned)m->region[g];
-    unsigned place = old;
-    if (!isfinite(x)) {
-        x = or_unknown(m, g);
-        if (isnan(x)) {
-            lose_sight(m, g, t_ns);
-            return;
-        }
+    const unsigned is_rising = x > m->high[g] ? 1 : 0;
+    const unsigned limit = (unsigned)m->place[g] + is_rising;
+    const unsigned place = limit + is_rising - 1;
+    if (UNLIKELY(m->place[g] < 0 || !isfinite(x) || x <= limits[place] || x > limits[place + 1])) {
+        cross_far(m, g, x, t_ns);
+        return;
     }
-    if (m->region[g] < 0) {
-        gain_sight(m, g, x, t_ns);
-        place = first + (unsigned)m->region[g];
-    } else if (place != end && x > limits[place]) {
-        do
-            place++;
-        while (place != end && x > limits[place]);
-        flip(m, old, place, true, t_ns);
-    } else {
-        while (place != first && x <= limits[place - 1])
-            place--;
-        flip(m, place, old, false, t_ns);
-    }
-    m->region[g] = (int)(place - first);
-    m->low[g] = place == first ? -INFINITY : limits[place - 1];
-    m->high[g] = place == end ? DBL_MAX : limits[place];
+    set_truth(m, limit_leaf[limit], limit_above[limit] ^ is_rising ^ 1u, t_ns);
+    settle_at(m, g, place);
 }
 
 /* Look at all numbers again, after some of them were forgotten. */
