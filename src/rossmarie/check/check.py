@@ -12,6 +12,7 @@ from pathlib import Path
 
 from dslkit.diagnostics import Collector, Label
 from rossmarie.check.context import ConditionKey, Context, Uses
+from rossmarie.check.decided import warn_of_decided
 from rossmarie.check.declarations import collect
 from rossmarie.check.expressions import infer
 from rossmarie.check.inputs import resolve_inputs, resolve_timeouts
@@ -22,7 +23,11 @@ from rossmarie.check.operands import duration_ns, require_condition, require_con
 from rossmarie.check.order import in_order
 from rossmarie.check.system_model import read_system_model
 from rossmarie.check.trees import constant_of
-from rossmarie.check.usage import warn_of_missing_timeouts, warn_of_unused
+from rossmarie.check.usage import (
+    warn_of_missing_rules,
+    warn_of_missing_timeouts,
+    warn_of_unused,
+)
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import walk
 from rossmarie.types import Unknown
@@ -42,7 +47,8 @@ def check(
 ) -> CheckedProgram | None:
     """Check a program, main module last; None if it has errors, by now or from parsing.
 
-    Unused names are not looked for where parsing failed: what could not be read may use them.
+    Unused names and missing rules are not looked for where parsing failed: what could not be read
+    may be what is missed.
     """
     was_parsed = not collector.has_errors
     declarations = collect(modules, collector)
@@ -58,6 +64,7 @@ def check(
     _check_circles(conditions, context)
     if was_parsed:
         warn_of_unused(context)
+        warn_of_missing_rules(context)
     warn_of_missing_timeouts(rules, conditions, context)
     return None if collector.has_errors else _program(context)
 
@@ -115,21 +122,24 @@ def _check_conditions(context: Context) -> dict[ConditionKey, Uses]:
     for entity in context.declarations.entities:
         for condition in entity.conditions:
             uses = context.enter(entity.name.text)
-            infer(condition.expression, context)
-            require_condition(condition.expression, context)
+            _check_condition(condition.expression, context)
             found.setdefault((entity.name.text, condition.name.text), uses)
     return found
 
 
+def _check_condition(expression: ast.Expression, context: Context) -> None:
+    infer(expression, context)
+    require_condition(expression, context)
+    warn_of_decided(expression, context)
+
+
 def _check_rule(rule: ast.Rule, context: Context) -> Uses:
     uses = context.enter(None)
-    infer(rule.condition, context)
-    require_condition(rule.condition, context)
+    _check_condition(rule.condition, context)
     use_actions(rule, context)
     for contract in rule.contracts:
         if isinstance(contract, ast.ClearWhen):
-            infer(contract.condition, context)
-            require_condition(contract.condition, context)
+            _check_condition(contract.condition, context)
         elif isinstance(contract, ast.ClearFor):
             infer(contract.duration, context)
             duration_ns(contract.duration, "what stands behind `clear for`", context)

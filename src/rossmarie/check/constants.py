@@ -1,16 +1,19 @@
-"""The values of constant expressions, in SI units."""
+"""The values of constant expressions: numbers in SI units, truths and texts."""
 
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable, Mapping
+from typing import Any
 
 from rossmarie.check.context import Context
 from rossmarie.check.model import Value
 from rossmarie.check.type_errors import ConstantTooLarge
 from rossmarie.syntax import ast
 from rossmarie.syntax.ast import BinaryOperator
-from rossmarie.types import Quantity, Type
+from rossmarie.syntax.walk import children
+from rossmarie.types import Boolean, Quantity, Type
 from rossmarie.units import DIMENSIONLESS
 
 _BINARY: Mapping[BinaryOperator, Callable[[float, float], float]] = {
@@ -18,6 +21,18 @@ _BINARY: Mapping[BinaryOperator, Callable[[float, float], float]] = {
     BinaryOperator.SUBTRACT: lambda left, right: left - right,
     BinaryOperator.MULTIPLY: lambda left, right: left * right,
     BinaryOperator.DIVIDE: lambda left, right: left / right,
+}
+_COMPARISONS: Mapping[BinaryOperator, Callable[[Any, Any], bool]] = {
+    BinaryOperator.EQUAL: operator.eq,
+    BinaryOperator.NOT_EQUAL: operator.ne,
+    BinaryOperator.LESS: operator.lt,
+    BinaryOperator.LESS_OR_EQUAL: operator.le,
+    BinaryOperator.GREATER: operator.gt,
+    BinaryOperator.GREATER_OR_EQUAL: operator.ge,
+}
+_JUNCTIONS: Mapping[BinaryOperator, Callable[[bool, bool], bool]] = {
+    BinaryOperator.AND: lambda left, right: left and right,
+    BinaryOperator.OR: lambda left, right: left or right,
 }
 _FUNCTIONS: Mapping[str, Callable[[list[float]], float]] = {
     "abs": lambda numbers: abs(numbers[0]),
@@ -37,8 +52,34 @@ def fold(node: ast.Expression, type_: Type, context: Context) -> Value | None:
         return Value(type_, text=node.value)
     if isinstance(node, ast.Parenthesized):
         return context.values.get(id(node.inner))
+    if isinstance(type_, Boolean):
+        truth = _truth(node, context)
+        return None if truth is None else Value(type_, boolean=truth)
     number = _number(node, type_, context) if isinstance(type_, Quantity) else None
     return None if number is None else Value(type_, (number,))
+
+
+def _truth(node: ast.Expression, context: Context) -> bool | None:
+    values = [context.values.get(id(operand)) for operand in children(node)]
+    known = [value for value in values if value is not None]
+    if len(known) < len(values):
+        return None
+    match node, known:
+        case ast.Unary(), [Value(boolean=bool(operand))]:
+            return not operand
+        case ast.Binary(operator=sign), [Value(boolean=bool(left)), Value(boolean=bool(right))]:
+            return _JUNCTIONS[sign](left, right)
+        case ast.Binary(operator=sign), [Value(text=str(left)), Value(text=str(right))]:
+            return _COMPARISONS[sign](left, right)
+        case ast.Binary(operator=sign), [Value(numbers=(left,)), Value(numbers=(right,))]:
+            return _COMPARISONS[sign](left, right)
+        case ast.Membership(is_negated=is_negated), [
+            Value(numbers=(number,)),
+            Value(numbers=(low, high)),
+        ]:
+            return (low <= number <= high) is not is_negated
+        case _:
+            return None
 
 
 def record(node: ast.Expression, value: Value, context: Context) -> bool:

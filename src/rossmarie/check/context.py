@@ -30,7 +30,8 @@ class Uses:
 class Context:
     """`types` and `values` are those of `CheckedProgram`. `constants` are the types of constants
     (their values are in `values`, under the expression of the declaration); `used_names` and
-    `used_conditions` are all that anything refers to.
+    `used_conditions` are all that anything refers to. `parents` leads from each part of an
+    expression, by its `id`, to what it is an operand of.
 
     `entity` and `uses` belong to what is being checked at the moment.
     """
@@ -41,6 +42,7 @@ class Context:
     constants: dict[str, Type] = field(default_factory=dict)
     types: dict[int, Type] = field(default_factory=dict)
     values: dict[int, Value] = field(default_factory=dict)
+    parents: dict[int, ast.Expression] = field(default_factory=dict)
     used_names: set[str] = field(default_factory=set)
     used_conditions: set[ConditionKey] = field(default_factory=set)
     suggestions: Suggestions = field(default_factory=Suggestions)

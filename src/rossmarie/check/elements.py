@@ -1,20 +1,29 @@
-"""Expressions over the elements of an array: they may use one array, and constants."""
+"""Expressions over the elements of an array: they may use one array, and constants.
+
+A truth of its own, or a time that something has to hold, belongs outside.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from dslkit.diagnostics import Label
+from dslkit.diagnostics import Fix, Label
 from rossmarie.check.context import Context
-from rossmarie.check.trees import text_of
-from rossmarie.check.type_errors import ElementwiseMixture
+from rossmarie.check.rewriting import rewritten
+from rossmarie.check.trees import quoted, stripped, text_of
+from rossmarie.check.type_errors import ArrayAsScalar, ElementwiseMixture
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import children
-from rossmarie.types import Array, Unknown
+from rossmarie.types import Array, Boolean, Unknown
+
+_QUANTIFIERS = frozenset({"any", "all"})
+_ELEMENTWISE = _QUANTIFIERS | {"count"}
+_JUNCTIONS = frozenset({ast.BinaryOperator.AND, ast.BinaryOperator.OR})
 
 
-def check_elements(argument: ast.Expression, function: str, context: Context) -> None:
+def check_elements(fold: ast.Call, context: Context) -> None:
     """Report what else than one array and constants the argument of a fold is made of."""
+    (argument,) = fold.arguments
     first: ast.Expression | None = None
     for part in _parts(argument, context):
         is_array = isinstance(context.type_of(part), Array)
@@ -24,9 +33,52 @@ def check_elements(argument: ast.Expression, function: str, context: Context) ->
         if is_array and first is not None and _spelling(part) == _spelling(first):
             continue
         found = "this is another array" if is_array else "this changes from message to message"
-        finding = ElementwiseMixture(found=found, function=function, text=text_of(part))
+        finding = ElementwiseMixture(found=found, function=fold.function.text, text=text_of(part))
         labels = () if first is None else (Label(first.span, "the array"),)
-        context.collector.add(finding.at(part.span, *labels))
+        help, fix = None, None
+        if isinstance(context.type_of(part), Boolean):
+            help, fix = _take_out(part, fold, context)
+        context.collector.add(finding.at(part.span, *labels, help=help, fix=fix))
+
+
+def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[str, Fix | None]:
+    """`any(ranges < 1 m) or ok` for `any(ranges < 1 m or ok)`."""
+    function = fold.function.text
+    junction = stripped(fold.arguments[0])
+    help = f"`{text_of(truth)}` is one truth for all elements: take it out of `{function}`"
+    if not isinstance(junction, ast.Binary) or junction.operator not in _JUNCTIONS:
+        return help, None
+    if function not in _QUANTIFIERS or not (truth is junction.left or truth is junction.right):
+        return help, None
+    sides = (
+        side.span.text if side is truth else f"{function}({side.span.text})"
+        for side in (junction.left, junction.right)
+    )
+    meant = f" {junction.operator.value} ".join(sides)
+    return f"{help}, `{quoted(meant)}`", rewritten(fold, meant, context)
+
+
+def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
+    """The `any`, `all` or `count` that a node stands in, if it stands in one."""
+    around = context.parents.get(id(node))
+    while around is not None:
+        if isinstance(around, ast.Call) and around.function.text in _ELEMENTWISE:
+            return around
+        around = context.parents.get(id(around))
+    return None
+
+
+def report_held_elements(held: ast.Held, fold: ast.Call, context: Context) -> None:
+    """Report that `for` stands on the elements of an array, inside `fold`."""
+    function = fold.function.text
+    advice = "no single element is watched over time: put `for` behind the whole condition"
+    fix = None
+    if stripped(fold.arguments[0]) is held and function in _QUANTIFIERS:
+        meant = f"{function}({held.condition.span.text}) for {held.duration.span.text}"
+        advice = f"no single element is watched over time: write `{quoted(meant)}`"
+        fix = rewritten(fold, meant, context)
+    finding = ArrayAsScalar(expected="condition", advice=advice)
+    context.collector.add(finding.at(held.condition.span, fix=fix))
 
 
 def _parts(argument: ast.Expression, context: Context) -> Iterator[ast.Expression]:

@@ -32,7 +32,9 @@ def infer(expression: ast.Expression, context: Context) -> Type:
             _fold(node, context)
         else:
             pending.append((node, True))
-            pending.extend((part, False) for part in reversed(_operands(node, context)))
+            operands = _operands(node, context)
+            context.parents.update((id(part), node) for part in operands)
+            pending.extend((part, False) for part in reversed(operands))
     return context.types[id(expression)]
 
 

@@ -105,13 +105,16 @@ def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
     count = len(node.arguments)
     if count >= signature.least and (signature.most is None or count <= signature.most):
         return True
-    expected = "one argument" if signature.least == 1 else f"{signature.least} arguments"
+    # What stands before the dot is not counted: the user sees no argument there.
+    before_dot = 1 if node.is_method else 0
+    least, given = signature.least - before_dot, count - before_dot
+    expected = {0: "no argument here", 1: "one argument"}.get(least, f"{least} arguments")
     if signature.most is None:
         expected = "at least one argument"
     finding = WrongArgumentCount(
         function=operator.value,
         expected=expected,
-        found="none" if count == 0 else str(count),
+        found="none" if given == 0 else str(given),
         usage=USAGES[operator],
     )
     context.collector.add(finding.at(node.span))
@@ -137,7 +140,7 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
     type_ = context.type_of(argument)
     outcome = apply(operator, type_)
     if not outcome.faults:
-        check_elements(argument, operator.value, context)
+        check_elements(node, context)
     elif operator in _QUANTIFIERS and isinstance(type_, Array):
         _report_argument(node, argument, "a condition on the elements", context)
     elif operator in _EXTREMES and isinstance(type_, Array):

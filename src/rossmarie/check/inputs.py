@@ -8,6 +8,7 @@ from dslkit.diagnostics import Collector, Edit, Fix, Label
 from dslkit.source import Span
 from rossmarie.check.context import Context
 from rossmarie.check.expressions import infer
+from rossmarie.check.field_units import FieldKey, check_one_unit, is_same_unit
 from rossmarie.check.fields import has_no_number, select, unit_of, with_unit
 from rossmarie.check.model import CheckedInput
 from rossmarie.check.name_errors import TopicTypeConflict, TopicWithoutType
@@ -22,7 +23,7 @@ from rossmarie.check.system_model import (
     report_conflict,
     type_name,
 )
-from rossmarie.check.unit_errors import MisplacedUnit
+from rossmarie.check.unit_errors import FieldUnitConflict, MisplacedUnit
 from rossmarie.check.units import read_unit
 from rossmarie.syntax import ast
 from rossmarie.types import Message, Type, Unknown, message_value, std_msgs_data
@@ -32,9 +33,11 @@ from rossmarie.units import Unit
 def resolve_inputs(model: SystemModel, context: Context) -> None:
     """Resolve every input of the program into `context.inputs`, as yet without timeouts."""
     stated: dict[str, ast.Input] = {}
+    units: dict[FieldKey, CheckedInput] = {}
     for declaration in context.declarations.inputs:
         found = _resolve(declaration, model, context.collector)
         _check_one_type(found, stated, model, context.collector)
+        check_one_unit(found, units, context.collector)
         context.inputs.setdefault(declaration.name.text, found)
 
 
@@ -128,6 +131,9 @@ def _in_unit(
     if has_no_number(type_):
         _report_no_number(declaration.unit, type_, field, collector)
         return Unknown()
+    if topic is not None and topic.unit is not None and not is_same_unit(unit, topic.unit):
+        _report_other_unit(declaration.unit, unit, field, topic, collector)
+        return Unknown()
     contradiction = contradicts(known, unit, field)
     if contradiction is None:
         return _rescaled(type_, unit)
@@ -135,6 +141,19 @@ def _in_unit(
     fix = Fix(f"leave out `in {declaration.unit.text}`", (Edit(place, ""),))
     collector.add(contradiction.at(declaration.unit.span, fix=fix))
     return Unknown()
+
+
+def _report_other_unit(
+    written: ast.Unit, unit: Unit, field: str, topic: Topic, collector: Collector
+) -> None:
+    """Report that a system model gives the values of a topic another unit than an input."""
+    declared = topic.declaration.unit
+    if topic.unit is None or declared is None:
+        return
+    finding = FieldUnitConflict(
+        topic=topic.name, field=field, found=unit.symbol, expected=topic.unit.symbol
+    )
+    collector.add(finding.at(written.span, Label(declared.span, f"{topic.unit.symbol} here")))
 
 
 def _rescaled(type_: Type, unit: Unit | None) -> Type:

@@ -70,10 +70,34 @@ class RepeatedAction(Warning, code="ROSS405", name="repeated-action"):
     identifier: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class ConstantCondition(Warning, code="ROSS406", name="constant-condition"):
+    """A condition that nothing can change."""
+
+    title = "this is always {outcome}"
+    label = "no input has any influence on this"
+    note = "a monitor is there to watch what changes; here nothing does"
+    help = "compare an input with something, or leave this out"
+    outcome: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoRules(Warning, code="ROSS407", name="no-rules"):
+    """Conditions or inputs, and no rule that rests on them."""
+
+    title = "there is no rule: nothing will be monitored"
+    label = "no rule rests on this {kind}"
+    note = "only rules start actions and yield verdicts"
+    help = "write what follows from it: `if CONDITION then {{ ACTION; }};`"
+    kind: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnusedName,
     MissingTimeout,
     AmbiguousFor,
     ExactEquality,
     RepeatedAction,
+    ConstantCondition,
+    NoRules,
 )

@@ -57,7 +57,7 @@ class CheckedProgram:
 
     `name` is the stem of the main file. `types` and `values` are keyed by `id(node)` of expression
     nodes reachable from conditions, rules and contracts: `types` holds every one of them, `values`
-    those that are constant (literals, constants and arithmetic on them; durations; interval and box
+    those that are constant (literals, constants and operators on them; durations; interval and box
     literals). `rules` are in file order, imported files first.
     """
 

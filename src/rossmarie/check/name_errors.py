@@ -169,7 +169,7 @@ class SeveralContracts(Error, code="ROSS115", name="several-contracts"):
     title = "a rule has at most one resume contract"
     label = "this one contradicts the first"
     note = "it would not be clear which of them releases the actions"
-    help = "keep one; two conditions for release can be joined: `clear when A and B for 2 sec`"
+    help = "keep one; two conditions for release can be joined: `clear when (A and B) for 2 sec`"
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -19,6 +19,7 @@ from rossmarie.check.name_errors import (
     UnknownCondition,
     WrongKindOfName,
 )
+from rossmarie.check.spaced_units import is_rest_of_unit
 from rossmarie.check.suggestions import listed, near_name, rename
 from rossmarie.check.trees import text_of
 from rossmarie.syntax import ast
@@ -36,7 +37,8 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
         _use_condition(own, name, context)
         return Boolean()
     if declared is None:
-        _report_undeclared(name, context)
+        if not is_rest_of_unit(node, context):
+            _report_undeclared(name, context)
         return Unknown()
     context.used_names.add(name.text)
     if isinstance(declared, ast.Constant):

@@ -8,6 +8,7 @@ from dslkit.diagnostics import Edit, Fix
 from dslkit.source import Span
 from rossmarie.check.context import Context
 from rossmarie.check.describe import describe, is_plain
+from rossmarie.check.elements import enclosing_fold, report_held_elements
 from rossmarie.check.meaning_errors import AmbiguousFor, ExactEquality
 from rossmarie.check.operands import (
     duration_ns,
@@ -19,12 +20,13 @@ from rossmarie.check.operands import (
     require_condition,
 )
 from rossmarie.check.trees import quoted, stripped, text_of
-from rossmarie.check.type_errors import DivisionByZero, Incomparable, TruthCompared
+from rossmarie.check.type_errors import DivisionByZero, Incomparable, TextsCompared, TruthCompared
 from rossmarie.check.unit_errors import TemperatureArithmetic
 from rossmarie.check.units import Operand, check_fit_of, operand_of
 from rossmarie.syntax import ast
 from rossmarie.syntax.ast import BinaryOperator
 from rossmarie.types import (
+    Array,
     Boolean,
     Box,
     Fault,
@@ -72,8 +74,12 @@ def type_of_unary(node: ast.Unary, context: Context) -> Type:
 
 def type_of_held(node: ast.Held, context: Context) -> Type:
     """`condition for 2 sec` is one truth."""
-    require_condition(node.condition, context)
     duration_ns(node.duration, "what stands behind `for`", context)
+    fold = enclosing_fold(node, context)
+    if fold is not None and isinstance(context.type_of(node.condition), Array):
+        report_held_elements(node, fold, context)
+        return Unknown()
+    require_condition(node.condition, context)
     return Boolean()
 
 
@@ -169,6 +175,8 @@ def _comparison(operator: Operator, node: ast.Binary, context: Context) -> Type:
     if is_truth(left) and is_truth(right):
         return _truth_comparison(operator, node, context)
     outcome = apply(operator, left, right)
+    if isinstance(left, Text) and isinstance(right, Text) and not outcome.faults:
+        return _text_comparison(node, context)
     if Fault.OPERANDS in outcome.faults and any(
         is_truth(side) or isinstance(side, Text) for side in (left, right)
     ):
@@ -192,6 +200,15 @@ def _truth_comparison(operator: Operator, node: ast.Binary, context: Context) ->
         fix = Fix(help, (Edit(node.span, meant),))
     finding = TruthCompared(operator=operator.value)
     context.collector.add(finding.at(node.span, help=help, fix=fix))
+    return Unknown()
+
+
+def _text_comparison(node: ast.Binary, context: Context) -> Type:
+    """Texts are numbered by the compiler, so that one side has to be known to it."""
+    if id(node.left) in context.values or id(node.right) in context.values:
+        return Boolean()
+    finding = TextsCompared(left=text_of(node.left), right=text_of(node.right))
+    context.collector.add(finding.at(node.span))
     return Unknown()
 
 

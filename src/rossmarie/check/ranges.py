@@ -14,17 +14,30 @@ from rossmarie.check.operands import (
     require_constant,
     scalar_operand,
 )
-from rossmarie.check.trees import constant_of, stripped, text_of
+from rossmarie.check.rewriting import rewritten
+from rossmarie.check.trees import constant_of, quoted, stripped, text_of
 from rossmarie.check.type_errors import (
     BracketLength,
     IntervalEndsSwapped,
     RangeMismatch,
     ScalarAsRange,
+    TextsAsRange,
 )
 from rossmarie.check.unit_errors import MisplacedUnit
 from rossmarie.check.units import Operand, check_fit, check_fit_of, read_unit
 from rossmarie.syntax import ast
-from rossmarie.types import Boolean, Box, Fault, Interval, Operator, Quantity, Type, Unknown, apply
+from rossmarie.types import (
+    Boolean,
+    Box,
+    Fault,
+    Interval,
+    Operator,
+    Quantity,
+    Text,
+    Type,
+    Unknown,
+    apply,
+)
 from rossmarie.units import Unit
 
 _INTERVAL_LENGTH = 2
@@ -34,6 +47,9 @@ _BOX_LENGTH = 6
 def type_of_bracket(node: ast.Bracket, context: Context) -> Type:
     """The interval or box that a bracket stands for; its value is recorded."""
     unit = None if node.unit is None else read_unit(node.unit, context.collector)
+    if all(isinstance(context.type_of(element), Text) for element in node.elements):
+        _report_texts(node, context)
+        return Unknown()
     if len(node.elements) not in (_INTERVAL_LENGTH, _BOX_LENGTH):
         context.collector.add(BracketLength(count=len(node.elements)).at(node.span))
         return Unknown()
@@ -48,6 +64,17 @@ def type_of_bracket(node: ast.Bracket, context: Context) -> Type:
     if unit is not None:
         numbers = [unit.to_si(number) for number in numbers]
     return _range_of(node, Quantity(unit or ends[0].quantity.unit), numbers, context)
+
+
+def _report_texts(node: ast.Bracket, context: Context) -> None:
+    around = context.parents.get(id(node))
+    help, fix = None, None
+    if isinstance(around, ast.Membership) and isinstance(context.type_of(around.value), Text):
+        sign, junction = ("!=", " and ") if around.is_negated else ("==", " or ")
+        value = around.value.span.text
+        meant = junction.join(f"{value} {sign} {text.span.text}" for text in node.elements)
+        help, fix = f"write `{quoted(meant)}`", rewritten(around, meant, context)
+    context.collector.add(TextsAsRange().at(node.span, help=help, fix=fix))
 
 
 def _check_ends(

@@ -42,10 +42,26 @@ def constant_of(node: ast.Expression, declarations: Declarations) -> ast.Constan
     return found if isinstance(found, ast.Constant) else None
 
 
-def literal_of(node: ast.Expression, declarations: Declarations) -> ast.Number | None:
-    """The number as written that a constant stands for: here, or in its declaration."""
-    constant = constant_of(stripped(node), declarations)
-    inner = stripped(node if constant is None else constant.value)
+def literal_of(node: ast.Expression, declarations: Declarations) -> ast.Number | ast.Bracket | None:
+    """The number or range as written that a constant stands for: here, or where it is declared.
+
+    The constants must not be circular.
+    """
+    inner = stripped(node)
+    constant = constant_of(inner, declarations)
+    while constant is not None:
+        inner = stripped(constant.value)
+        constant = constant_of(inner, declarations)
     while isinstance(inner, ast.Unary) and inner.operator is ast.UnaryOperator.NEGATE:
         inner = stripped(inner.operand)
-    return inner if isinstance(inner, ast.Number) else None
+    return inner if isinstance(inner, ast.Number | ast.Bracket) else None
+
+
+def path_of(node: ast.Expression) -> tuple[str, ...]:
+    """The fields that a chain of fields and indices goes through, the first first."""
+    path: list[str] = []
+    while isinstance(node, ast.Parenthesized | ast.Member | ast.Index):
+        if isinstance(node, ast.Member):
+            path.insert(0, node.member.text)
+        node = node.inner if isinstance(node, ast.Parenthesized) else node.value
+    return tuple(path)

@@ -133,6 +133,36 @@ class TemperatureArithmetic(Error, code="ROSS310", name="temperature-arithmetic"
     unit: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class FieldUnitConflict(Error, code="ROSS311", name="field-unit-conflict"):
+    """One field of one topic, said to arrive in two units."""
+
+    title = "{field} of topic `{topic}` cannot arrive both in {found} and in {expected}"
+    label = "{found} here"
+    note = "each message carries one number there; at least one of the two would be misread"
+    help = "find out what the topic carries, and say the same in both places"
+    topic: str
+    field: str
+    found: str
+    expected: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
+    """A unit with white space in it, so that its rest is taken for a value."""
+
+    title = "`{identifier}` is a unit here, not a value"
+    label = "`{operator} {identifier}` calculates with something called `{identifier}`"
+    note = (
+        "a unit stands directly behind its number and has no white space in itself; "
+        "no constant or input is called `{identifier}`"
+    )
+    help = "write `{corrected}`"
+    identifier: str
+    operator: str
+    corrected: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnitMismatch,
     RateAgainstQuantity,
@@ -144,4 +174,6 @@ ALL: tuple[type[Template], ...] = (
     UnitContradictsField,
     MisplacedUnit,
     TemperatureArithmetic,
+    FieldUnitConflict,
+    SpacedUnit,
 )

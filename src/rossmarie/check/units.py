@@ -8,7 +8,7 @@ from dslkit.diagnostics import Collector, Edit, Fix, Label
 from dslkit.source import Span
 from rossmarie.check.context import Context
 from rossmarie.check.describe import describe_quantity, is_plain
-from rossmarie.check.trees import constant_of, literal_of, root_of, stripped, text_of
+from rossmarie.check.trees import constant_of, literal_of, path_of, root_of, stripped, text_of
 from rossmarie.check.unit_errors import (
     FieldWithoutUnit,
     MissingUnit,
@@ -149,14 +149,14 @@ def _unit_fix(odd: Operand, unit: Unit, context: Context) -> Fix | None:
 def _report_missing_unit(plain: Operand, other: Operand, context: Context) -> None:
     unit = other.quantity.unit or DIMENSIONLESS
     number = literal_of(plain.node, context.declarations)
-    if number is None:
+    if number is None or number.unit is not None:
         corrected, fix = f"({text_of(plain.node)}) * 1 {unit.symbol}", None
     else:
         corrected = f"{text_of(number)} {unit.symbol}"
         behind = Span(number.span.file, number.span.end, number.span.end)
         fix = Fix(f"write `{corrected}`", (Edit(behind, f" {unit.symbol}"),))
     is_angle = unit.dimension == ANGLE
-    if is_angle and number is not None:
+    if is_angle and number is not None and number.unit is None:
         # Only the user knows which; the wrong one would be off by a factor of 57.
         corrected, fix = f"{text_of(number)} deg` or `{text_of(number)} rad", None
     finding = MissingUnit(
@@ -185,7 +185,7 @@ def _report_field_without_unit(unknown: Operand, known: Operand, context: Contex
         fix = Fix(f"say that it arrives in {unit}", (Edit(place, f" in {unit}"),))
         context.collector.add(finding.at(unknown.node.span, *labels, fix=fix))
     else:
-        field = f"{found.message_type}.FIELD"
+        field = ".".join((found.message_type, *found.path, *path_of(unknown.node)))
         help = f"say its unit in a system model, `unit {field} = {unit};`"
         context.collector.add(finding.at(unknown.node.span, *labels, help=help))
 

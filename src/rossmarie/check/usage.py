@@ -8,7 +8,7 @@ from dslkit.diagnostics import Collector, Label
 from dslkit.source import Span
 from rossmarie.check.context import ConditionKey, Context, Uses
 from rossmarie.check.declarations import Named, kind_of
-from rossmarie.check.meaning_errors import MissingTimeout, UnusedName
+from rossmarie.check.meaning_errors import MissingTimeout, NoRules, UnusedName
 from rossmarie.check.names import is_value_name
 from rossmarie.syntax import ast
 
@@ -24,7 +24,7 @@ _REASONS: Mapping[str, str] = {
 def warn_of_unused(context: Context) -> None:
     """Warn of every unused declaration of the main file.
 
-    A file without rules is there to be imported: its names are used elsewhere.
+    A file without rules may be there to be imported: its names are used elsewhere.
     """
     main = context.declarations.main
     if not any(isinstance(item, ast.Rule) for item in main.items):
@@ -36,6 +36,21 @@ def warn_of_unused(context: Context) -> None:
             _warn_of_entity(item, context)
         elif item.name.text not in context.used_names:
             _warn(kind_of(item), item.name, context.collector)
+
+
+def warn_of_missing_rules(context: Context) -> None:
+    """Warn of a main file with something to monitor, but no rule that does, its own or imported.
+
+    A file of system models, actions and constants is there to be imported.
+    """
+    if context.declarations.rules:
+        return
+    items = context.declarations.main.items
+    entities = (item for item in items if isinstance(item, ast.Entity))
+    inputs = (item for item in items if isinstance(item, ast.Input))
+    first = next(entities, None) or next(inputs, None)
+    if first is not None:
+        context.collector.add(NoRules(kind=kind_of(first)).at(first.name.span))
 
 
 def _warn_of_entity(entity: ast.Entity, context: Context) -> None:
@@ -71,7 +86,8 @@ def warn_of_missing_timeouts(
         reached = {name for part in _reached(uses, conditions, seen) for name in part.inputs}
         for name in sorted(reached - warned):
             declaration = context.inputs[name].declaration
-            if declaration.timeout is None:
+            # One that could not be read is reported already; it may well have a timeout.
+            if declaration.timeout is None and declaration.topic.text:
                 warned.add(name)
                 place = Label(_head(rule), "this rule rests on it")
                 finding = MissingTimeout(identifier=name)

@@ -6,9 +6,10 @@ import re
 
 from dslkit.source import Span
 
-# A text literal is kept as it is; any run of white space and comments becomes one blank.
+# A text literal, which has no escapes, is kept as it is; any run of white space and comments
+# becomes one blank.
 _PIECE = re.compile(
-    r"""(?P<literal>"(?:\\.|[^"\\\n])*")|(?:\s|//[^\n]*|'''.*?''')+""",
+    r"""(?P<literal>"[^"\n]*")|(?:\s|//[^\n]*|'''.*?''')+""",
     re.DOTALL,
 )
 

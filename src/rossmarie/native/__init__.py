@@ -1,6 +1,17 @@
 """Monitors in C, built with the system's compiler and run in this process."""
 
 from rossmarie.native.build import BuildError, NoCompilerError, build
-from rossmarie.native.monitor import NativeMonitor, RunResult, load_native
+from rossmarie.native.columns import ColumnError, PackedMessages, RunResult
+from rossmarie.native.monitor import BoundColumns, NativeMonitor, load_native
 
-__all__ = ["BuildError", "NativeMonitor", "NoCompilerError", "RunResult", "build", "load_native"]
+__all__ = [
+    "BoundColumns",
+    "BuildError",
+    "ColumnError",
+    "NativeMonitor",
+    "NoCompilerError",
+    "PackedMessages",
+    "RunResult",
+    "build",
+    "load_native",
+]

@@ -19,7 +19,7 @@ OPTIONS = ("-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared")
 
 
 class NoCompilerError(Exception):
-    """This machine has no C compiler."""
+    """No C compiler was found."""
 
 
 class BuildError(Exception):
@@ -46,15 +46,13 @@ def compiler() -> list[str]:
     raise NoCompilerError(f"no C compiler found (looked for {looked})")
 
 
-def build(
-    files: Mapping[str, str], main: str, options: Sequence[str] = OPTIONS, *, rebuild: bool = False
-) -> Path:
+def build(files: Mapping[str, str], main: str, *more_options: str, rebuild: bool = False) -> Path:
     """Compile the file `main` among `files` to a shared library, unless that was done before.
 
     Raises `NoCompilerError`, or `BuildError` with what the compiler said, or `OSError` if the cache
     cannot be written.
     """
-    command = [*compiler(), *options]
+    command = [*compiler(), *OPTIONS, *more_options]
     library = cache_folder() / f"{_digest(files, main, command)}.so"
     if rebuild or not library.is_file():
         library.parent.mkdir(parents=True, exist_ok=True)

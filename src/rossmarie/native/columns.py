@@ -1,13 +1,10 @@
 """Whole columns and packed messages as memory that C reads, and what comes back.
 
-Takes numpy arrays. Columns are named after inputs: `speed` if the input carries one scalar, else
-`pose.x`, with as many of the last words of the path as tell it from the others.
+Takes numpy arrays; columns go by the names of `ir.field_names`.
 """
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -23,7 +20,7 @@ class ColumnError(ValueError):
     """The columns do not fit the machine, or each other."""
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class RunResult:
     """What a run over many rows said.
 
@@ -54,21 +51,6 @@ class RunResult:
         return bits.view(np.bool_)
 
 
-def column_names(machine: ir.Machine) -> list[frozenset[str]]:
-    """The names under which each slot may be given."""
-    offered = [_names(machine, slot) for slot in machine.slots]
-    uses = Counter(name for names in offered for name in names)
-    return [frozenset(name for name in names if uses[name] == 1) for names in offered]
-
-
-def _names(machine: ir.Machine, slot: ir.Slot) -> set[str]:
-    """The input, and the input with every ending of the path."""
-    name = machine.inputs[slot.input].name
-    words = [str(word) for word in slot.path]
-    endings = {".".join(words[start:]) for start in range(len(words))}
-    return {name} | {f"{name}.{ending}" for ending in endings}
-
-
 def order_of(machine: ir.Machine, given: tuple[str, ...]) -> list[str]:
     """Which of the given columns feeds each slot.
 
@@ -77,7 +59,7 @@ def order_of(machine: ir.Machine, given: tuple[str, ...]) -> list[str]:
     if machine.arrays:
         raise ColumnError("a machine that reads arrays cannot run over columns")
     chosen = []
-    for names in column_names(machine):
+    for names in ir.field_names(machine)[0]:
         fitting = [name for name in given if name in names]
         if len(fitting) != 1:
             wanted = " or ".join(sorted(names, key=len)) or "a scalar with no name of its own"
@@ -95,12 +77,15 @@ def as_instants(times_ns: NDArray[np.int64]) -> NDArray[np.int64]:
     return np.ascontiguousarray(times_ns)
 
 
-def as_column(name: str, kind: ir.Kind, column: NDArray[np.generic], rows: int) -> object:
+def as_column(
+    name: str, kind: ir.Kind, column: NDArray[np.generic], rows: int
+) -> NDArray[np.generic]:
     """A column as C reads it; raises `ColumnError` if it has another length."""
     if column.shape != (rows,):
         raise ColumnError(f"column {name} has shape {column.shape}, the instants ({rows},)")
     if kind is ir.Kind.FLAG:
-        return np.ascontiguousarray(column, np.bool_).view(np.uint8)
+        is_ready = column.dtype == np.uint8 and column.flags.c_contiguous
+        return column if is_ready else np.ascontiguousarray(column, np.bool_).view(np.uint8)
     return np.ascontiguousarray(column, np.float64)
 
 
@@ -126,7 +111,7 @@ def check_packed(machine: ir.Machine, messages: PackedMessages) -> None:
     arrived = messages.channels
     if arrived.shape != messages.times_ns.shape:
         raise ColumnError("every message has one instant and one channel")
-    if arrived.size and not (0 <= arrived.min() and arrived.max() < channels):
+    if arrived.size and not (arrived.min() >= 0 and arrived.max() < channels):
         raise ColumnError(f"channels are numbered from 0 to {channels - 1}")
     counted = np.bincount(arrived, minlength=channels)
     slots = _per_channel(machine, [slot.input for slot in machine.slots])
@@ -157,18 +142,3 @@ def contiguous(messages: PackedMessages) -> PackedMessages:
         np.ascontiguousarray(messages.counts, np.uint64),
         np.ascontiguousarray(messages.elements, np.float64),
     )
-
-
-class ColumnOrder:
-    """Finds the order for a set of names once."""
-
-    def __init__(self, machine: ir.Machine) -> None:
-        self._machine = machine
-        self._known: dict[tuple[str, ...], list[str]] = {}
-
-    def of(self, columns: Mapping[str, NDArray[np.generic]]) -> list[str]:
-        """Which column feeds each slot."""
-        given = tuple(columns)
-        if given not in self._known:
-            self._known[given] = order_of(self._machine, given)
-        return self._known[given]

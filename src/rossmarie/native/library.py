@@ -1,10 +1,11 @@
-"""The only place that speaks to cffi: a loaded library, with types.
+"""The only place that speaks to C: a loaded library, with types.
 
-Takes the path of a library built from `host.c`.
+Takes the path of a library built from `host.c`, or from `fastcall.c`, which includes it.
 """
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,7 @@ class Library:
         self._ffi = cffi.FFI()
         self._ffi.cdef(declarations)
         self._functions: Any = self._ffi.dlopen(str(path))
+        self._path = path
         self.null: Pointer = self._ffi.NULL
 
     def function(self, name: str) -> Callable[..., Any]:
@@ -37,7 +39,7 @@ class Library:
         """A pointer that is released when Python forgets it."""
         return self._ffi.gc(pointer, release)
 
-    def pointer(self, kind: str, buffer: object) -> Pointer:
+    def pointer(self, kind: str, buffer: Any) -> Pointer:
         """The memory of an array; it must live as long as the pointer is used."""
         return self._ffi.from_buffer(kind, buffer)
 
@@ -52,3 +54,17 @@ class Library:
     def bytes_at(self, pointer: Pointer, size: int) -> bytes:
         """A copy of some memory."""
         return bytes(self._ffi.buffer(pointer, size)) if size else b""
+
+    def python_function(
+        self, host: Pointer, channel: int, fields: int, owner: object
+    ) -> Callable[..., int] | None:
+        """The function of `fastcall.c` for a channel; None if the library was built without."""
+        try:
+            make = ctypes.PyDLL(str(self._path)).host_python_function
+        except AttributeError:
+            return None
+        make.argtypes = [ctypes.c_void_p, ctypes.c_int, ctypes.c_int, ctypes.py_object]
+        make.restype = ctypes.py_object
+        address = int(self._ffi.cast("intptr_t", host))
+        function: Callable[..., int] = make(address, channel, fields, owner)
+        return function

@@ -6,23 +6,26 @@ Takes the machine and the C text that a target wrote for it. Of the text only th
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import sysconfig
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
+from importlib import resources
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie import ir
 from rossmarie.ir import ChannelValues, Event
-from rossmarie.native.build import build
+from rossmarie.native.build import BuildError, build
 from rossmarie.native.columns import (
-    ColumnOrder,
     PackedMessages,
     RunResult,
     as_column,
     as_instants,
     check_packed,
     contiguous,
+    order_of,
 )
 from rossmarie.native.events import EventReader
 from rossmarie.native.library import Library, Pointer
@@ -30,6 +33,8 @@ from rossmarie.native.signatures import declarations, fields_of
 
 _NEVER = 2**63 - 1
 _NAN = float("nan")
+_BYTES = "unsigned char[]"
+_MOST_FIELDS = 256  # as in fastcall.c
 
 
 def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
@@ -41,10 +46,24 @@ def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
     declared = declarations(fields_of(machine))
     reader = EventReader(machine)
     try:
-        library = _checked(Library(build(files, "host.c"), declared), reader)
+        library = _checked(Library(_built(files), declared), reader)
     except OSError:
-        library = _checked(Library(build(files, "host.c", rebuild=True), declared), reader)
+        library = _checked(Library(_built(files, rebuild=True), declared), reader)
     return NativeMonitor(machine, library, reader)
+
+
+def _built(files: Mapping[str, str], *, rebuild: bool = False) -> Path:
+    """With functions for Python if its headers are at hand and serve, else without."""
+    headers = Path(sysconfig.get_paths()["include"])
+    if (headers / "Python.h").is_file():
+        glue = resources.files(__package__).joinpath("fastcall.c").read_text(encoding="utf-8")
+        try:
+            return build(
+                {**files, "fastcall.c": glue}, "fastcall.c", f"-I{headers}", rebuild=rebuild
+            )
+        except BuildError:
+            pass  # Headers without their configuration are found on some systems.
+    return build(files, "host.c", rebuild=rebuild)
 
 
 def _checked(library: Library, reader: EventReader) -> Library:
@@ -61,14 +80,15 @@ class NativeMonitor:
 
     def __init__(self, machine: ir.Machine, library: Library, reader: EventReader) -> None:
         self._machine = machine
-        self._library = library
+        self.library = library
         self._reader = reader
         self._fields = fields_of(machine)
-        self._order = ColumnOrder(machine)
         made = library.function("host_new")()
         if library.is_null(made):
             raise MemoryError
         self._host = library.owned(made, library.function("host_free"))
+        self._run = library.function("host_run")
+        self._event_count = library.function("host_event_count")
         self._active_bytes = (max(1, len(machine.rules)) + 7) // 8
         self._waiting = b""
 
@@ -77,7 +97,7 @@ class NativeMonitor:
     @property
     def active(self) -> tuple[bool, ...]:
         """Which rules are active, by index."""
-        bits = self._library.bytes_at(self._call("host_active"), self._active_bytes)
+        bits = self.library.bytes_at(self._call("host_active"), self._active_bytes)
         rules = range(len(self._machine.rules))
         return tuple(bool(bits[rule // 8] >> rule % 8 & 1) for rule in rules)
 
@@ -90,7 +110,7 @@ class NativeMonitor:
         """The messages that arrive at one instant, by channel index."""
         present = bytearray(max(1, len(self._fields)))
         slots = [_NAN] * max(1, len(self._machine.slots))
-        arrays = [self._library.null] * max(1, len(self._machine.arrays))
+        arrays = [self.library.null] * max(1, len(self._machine.arrays))
         counts = [0] * len(arrays)
         for channel, values in messages.items():
             present[channel] = 1
@@ -98,15 +118,15 @@ class NativeMonitor:
                 slots[slot] = values.slots.get(slot, _NAN)
             for array in self._fields[channel].arrays:
                 elements = values.arrays.get(array, ())
-                arrays[array] = self._library.new("double[]", list(elements))
+                arrays[array] = self.library.new("double[]", list(elements))
                 counts[array] = len(elements)
         return self._events_of(
             at_ns,
             "host_step",
-            self._library.pointer("unsigned char[]", present),
-            self._library.new("double[]", slots),
-            self._library.new("double *[]", arrays),
-            self._library.new("size_t[]", counts),
+            self.library.pointer(_BYTES, present),
+            self.library.new("double[]", slots),
+            self.library.new("double *[]", arrays),
+            self.library.new("size_t[]", counts),
         )
 
     def advance(self, at_ns: int) -> list[Event]:
@@ -125,9 +145,14 @@ class NativeMonitor:
 
         The events wait for `take_events`. Raises `ValueError` if the channel carries arrays.
         """
-        if self._fields[channel].arrays:
+        carried = self._fields[channel]
+        if carried.arrays:
             raise ValueError("a channel with arrays has no fast call")
-        return partial(self._library.function(f"host_update_{channel}"), self._host)
+        if len(carried.slots) <= _MOST_FIELDS:
+            slots = len(carried.slots)
+            if made := self.library.python_function(self._host, channel, slots, self):
+                return made
+        return partial(self.library.function(f"host_update_{channel}"), self._host)
 
     def take_events(self) -> list[Event]:
         """The events of the fast calls since the last time."""
@@ -142,29 +167,36 @@ class NativeMonitor:
         active: bool = False,
     ) -> RunResult:
         """Update all channels at every instant of `times_ns` (shape (rows,)) with the scalars of
-        that row, in the units of the messages; see `columns` for their names.
+        that row, in the units of the messages; columns go by the names of `ir.field_names`.
 
         Raises `ColumnError` if the columns do not fit, `ValueError` if an instant is out of range:
         rows before it have been taken in.
         """
+        return self.bind(times_ns, columns).run(active=active)
+
+    def bind(
+        self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]
+    ) -> BoundColumns:
+        """Columns as for `run`, looked at once, to be taken in chunk by chunk.
+
+        Raises `ColumnError` if they do not fit.
+        """
         instants = as_instants(times_ns)
-        rows = len(instants)
+        order = order_of(self._machine, tuple(columns))
         kept = [
-            self._library.pointer("char[]", as_column(name, slot.kind, columns[name], rows))
-            for name, slot in zip(self._order.of(columns), self._machine.slots, strict=True)
+            as_column(name, slot.kind, columns[name], len(instants))
+            for name, slot in zip(order, self._machine.slots, strict=True)
         ]
-        packed = np.empty((rows, self._active_bytes), np.uint8) if active else None
+        return BoundColumns(self, instants, kept)
+
+    def run_rows(self, bound: BoundColumns, start: int, stop: int, *, active: bool) -> RunResult:
+        """Take in rows of bound columns."""
+        packed = np.empty((stop - start, self._active_bytes), np.uint8) if active else None
+        bits = self.library.null if packed is None else self.library.pointer(_BYTES, packed)
         self._waiting += self._drain()
-        done = self._call(
-            "host_run",
-            rows,
-            self._library.pointer("int64_t[]", instants),
-            self._library.new("void *[]", kept or [self._library.null]),
-            self._library.null
-            if packed is None
-            else self._library.pointer("unsigned char[]", packed),
-        )
-        _require_all(done, instants)
+        done = self._run(self._host, start, stop, bound.instants, bound.pointers, bits)
+        if done != stop:
+            raise ValueError(f"the instant of row {done} is out of range")
         return RunResult(self._machine, self._reader, self._drain(), packed)
 
     def run_events(self, messages: PackedMessages) -> RunResult:
@@ -179,19 +211,20 @@ class NativeMonitor:
         done = self._call(
             "host_run_events",
             len(ready.times_ns),
-            self._library.pointer("int64_t[]", ready.times_ns),
-            self._library.pointer("int32_t[]", ready.channels),
-            self._library.pointer("double[]", ready.slots),
-            self._library.pointer("double[]", ready.elements),
-            self._library.pointer("size_t[]", ready.counts),
+            self.library.pointer("int64_t[]", ready.times_ns),
+            self.library.pointer("int32_t[]", ready.channels),
+            self.library.pointer("double[]", ready.slots),
+            self.library.pointer("double[]", ready.elements),
+            self.library.pointer("size_t[]", ready.counts),
         )
-        _require_all(done, ready.times_ns)
+        if done != len(ready.times_ns):
+            raise ValueError(f"the instant of message {done} is out of range")
         return RunResult(self._machine, self._reader, self._drain(), None)
 
     # --- calls -------------------------------------------------------------------------------
 
     def _call(self, name: str, *arguments: Pointer) -> Pointer:
-        return self._library.function(name)(self._host, *arguments)
+        return self.library.function(name)(self._host, *arguments)
 
     def _events_of(self, at_ns: int, name: str, *arguments: Pointer) -> list[Event]:
         if not ir.EARLIEST_NS < at_ns < ir.LATEST_NS:
@@ -202,16 +235,39 @@ class NativeMonitor:
 
     def _drain(self) -> bytes:
         """The bytes of the events that were logged since the last time."""
-        count = self._call("host_event_count")
+        count = self._event_count(self._host)
         if not count:
             return b""
         if self._call("host_failed"):
             raise MemoryError("the log of events could not grow")
-        log = self._library.bytes_at(self._call("host_events"), count * self._reader.size)
+        log = self.library.bytes_at(self._call("host_events"), count * self._reader.size)
         self._call("host_forget_events")
         return log
 
 
-def _require_all(done: int, times_ns: NDArray[np.int64]) -> None:
-    if done != len(times_ns):
-        raise ValueError(f"an instant of {times_ns[done]} ns is out of range")
+class BoundColumns:
+    """Columns that a monitor has looked at; they must not change while they are used."""
+
+    def __init__(
+        self,
+        monitor: NativeMonitor,
+        times_ns: NDArray[np.int64],
+        columns: Sequence[NDArray[np.generic]],
+    ) -> None:
+        self._monitor = monitor
+        self._rows = len(times_ns)
+        library = monitor.library
+        self.instants = library.pointer("int64_t[]", times_ns)
+        self._columns = [library.pointer("char[]", column) for column in columns]
+        self.pointers = library.new("void *[]", self._columns or [library.null])
+
+    def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> RunResult:
+        """Take in the rows from `start` up to `stop`, or to the end.
+
+        Raises `IndexError` if there are no such rows, `ValueError` if an instant is out of range:
+        rows before it have been taken in.
+        """
+        end = self._rows if stop is None else stop
+        if not 0 <= start <= end <= self._rows:
+            raise IndexError(f"no rows from {start} to {end} among {self._rows}")
+        return self._monitor.run_rows(self, start, end, active=active)

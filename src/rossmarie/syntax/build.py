@@ -1,4 +1,4 @@
-"""What the automaton recognised -> the tree. One method per rule of ross.lark, called bottom up.
+"""What the grammar recognised -> the tree. One method per rule of ross.lark, called bottom up.
 
 Each method gets the parts of its rule: tokens, nodes, or small records. Never raises on what a
 user wrote: what is recognised but not accepted (`&&`, `a < b < c`, a number beyond the range of a

@@ -1,4 +1,4 @@
-"""What the automaton recognised of an expression -> its nodes.
+"""What the grammar recognised of an expression -> its nodes.
 
 One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
 """

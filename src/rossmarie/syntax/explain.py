@@ -1,6 +1,6 @@
 """Why a stretch of tokens does not parse, and what to write instead.
 
-Comes in: the stretch, what it was meant to be, and where the automaton stopped. Goes out: one
+Comes in: the stretch, what it was meant to be, and where the parser stopped. Goes out: one
 finding, the most specific that fits; for unclosed texts one each.
 """
 
@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dslkit.diagnostics import Diagnostic, Edit, Fix, Label
 from dslkit.source import Span
 from rossmarie.syntax import errors
-from rossmarie.syntax.automaton import Failure
+from rossmarie.syntax.grammar import Failure
 from rossmarie.syntax.scan import Scan, Token
 from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, RESERVED
 

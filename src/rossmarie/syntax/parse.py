@@ -12,7 +12,6 @@ import dataclasses
 from dslkit.diagnostics import Collector, Diagnostic, Edit, Fix
 from dslkit.source import SourceFile, Span
 from rossmarie.syntax import ast, errors
-from rossmarie.syntax.automaton import Failure
 from rossmarie.syntax.cut import Piece, cut
 from rossmarie.syntax.explain import (
     explain_token,
@@ -22,6 +21,7 @@ from rossmarie.syntax.explain import (
     unterminated_text,
 )
 from rossmarie.syntax.findings import Findings
+from rossmarie.syntax.grammar import Failure
 from rossmarie.syntax.limits import MAXIMUM_ERRORS, MAXIMUM_FILE_SIZE, MAXIMUM_TOKENS
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.recover import Stretch, recover

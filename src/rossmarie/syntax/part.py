@@ -10,10 +10,10 @@ from typing import Any
 
 from dslkit.source import Span
 from rossmarie.syntax import ast, errors
-from rossmarie.syntax.automaton import Automaton, Failure
 from rossmarie.syntax.build import Builder
 from rossmarie.syntax.explain import explain
 from rossmarie.syntax.findings import Findings
+from rossmarie.syntax.grammar import Failure, Recognizer
 from rossmarie.syntax.limits import MAXIMUM_DEPTH, MAXIMUM_LENGTH, MAXIMUM_NESTING, too_deep
 from rossmarie.syntax.scan import Scan
 from rossmarie.syntax.walk import depth, expressions
@@ -28,7 +28,7 @@ class PartParser:
         self.source = source
         self.findings = findings
         self._builder = Builder(source, findings.add)
-        self._automaton = Automaton(source, self._builder)
+        self._recognizer = Recognizer(source, self._builder)
 
     def attempt(self, kind: str, first: int, last: int, head: str | None = None) -> Any:
         """The node for the tokens from `first` up to, not including, `last`; or the `Failure`.
@@ -38,7 +38,7 @@ class PartParser:
         is_long = last - first > MAXIMUM_LENGTH
         if is_long or too_deep(self.source.tokens, first, last) is not None:
             return None
-        node = self._automaton.run(kind, first, last, head)
+        node = self._recognizer.run(kind, first, last, head)
         is_suspect = last - first > MAXIMUM_DEPTH and not isinstance(node, Failure)
         return None if is_suspect and _depth(node) > MAXIMUM_DEPTH else node
 

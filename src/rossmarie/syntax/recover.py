@@ -12,8 +12,8 @@ from typing import NamedTuple, TypeVar
 
 from dslkit.diagnostics import Edit, Fix, Label
 from rossmarie.syntax import ast, errors
-from rossmarie.syntax.automaton import Failure
 from rossmarie.syntax.explain import is_name, missing_sign, unclosed_bracket
+from rossmarie.syntax.grammar import Failure
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.recover_rule import recover_rule
 from rossmarie.syntax.scan import Token

@@ -1,7 +1,7 @@
 """Text -> words, signs, comments and documentation, in one linear pass.
 
 Any text goes in. What the words mean (keyword, name, unit) depends on their place and is decided
-by `automaton`; a `'''` that is never closed ends in front of the next line that begins an item, so
+by `grammar`; a `'''` that is never closed ends in front of the next line that begins an item, so
 that it does not swallow the rest of the file.
 """
 

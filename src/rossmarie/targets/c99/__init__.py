@@ -1,5 +1,9 @@
 """The C99 target: a machine as one header and one source that need no library but math.h."""
 
+from rossmarie.targets.base import Target
 from rossmarie.targets.c99.monitor import generate, generate_loadable
+from rossmarie.targets.c99.unsupported import unsupported
 
-__all__ = ["generate", "generate_loadable"]
+TARGET = Target("c99", unsupported, generate)
+
+__all__ = ["TARGET", "generate", "generate_loadable", "unsupported"]

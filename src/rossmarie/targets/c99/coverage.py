@@ -1,8 +1,8 @@
 """What guards make superfluous.
 
-Takes a layout. A number inside its guard is finite, so a scalar that nothing but guards look at need
-not be checked on arrival. An input with a guarded number that never arrived, or expired, is outside
-its guard, so its state needs no look of its own.
+Takes a layout. A number inside its guard is finite, so a scalar that nothing but guards look at
+need not be checked on arrival. A guarded number that never arrived, or expired, is outside its guard,
+so the state of its input needs no look of its own.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from rossmarie.targets.c99.layout import Layout
 
 def covered_values(layout: Layout) -> frozenset[int]:
     """Values that may be kept as they arrive while all guards of their channel are satisfied:
-    guarded scalars, and the absolute and negated values of them, which nothing else is computed from.
+    guarded scalars, and their absolute and negated values, which nothing else is computed from.
     """
     machine = layout.machine
     looked_at = _looked_at_freely(layout)
@@ -55,5 +55,6 @@ def _is_mirror(machine: ir.Machine, signal: int) -> bool:
 def _looked_at_freely(layout: Layout) -> set[int]:
     """The values that tests and oscillations look at, which have no guard of their own there."""
     truths = [*layout.value_of_test, *layout.oscillations]
-    signals = {s for truth in truths for s in ir.compared_signals(layout.machine.truths[truth].node)}
+    nodes = [layout.machine.truths[truth].node for truth in truths]
+    signals = {signal for node in nodes for signal in ir.compared_signals(node)}
     return {layout.value_of_signal[s] for s in signals if s in layout.value_of_signal}

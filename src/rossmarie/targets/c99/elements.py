@@ -57,9 +57,10 @@ class Elements:
     def _quantified(self, array: int) -> Iterator[tuple[int, ir.Quantified]]:
         for index in self._layout.value_of_test:
             node = self._machine.truths[index].node
-            if isinstance(node, ir.Quantified):
-                if self._layout.elements.truths[node.element] == array:
-                    yield index, node
+            if not isinstance(node, ir.Quantified):
+                continue
+            if self._layout.elements.truths[node.element] == array:
+                yield index, node
 
     # --- results -----------------------------------------------------------------------------
 
@@ -73,9 +74,7 @@ class Elements:
         target = self._expressions.kept(self._layout.value_of_signal[index])
         loop.after.append(f"{target} = {count} != 0 ? {name} : NAN;")
 
-    def _counted(
-        self, loop: _Loop, part: str, element: int, pointer: str
-    ) -> None:
+    def _counted(self, loop: _Loop, part: str, element: int, pointer: str) -> None:
         """Count for how many elements a truth holds and is unknown."""
         self._expressions.parts.add(part)
         if element in loop.counted:

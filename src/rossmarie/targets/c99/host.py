@@ -13,6 +13,7 @@ def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
     """What the template leaves open."""
     return {
         "updates": "\n".join(_update(layout, messages, c) for c in _channels(layout)),
+        "packed": indented(_packed(layout, messages)),
         "step": indented(_step(layout, messages)),
         "columns": indented(_columns(layout)),
         "row": indented(_row(layout, messages), 2),
@@ -35,6 +36,18 @@ def _update(layout: Layout, messages: Messages, channel: int) -> str:
         arguments += types.arguments(field)
     call = f"take_{layout.channel_names[channel]}({', '.join(arguments)})"
     return f"int host_update_{channel}({', '.join(parameters)})\n{{\n    return {call};\n}}\n"
+
+
+def _packed(layout: Layout, messages: Messages) -> list[str]:
+    """A case for every channel without arrays."""
+    lines = []
+    for channel, name in enumerate(layout.channel_names):
+        fields = messages.fields[channel]
+        if all(field.array is None for field in fields):
+            slots = [f"slots[{place}]" for place in range(len(fields))]
+            arguments = ", ".join(["&h->machine", "t_ns", *slots])
+            lines += [f"case {channel}:", f"    return take_{name}({arguments});"]
+    return lines
 
 
 def _step(layout: Layout, messages: Messages) -> list[str]:
@@ -64,23 +77,25 @@ def _columns(layout: Layout) -> list[str]:
     return lines
 
 
-def _cell(field: types.Field) -> list[str]:
-    return ["NULL", "0"] if field.slot is None else [f"column_{field.slot}[i]"]
+def _cell(machine: ir.Machine, field: types.Field) -> list[str]:
+    """One field of row i. Arrays have no columns: to a monitor with arrays no run is offered."""
+    if field.slot is None:
+        return ["NULL", "0"]
+    is_flag = machine.slots[field.slot].kind is ir.Kind.FLAG
+    return [f"column_{field.slot}[i]{' ? 1.0 : 0.0' if is_flag else ''}"]
 
 
 def _row(layout: Layout, messages: Messages) -> list[str]:
     if len(layout.channel_names) == 1:
-        cells = [cell for field in messages.fields[0] for cell in _cell(field)]
+        cells = [cell for field in messages.fields[0] for cell in _cell(layout.machine, field)]
         arguments = ", ".join(["&h->machine", "times[i]", *cells])
         return [f"if (take_{layout.channel_names[0]}({arguments}) < 0)", "    return i;"]
     lines = []
     for channel, name in enumerate(layout.channel_names):
         for field in messages.fields[channel]:
-            if field.slot is not None:
-                lines.append(f"v.{name}.{field.name} = column_{field.slot}[i];")
-            else:
-                lines.append(f"v.{name}.{field.name} = NULL;")
-                lines.append(f"v.{name}.{field.name}_count = 0;")
+            members = types.arguments(field, f"v.{name}.")
+            cells = _cell(layout.machine, field)
+            lines += [f"{member} = {cell};" for member, cell in zip(members, cells, strict=True)]
     call = f"{layout.name}_step(&h->machine, times[i], &v)"
     return [*lines, f"if ({call} < 0)", "    return i;"]
 

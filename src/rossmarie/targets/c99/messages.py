@@ -59,8 +59,8 @@ class Messages:
                 members += ["struct {", *inside.splitlines(), f"}} {name};"]
         body = indented(members or ["bool has_nothing;"])
         return (
-            "/* Messages on several channels at one instant, those with has_...; in it flags are 0.0 "
-            "or 1.0,\n * and a scalar that the message lacks is NaN.\n */\n"
+            "/* Messages on several channels at one instant, those with has_...; in it flags are\n"
+            " * 0.0 or 1.0, and a scalar that the message lacks is NaN.\n */\n"
             f"typedef struct {monitor}_values {{\n{body}\n}} {monitor}_values;\n\n"
             f"int {monitor}_step({monitor}_monitor *m, int64_t t_ns, const {monitor}_values *v);\n"
         )

@@ -13,14 +13,15 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
 from rossmarie.targets.c99 import describe, host, state, tables
-from rossmarie.targets.c99.layout import Layout, lay_out
+from rossmarie.targets.c99.layout import lay_out
 from rossmarie.targets.c99.messages import Messages
 from rossmarie.targets.c99.nodes import derive
 from rossmarie.targets.c99.text import indented
 
 # The functions that a monitor may need, each after those that it calls.
 _PARTS = (
-    "known", "minimum", "maximum", "roll", "pitch", "yaw", "test", "both", "either", "opposite", "element",
+    "known", "minimum", "maximum", "roll", "pitch", "yaw", "test", "both", "either", "opposite",
+    "element",
     "any", "all", "count", "earlier", "wake_by", "samples", "sample", "rate", "as_is", "covered",
     "guards", "held", "oscillations", "follow", "ages", "expire", "expire_samples",
 )  # fmt: skip
@@ -46,7 +47,7 @@ class _Writer:
         self._templates = Environment(
             loader=PackageLoader("rossmarie.targets.c99"),
             undefined=StrictUndefined,
-            autoescape=False,  # noqa: S701 -- C, not HTML
+            autoescape=False,
             keep_trailing_newline=True,
         )
 

@@ -89,8 +89,7 @@ def _turn_members(counts: list[int]) -> list[str]:
 
 def begin(layout: Layout) -> list[str]:
     """What `init` does beyond clearing the memory."""
-    lines = [f"for (unsigned i = 0; i != {len(layout.values)}; i++)", "    m->value[i] = NAN;"]
-    return lines
+    return [f"for (unsigned i = 0; i != {len(layout.values)}; i++)", "    m->value[i] = NAN;"]
 
 
 def restart(layout: Layout) -> list[str]:

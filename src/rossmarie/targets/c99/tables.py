@@ -62,7 +62,7 @@ def enumerations(layout: Layout) -> str:
             enumeration(values, "VALUES"),
             "\n/* The numbers that are watched. */",
             enumeration(guards, "GUARDS"),
-            "\n/* Truths: first those that look at numbers or at the clock, then those made of others. */",
+            "\n/* Truths: first those that look at numbers or ages, then those made of others. */",
             enumeration(truths, "TRUTHS"),
             f"\nenum {{\n{counts}\n}};\n",
         ]
@@ -134,7 +134,9 @@ def _sampled_values(layout: Layout) -> list[str]:
         operands = ir.signal_operands(signal.node)
         if isinstance(signal.node, ir.Rate | ir.Previous) or rests.intersection(operands):
             rests.add(index)
-    return [value.name for value in layout.values if _rests_on(layout, value.signal, value.test, rests)]
+    return [
+        value.name for value in layout.values if _rests_on(layout, value.signal, value.test, rests)
+    ]
 
 
 def _rests_on(layout: Layout, signal: int | None, test: int | None, rests: set[int]) -> bool:
@@ -178,8 +180,10 @@ def _rule_tables(layout: Layout) -> str:
     inputs = [[layout.input_names[used] for used in rule.inputs] for rule in rules]
     return "\n".join(
         [
-            "/* Rules: the condition, what must be true for the rule to clear, what a verdict carries. */",
-            remarked_table("index_t", "rule_condition", list(zip(conditions, remarks, strict=True))),
+            "/* Rules: the condition, what must hold for the rule to clear, what a verdict carries. */",
+            remarked_table(
+                "index_t", "rule_condition", list(zip(conditions, remarks, strict=True))
+            ),
             table("index_t", "rule_release", releases),
             lists("index_t", "rule_terms", "terms", terms),
             lists("index_t", "rule_values", "shown_values", values),
@@ -198,16 +202,16 @@ def _guard_tables(layout: Layout) -> str:
         rows += _limit_rows(layout, guard, len(rows))
         leaves.append(leaves[-1] + len(guard.leaves))
         starts.append(len(rows))
-        for leaf in guard.leaves:
-            below.append("TRUE" if is_true_below(guard.limits, leaf) else "FALSE")
+        below += ["TRUE" if is_true_below(guard.limits, leaf) else "FALSE" for leaf in guard.leaves]
     values = [layout.values[guard.value].name for guard in layout.guards]
     covered = [layout.values[value].name for value in sorted(covered_values(layout))]
     return "\n".join(
         [
-            "/* Guards: guard g watches a value, owns the truths [guard_leaves[g], guard_leaves[g + 1])",
-            " * and the limits between guard_limits[g] and guard_limits[g + 1] - 1, from low to high. A",
-            " * number above limits[i] gives the truth limit_leaf[i] the value limit_above[i];",
-            " * limit_twin[i] is the other limit of the same truth, if it has two.",
+            "/* Guards: guard g watches a value. It owns the truths from guard_leaves[g] up to, but",
+            " * without, guard_leaves[g + 1], and the limits between the ends guard_limits[g] and",
+            " * guard_limits[g + 1] - 1, from low to high. A number above limits[i] gives the truth",
+            " * limit_leaf[i] the value limit_above[i]; limit_twin[i] is the other limit of the same",
+            " * truth, if it has two.",
             " */",
             table("index_t", "guard_value", values),
             *([table("index_t", "covered_values", covered)] if covered else []),

@@ -1,0 +1,199 @@
+"""ross.lark at work: lark's LALR parser, fed one stretch of tokens.
+
+Tokens come from `scan`. What a word is - keyword, name, field, unit, type, topic - is decided by
+what the parser can take at that point. Values come from the methods of a builder, called bottom up.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
+from pathlib import Path
+from typing import Any
+
+from lark import Lark, Transformer, UnexpectedInput
+
+from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.words import RESERVED
+
+START_RULES = (
+    "import_item",
+    "system",
+    "action",
+    "constant",
+    "input",
+    "entity",
+    "rule",
+    "condition",
+    "expression",
+    "contract",
+    "topic_declaration",
+    "unit_declaration",
+    "messages_declaration",
+    "node",
+)
+_UNIT_PART = r"(?:[^\W\d_]|[%°])[\w%°]*(?:\^-?[0-9]+)?"
+_CLASSES = {
+    "$UNIT_NAME": re.compile(rf"{_UNIT_PART}(?:[.*/]{_UNIT_PART})*"),
+    "$TYPE_NAME": re.compile(r"[A-Za-z][A-Za-z0-9_]*/(?:msg/)?[A-Za-z][A-Za-z0-9_]*"),
+    "$TOPIC_NAME": re.compile(r"/[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z0-9_]+)*"),
+}
+_COMPARISONS = frozenset(
+    ("==", "!=", "<", "<=", ">", ">=", "=", "===", "!==", "<>", "=<", "=>", "≤", "≥", "≠")
+)
+_ALIASES = {"&&": "and", "&": "and", "||": "or", "|": "or", "!": "not"}
+
+
+@dataclass(frozen=True)
+class Grammar:
+    """The parser, and its names for the literals of the grammar (`COLON` of `:`), both ways."""
+
+    lark: Lark
+    literals: Mapping[str, str]
+    terminals: Mapping[str, str]
+
+    def symbols(self, names: Iterable[str]) -> frozenset[str]:
+        """The terminals among lark's names: a literal stands for itself, others behind a `$`."""
+        return frozenset(self.literals.get(name, f"${name}") for name in names if name.isupper())
+
+
+@cache
+def load_grammar() -> Grammar:
+    """The parser of ross.lark; built once. Raises lark's `GrammarError` if it is not LALR(1)."""
+    lark = Lark(
+        (Path(__file__).parent / "ross.lark").read_text(encoding="utf-8"),
+        parser="lalr",
+        start=list(START_RULES),
+        keep_all_tokens=True,
+        maybe_placeholders=False,
+    )
+    literals = {term.name: str(term.pattern.value) for term in lark.terminals}
+    return Grammar(lark, literals, {literal: name for name, literal in literals.items()})
+
+
+class _Terminal(Token):
+    """A token, and which terminal of the grammar it is in its place."""
+
+    type: str
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Where parsing stopped: the number of the token that does not fit (the end of the stretch if
+    something is missing there).
+    """
+
+    index: int
+    parser: Any  # lark's interactive parser, whose methods have no types
+
+    @cached_property
+    def expected(self) -> frozenset[str]:
+        """The symbols of the grammar that would fit."""
+        return load_grammar().symbols(self.parser.accepts())
+
+
+class Recognizer:
+    """Parses stretches of one file with one builder."""
+
+    def __init__(self, source: Scan, builder: object) -> None:
+        self._text = source.file.text
+        self._tokens = source.tokens
+        self._grammar = load_grammar()
+        self._assemble = _Assemble(builder)
+
+    def run(self, start: str, first: int, last: int, head: str | None = None) -> Any:
+        """The value of the rule `start` for the tokens from `first` up to, not including, `last`;
+        or the `Failure`. `head` stands in for the first token, if that one is misspelt.
+        """
+        parser: Any = self._grammar.lark.parse_interactive(start=start)
+        index = first
+        while index < last:
+            fitting = self._grammar.symbols(parser.choices())
+            symbol, token, after = self._classify(index, fitting)
+            if head is not None and index == first:
+                symbol = head
+            if not self._feed(parser, symbol, token):
+                return Failure(index, parser)
+            index = after
+        if index > last:
+            return Failure(last, parser)
+        try:
+            return self._assemble.transform(parser.feed_eof())
+        except UnexpectedInput:
+            return Failure(last, parser)
+
+    def _feed(self, parser: Any, symbol: str, token: Token) -> bool:
+        """Whether the token fits as that symbol; the parser has then taken it."""
+        terminal: Any = _Terminal(*token)
+        terminal.type = self._grammar.terminals.get(symbol, symbol.removeprefix("$"))
+        try:
+            parser.feed_token(terminal)
+        except UnexpectedInput:
+            return False
+        return True
+
+    def _classify(self, index: int, fitting: Collection[str]) -> tuple[str, Token, int]:
+        """What the token is here, the token (several joined, in a unit or topic), and the next."""
+        token = self._tokens[index]
+        kind, text = token.kind, token.text
+        if text in fitting:
+            return text, token, index + 1
+        if kind == "number":
+            return "$NUMBER", token, index + 1
+        if kind == "text":
+            return "$TEXT", token, index + 1
+        if kind == "word":
+            return self._classify_word(index, token, fitting)
+        if text in _COMPARISONS:
+            return "$COMPARE", token, index + 1
+        if text == "/" and "$TOPIC_NAME" in fitting:
+            return self._join("$TOPIC_NAME", index)
+        if text in "%°" and "$UNIT_NAME" in fitting:
+            return self._join("$UNIT_NAME", index)
+        return _ALIASES.get(text, text), token, index + 1
+
+    def _classify_word(
+        self, index: int, token: Token, fitting: Collection[str]
+    ) -> tuple[str, Token, int]:
+        if "$WORD" in fitting and token.text.isascii():
+            return "$WORD", token, index + 1
+        if token.text in RESERVED:
+            return token.text, token, index + 1
+        if "$UNIT_NAME" in fitting:
+            return self._join("$UNIT_NAME", index)
+        if "$TYPE_NAME" in fitting:
+            return self._join("$TYPE_NAME", index)
+        return ("$NAME" if token.text.isascii() else token.text), token, index + 1
+
+    def _join(self, symbol: str, index: int) -> tuple[str, Token, int]:
+        """The unit, type or topic that begins with this token, to its end.
+
+        Ends with a whole token: in `m^2.5` the number is not torn apart.
+        """
+        first = self._tokens[index]
+        match = _CLASSES[symbol].match(self._text, first.start)
+        if match is None:
+            return first.text, first, index + 1
+        end = match.end()
+        after = index + 1
+        while after < len(self._tokens) and self._tokens[after].start < end:
+            after += 1
+        end = max(end, self._tokens[after - 1].end)
+        return symbol, Token("word", self._text[first.start : end], first.start, end), after
+
+
+class _Assemble(Transformer[Any, Any]):
+    """Calls the builder's method of each rule with the parts of that rule.
+
+    Recurses along the tree, whose depth the limits on nesting bound before anything is fed.
+    """
+
+    def __init__(self, builder: object) -> None:
+        super().__init__(visit_tokens=False)
+        self._builder = builder
+
+    def __default__(self, data: str, children: list[Any], _: object) -> Any:
+        """What a rule yields; lark calls this for every node of its tree."""
+        return getattr(self._builder, data)(children)

@@ -1,0 +1,24 @@
+"""What a target is: a name, what it cannot do, and how it writes files.
+
+A target takes a machine that `ir.verify` has passed. What it cannot do it says with ordinary
+diagnostics, before it writes anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Diagnostic
+from rossmarie import ir
+
+
+@dataclass(frozen=True)
+class Target:
+    """`unsupported` gives a finding for everything in a machine that the target cannot do; only if
+    there is none, `generate` gives the files of the machine by name.
+    """
+
+    name: str
+    unsupported: Callable[[ir.Machine], Iterable[Diagnostic]]
+    generate: Callable[[ir.Machine], Mapping[str, str]]

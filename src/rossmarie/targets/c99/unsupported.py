@@ -1,0 +1,61 @@
+"""What the C99 target cannot do: machines that its tables or its memory cannot hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dslkit.diagnostics import Diagnostic
+from rossmarie import ir
+from rossmarie.targets.c99.layout import lay_out
+from rossmarie.targets.errors import MonitorTooLarge, TooManyTurningPoints
+
+MOST_INDEXES = 0xFFFE
+"""The greatest index but one: the greatest means "none"."""
+
+MOST_TURNS = 4096
+
+_NAME = "C99"
+
+
+def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
+    """A finding for everything that the target cannot do, at the place where it was written."""
+    yield from _turning_points(machine)
+    yield from _sizes(machine)
+
+
+def _turning_points(machine: ir.Machine) -> Iterator[Diagnostic]:
+    for truth in machine.truths:
+        if isinstance(truth.node, ir.Oscillates) and truth.node.count > MOST_TURNS:
+            found = TooManyTurningPoints(target=_NAME, found=truth.node.count, most=MOST_TURNS)
+            yield found.at(truth.span)
+
+
+def _sizes(machine: ir.Machine) -> Iterator[Diagnostic]:
+    """The first table that does not fit, if any; without rules every table does."""
+    for what, found in _table_sizes(machine).items():
+        if found > MOST_INDEXES and machine.rules:
+            large = MonitorTooLarge(target=_NAME, what=what, found=found, most=MOST_INDEXES)
+            yield large.at(machine.rules[-1].span)
+            return
+
+
+def _table_sizes(machine: ir.Machine) -> dict[str, int]:
+    layout = lay_out(machine)
+    truths = (truth.node for truth in machine.truths)
+    operands = sum(len(ir.truth_operands(node)) for node in truths)
+    turns = [t.node.count for t in machine.truths if isinstance(t.node, ir.Oscillates)]
+    inputs = [used for used in range(len(machine.inputs)) if layout.has_timeout(used)]
+    lost = sum(used in value.support.inputs for value in layout.values for used in inputs)
+    blames = sum(len(layout.guard_blames(guard)) for guard in layout.guards)
+    return {
+        "conditions and rules": layout.truth_count + len(machine.rules),
+        "operands of conditions": operands + 2 * len(machine.rules),
+        "limits": sum(len(guard.limits) + 2 for guard in layout.guards),
+        "numbers": len(layout.values),
+        "turning points": sum(turns),
+        "numbers that expire": lost,
+        "reasons to be unknown": blames + layout.leaf_count,
+        "terms of verdicts": sum(len(rule.terms) for rule in machine.rules),
+        "numbers of verdicts": sum(len(rule.signals) for rule in machine.rules),
+        "inputs of verdicts": sum(len(rule.inputs) for rule in machine.rules),
+    }
