@@ -22,10 +22,11 @@ def warn_of_decided(expression: ast.Expression, context: Context) -> None:
     A mere `true`, or the name of a constant, is a switch where it is only a part.
     """
     parts = list(walk(expression))
-    is_sound = isinstance(context.type_of(expression), Boolean)
-    if not is_sound or any(isinstance(context.types.get(id(part)), Unknown) for part in parts):
+    if any(isinstance(context.types.get(id(part)), Unknown) for part in parts):
         return
     outcomes = _outcomes(parts, context)
+    if not outcomes and not _is_apart(expression, context):
+        return
     pending = [(expression, True)]
     while pending:
         node, is_whole = pending.pop()
@@ -61,7 +62,7 @@ def _is_switch(node: ast.Expression, context: Context) -> bool:
 
 def _is_apart(node: ast.Expression, context: Context) -> bool:
     """Whether a condition names no input and no other condition, and holds nothing for a time."""
-    return not any(
+    return isinstance(context.type_of(node), Boolean) and not any(
         isinstance(part, ast.Held)
         or (isinstance(part, ast.Reference) and constant_of(part, context.declarations) is None)
         for part in walk(node)

@@ -75,9 +75,11 @@ def type_of_unary(node: ast.Unary, context: Context) -> Type:
 def type_of_held(node: ast.Held, context: Context) -> Type:
     """`condition for 2 sec` is one truth."""
     duration_ns(node.duration, "what stands behind `for`", context)
+    type_ = context.type_of(node.condition)
     fold = enclosing_fold(node, context)
-    if fold is not None and isinstance(context.type_of(node.condition), Array):
-        report_held_elements(node, fold, context)
+    if fold is not None and isinstance(type_, Array | Unknown):
+        if isinstance(type_, Array):
+            report_held_elements(node, fold, context)
         return Unknown()
     require_condition(node.condition, context)
     return Boolean()

@@ -59,17 +59,32 @@ class _Loader:
         imported_at: Span | None,
         stack: list[tuple[ast.Module, list[tuple[Path, Span]]]],
     ) -> None:
+        if imported_at is not None and not _is_file(path):
+            self.collector.add(_import_not_found(path, imported_at))
+            return
         key = path.resolve()
         if key in self.visited:
-            return
-        if imported_at is not None and not path.is_file():
-            self.collector.add(_import_not_found(path, imported_at))
             return
         self.visited.add(key)
         source = read_source(path, self.collector)
         if source is not None:
             module = parse(source, self.collector)
             stack.append((module, _imports(module, path.parent)))
+
+
+def _is_folder(path: Path) -> bool:
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):
+        return False
+
+
+def _is_file(path: Path) -> bool:
+    """Whether there is such a file; what no path can be (too long, a NUL in it) is none."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
 
 
 def read_source(path: Path, collector: Collector) -> SourceFile | None:
@@ -115,7 +130,7 @@ def _imports(module: ast.Module, folder: Path) -> list[tuple[Path, Span]]:
 
 def _import_not_found(path: Path, span: Span) -> Diagnostic:
     folder = path.parent
-    present = [found.name for found in folder.glob("*.ross")] if folder.is_dir() else []
+    present = [found.name for found in folder.glob("*.ross")] if _is_folder(folder) else []
     near = difflib.get_close_matches(path.name, present, n=1)
     help = f"did you mean `{near[0]}`?" if near else "check the path"
     finding = ImportNotFound(path=span.text.strip('"'), looked_for=f"`{path}`")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import apply_edits
+import pytest
+
+from dslkit.diagnostics import Severity, apply_edits
 from support.programs import check_text
 
 HEAD = """
@@ -38,3 +40,40 @@ def test_an_ambiguous_for_gets_the_parentheses_that_it_has_by_precedence() -> No
     )
     assert "limit and (imu.orientation.roll() > limit for 2 sec) then" in text
     assert check_text(text)[1] == ()
+
+
+def fixed_condition(condition: str) -> str:
+    """The condition of a rule with its first fix applied; it is right then."""
+    inputs = """
+        input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 1 sec
+        input ok = topic /ok : std_msgs/Bool timeout 1 sec
+        input mode = topic /mode : std_msgs/String timeout 1 sec
+        input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 1 sec
+    """
+    text = fixed(f"{inputs} action go; rule it: if {condition} then {{ go; }};")
+    errors = [one.title for one in check_text(text)[1] if one.severity is Severity.ERROR]
+    assert errors == []
+    return text.split("rule it: if ")[1].split(" then")[0]
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ("any(ranges < 1 m for 1 sec)", "any(ranges < 1 m) for 1 sec"),
+        ("ok and all(ranges < 1 m for 1 sec)", "ok and (all(ranges < 1 m) for 1 sec)"),
+        ("(any(ranges < 1 m for 1 sec))", "(any(ranges < 1 m) for 1 sec)"),
+        ("any(ranges < 1 m or ok)", "any(ranges < 1 m) or ok"),
+        ("not any(ok or ranges < 1 m)", "not (ok or any(ranges < 1 m))"),
+        ('mode in ["a", "b"]', 'mode == "a" or mode == "b"'),
+        ('ok and mode not in ["a"]', 'ok and (mode != "a")'),
+        ("speed in [-0.5, 0.5]", "speed in [-0.5, 0.5] m/s"),
+        ("speed > 10 km / h", "speed > 10 km/h"),
+        ("rate(speed) > 1 m / s / s", "rate(speed) > 1 m/s/s"),
+        ("rate(ranges[0]) / 1 m > 1 /s", "rate(ranges[0]) / 1 m > 1 Hz"),
+        ("rate(ranges[0]) / 1 m > 6 / min", "rate(ranges[0]) / 1 m > 6 / 1 min"),
+    ],
+)
+def test_what_is_written_instead_means_the_same_wherever_it_stands(
+    written: str, meant: str
+) -> None:
+    assert fixed_condition(written) == meant

@@ -83,3 +83,18 @@ def test_unused_names_are_not_looked_for_where_parsing_failed() -> None:
 def test_a_misspelt_use_is_not_an_unused_declaration_as_well() -> None:
     _, found = check_text(HEAD + "if spede > 3 m/s then { stop; };")
     assert [finding.code for finding in found] == ["ROSS101"]
+
+
+@pytest.mark.parametrize(
+    "mistake",
+    [
+        "topic /a std_msgs/Bool timeout 1 sec",
+        "topic /a : std_msgs Bool timeout 1 sec",
+        "topic /a : std_msgs/Bool time out 1 sec",
+        "/a : std_msgs/Bool timeout 1 sec",
+    ],
+)
+def test_an_input_that_could_not_be_parsed_lacks_no_timeout(mistake: str) -> None:
+    _, found = check_text(f"action stop;\ninput a = {mistake}\nif a then {{ stop; }};")
+    assert len(found) == 1, found
+    assert found[0].code.startswith("ROSS0")

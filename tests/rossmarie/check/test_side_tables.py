@@ -119,3 +119,24 @@ def test_inputs_are_resolved(program: CheckedProgram) -> None:
 def test_the_program_has_the_name_of_its_file(program: CheckedProgram) -> None:
     assert program.name == "rules"
     assert [rule.name.text if rule.name else None for rule in program.rules] == ["all", None]
+
+
+@pytest.mark.parametrize(
+    ("written", "value"),
+    [
+        ("not true", False),
+        ("1 < 2", True),
+        ("1 km/h >= 1 m/s", False),
+        ("1 == 1 and 2 != 2", False),
+        ("1 == 1 or 2 != 2", True),
+        ('"a" == "a"', True),
+        ('"a" != "a"', False),
+        ("20 cm in [0, 1] m", True),
+        ("20 cm not in [0, 1] m", False),
+        ("(other)", True),
+        ("not other or 3 m > 2 m", True),
+    ],
+)
+def test_truths_of_constants_are_worked_out(written: str, value: bool) -> None:
+    program = program_of(f"const other = true\nconst truth = {written}\n")
+    assert program.symbols.constants["truth"].boolean is value

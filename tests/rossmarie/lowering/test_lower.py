@@ -239,6 +239,22 @@ def test_words_stand_on_one_line_without_comments():
     assert machine.truths[-2].text == 'battery > 3 V and mode == "a  // b"'
 
 
+def test_a_backslash_is_no_escape_in_a_text():
+    condition = r"""mode == "C:\" or mode == "b // \""""
+    machine = machine_of_condition(f"{condition}  // a comment\n")
+    assert machine.truths[machine.rules[0].condition].text == condition
+
+
+def test_truths_of_constants_are_folded():
+    rules = """
+        const docked = "docked"
+        const guarded = not (1 < 2 and docked != "away")
+        if guarded or estop then { stop; };
+    """
+    machine = machine_of_rules(rules)
+    assert machine.truths[machine.rules[0].condition].node == ir.Flag(0)
+
+
 def test_constants_stay_apart_by_unit_and_sign_of_zero():
     machine = machine_of_condition(
         "battery > 3 V or odom.twist.twist.linear.x > 3 m/s or battery < 0 V or battery < -(0 V)"

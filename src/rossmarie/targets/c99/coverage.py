@@ -1,8 +1,8 @@
 """What guards make superfluous.
 
 Takes a layout. A number inside its guard is finite, so a scalar that nothing but guards look at
-need not be checked on arrival. A guarded number that never arrived, or expired, is outside its guard,
-so the state of its input needs no look of its own.
+need not be checked on arrival. A guarded number that never arrived, or expired, is outside its
+guard, so the state of its input needs no look of its own.
 """
 
 from __future__ import annotations

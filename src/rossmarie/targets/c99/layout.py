@@ -190,9 +190,11 @@ class _Builder:
     def _slots(self) -> None:
         """A signal that reads a slot is kept where the slot is."""
         kept: dict[int, int] = {}
+        known_as, _ = ir.field_names(self.machine)
         for index, slot in enumerate(self.machine.slots):
             used = self.machine.inputs[slot.input]
-            text = ".".join((used.name, *map(str, slot.path)))
+            path = ".".join((used.name, *map(str, slot.path)))
+            text = min(known_as[index], key=len, default=path)
             support = ir.Support(
                 slots=frozenset({index}),
                 inputs=frozenset({slot.input}),

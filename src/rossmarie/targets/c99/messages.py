@@ -13,7 +13,7 @@ from rossmarie.targets.c99.coverage import covered_values, is_seen_by_guards
 from rossmarie.targets.c99.elements import Elements
 from rossmarie.targets.c99.expressions import Expressions, Piece
 from rossmarie.targets.c99.layout import Guard, Layout
-from rossmarie.targets.c99.text import indented
+from rossmarie.targets.c99.text import call, indented
 
 
 class Messages:
@@ -37,7 +37,7 @@ class Messages:
         for channel, name in enumerate(self._layout.channel_names):
             topic = self._machine.channels[channel]
             parts.append(f"/* A message on {topic.topic} ({topic.message_type}). */")
-            parts.append(f"int {self._public_signature(channel, name)};\n")
+            parts.append(f"{self._public_signature(channel, name)};\n")
         parts.append(self._values_struct())
         return "\n".join(parts)
 
@@ -46,7 +46,7 @@ class Messages:
         parameters = [f"{monitor}_monitor *m", "int64_t t_ns"]
         for field in self.fields[channel]:
             parameters += types.public_parameters(self._machine, field)
-        return f"{monitor}_update_{name}({', '.join(parameters)})"
+        return call(f"int {monitor}_update_{name}", parameters)
 
     def _values_struct(self) -> str:
         monitor = self._layout.name
@@ -86,24 +86,26 @@ class Messages:
         pieces = (*self.expressions.signals(), *self.expressions.tests())
         return [line for piece in pieces if not piece.channels for line in piece.lines]
 
-    def _parameters(self, channel: int) -> str:
+    def _head(self, kind: str, channel: int) -> str:
+        """A function that takes in one message of a channel."""
         parameters = ["monitor *m", "int64_t t_ns"]
         for field in self.fields[channel]:
             parameters += types.plain_parameters(field)
-        return ", ".join(parameters)
+        return call(kind, parameters)
 
-    def _arguments(self, channel: int) -> str:
+    def _call(self, function: str, channel: int) -> str:
+        """A call of such a function."""
         arguments = ["m", "t_ns"]
         for field in self.fields[channel]:
             arguments += types.arguments(field)
-        return ", ".join(arguments)
+        return call(function, arguments)
 
     def _receive(self, channel: int, name: str) -> str:
         """Store and compute, without looking at what changes by it."""
         pieces = [*self._stamps(), *self._computed({channel: ""}, raw=self._covered)]
         lines = [line for piece in pieces if channel in piece.channels for line in piece.lines]
         return (
-            f"INLINE void receive_{name}({self._parameters(channel)})\n{{\n"
+            f"{self._head(f'INLINE void receive_{name}', channel)}\n{{\n"
             f"    m->now_ns = t_ns;\n{indented(lines)}\n}}\n"
         )
 
@@ -130,13 +132,13 @@ class Messages:
         guards = self._guards_of(channel)
         settle = f"settle_{name}(m, t_ns, GUARDS)" if guards else "evaluate(m, t_ns)"
         return (
-            f"RARE int late_{name}({self._parameters(channel)})\n{{\n"
+            f"{self._head(f'RARE int late_{name}', channel)}\n{{\n"
             f"    int events = catch_up(m, t_ns);\n"
             f"    if (events < 0)\n"
             f"        return events;\n"
             f"    arrive(m, {channel}, t_ns);\n"
             f"    tick(m, t_ns);\n"
-            f"    receive_{name}({self._arguments(channel)});\n"
+            f"    {self._call(f'receive_{name}', channel)};\n"
             f"    events += {settle};\n"
             f"    set_wake(m);\n"
             f"    return events;\n}}\n"
@@ -154,10 +156,10 @@ class Messages:
         if any(channel in piece.channels for piece in self._followed()):
             checks += ["if (m->pending)", "    return evaluate(m, t_ns);"]
         return (
-            f"INLINE int take_{name}({self._parameters(channel)})\n{{\n"
+            f"{self._head(f'INLINE int take_{name}', channel)}\n{{\n"
             f"    if (UNLIKELY(!{calm}))\n"
-            f"        return late_{name}({self._arguments(channel)});\n"
-            f"    receive_{name}({self._arguments(channel)});\n"
+            f"        return {self._call(f'late_{name}', channel)};\n"
+            f"    {self._call(f'receive_{name}', channel)};\n"
             f"{indented([*checks, 'return 0;'])}\n}}\n"
         )
 
@@ -167,8 +169,8 @@ class Messages:
 
     def _update(self, channel: int, name: str) -> str:
         return (
-            f"int {self._public_signature(channel, name)}\n{{\n"
-            f"    return take_{name}({self._arguments(channel)});\n}}\n"
+            f"{self._public_signature(channel, name)}\n{{\n"
+            f"    return {self._call(f'take_{name}', channel)};\n}}\n"
         )
 
     def _step(self) -> str:

@@ -25,6 +25,13 @@ enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };
 enum { NEVER_RECEIVED, FRESH, EXPIRED };
 """
 
+_GUARD_REMARK = """\
+/* Guards: guard g watches a value. It owns the truths from guard_leaves[g] up to, but without,
+ * guard_leaves[g + 1], and the limits between the ends guard_limits[g] and guard_limits[g + 1] - 1,
+ * from low to high. A number above limits[i] gives the truth limit_leaf[i] the value
+ * limit_above[i]; limit_twin[i] is the other limit of the same truth, if it has two.
+ */"""
+
 
 def enumerations(layout: Layout) -> str:
     """Names for all indexes."""
@@ -180,7 +187,7 @@ def _rule_tables(layout: Layout) -> str:
     inputs = [[layout.input_names[used] for used in rule.inputs] for rule in rules]
     return "\n".join(
         [
-            "/* Rules: the condition, what must hold for the rule to clear, what a verdict carries. */",
+            "/* Rules: the condition, what must hold for them to clear, what a verdict carries. */",
             remarked_table(
                 "index_t", "rule_condition", list(zip(conditions, remarks, strict=True))
             ),
@@ -207,12 +214,7 @@ def _guard_tables(layout: Layout) -> str:
     covered = [layout.values[value].name for value in sorted(covered_values(layout))]
     return "\n".join(
         [
-            "/* Guards: guard g watches a value. It owns the truths from guard_leaves[g] up to, but",
-            " * without, guard_leaves[g + 1], and the limits between the ends guard_limits[g] and",
-            " * guard_limits[g + 1] - 1, from low to high. A number above limits[i] gives the truth",
-            " * limit_leaf[i] the value limit_above[i]; limit_twin[i] is the other limit of the same",
-            " * truth, if it has two.",
-            " */",
+            _GUARD_REMARK,
             table("index_t", "guard_value", values),
             *([table("index_t", "covered_values", covered)] if covered else []),
             table("index_t", "guard_leaves", leaves),

@@ -44,3 +44,14 @@ def lists(entry_kind: str, starts: str, entries: str, rows: Sequence[Sequence[ob
         places.append(places[-1] + len(row))
     flat = [entry for row in rows for entry in row]
     return f"{table('index_t', starts, places)}\n{table(entry_kind, entries, flat)}"
+
+
+def call(head: str, arguments: Sequence[str]) -> str:
+    """`head(arguments)`, on several lines if need be."""
+    lines = [f"{head}("]
+    for place, argument in enumerate(arguments):
+        ending = ")" if place + 1 == len(arguments) else ", "
+        if len(lines[-1]) + len(argument) + len(ending) > 100:
+            lines.append(" " * 8)
+        lines[-1] += argument + ending
+    return "\n".join(line.rstrip() for line in lines)

@@ -1,0 +1,231 @@
+"""The command line as a user meets it: what it prints, and its exit codes."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[3]
+RULES = """action stop;
+input on = topic /on : std_msgs/Bool timeout 1 sec
+rule it: if on then { stop; };
+"""
+WRONG = RULES.replace("if on", "if on and no")
+
+
+def run(*arguments: str | Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-c", "from rossmarie.cli.main import main; main()"]
+    return subprocess.run(
+        [*command, *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "COLUMNS": "100", **environment},
+        timeout=120,
+        check=False,
+    )
+
+
+@pytest.fixture
+def rules(tmp_path: Path) -> Path:
+    path = tmp_path / "rules.ross"
+    path.write_text(RULES)
+    return path
+
+
+@pytest.fixture
+def wrong(tmp_path: Path) -> Path:
+    path = tmp_path / "wrong.ross"
+    path.write_text(WRONG)
+    return path
+
+
+def test_check_says_what_it_found_and_counts(rules: Path, wrong: Path) -> None:
+    fine = run("check", rules)
+    assert (fine.returncode, fine.stdout, fine.stderr) == (0, "no errors in 1 file\n", "")
+    bad = run("check", rules, wrong)
+    assert bad.returncode == 1
+    assert "error[ROSS101]: `no` is not declared" in bad.stdout
+    assert bad.stdout.endswith("\n1 error in 2 files\n")
+    assert "\x1b" not in bad.stdout
+
+
+def test_a_finding_in_an_imported_file_is_told_once(tmp_path: Path, wrong: Path) -> None:
+    importing = tmp_path / "importing.ross"
+    importing.write_text('import "wrong.ross";')
+    assert run("check", wrong, importing).stdout.count("error[ROSS101]") == 1
+
+
+def test_check_for_machines(wrong: Path) -> None:
+    as_json = json.loads(run("check", wrong, "--format", "json").stdout)
+    assert as_json["summary"] == {"errors": 1, "warnings": 0, "files": 1}
+    log = json.loads(run("check", wrong, "--format", "sarif").stdout)
+    (found,) = log["runs"][0]["results"]
+    assert found["ruleId"] == "ROSS101"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["check"],
+        ["check", "nowhere.ross"],
+        ["check", "rules.ross", "--format", "xml"],
+        ["check", "rules.ross", "--messages", "nowhere"],
+        ["explain", "ROSS999"],
+        ["replay", "rules.ross", "drive.bag", "--topic-map", "nonsense"],
+        ["dump", "rules.ross", "--after", "lunch"],
+        ["dance"],
+    ],
+    ids=" ".join,
+)
+def test_a_wrong_call_ends_with_2(
+    arguments: list[str], rules: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(rules.parent)
+    done = run(*arguments)
+    assert done.returncode == 2
+    assert done.stdout + done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_explain_prints_the_page() -> None:
+    done = run("explain", "unit-mismatch")
+    assert done.returncode == 0
+    assert done.stdout.startswith("# ROSS301 unit-mismatch\n")
+    assert "did you mean `ROSS301`" in run("explain", "ROS301").stderr
+
+
+def test_fmt_rewrites_and_checks(rules: Path, wrong: Path) -> None:
+    wrong.write_text("action   stop ;")
+    assert run("fmt", "--check", wrong).returncode == 1
+    assert wrong.read_text() == "action   stop ;"
+    assert run("fmt", wrong).returncode == 0
+    assert wrong.read_text() == "action stop;\n"
+    run("fmt", rules)
+    assert run("fmt", "--check", rules, wrong).returncode == 0
+
+
+def test_fmt_leaves_a_file_with_syntax_errors_alone(wrong: Path) -> None:
+    wrong.write_text("action stop\naction ;")
+    done = run("fmt", wrong)
+    assert done.returncode == 1
+    assert "error[ROSS0" in done.stdout
+    assert wrong.read_text() == "action stop\naction ;"
+
+
+@pytest.mark.parametrize(
+    ("stage", "shown"),
+    [
+        ("parse", "text = 'stop'"),
+        ("check", "input on = /on : std_msgs/Bool .data : boolean, timeout 1000000000 ns"),
+        ("lower", "rule it = if t0"),
+        ("generate", "int rules_update_on("),
+    ],
+)
+def test_dump_stops_after_any_stage(rules: Path, stage: str, shown: str) -> None:
+    done = run("dump", rules, "--after", stage)
+    assert done.returncode == 0
+    assert shown in done.stdout
+
+
+def test_dump_of_rules_with_errors(wrong: Path) -> None:
+    assert run("dump", wrong, "--after", "parse").returncode == 0
+    done = run("dump", wrong, "--after", "lower")
+    assert done.returncode == 1
+    assert "error[ROSS101]" in done.stdout
+
+
+def test_build_writes_what_compiles_and_leaves_it_alone(rules: Path, tmp_path: Path) -> None:
+    out = tmp_path / "generated"
+    assert run("build", rules, "--out", out).returncode == 0
+    written = {path: path.stat().st_mtime_ns for path in out.iterdir()}
+    assert {path.suffix for path in written} == {".c", ".h"}
+    source = next(path for path in written if path.suffix == ".c")
+    subprocess.run(["cc", "-std=c99", "-c", source, "-o", tmp_path / "monitor.o"], check=True)
+    run("build", rules, "--out", out)
+    assert {path: path.stat().st_mtime_ns for path in out.iterdir()} == written
+
+
+def test_build_where_nothing_can_be_written(rules: Path) -> None:
+    done = run("build", rules, "--out", rules / "below a file")
+    assert done.returncode == 2
+    assert "cannot write" in done.stderr
+
+
+DRIVE = "time,on\n0.0,0\n1.0,1\n2.5,0\n3.0,0\n"
+
+
+def test_replay_prints_a_table_and_writes_reports(rules: Path, tmp_path: Path) -> None:
+    recording = tmp_path / "drive.csv"
+    recording.write_text(DRIVE)
+    done = run("replay", rules, recording, "--out", tmp_path / "out")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stderr == ""
+    assert "01.0  on = true" in done.stdout
+    lines = [
+        json.loads(line) for line in (tmp_path / "out/verdicts.jsonl").read_text().splitlines()
+    ]
+    changes = [(line["time_s"], line["change"]) for line in lines[1:]]
+    assert changes == [(1.0, "activated"), (2.5, "cleared")]
+    assert lines[0]["monitor"] == "native"
+    assert "<html" in (tmp_path / "out/timeline.html").read_text(encoding="utf-8")
+
+
+def test_replay_without_a_compiler_says_so_and_finds_the_same(rules: Path, tmp_path: Path) -> None:
+    recording = tmp_path / "drive.csv"
+    recording.write_text(DRIVE)
+    native = run("replay", rules, recording, "--out", tmp_path / "native")
+    interpreted = run("replay", rules, recording, "--out", tmp_path / "slow", CC="no-such-compiler")
+    assert "no C compiler found" in interpreted.stderr
+    assert interpreted.stdout.replace("slow", "native") == native.stdout
+    one, other = (
+        (tmp_path / kind / "verdicts.jsonl").read_text().splitlines() for kind in ("native", "slow")
+    )
+    assert one[1:] == other[1:]
+
+
+def test_replay_of_what_is_no_recording(rules: Path, tmp_path: Path) -> None:
+    assert run("replay", rules, tmp_path / "none.bag").returncode == 2
+    broken = tmp_path / "broken.mcap"
+    broken.write_bytes(b"no mcap at all")
+    done = run("replay", rules, broken)
+    assert done.returncode == 1
+    assert "error[ROSS61" in done.stdout
+    assert "Traceback" not in done.stderr
+
+
+def test_replay_of_rules_with_errors(wrong: Path, tmp_path: Path) -> None:
+    (tmp_path / "drive.csv").write_text(DRIVE)
+    done = run("replay", wrong, tmp_path / "drive.csv")
+    assert done.returncode == 1
+    assert "error[ROSS101]" in done.stdout
+
+
+def test_a_topic_map_leads_elsewhere(rules: Path, tmp_path: Path) -> None:
+    recording = tmp_path / "drive.csv"
+    recording.write_text(DRIVE.replace("time,on", "time,/bumper.data"))
+    done = run("replay", rules, recording, "--topic-map", "/on=/bumper")
+    assert done.returncode == 0
+    assert "on = true" in done.stdout
+
+
+def test_a_defect_of_ours_is_called_that(rules: Path) -> None:
+    program = (
+        "import rossmarie.driver as driver\n"
+        "def broken(*a, **k): raise RuntimeError('oh')\n"
+        "driver.check_file = broken\n"
+        "from rossmarie.cli.main import main\n"
+        "main()\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program, "check", str(rules)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 70
+    assert done.stderr.startswith("error[ROSS900]: this is a defect of rossmarie")

@@ -1,0 +1,122 @@
+"""Files are found and read; what cannot be read is a finding."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rossmarie.driver import CheckResult, check_file
+
+ACTION = "action stop;\n"
+RULE = "input on = topic /on : std_msgs/Bool timeout 1 sec\nrule it: if on then { stop; };\n"
+
+
+def codes(result: CheckResult) -> list[str]:
+    return [found.code for found in result.diagnostics]
+
+
+def test_imports_are_followed_from_file_to_file(tmp_path: Path) -> None:
+    (tmp_path / "library").mkdir()
+    (tmp_path / "library" / "actions.ross").write_text(ACTION)
+    (tmp_path / "middle.ross").write_text('import "library/actions.ross";')
+    main = tmp_path / "main.ross"
+    main.write_text(f'import "middle.ross";\n{RULE}')
+    result = check_file(main)
+    assert codes(result) == []
+    assert result.program is not None
+    assert [Path(module.file.path).name for module in result.modules] == [
+        "actions.ross",
+        "middle.ross",
+        "main.ross",
+    ]
+
+
+def test_files_that_import_each_other_are_read_once(tmp_path: Path) -> None:
+    (tmp_path / "a.ross").write_text(f'import "b.ross";\n{ACTION}')
+    (tmp_path / "b.ross").write_text(f'import "a.ross";\nimport "b.ross";\n{RULE}')
+    result = check_file(tmp_path / "a.ross")
+    assert codes(result) == []
+    assert len(result.modules) == 2
+
+
+def test_a_long_chain_of_imports_is_followed(tmp_path: Path) -> None:
+    for number in range(1500):
+        (tmp_path / f"{number}.ross").write_text(f'import "{number + 1}.ross";')
+    (tmp_path / "1500.ross").write_text(ACTION + RULE)
+    assert check_file(tmp_path / "0.ross").program is not None
+
+
+def test_a_missing_import_is_found_where_it_is_named(tmp_path: Path) -> None:
+    (tmp_path / "actions.ross").write_text(ACTION)
+    main = tmp_path / "main.ross"
+    main.write_text('import "action.ross";\n')
+    (found,) = check_file(main).diagnostics
+    assert (found.code, found.primary.span.text) == ("ROSS803", '"action.ross"')
+    assert found.help == "did you mean `actions.ross`?"
+
+
+def test_the_system_model_of_a_folder_needs_no_import(tmp_path: Path) -> None:
+    (tmp_path / "system.ross").write_text("system s { topic Stop = /on : std_msgs/Bool; }")
+    main = tmp_path / "main.ross"
+    main.write_text(
+        f"{ACTION}input on = topic Stop timeout 1 sec\nrule it: if on then {{ stop; }};"
+    )
+    assert codes(check_file(main)) == []
+    (tmp_path / "system.ross").unlink()
+    assert codes(check_file(main)) == ["ROSS110"]
+
+
+def test_a_named_system_model_is_used(tmp_path: Path) -> None:
+    model = tmp_path / "robot.ross"
+    model.write_text("system s { topic Stop = /on : std_msgs/Bool; }")
+    main = tmp_path / "main.ross"
+    main.write_text(
+        f"{ACTION}input on = topic Stop timeout 1 sec\nrule it: if on then {{ stop; }};"
+    )
+    assert codes(check_file(main, systems=[model])) == []
+
+
+def test_what_is_not_there_cannot_be_read(tmp_path: Path) -> None:
+    assert codes(check_file(tmp_path / "none.ross")) == ["ROSS801"]
+    assert codes(check_file(tmp_path)) == ["ROSS801"]
+
+
+@pytest.mark.parametrize(
+    ("content", "line", "column"),
+    [
+        (b"action stop;\n// caf\xe9\n", 2, 7),
+        (b"\xff\xfe", 1, 1),
+        ("// ünter\n".encode() + b"\xfc", 2, 1),
+    ],
+)
+def test_text_in_another_encoding_is_located(
+    tmp_path: Path, content: bytes, line: int, column: int
+) -> None:
+    main = tmp_path / "main.ross"
+    main.write_bytes(content)
+    (found,) = check_file(main).diagnostics
+    assert found.code == "ROSS802"
+    assert (found.primary.span.begin.line, found.primary.span.begin.column) == (line, column)
+
+
+def test_binary_files_are_called_that(tmp_path: Path) -> None:
+    main = tmp_path / "main.ross"
+    main.write_bytes(b"\x7fELF\x02\x01\x01\x00\x00\xff\xff")
+    (found,) = check_file(main).diagnostics
+    assert "a binary file" in found.notes[0]
+
+
+def test_a_byte_order_mark_does_no_harm(tmp_path: Path) -> None:
+    main = tmp_path / "main.ross"
+    main.write_bytes(b"\xef\xbb\xbf" + (ACTION + RULE).encode())
+    assert codes(check_file(main)) == []
+
+
+def test_a_huge_file_is_refused_by_its_size(tmp_path: Path) -> None:
+    main = tmp_path / "main.ross"
+    main.write_text("// " + "ä" * 3_000_000)
+    result = check_file(main)
+    assert len(result.diagnostics) == 1
+    assert result.program is None
+    assert len(result.modules[-1].file.text) < 2_000_000

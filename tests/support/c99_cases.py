@@ -1,0 +1,95 @@
+"""Small machines whose generated C is kept as golden files, each for one thing to look at."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from support.drafts import SECOND, Draft
+
+from dslkit.source import SourceFile, Span
+from rossmarie import ir
+from rossmarie.ir import Comparison, Function
+
+_TEXT = """\
+drive.fast: speed > 0.5 m/s for 2.0 sec
+drive.slow: speed in [0.1, 0.2] m/s
+rule slow_down: if drive.fast and not docked then { brake; };
+"""
+_FILE = SourceFile("rules/drive.ross", _TEXT)
+
+
+def _line(number: int) -> Span:
+    lines = _TEXT.splitlines(keepends=True)
+    start = sum(len(line) for line in lines[: number - 1])
+    return Span(_FILE, start, start + len(lines[number - 1]) - 1)
+
+
+def _placed(draft: Draft, truths: dict[int, int], rules: dict[int, int]) -> None:
+    """Give truths and rules their lines and the words that stand there."""
+    for index, number in truths.items():
+        span = _line(number)
+        draft.truths[index] = replace(draft.truths[index], span=span, text=span.text)
+    for index, number in rules.items():
+        draft.rules[index] = replace(draft.rules[index], span=_line(number))
+
+
+def thresholds() -> ir.Machine:
+    """Comparisons with fixed limits, a duration, a rule that clears at once and a latched one."""
+    draft = Draft()
+    channel = draft.channel()
+    speed = draft.signal(ir.Read(draft.slot(draft.input(channel))), "speed", "m/s")
+    docked = draft.signal(ir.Read(draft.slot(draft.input(channel), ir.Kind.FLAG)), "docked")
+    fast = draft.truth(ir.Held(draft.above(speed, 0.5), 2 * SECOND), "drive.fast")
+    away = draft.truth(ir.Not(draft.truth(ir.Flag(docked))))
+    slow = draft.truth(
+        ir.Between(speed, draft.constant(0.1), draft.constant(0.2)), "drive.slow"
+    )
+    draft.rule(draft.truth(ir.And((fast, away))))
+    draft.rule(slow, latched=True)
+    _placed(draft, {fast: 1, slow: 2}, {0: 3, 1: 3})
+    return draft.machine("thresholds")
+
+
+def timeouts() -> ir.Machine:
+    """Two topics with timeouts, an age, a clearing condition that must hold."""
+    draft = Draft()
+    speed = draft.read(SECOND // 5)
+    battery = draft.read(SECOND)
+    low = draft.truth(ir.Compare(Comparison.LESS, battery, draft.constant(11.5)))
+    stale = draft.truth(ir.AgeReaches(1, 3 * SECOND), "battery.stale")
+    calm = draft.truth(ir.Held(draft.truth(ir.Not(draft.above(speed, 1.0))), SECOND))
+    draft.rule(draft.truth(ir.Or((low, stale))), calm)
+    return draft.machine("timeouts")
+
+
+def arrays() -> ir.Machine:
+    """One pass over the elements of an array for a minimum, a count and two quantifiers."""
+    draft = Draft()
+    ranges = draft.elements(SECOND)
+    near = draft.above(ranges, 0.5)
+    nearest = draft.signal(ir.Fold(ir.Folding.MINIMUM, ranges), "min(ranges)", "m")
+    crowd = draft.above(draft.signal(ir.Count(near), "count(ranges > 0.5 m)"), 3.0)
+    some = draft.truth(ir.Quantified(ir.Quantifier.ANY, near))
+    every = draft.truth(ir.Quantified(ir.Quantifier.ALL, near))
+    close = draft.truth(ir.Compare(Comparison.LESS, nearest, draft.constant(0.3)))
+    draft.rule(draft.truth(ir.Or((close, crowd, draft.truth(ir.And((some, every)))))))
+    return draft.machine("arrays")
+
+
+def memories() -> ir.Machine:
+    """A rate, a previous sample, an oscillation, a quaternion, numbers compared with each other."""
+    draft = Draft(texts=("docked",))
+    channel = draft.channel()
+    used = draft.input(channel, SECOND)
+    x, y, z, w = (draft.signal(ir.Read(draft.slot(used))) for _ in range(4))
+    pitch = draft.apply(Function.PITCH, x, y, z, w)
+    rate = draft.signal(ir.Rate(pitch), "rate(orientation.pitch())", "rad/s")
+    before = draft.signal(ir.Previous(pitch), "previous(orientation.pitch())", "rad")
+    rising = draft.truth(ir.Compare(Comparison.GREATER, pitch, before))
+    jolt = draft.truth(ir.Oscillates(x, 3, SECOND // 4, 0.1))
+    draft.rule(draft.truth(ir.And((rising, draft.above(rate, 0.5)))))
+    draft.rule(jolt)
+    return draft.machine("memories")
+
+
+CASES = {make.__name__: make for make in (thresholds, timeouts, arrays, memories)}
