@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from support.drafts import SECOND, Draft
-
 from dslkit.source import SourceFile, Span
 from rossmarie import ir
 from rossmarie.ir import Comparison, Function
+from support.drafts import SECOND, Draft
 
 _TEXT = """\
 drive.fast: speed > 0.5 m/s for 2.0 sec
@@ -41,9 +40,7 @@ def thresholds() -> ir.Machine:
     docked = draft.signal(ir.Read(draft.slot(draft.input(channel), ir.Kind.FLAG)), "docked")
     fast = draft.truth(ir.Held(draft.above(speed, 0.5), 2 * SECOND), "drive.fast")
     away = draft.truth(ir.Not(draft.truth(ir.Flag(docked))))
-    slow = draft.truth(
-        ir.Between(speed, draft.constant(0.1), draft.constant(0.2)), "drive.slow"
-    )
+    slow = draft.truth(ir.Between(speed, draft.constant(0.1), draft.constant(0.2)), "drive.slow")
     draft.rule(draft.truth(ir.And((fast, away))))
     draft.rule(slow, latched=True)
     _placed(draft, {fast: 1, slow: 2}, {0: 3, 1: 3})

@@ -155,9 +155,7 @@ def test_a_lost_input_is_blamed_alone():
     story.send(1, y=2.0)
     explanation = story.last()
     assert explanation.change is Change.ACTIVATED_LOST
-    assert explanation.lines() == (
-        "input x (/x) has never been received",
-    )
+    assert explanation.lines() == ("input x (/x) has never been received",)
     story.send(2, x=0.0)
     story.advance(30)
     assert story.verdicts[-1].change is Change.ACTIVATED_LOST

@@ -1,0 +1,256 @@
+"""Time and events: rules S11 to S17 of docs/explanation/semantics.md."""
+
+import math
+
+import pytest
+from hypothesis import given, settings
+
+from rossmarie.interpreter import Interpreter
+from rossmarie.ir import (
+    AgeReaches,
+    Change,
+    Compare,
+    Comparison,
+    Event,
+    Held,
+    Oscillates,
+    Previous,
+    Rate,
+    TimeJump,
+    TruthValue,
+)
+from support.bench import Bench, told
+from support.drafts import SECOND, Draft
+from support.machines import Case, Step, cases, exactly, observe, take
+
+F, T, U, L = TruthValue
+
+
+def test_s11_messages_of_one_update_are_seen_together() -> None:
+    draft = Draft()
+    x, y = draft.read(), draft.read()
+    draft.rule(draft.truth(Compare(Comparison.GREATER, x, y)))
+    bench = Bench(draft)
+    assert bench.send(0, c0=1.0, c1=2.0) == []
+    assert bench.send(1, c0=3.0, c1=4.0) == []  # one by one, 3 > 2 would show
+
+
+def test_s12_nothing_happens_before_the_first_event() -> None:
+    draft = Draft()
+    draft.rule(draft.above(draft.read(timeout_ns=SECOND), 0.0))
+    bench = Bench(draft)
+    assert bench.monitor.active == (False,)
+    assert bench.wake() is None
+
+
+@pytest.mark.parametrize("first", ["update", "advance", "reset"])
+def test_s12_guarded_rules_are_active_until_their_input_arrives(first: str) -> None:
+    draft = Draft()
+    guarded, other = draft.read(timeout_ns=SECOND), draft.read()
+    draft.rule(draft.above(guarded, 0.0))
+    draft.rule(draft.above(other, 0.0))
+    draft.channel()
+    bench = Bench(draft)
+    step = {"update": lambda: bench.send(0, c2=0.0), "advance": lambda: bench.advance(0)}
+    events = step.get(first, lambda: bench.reset(0))()
+    assert told(events) == [(0, 0.0, Change.ACTIVATED_LOST)]
+    assert told(bench.send(0.5, c0=-1.0)) == [(0, 0.5, Change.CLEARED)]
+
+
+def test_s13_wakes_before_an_event_are_run_at_their_own_instants() -> None:
+    draft = Draft()
+    positive = draft.above(draft.read(), 0.0)
+    early = draft.truth(Held(positive, 2 * SECOND))
+    late = draft.truth(Held(early, SECOND))
+    for truth in (early, late):
+        draft.rule(truth)
+    bench = Bench(draft)
+    assert bench.send(0, c0=1.0) == []
+    assert told(bench.send(10, c0=-1.0)) == [
+        (0, 2.0, Change.ACTIVATED),
+        (1, 3.0, Change.ACTIVATED),
+        (0, 10.0, Change.CLEARED),
+        (1, 10.0, Change.CLEARED),
+    ]
+
+
+def test_s14_an_update_and_a_wake_at_one_instant_are_one_evaluation() -> None:
+    draft = Draft()
+    positive = draft.above(draft.read(), 0.0)
+    draft.rule(draft.truth(Held(positive, 2 * SECOND)))
+    bench = Bench(draft)
+    bench.send(0, c0=1.0)
+    assert bench.send(2, c0=-1.0) == []
+
+
+def test_s14_advance_includes_its_instant() -> None:
+    draft = Draft()
+    positive = draft.above(draft.read(), 0.0)
+    draft.rule(draft.truth(Held(positive, 2 * SECOND)))
+    bench = Bench(draft)
+    bench.send(0, c0=1.0)
+    assert bench.monitor.advance(2 * SECOND - 1) == []
+    assert told(bench.advance(2)) == [(0, 2.0, Change.ACTIVATED)]
+
+
+def test_s15_the_next_wake_is_the_earliest_timer() -> None:
+    draft = Draft()
+    x = draft.read(timeout_ns=9 * SECOND)
+    positive = draft.above(x, 0.0)
+    draft.truth(Held(positive, 3 * SECOND))
+    draft.truth(AgeReaches(0, 5 * SECOND))
+    draft.truth(Oscillates(x, 1, 7 * SECOND, 0.0))
+    bench = Bench(draft)
+    bench.send(0, c0=1.0)
+    bench.send(0, c0=2.0)
+    bench.send(0, c0=1.0)
+    wakes = []
+    while (wake := bench.wake()) is not None:
+        wakes.append(wake)
+        bench.advance(wake)
+    assert wakes == [3.0, 5.0, 7.0, 9.0]
+
+
+@settings(max_examples=60, deadline=None)
+@given(cases())
+def test_s15_a_wake_lies_ahead(case: Case) -> None:
+    machine, trace = case
+    monitor = Interpreter(machine)
+    for step in trace:
+        take(monitor, step)
+        wake_ns = monitor.next_wake()
+        assert wake_ns is None or wake_ns > step.at_ns
+
+
+@settings(max_examples=60, deadline=None)
+@given(cases())
+def test_s15_waking_in_between_changes_nothing(case: Case) -> None:
+    """Whoever obeys the wakes, and even looks in between, sees the same as who does not."""
+    machine, trace = case
+    lazy, eager = Interpreter(machine), Interpreter(machine)
+    for step in trace:
+        seen = [] if step is trace[0] else woken(eager, step)
+        seen += take(eager, step)
+        assert [exactly(event) for event in seen] == [exactly(e) for e in take(lazy, step)]
+        assert eager.active == lazy.active
+
+
+def woken(monitor: Interpreter, before: Step) -> list[Event]:
+    events: list[Event] = []
+    while (wake_ns := monitor.next_wake()) is not None and wake_ns < before.at_ns:
+        events += monitor.advance(wake_ns - 1)
+        events += monitor.advance(wake_ns)
+    return events
+
+
+def test_s16_updates_at_one_instant_are_evaluated_one_by_one() -> None:
+    draft = Draft()
+    draft.rule(draft.above(draft.read(), 0.0))
+    bench = Bench(draft)
+    events = [event for x in (1.0, -1.0, 1.0) for event in bench.send(4, c0=x)]
+    assert told(events) == [
+        (0, 4.0, Change.ACTIVATED),
+        (0, 4.0, Change.CLEARED),
+        (0, 4.0, Change.ACTIVATED),
+    ]
+
+
+def test_s17_a_jump_is_reported_and_restarts_durations() -> None:
+    draft = Draft()
+    positive = draft.above(draft.read(), 0.0)
+    draft.rule(draft.truth(Held(positive, 2 * SECOND)))
+    bench = Bench(draft)
+    bench.send(10, c0=1.0)
+    bench.advance(13)
+    events = bench.send(5, c0=1.0)
+    assert events[0] == TimeJump(13 * SECOND, 5 * SECOND)
+    assert told(events) == [(0, 5.0, Change.CLEARED)]
+    assert events[1].since_ns == (5 * SECOND, 5 * SECOND)
+    assert told(bench.advance(20)) == [(0, 7.0, Change.ACTIVATED)]
+
+
+def test_s17_fresh_inputs_count_as_received_at_the_jump() -> None:
+    draft = Draft()
+    x = draft.read(timeout_ns=SECOND)
+    old = draft.truth(AgeReaches(0, SECOND // 2))
+    bench = Bench(draft)
+    bench.send(10, c0=1.0)
+    bench.advance(10.75)
+    assert bench.truth(old) is T
+    bench.advance(3)
+    assert bench.truth(old) is F
+    assert bench.signal(x) == 1.0
+    assert bench.wake() == 3.5
+    bench.advance(3.5)
+    assert bench.wake() == 4.0
+
+
+def test_s17_expired_inputs_stay_expired() -> None:
+    draft = Draft()
+    x = draft.read(timeout_ns=SECOND)
+    old = draft.truth(AgeReaches(0, SECOND))
+    older = draft.truth(AgeReaches(0, 3 * SECOND))
+    draft.read(timeout_ns=SECOND)
+    draft.rule(draft.above(x, 0.0))
+    draft.rule(draft.above(x + 1, 0.0))
+    bench = Bench(draft)
+    bench.send(10, c0=1.0)
+    bench.advance(20)
+    assert bench.truth(older) is T
+    bench.advance(4)
+    assert math.isnan(bench.signal(x))
+    assert (bench.truth(old), bench.truth(older)) == (T, F)
+    assert bench.wake() == 6.0  # expired at 4, so its message counts as sent at 3
+    bench.advance(6)
+    assert bench.truth(older) is T
+
+
+def test_s17_samples_are_forgotten() -> None:
+    draft = Draft()
+    x = draft.read()
+    rate, previous = draft.signal(Rate(x)), draft.signal(Previous(x))
+    shaking = draft.truth(Oscillates(x, 1, 100 * SECOND, 0.0))
+    bench = Bench(draft)
+    for second, value in enumerate((1.0, 2.0, 1.0)):
+        bench.send(second, c0=value)
+    assert (bench.signal(rate), bench.signal(previous), bench.truth(shaking)) == (-1.0, 2.0, T)
+    bench.send(0, c0=3.0)
+    assert math.isnan(bench.signal(rate))
+    assert math.isnan(bench.signal(previous))
+    assert bench.truth(shaking) is F
+
+
+def test_s17_after_a_jump_the_next_message_is_the_first_sample() -> None:
+    draft = Draft()
+    shaking = draft.truth(Oscillates(draft.read(), 1, 100 * SECOND, 0.0))
+    bench = Bench(draft)
+    bench.send(10, c0=5.0)
+    bench.advance(0)
+    bench.send(1, c0=1.0)  # would be on its way down from 5
+    bench.send(2, c0=2.0)
+    assert bench.truth(shaking) is F
+    bench.send(3, c0=1.0)
+    assert bench.truth(shaking) is T
+
+
+def test_s17_rules_keep_their_state_until_evaluated() -> None:
+    draft = Draft()
+    draft.rule(draft.above(draft.read(), 0.0))
+    bench = Bench(draft)
+    bench.send(10, c0=1.0)
+    assert told(bench.advance(5)) == []
+    assert bench.monitor.active == (True,)
+
+
+@settings(max_examples=30, deadline=None)
+@given(cases())
+def test_a_monitor_is_deterministic(case: Case) -> None:
+    machine, trace = case
+    assert observe(Interpreter(machine), trace) == observe(Interpreter(machine), trace)
+
+
+@pytest.mark.parametrize("at_ns", [-(2**61), 2**62])
+def test_instants_out_of_range_are_refused(at_ns: int) -> None:
+    monitor = Interpreter(Draft().machine())
+    with pytest.raises(ValueError, match="out of range"):
+        monitor.advance(at_ns)

@@ -1,0 +1,211 @@
+"""A machine that grows by one random node at a time, by the rules that `ir.verify` checks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from hypothesis import strategies as st
+
+from rossmarie import ir
+from support.drafts import SECOND, Draft
+
+TICK = SECOND // 10
+
+NUMBERS = (-2.0, -1.0, -0.5, -0.0, 0.0, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0)
+EXTREMES = (5e-324, 1e-200, 1e200, -1e200, 1.7e308, -1.7e308, 0.1, 1 / 3)
+
+durations = st.integers(1, 8).map(lambda ticks: ticks * TICK)
+timeouts = st.one_of(st.none(), durations)
+finite = st.one_of(st.sampled_from(NUMBERS), st.sampled_from(NUMBERS + EXTREMES))
+scales = st.sampled_from(((1.0, 0.0), (1.0, 0.0), (0.5, 0.0), (1.0, 0.25), (1e150, -1.0)))
+
+
+class Growing:
+    """Adds one random node at a time to a draft."""
+
+    def __init__(self, draw: st.DrawFn) -> None:
+        self.draw = draw
+        self.draft = Draft(texts=("docked", "driving"))
+        self.numbers: list[int] = [self.draft.constant(1.0)]
+        self.element_numbers: dict[int, list[int]] = {}
+        self.truths: list[int] = []
+
+    def one_of(self, choices: Sequence[int]) -> int:
+        # Later nodes are preferred a little, so that machines grow deep as well as wide.
+        return self.draw(st.one_of(st.sampled_from(choices), st.sampled_from(choices[-3:])))
+
+    def inputs(self) -> None:
+        for _ in range(self.draw(st.integers(1, 3))):
+            self.draft.channel()
+        for channel in range(len(self.draft.channels)):
+            for _ in range(self.draw(st.integers(1, 2))):
+                used = self.draft.input(channel, self.draw(timeouts))
+                self._fields(used)
+
+    def _fields(self, used: int) -> None:
+        kinds = st.sampled_from((*ir.Kind, ir.Kind.REAL, ir.Kind.REAL, "array"))
+        for kind in self.draw(st.lists(kinds, min_size=1, max_size=3)):
+            scale, offset = self.draw(scales)
+            if isinstance(kind, str):
+                array = self.draft.array(used, scale, offset)
+                self.element_numbers[array] = [self.draft.signal(ir.Element(array))]
+            elif kind is ir.Kind.REAL:
+                slot = self.draft.slot(used, kind, scale, offset)
+                self.numbers.append(self.draft.signal(ir.Read(slot)))
+            else:
+                self.draft.slot(used, kind)
+
+    # --- signals ---
+
+    def signal(self) -> None:
+        grow = [self._constant, self._apply, self._apply, self._rate, self._previous]
+        if self.element_numbers:
+            grow += [self._fold, self._fold, self._count]
+        self.numbers.append(self.draw(st.sampled_from(grow))())
+
+    def _constant(self) -> int:
+        return self.draft.constant(self.draw(finite))
+
+    def _apply(self) -> int:
+        function = self.draw(st.sampled_from(ir.Function))
+        operands = [self.one_of(self.numbers) for _ in range(self._arity(function))]
+        return self.draft.apply(function, *operands)
+
+    def _arity(self, function: ir.Function) -> int:
+        if function in (ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW):
+            return 4
+        if function is ir.Function.NORM:
+            return self.draw(st.integers(1, 3))
+        return 1 if function in (ir.Function.NEGATE, ir.Function.ABSOLUTE) else 2
+
+    def _rate(self) -> int:
+        return self.draft.signal(ir.Rate(self.one_of(self.numbers)))
+
+    def _previous(self) -> int:
+        return self.draft.signal(ir.Previous(self.one_of(self.numbers)))
+
+    def _fold(self) -> int:
+        folding = self.draw(st.sampled_from(ir.Folding))
+        return self.draft.signal(ir.Fold(folding, self._element_number(self._array())))
+
+    def _count(self) -> int:
+        return self.draft.signal(ir.Count(self._element_truth(self._array())))
+
+    # --- elements ---
+
+    def _array(self) -> int:
+        return self.draw(st.sampled_from(sorted(self.element_numbers)))
+
+    def _element_number(self, array: int) -> int:
+        known = self.element_numbers[array]
+        if self.draw(st.booleans()):
+            return self.one_of(known)
+        function = self.draw(st.sampled_from(ir.Function))
+        operands = [self._constant() for _ in range(self._arity(function))]
+        operands[self.draw(st.integers(0, len(operands) - 1))] = self.one_of(known)
+        known.append(self.draft.apply(function, *operands))
+        return known[-1]
+
+    def _element_truth(self, array: int, depth: int = 2) -> int:
+        shapes = ("compare", "between", "flag", "not", "and", "or") if depth else ("compare",)
+        match self.draw(st.sampled_from(shapes)):
+            case "between":
+                ends = sorted((self.draw(finite), self.draw(finite)))
+                low, high = (self.draft.constant(end) for end in ends)
+                number = self._element_number(array)
+                return self.draft.truth(ir.Between(number, low, high))
+            case "flag":
+                return self.draft.truth(ir.Flag(self.element_numbers[array][0]))
+            case "not":
+                return self.draft.truth(ir.Not(self._element_truth(array, depth - 1)))
+            case ("and" | "or") as word:
+                operands = tuple(self._element_truth(array, depth - 1) for _ in range(2))
+                return self.draft.truth(ir.And(operands) if word == "and" else ir.Or(operands))
+            case _:
+                comparison = self.draw(st.sampled_from(ir.Comparison))
+                number = self._element_number(array)
+                return self.draft.truth(ir.Compare(comparison, number, self._constant()))
+
+    # --- truths ---
+
+    def truth(self) -> None:
+        grow = [self._compare, self._compare, self._between, self._age, self._oscillates]
+        if self.element_numbers:
+            grow += [self._quantified, self._quantified]
+        if any(slot.kind is not ir.Kind.REAL for slot in self.draft.slots):
+            grow += [self._flag_or_text]
+        if self.truths:
+            grow += [self._not, self._and, self._or, self._held, self._held, self._literal]
+        self.truths.append(self.draw(st.sampled_from(grow))())
+
+    def _name(self) -> str | None:
+        return f"entity.c{len(self.draft.truths)}" if self.draw(st.booleans()) else None
+
+    def _add(self, node: ir.TruthNode) -> int:
+        return self.draft.truth(node, self._name())
+
+    def _literal(self) -> int:
+        return self._add(ir.Literal(self.draw(st.booleans())))
+
+    def _compare(self) -> int:
+        comparison = self.draw(st.sampled_from(ir.Comparison))
+        left = self.one_of(self.numbers)
+        right = self.one_of([*self.numbers, self._constant()])
+        return self._add(ir.Compare(comparison, left, right))
+
+    def _between(self) -> int:
+        low, high = self.one_of(self.numbers), self.one_of(self.numbers)
+        return self._add(ir.Between(self.one_of(self.numbers), low, high))
+
+    def _age(self) -> int:
+        used = self.draw(st.integers(0, len(self.draft.inputs) - 1))
+        return self._add(ir.AgeReaches(used, self.draw(durations) + self.draw(st.integers(0, 1))))
+
+    def _oscillates(self) -> int:
+        swing = self.draw(st.sampled_from((0.0, 0.5)))
+        count = self.draw(st.integers(1, 3))
+        signal = self.one_of(self.numbers)
+        return self._add(ir.Oscillates(signal, count, self.draw(durations), swing))
+
+    def _quantified(self) -> int:
+        quantifier = self.draw(st.sampled_from(ir.Quantifier))
+        return self._add(ir.Quantified(quantifier, self._element_truth(self._array())))
+
+    def _flag_or_text(self) -> int:
+        slots = [i for i, slot in enumerate(self.draft.slots) if slot.kind is not ir.Kind.REAL]
+        slot = self.draw(st.sampled_from(slots))
+        read = self.draft.signal(ir.Read(slot))
+        if self.draft.slots[slot].kind is ir.Kind.FLAG:
+            return self._add(ir.Flag(read))
+        comparison = self.draw(st.sampled_from((ir.Comparison.EQUAL, ir.Comparison.NOT_EQUAL)))
+        text = self.draft.constant(float(self.draw(st.integers(0, 1))))
+        return self._add(ir.Compare(comparison, read, text))
+
+    def _not(self) -> int:
+        return self._add(ir.Not(self.one_of(self.truths)))
+
+    def _operands(self) -> tuple[int, ...]:
+        return tuple(self.one_of(self.truths) for _ in range(self.draw(st.integers(2, 3))))
+
+    def _and(self) -> int:
+        return self._add(ir.And(self._operands()))
+
+    def _or(self) -> int:
+        return self._add(ir.Or(self._operands()))
+
+    def _held(self) -> int:
+        return self._add(ir.Held(self.one_of(self.truths), self.draw(durations)))
+
+    def rule(self) -> None:
+        condition = self.one_of(self.truths)
+        match self.draw(st.sampled_from(("at once", "when", "for", "latched"))):
+            case "at once":
+                self.draft.rule(condition)
+            case "when":
+                self.draft.rule(condition, self.one_of(self.truths))
+            case "for":
+                opposite = self.draft.truth(ir.Not(condition))
+                calm = self.draft.truth(ir.Held(opposite, self.draw(durations)))
+                self.draft.rule(condition, calm)
+            case _:
+                self.draft.rule(condition, latched=True)
