@@ -1,8 +1,14 @@
-"""Rules as text, all the way to a machine."""
+"""Rules as text, all the way to a machine, and what stands in it."""
+
+from __future__ import annotations
+
+from typing import TypeVar
 
 from rossmarie import ir
 from rossmarie.lowering import lower
 from support.programs import program_of
+
+Node = TypeVar("Node")
 
 INPUTS = """
 input imu = topic /imu/data : sensor_msgs/Imu timeout 0.2 sec;
@@ -30,3 +36,28 @@ def machine_of_rules(rules: str) -> ir.Machine:
 def machine_of_condition(condition: str) -> ir.Machine:
     """The machine of one rule over `INPUTS`."""
     return machine_of_rules(f"rule it: if {condition} then {{ stop; }};")
+
+
+def condition(text: str, kind: type[Node]) -> tuple[ir.Machine, Node]:
+    """The machine of one condition, and what stands at its top."""
+    machine = machine_of_condition(text)
+    return machine, truth_node(machine, machine.rules[0].condition, kind)
+
+
+def truth_node(machine: ir.Machine, index: int, kind: type[Node]) -> Node:
+    """A truth, which is of this kind."""
+    node = machine.truths[index].node
+    assert isinstance(node, kind)
+    return node
+
+
+def signal_node(machine: ir.Machine, index: int, kind: type[Node]) -> Node:
+    """A signal, which is of this kind."""
+    node = machine.signals[index].node
+    assert isinstance(node, kind)
+    return node
+
+
+def constant(machine: ir.Machine, signal: int) -> float:
+    """The value of a signal that is known when compiling."""
+    return signal_node(machine, signal, ir.Constant).value

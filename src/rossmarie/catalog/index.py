@@ -8,10 +8,12 @@ from rossmarie.check import errors as check_errors
 from rossmarie.driver import errors as driver_errors
 from rossmarie.recordings import errors as recordings_errors
 from rossmarie.syntax import errors as syntax_errors
+from rossmarie.targets import errors as targets_errors
 
 DIAGNOSTICS: tuple[type[Template], ...] = (
     *syntax_errors.ALL,
     *check_errors.ALL,
+    *targets_errors.ALL,
     *recordings_errors.ALL,
     *driver_errors.ALL,
     *catalog_errors.ALL,

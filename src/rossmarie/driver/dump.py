@@ -9,9 +9,9 @@ from pathlib import Path
 
 from dslkit.source import SourceFile, Span
 from rossmarie.check import CheckedProgram
+from rossmarie.driver.build import generate
 from rossmarie.driver.pipeline import RulesError, check_file, compile_file
 from rossmarie.ir import dump_text
-from rossmarie.targets.c99 import generate
 
 
 class Stage(str, enum.Enum):
@@ -41,7 +41,7 @@ def dump(
     machine = compile_file(rules, systems=systems, message_folders=message_folders).machine
     if after is Stage.LOWER:
         return dump_text(machine)
-    return "\n".join(generate(machine).values())
+    return "\n".join(generate(machine, "c99").values())
 
 
 def _symbols(program: CheckedProgram) -> Iterator[str]:

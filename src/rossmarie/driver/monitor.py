@@ -16,7 +16,7 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Event, Kind, Machine, Verdict, explain, field_names
 from rossmarie.native import BuildError, NativeMonitor, NoCompilerError, load_native
-from rossmarie.targets.c99 import generate_loadable
+from rossmarie.targets import c99
 
 NATIVE = "native"
 INTERPRETER = "interpreter"
@@ -76,11 +76,18 @@ class Started:
 
 def start_engine(machine: Machine) -> Started:
     """An engine in its initial state; its verdicts are the same whatever its kind."""
+    refused = next(iter(c99.unsupported(machine)), None)
+    if refused is not None:
+        return _interpreted(machine, refused.title)
     try:
-        return Started(load_native(machine, generate_loadable(machine)), NATIVE, None)
+        return Started(load_native(machine, c99.generate_loadable(machine)), NATIVE, None)
     except (NoCompilerError, BuildError, OSError) as error:
-        reason = f"the monitor is interpreted, which is slower: {error}"
-        return Started(Interpreter(machine), INTERPRETER, reason)
+        return _interpreted(machine, str(error))
+
+
+def _interpreted(machine: Machine, why: str) -> Started:
+    reason = f"the monitor is interpreted, which is slower: {why}"
+    return Started(Interpreter(machine), INTERPRETER, reason)
 
 
 class Monitor:

@@ -12,6 +12,7 @@ from rossmarie.ir import (
     Previous,
     Read,
     TruthValue,
+    Verdict,
 )
 from support.bench import Bench
 from support.drafts import SECOND, Draft
@@ -71,6 +72,7 @@ def test_s9_a_message_makes_all_inputs_of_its_channel_fresh() -> None:
     draft.rule(both)
     bench = Bench(draft)
     (verdict,) = bench.send(0, c0=NAN)  # what it brings does not matter
+    assert isinstance(verdict, Verdict)
     assert verdict.inputs == (InputState.FRESH, InputState.FRESH)
     assert bench.wake() == 1.0
     bench.advance(1)

@@ -148,6 +148,7 @@ def test_s41_a_verdict_carries_a_snapshot() -> None:
     bench.send(0, c0=-1.0)
     bench.send(1, c0=1.5)
     (verdict,) = bench.advance(5)
+    assert isinstance(verdict, Verdict)
     assert verdict == Verdict(
         rule=0,
         at_ns=3 * SECOND,

@@ -18,6 +18,7 @@ from rossmarie.ir import (
     Rate,
     TimeJump,
     TruthValue,
+    Verdict,
 )
 from support.bench import Bench, told
 from support.drafts import SECOND, Draft
@@ -165,7 +166,9 @@ def test_s17_a_jump_is_reported_and_restarts_durations() -> None:
     events = bench.send(5, c0=1.0)
     assert events[0] == TimeJump(13 * SECOND, 5 * SECOND)
     assert told(events) == [(0, 5.0, Change.CLEARED)]
-    assert events[1].since_ns == (5 * SECOND, 5 * SECOND)
+    cleared = events[1]
+    assert isinstance(cleared, Verdict)
+    assert cleared.since_ns == (5 * SECOND, 5 * SECOND)
     assert told(bench.advance(20)) == [(0, 7.0, Change.ACTIVATED)]
 
 

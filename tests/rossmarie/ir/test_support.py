@@ -6,7 +6,7 @@ from rossmarie import ir
 from support.drafts import Draft
 
 
-def test_support_goes_through_functions_samples_and_folds():
+def test_support_goes_through_functions_samples_and_folds() -> None:
     draft = Draft()
     x, element = draft.read(), draft.elements()
     least = draft.signal(ir.Fold(ir.Folding.MINIMUM, element))
@@ -22,7 +22,7 @@ def test_support_goes_through_functions_samples_and_folds():
     )
 
 
-def test_a_count_rests_on_the_array_of_what_it_counts():
+def test_a_count_rests_on_the_array_of_what_it_counts() -> None:
     draft = Draft()
     above = draft.above(draft.elements(), 0.0)
     count = draft.signal(ir.Count(draft.truth(ir.Not(above))))
@@ -30,7 +30,7 @@ def test_a_count_rests_on_the_array_of_what_it_counts():
     assert (support.arrays, support.folds) == (frozenset({0}), frozenset({count}))
 
 
-def test_an_age_rests_on_its_input_alone():
+def test_an_age_rests_on_its_input_alone() -> None:
     draft = Draft()
     draft.read()
     held = draft.truth(ir.Held(draft.truth(ir.AgeReaches(0, 1)), 1))
@@ -38,7 +38,7 @@ def test_an_age_rests_on_its_input_alone():
     assert support == ir.Support(inputs=frozenset({0}), channels=frozenset({0}))
 
 
-def test_element_arrays():
+def test_element_arrays() -> None:
     draft = Draft()
     element, x = draft.elements(), draft.read()
     off = draft.apply(ir.Function.ABSOLUTE, element)
@@ -49,14 +49,14 @@ def test_element_arrays():
     assert (arrays.signals[x], arrays.truths[some]) == (None, None)
 
 
-def test_elements_of_two_arrays_have_no_one_array():
+def test_elements_of_two_arrays_have_no_one_array() -> None:
     draft = Draft()
     draft.apply(ir.Function.ADD, draft.elements(), draft.elements())
     with pytest.raises(ValueError, match="elements of 2 arrays meet"):
         ir.element_arrays(draft.machine())
 
 
-def test_what_a_rule_carries_in_its_verdicts():
+def test_what_a_rule_carries_in_its_verdicts() -> None:
     draft = Draft()
     x, element = draft.read(), draft.elements()
     above = draft.above(x, 0.0)

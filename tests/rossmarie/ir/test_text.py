@@ -7,7 +7,7 @@ from support.drafts import SECOND, Draft
 from support.machines import machines
 
 
-def test_dump():
+def test_dump() -> None:
     draft = Draft(texts=('say "x"',))
     x = draft.read(timeout_ns=SECOND // 4)
     element = draft.elements()
@@ -48,7 +48,7 @@ def test_dump():
 
 @settings(max_examples=40, deadline=None)
 @given(machines())
-def test_every_part_has_its_line(machine):
+def test_every_part_has_its_line(machine: ir.Machine) -> None:
     lines = ir.dump_text(machine).splitlines()
     for letter, parts in (("s", machine.signals), ("t", machine.truths)):
         numbered = [line for line in lines if line.startswith(letter) and line[1].isdigit()]

@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
@@ -13,7 +14,7 @@ from support.machines import machines
 
 @settings(max_examples=100, deadline=None)
 @given(machines())
-def test_machines_that_grow_by_the_rules_pass(machine):
+def test_machines_that_grow_by_the_rules_pass(machine: ir.Machine) -> None:
     ir.verify(machine)
 
 
@@ -52,7 +53,7 @@ def signal_after(*nodes: ir.SignalNode) -> str:
         (ir.Fold(ir.Folding.MINIMUM, 0), "signal 2 (Fold): folds no elements"),
     ],
 )
-def test_signals(node, said):
+def test_signals(node: ir.SignalNode, said: str) -> None:
     assert signal_after(node) == said
 
 
@@ -77,7 +78,7 @@ def test_signals(node, said):
         (ir.Flag(0), "truth 1 (Flag): tests a real"),
     ],
 )
-def test_truths(node, said):
+def test_truths(node: ir.TruthNode, said: str) -> None:
     draft = Draft()
     x = draft.read()
     draft.elements()
@@ -86,7 +87,7 @@ def test_truths(node, said):
     assert refused(draft) == said
 
 
-def test_elementwise_truths_stay_below_folds():
+def test_elementwise_truths_stay_below_folds() -> None:
     draft = Draft()
     element = draft.elements()
     on_elements = draft.above(element, 0.0)
@@ -100,13 +101,13 @@ def test_elementwise_truths_stay_below_folds():
     assert refused(draft) == "truth 4 (And): operand 3 is not elementwise"
 
 
-def test_elements_of_two_arrays_do_not_meet():
+def test_elements_of_two_arrays_do_not_meet() -> None:
     draft = Draft()
     draft.apply(ir.Function.ADD, draft.elements(), draft.elements())
     assert refused(draft) == "elementwise: elements of 2 arrays meet"
 
 
-def test_what_is_counted_stands_before_the_count():
+def test_what_is_counted_stands_before_the_count() -> None:
     draft = Draft()
     element = draft.elements()
     counted = draft.above(element, 0.0)
@@ -119,7 +120,7 @@ def test_what_is_counted_stands_before_the_count():
     assert refused(draft) == "signal 1 (Count): operand 2 does not stand before its user"
 
 
-def test_texts_are_compared_with_literals_only():
+def test_texts_are_compared_with_literals_only() -> None:
     draft = Draft(texts=("docked",))
     one, other = (draft.read(kind=ir.Kind.TEXT) for _ in range(2))
     literal = draft.constant(0.0)
@@ -131,13 +132,13 @@ def test_texts_are_compared_with_literals_only():
         draft.truths.pop()
 
 
-def test_flags_are_no_numbers():
+def test_flags_are_no_numbers() -> None:
     draft = Draft()
     draft.signal(ir.Rate(draft.read(kind=ir.Kind.FLAG)))
     assert refused(draft) == "signal 1 (Rate): operand 0 is a flag"
 
 
-def test_inputs():
+def test_inputs() -> None:
     draft = Draft()
     draft.input(0)
     assert refused(draft) == "input 0: there is no channel 0"
@@ -164,7 +165,7 @@ def test_inputs():
         ({"inputs": ()}, "wrong inputs"),
     ],
 )
-def test_rules(change, said):
+def test_rules(change: dict[str, Any], said: str) -> None:
     draft = Draft()
     some = draft.truth(ir.Quantified(ir.Quantifier.ANY, draft.above(draft.elements(), 0.0)))
     draft.rule(draft.truth(ir.Held(some, SECOND)))
@@ -173,7 +174,7 @@ def test_rules(change, said):
     assert refused(draft) == f"rule 0 (rule_1): {said}"
 
 
-def test_rule_names_are_unique():
+def test_rule_names_are_unique() -> None:
     draft = Draft()
     for _ in range(2):
         draft.rule(draft.truth(ir.Literal(True)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -76,7 +76,7 @@ def _sampled(
 
 def drive_machine() -> ir.Machine:
     """Tilt, jolts, speed while tilted, turning, distance, and a sensor that must not be lost."""
-    draft = Draft()
+    draft = _Drive()
     topics = ("/imu/data", "/odom", "/scan", "/fix")
     types = (
         "sensor_msgs/Imu",
@@ -85,57 +85,102 @@ def drive_machine() -> ir.Machine:
         "sensor_msgs/NavSatFix",
     )
     draft.channels = [ir.Channel(*pair) for pair in zip(topics, types, strict=True)]
+    _add_rules(draft, _add_signals(draft))
+    return draft.machine("yard")
 
-    def read(
-        channel: int, name: str, text: str, unit: str, timeout: float, scale: float = 1
+
+class _Drive(Draft):
+    """A draft with names and words as users write them."""
+
+    def named_read(
+        self, channel: int, name: str, text: str, unit: str, timeout: float, scale: float = 1
     ) -> int:
-        used = draft.input(channel, int(timeout * SECOND))
-        draft.inputs[used] = replace(draft.inputs[used], name=name)
-        return draft.signal(ir.Read(draft.slot(used)), text, unit, scale)
+        used = self.input(channel, int(timeout * SECOND))
+        self.inputs[used] = replace(self.inputs[used], name=name)
+        return self.signal(ir.Read(self.slot(used)), text, unit, scale)
 
-    def compare(signal: int, how: Comparison, limit: float, name: str | None, text: str) -> int:
-        return draft.truth(ir.Compare(how, signal, draft.constant(limit)), name, text)
+    def compare(
+        self, signal: int, how: Comparison, limit: float, name: str | None, text: str
+    ) -> int:
+        return self.truth(ir.Compare(how, signal, self.constant(limit)), name, text)
 
-    def rule(
-        name: str, condition: int, actions: str, contract: str, doc: str, **how: object
+    def named_rule(
+        self,
+        name: str,
+        condition: int,
+        actions: str,
+        contract: str = "clears as soon as its condition is false",
+        documentation: str | None = None,
+        *,
+        release: int | None = None,
+        latched: bool = False,
     ) -> None:
-        index = draft.rule(condition, **how)  # type: ignore[arg-type]
-        draft.rules[index] = replace(
-            draft.rules[index], name=name, actions=tuple(actions.split()), contract=contract,
-            documentation=doc or None,
-        )  # fmt: skip
+        index = self.rule(condition, release, latched=latched)
+        self.rules[index] = replace(
+            self.rules[index],
+            name=name,
+            actions=tuple(actions.split()),
+            contract=contract,
+            documentation=documentation,
+        )
 
-    pitch = read(IMU, "orientation", "orientation.pitch()", "deg", 0.5, DEGREES)
-    jolt = read(IMU, "acceleration", "acceleration.z", "m/s^2", 0.5)
-    turn = read(IMU, "turning", "turning.z", "rad/s", 0.5)
-    speed = read(ODOMETRY, "speed", "speed", "m/s", 0.5)
-    nearest = read(SCAN, "ranges", "min(ranges)", "m", 1.0)
+
+@dataclass(frozen=True)
+class _Signals:
+    """What the rules of the drive look at, by index."""
+
+    pitch: int
+    jolt: int
+    turn: int
+    speed: int
+    nearest: int
+
+
+def _add_signals(draft: _Drive) -> _Signals:
+    return _Signals(
+        pitch=draft.named_read(IMU, "orientation", "orientation.pitch()", "deg", 0.5, DEGREES),
+        jolt=draft.named_read(IMU, "acceleration", "acceleration.z", "m/s^2", 0.5),
+        turn=draft.named_read(IMU, "turning", "turning.z", "rad/s", 0.5),
+        speed=draft.named_read(ODOMETRY, "speed", "speed", "m/s", 0.5),
+        nearest=draft.named_read(SCAN, "ranges", "min(ranges)", "m", 1.0),
+    )
+
+
+def _add_steep(draft: _Drive, pitch: int) -> int:
     low, high = draft.constant(-10 / DEGREES), draft.constant(10 / DEGREES)
     level = draft.truth(ir.Between(pitch, low, high), None, "orientation.pitch() in tilt")
     tilted = draft.truth(ir.Not(level), None, "orientation.pitch() not in tilt")
-    steep = draft.truth(
+    return draft.truth(
         ir.Held(tilted, 2 * SECOND), "imu.steep", "orientation.pitch() not in tilt for 2 s"
     )
-    moving = compare(speed, Comparison.GREATER, 0.1, "drive.moving", "speed > 0.1 m/s")
-    fast = compare(speed, Comparison.GREATER, 1.2, "drive.fast", "speed > maxSpeed")
-    bump = compare(jolt, Comparison.GREATER, 13.0, "imu.bump", "acceleration.z > 13 m/s^2")
-    spin = compare(turn, Comparison.GREATER, 0.8, "imu.spinning", "turning.z > 0.8 rad/s")
-    near = compare(nearest, Comparison.LESS, 0.6, "scan.near", "min(ranges) < 0.6 m")
-    far = compare(nearest, Comparison.GREATER, 1.5, "scan.clear", "min(ranges) > 1.5 m")
+
+
+def _add_rules(draft: _Drive, of: _Signals) -> None:
+    above, below = Comparison.GREATER, Comparison.LESS
+    steep = _add_steep(draft, of.pitch)
+    moving = draft.compare(of.speed, above, 0.1, "drive.moving", "speed > 0.1 m/s")
+    fast = draft.compare(of.speed, above, 1.2, "drive.fast", "speed > maxSpeed")
+    bump = draft.compare(of.jolt, above, 13.0, "imu.bump", "acceleration.z > 13 m/s^2")
+    spin = draft.compare(of.turn, above, 0.8, "imu.spinning", "turning.z > 0.8 rad/s")
+    near = draft.compare(of.nearest, below, 0.6, "scan.near", "min(ranges) < 0.6 m")
+    far = draft.compare(of.nearest, above, 1.5, "scan.clear", "min(ranges) > 1.5 m")
     calm = draft.truth(ir.Held(draft.truth(ir.Not(bump)), SECOND))
     both = draft.truth(ir.And((steep, moving)), None, "imu.steep and drive.moving")
     wild = draft.truth(ir.And((bump, fast)), None, "imu.bump and drive.fast")
-    as_soon = "clears as soon as its condition is false"
-    rule("slow_on_slope", both, "lowSpeed", as_soon, "Uphill or downhill for longer than a bump.")
-    rule("slow_on_bump", bump, "lowSpeed", "clears for 1 s without", "", release=calm)
-    rule("keep_distance", near, "stop", "clears when scan.clear", "", release=far)
-    rule("no_spinning", spin, "stopTurning lowSpeed", as_soon, "")
-    rule(
+    draft.named_rule(
+        "slow_on_slope",
+        both,
+        "lowSpeed",
+        documentation="Uphill or downhill for longer than a bump.",
+    )
+    draft.named_rule("slow_on_bump", bump, "lowSpeed", "clears for 1 s without", release=calm)
+    draft.named_rule("keep_distance", near, "stop", "clears when scan.clear", release=far)
+    draft.named_rule("no_spinning", spin, "stopTurning lowSpeed")
+    draft.named_rule(
         "stop_on_crash", wild, "stop", "latched until reset", "Somebody has to look.", latched=True
     )
-    speeding = compare(speed, Comparison.GREATER, 3, None, "speed > 3 m/s")
-    rule("too_fast_in_yard", speeding, "lowSpeed", as_soon, "")
-    return draft.machine("yard")
+    speeding = draft.compare(of.speed, above, 3, None, "speed > 3 m/s")
+    draft.named_rule("too_fast_in_yard", speeding, "lowSpeed")
 
 
 def drive_messages() -> Iterator[tuple[int, int, ChannelValues]]:

@@ -60,10 +60,25 @@ def limits_of(machine: ir.Machine, node: ir.TruthNode) -> Limited | None:
     return None
 
 
-def is_true_below(limits: list[Limit], leaf: int) -> bool:
-    """Whether a truth holds below all its limits; one without limits never holds."""
-    own = [limit for limit in limits if limit.leaf == leaf]
-    return bool(own) and not own[0].rises
+def true_below(limits: list[Limit]) -> set[int]:
+    """The truths that hold below all their limits, which are given from low to high; one without
+    limits never holds.
+    """
+    lowest: dict[int, Limit] = {}
+    for limit in limits:
+        lowest.setdefault(limit.leaf, limit)
+    return {leaf for leaf, limit in lowest.items() if not limit.rises}
+
+
+def twins(limits: list[Limit]) -> list[int | None]:
+    """For each limit the place of the other limit of the same truth, if it has two."""
+    places: dict[int, list[int]] = {}
+    for place, limit in enumerate(limits):
+        places.setdefault(limit.leaf, []).append(place)
+    return [
+        next((other for other in places[limit.leaf] if other != place), None)
+        for place, limit in enumerate(limits)
+    ]
 
 
 def _constant(machine: ir.Machine, signal: int) -> float | None:

@@ -43,13 +43,15 @@ class Family:
     def __init__(self, prefix: str = "") -> None:
         self._prefix = prefix
         self._given: set[str] = set()
+        self._numbers: dict[str, int] = {}
 
     def name(self, text: str) -> str:
         """A new identifier that reminds of the text."""
         word = self._prefix + identifier(text)
-        candidate, number = word, 2
+        candidate = word
         while candidate in self._given:
-            candidate, number = f"{word}_{number}", number + 1
+            self._numbers[word] = self._numbers.get(word, 1) + 1
+            candidate = f"{word}_{self._numbers[word]}"
         self._given.add(candidate)
         return candidate
 

@@ -11,7 +11,7 @@ from rossmarie import ir
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Guard, Layout
-from rossmarie.targets.c99.limits import is_true_below
+from rossmarie.targets.c99.limits import true_below, twins
 from rossmarie.targets.c99.state import has_timeouts, turns
 from rossmarie.targets.c99.text import enumeration, lists, remarked_table, table
 from rossmarie.targets.c99.types import duration, number
@@ -243,20 +243,12 @@ def _limit_rows(layout: Layout, guard: Guard, start: int) -> list[_LimitRow]:
     """The limits of a guard between two ends."""
     name = layout.values[guard.value].name.removeprefix("value_")
     rows = [_LimitRow("-INFINITY", f"below all limits of {name}")]
-    for number_, limit in enumerate(guard.limits):
+    for limit, other in zip(guard.limits, twins(guard.limits), strict=True):
         above = "TRUE" if limit.rises else "FALSE"
-        twin = _twin(guard, number_, start + 1)
+        twin = "NO_TWIN" if other is None else str(start + 1 + other)
         leaf = layout.truth_names[limit.leaf]
         rows.append(_LimitRow(number(limit.at), _remark(layout, limit.leaf), leaf, twin, above))
     return [*rows, _LimitRow("DBL_MAX", f"above all limits of {name}")]
-
-
-def _twin(guard: Guard, number_: int, start: int) -> str:
-    """The other limit of the same truth."""
-    for other, limit in enumerate(guard.limits):
-        if other != number_ and limit.leaf == guard.limits[number_].leaf:
-            return str(start + other)
-    return "NO_TWIN"
 
 
 def _blame_tables(layout: Layout) -> str:

@@ -4,7 +4,9 @@ static void look_at_age(monitor *m, unsigned k, int64_t t_ns)
     const unsigned input = age_input[k];
     const bool is_known = m->state[input] != NEVER_RECEIVED;
     const int64_t due_ns = m->stamp_ns[input] + age_limits[k];
-    const unsigned char value = !is_known ? age_unknown[k] : t_ns >= due_ns ? TRUE : FALSE;
+    unsigned char value = age_unknown[k];
+    if (is_known)
+        value = t_ns >= due_ns ? TRUE : FALSE;
     if (value == TRUE)
         m->quiet[input_channel[input]] = false;
     if (value == FALSE)
