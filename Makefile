@@ -50,6 +50,7 @@ check: $(READY) compiler browser
 	$(RUN)/pytest
 
 bench: $(READY) compiler
+	@benchmarks/peers/setup.sh
 	$(RUN)/python benchmarks/run.py --out docs/reference/performance.md
 
 fmt: $(READY)

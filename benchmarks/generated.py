@@ -19,32 +19,55 @@ from rossmarie.targets.c99 import generate
 DECLARATIONS = """
 void steps(size_t, int64_t *, double *, double *, double *, double *, uint8_t *, uint8_t *,
            uint64_t *);
+void activity(size_t, int64_t *, double *, double *, double *, double *, uint8_t *, uint8_t *,
+              uint64_t *);
 """
 
 # One call of the generated update a sample, in a file of its own, so that the compiler cannot look
-# into it; with three rules their activity is written and counted, as the hand-written loop does.
+# into it. `steps` is timed: with three rules their activity is written and counted, as the
+# hand-written loop does. `activity` counts that of any number of rules, and is not timed.
 HARNESS = """
 #include <string.h>
 #include "{name}_monitor.h"
+
+static {name}_monitor m;
+
+#define RUN(RECORD) \\
+    {name}_init(&m, NULL, NULL); \\
+    memset(counts, 0, 3 * sizeof *counts); \\
+    for (size_t i = 0; i < n; i++) {{ \\
+        {name}_update_sample(&m, t[i], {arguments}); \\
+        RECORD \\
+    }}
+
+#define COUNT_THREE \\
+    unsigned active = m.active[0]; \\
+    out[i] = (uint8_t)active; \\
+    counts[0] += active & 1; \\
+    counts[1] += active >> 1 & 1; \\
+    counts[2] += active >> 2 & 1;
+
+#define COUNT_ALL \\
+    for (int rule = 0; rule < {name}_RULES; rule++) \\
+        counts[rule % 3] += {name}_is_active(&m, rule);
+
+#define COUNT_NOTHING
+
 void steps(size_t n, const int64_t *t, const double *speed, const double *pitch,
            const double *distance, const double *force_z, const uint8_t *contact, uint8_t *out,
            uint64_t *counts)
 {{
-    static {name}_monitor m;
-    {name}_init(&m, NULL, NULL);
-    memset(counts, 0, 3 * sizeof *counts);
-    for (size_t i = 0; i < n; i++) {{
-        {name}_update_sample(&m, t[i], {arguments});
-        {record}
-    }}
+    (void)out;
+    RUN({record})
 }}
-"""
-RECORD = """
-        unsigned active = m.active[0];
-        out[i] = (uint8_t)active;
-        counts[0] += active & 1;
-        counts[1] += active >> 1 & 1;
-        counts[2] += active >> 2 & 1;
+
+void activity(size_t n, const int64_t *t, const double *speed, const double *pitch,
+              const double *distance, const double *force_z, const uint8_t *contact, uint8_t *out,
+              uint64_t *counts)
+{{
+    (void)out;
+    RUN(COUNT_ALL)
+}}
 """
 
 
@@ -68,7 +91,7 @@ def opaque_steps(compiled: Machine, folder: Path, flags: list[str], columns: Col
         HARNESS.format(
             name=compiled.name,
             arguments=", ".join(f"{field}[i]" for field in fields),
-            record=RECORD if len(compiled.rules) == 3 else "(void)out;",
+            record="COUNT_THREE" if len(compiled.rules) == 3 else "COUNT_NOTHING",
         ),
         encoding="utf-8",
     )
@@ -83,33 +106,27 @@ def opaque_steps(compiled: Machine, folder: Path, flags: list[str], columns: Col
     samples = len(columns["t_ns"])
     active = ffi.new("uint8_t[]", samples)
     counts = ffi.new("uint64_t[3]")
+    library.activity(samples, *pointers, active, counts)
+    found = list(counts)
 
     def run() -> tuple[float, list[int]]:
         start = time.process_time()
         library.steps(samples, *pointers, active, counts)
-        return time.process_time() - start, list(counts)
+        return time.process_time() - start, found
 
     return run
 
 
 def from_python_columns(compiled: Machine, columns: Columns, chunk: int) -> Round:
-    """Numpy columns handed over in chunks; the activity behind every sample comes back."""
-    names = (*REALS, "contact")
+    """Bound numpy columns, run over in chunks; the activity behind every sample comes back."""
     times = columns["t_ns"]
-    chunks = [
-        (
-            times[start : start + chunk],
-            {name: columns[name][start : start + chunk] for name in names},
-        )
-        for start in range(0, len(times), chunk)
-    ]
+    values = {name: columns[name] for name in (*REALS, "contact")}
+    starts = range(0, len(times), chunk)
 
     def run() -> tuple[float, list[int]]:
-        monitor = Monitor(compiled)
-        results = []
+        bound = Monitor(compiled).bind(times, values)
         start = time.process_time()
-        for instants, values in chunks:
-            results.append(monitor.run(instants, values))
+        results = [bound.run(first, first + chunk, active=True) for first in starts]
         took = time.process_time() - start
         active = np.concatenate([result.active for result in results])
         return took, [int(count) for count in active.sum(axis=0)]

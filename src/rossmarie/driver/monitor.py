@@ -15,7 +15,13 @@ from numpy.typing import NDArray
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Event, Kind, Machine, Verdict, explain, field_names
-from rossmarie.native import BuildError, NativeMonitor, NoCompilerError, load_native
+from rossmarie.native import (
+    BoundColumns,
+    BuildError,
+    NativeMonitor,
+    NoCompilerError,
+    load_native,
+)
 from rossmarie.targets import c99
 
 NATIVE = "native"
@@ -196,6 +202,15 @@ class Monitor:
             events += self.update(int(times_ns[index]), dict(zip(columns, row, strict=True)))
             active[index] = self._engine.active
         return InterpretedRun(events, active)
+
+    def bind(
+        self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]
+    ) -> BoundColumns:
+        """Columns as for `run`, looked at once, to be run over in chunks: `bound.run(0, 1000)`.
+
+        Raises `ValueError` if they do not fit, and for an interpreted monitor.
+        """
+        return self._native("bind").bind(times_ns, columns)
 
     # --- names -------------------------------------------------------------------------------
 

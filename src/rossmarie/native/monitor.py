@@ -34,6 +34,7 @@ from rossmarie.native.signatures import declarations, fields_of
 _NEVER = 2**63 - 1
 _NAN = float("nan")
 _BYTES = "unsigned char[]"
+_HEADERS = Path(sysconfig.get_paths()["include"])
 _MOST_FIELDS = 256  # as in fastcall.c
 
 
@@ -54,12 +55,11 @@ def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
 
 def _built(files: Mapping[str, str], *, rebuild: bool = False) -> Path:
     """With functions for Python if its headers are at hand and serve, else without."""
-    headers = Path(sysconfig.get_paths()["include"])
-    if (headers / "Python.h").is_file():
+    if (_HEADERS / "Python.h").is_file():
         glue = resources.files(__package__).joinpath("fastcall.c").read_text(encoding="utf-8")
         try:
             return build(
-                {**files, "fastcall.c": glue}, "fastcall.c", f"-I{headers}", rebuild=rebuild
+                {**files, "fastcall.c": glue}, "fastcall.c", f"-I{_HEADERS}", rebuild=rebuild
             )
         except BuildError:
             pass  # Headers without their configuration are found on some systems.

@@ -102,14 +102,14 @@ class _Cutter:
                 return False
             return self._source.begins_line(index) or before.text in (";", "}")
         is_name = before.text in ITEM_WORDS and before.text != "if"
-        return self._source.begins_line(index) or (_ends_item(before) and not is_name)
+        return self._source.begins_line(index) or (self._ends_item(index - 1) and not is_name)
 
     def _begins_unknown(self, first: int, index: int, kind: str | None) -> bool:
         """Whether a word that begins no item is meant to: `entitty imu {` on a line of its own."""
         token, before = self._tokens[index], self._tokens[index - 1]
         if token.kind != "word" or not self._source.begins_line(index):
             return False
-        if not _ends_item(before) or before.text in _NEVER_LAST:
+        if not self._ends_item(index - 1) or before.text in _NEVER_LAST:
             return False
         if kind in ("rule", "input") and {token.text, before.text} & _CONTINUATIONS:
             return False
@@ -140,12 +140,14 @@ class _Cutter:
         near = difflib.get_close_matches(token.text.lower(), ITEM_WORDS, n=1, cutoff=0.7)
         return near[0] if near else None
 
+    def _ends_item(self, index: int) -> bool:
+        token = self._tokens[index]
+        is_field = index > 0 and self._tokens[index - 1].text == "."
+        is_value = token.kind != "open_text" and ends_value(token)
+        return token.text == "}" or is_value or (is_field and token.kind == "word")
+
     def _text(self, index: int) -> str:
         return self._tokens[index].text if index < len(self._tokens) else ""
-
-
-def _ends_item(token: Token) -> bool:
-    return token.text == "}" or (token.kind != "open_text" and ends_value(token))
 
 
 def _partners(tokens: tuple[Token, ...]) -> dict[int, int]:

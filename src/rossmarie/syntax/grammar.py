@@ -58,6 +58,17 @@ class Grammar:
         """The terminals among lark's names: a literal stands for itself, others behind a `$`."""
         return frozenset(self.literals.get(name, f"${name}") for name in names if name.isupper())
 
+    def fitting(self, parser: Any) -> frozenset[str]:
+        """The symbols that a parser may be able to take in its state; asked for every token."""
+        state = parser.parser_state.position
+        if state not in self._fitting:
+            self._fitting[state] = self.symbols(parser.choices())
+        return self._fitting[state]
+
+    @cached_property
+    def _fitting(self) -> dict[int, frozenset[str]]:
+        return {}
+
 
 @cache
 def load_grammar() -> Grammar:
@@ -110,8 +121,7 @@ class Recognizer:
         parser: Any = self._grammar.lark.parse_interactive(start=start)
         index = first
         while index < last:
-            fitting = self._grammar.symbols(parser.choices())
-            symbol, token, after = self._classify(index, fitting)
+            symbol, token, after = self._classify(index, self._grammar.fitting(parser))
             if head is not None and index == first:
                 symbol = head
             if not self._feed(parser, symbol, token):

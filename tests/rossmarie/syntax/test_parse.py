@@ -298,6 +298,11 @@ def test_lines_may_be_broken_anywhere(accepted: Accepted, text: str) -> None:
     assert len(accepted(f"action x\n{text}\naction y").items) == 3
 
 
+def test_an_item_may_end_with_a_field_of_any_name(accepted: Accepted) -> None:
+    text = "input a = topic /t.in action b const c = d.for action e"
+    assert len(accepted(text).items) == 4
+
+
 def test_a_unit_may_stand_on_the_next_line(accepted: Accepted) -> None:
     (constant,) = accepted("const a = 3\n    m/s // slow\n").items
     assert isinstance(constant, ast.Constant)

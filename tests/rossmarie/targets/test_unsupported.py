@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from support.drafts import SECOND, Draft
-
 from rossmarie import ir
 from rossmarie.targets.c99 import TARGET
 from rossmarie.targets.c99.unsupported import MOST_TURNS
+from support.drafts import SECOND, Draft
 
 
 def test_an_ordinary_machine_is_supported() -> None:

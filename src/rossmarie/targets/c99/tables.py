@@ -209,7 +209,8 @@ def _guard_tables(layout: Layout) -> str:
         rows += _limit_rows(layout, guard, len(rows))
         leaves.append(leaves[-1] + len(guard.leaves))
         starts.append(len(rows))
-        below += ["TRUE" if is_true_below(guard.limits, leaf) else "FALSE" for leaf in guard.leaves]
+        holds = true_below(guard.limits)
+        below += ["TRUE" if leaf in holds else "FALSE" for leaf in guard.leaves]
     values = [layout.values[guard.value].name for guard in layout.guards]
     covered = [layout.values[value].name for value in sorted(covered_values(layout))]
     return "\n".join(

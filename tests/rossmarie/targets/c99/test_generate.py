@@ -6,12 +6,12 @@ import shutil
 from pathlib import Path
 
 import pytest
-from support.c99_cases import CASES
-from support.c_compiler import C_COMPILERS, CPP_COMPILERS, STRICT, needs_c, run, write
-from support.golden import assert_golden
 
 from rossmarie import ir
 from rossmarie.targets.c99 import generate, generate_loadable
+from support.c99_cases import CASES
+from support.c_compiler import C_COMPILERS, CPP_COMPILERS, STRICT, needs_c, run, write
+from support.golden import assert_golden
 
 GOLDEN = Path(__file__).parents[3] / "golden" / "c99"
 

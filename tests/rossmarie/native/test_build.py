@@ -1,0 +1,94 @@
+"""Compiling, and the cache of what was compiled."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from rossmarie.native import BuildError, NoCompilerError, build
+from support.c_compiler import needs_c
+
+pytestmark = needs_c
+
+FILES = {"main.c": '#include "number.h"\nint number(void) { return NUMBER; }\n', "number.h": ""}
+
+
+def files(number: int) -> dict[str, str]:
+    return {**FILES, "number.h": f"#define NUMBER {number}\n"}
+
+
+@pytest.fixture
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    return tmp_path / "cache" / "rossmarie"
+
+
+@pytest.fixture
+def counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A compiler that notes each of its calls in a file."""
+    calls = tmp_path / "calls"
+    calls.write_text("")
+    script = tmp_path / "counted-cc"
+    script.write_text(f'#!/bin/sh\necho called >> {calls}\nexec cc "$@"\n')
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    return calls
+
+
+def test_same_text_is_compiled_once(cache: Path, counted: Path) -> None:
+    first = build(files(1), "main.c")
+    assert build(files(1), "main.c") == first
+    assert first.parent == cache
+    assert counted.read_text().count("called") == 1
+
+
+def test_other_text_and_other_options_are_compiled_apart(cache: Path) -> None:
+    made = {build(files(1), "main.c"), build(files(2), "main.c"), build(files(1), "main.c", "-g")}
+    assert len(made) == 3
+
+
+def test_rebuild_replaces(cache: Path) -> None:
+    made = build(files(1), "main.c")
+    made.write_bytes(b"no library")
+    assert build(files(1), "main.c").read_bytes() == b"no library"
+    assert build(files(1), "main.c", rebuild=True).read_bytes().startswith(b"\x7fELF")
+
+
+def test_leaves_nothing_but_the_library(cache: Path) -> None:
+    made = build(files(1), "main.c")
+    assert list(cache.iterdir()) == [made]
+
+
+def test_what_the_compiler_says_is_told(cache: Path) -> None:
+    with pytest.raises(BuildError, match="expected"):
+        build({"main.c": "int number(void) { return }\n"}, "main.c")
+    assert list(cache.iterdir()) == []
+
+
+def test_no_compiler(cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(NoCompilerError, match="cc gcc clang"):
+        build(files(1), "main.c")
+
+
+def test_a_compiler_that_is_named_but_not_there(
+    cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CC", "no-such-compiler -m64")
+    with pytest.raises(NoCompilerError, match="no-such-compiler"):
+        build(files(1), "main.c")
+
+
+def test_several_processes_build_the_same_at_once(cache: Path) -> None:
+    program = f"import sys; from rossmarie.native import build;print(build({files(7)!r}, 'main.c'))"
+    running = [
+        subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)
+        for _ in range(3)
+    ]
+    paths = {process.communicate()[0].strip() for process in running}
+    assert all(process.returncode == 0 for process in running)
+    assert [str(made) for made in cache.iterdir()] == list(paths)

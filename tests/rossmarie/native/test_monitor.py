@@ -1,0 +1,309 @@
+"""The native monitor: same events as the interpreter, whichever way messages are given."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rossmarie import ir
+from rossmarie.interpreter import Interpreter
+from rossmarie.ir import ChannelValues, Event
+from rossmarie.native import ColumnError, NativeMonitor, PackedMessages, load_native
+from rossmarie.native import monitor as native_monitor
+from rossmarie.targets.c99 import generate_loadable
+from support.c99_cases import CASES
+from support.c_compiler import needs_c
+from support.drafts import SECOND
+from support.machines import exactly
+
+pytestmark = needs_c
+
+TICK = SECOND // 10
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> object:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
+def load(case: str) -> NativeMonitor:
+    machine = CASES[case]()
+    return load_native(machine, generate_loadable(machine))
+
+
+def bits(events: list[Event]) -> list[object]:
+    return [exactly(event) for event in events]
+
+
+# Speeds and whether the robot is docked, at 10 Hz: fast for 3 s, then creeping, then fast again.
+SPEEDS = np.array([0.0] + [0.6] * 30 + [0.15] * 5 + [0.6] * 25 + [np.nan] * 3)
+DOCKED = np.array([True] * 3 + [False] * 50 + [True] * 11)
+TIMES = np.arange(len(SPEEDS), dtype=np.int64) * TICK
+
+
+def expected() -> list[Event]:
+    interpreter = Interpreter(CASES["thresholds"]())
+    events: list[Event] = []
+    for at_ns, speed, docked in zip(TIMES, SPEEDS, DOCKED, strict=True):
+        values = ChannelValues({0: float(speed), 1: float(docked)})
+        events += interpreter.update(int(at_ns), {0: values})
+    assert len(events) >= 3, "the trace tells something"
+    return events
+
+
+# --- one message at a time -------------------------------------------------------------------
+
+
+def fast_function() -> tuple[NativeMonitor, Callable[..., int]]:
+    monitor = load("thresholds")
+    return monitor, monitor.update_call(0)
+
+
+def fallback_function() -> tuple[NativeMonitor, Callable[..., int]]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(native_monitor, "_HEADERS", Path("/nowhere"))
+        return fast_function()
+
+
+@pytest.mark.parametrize("make", [fast_function, fallback_function])
+def test_fast_calls_say_how_many_events_wait(
+    make: Callable[[], tuple[NativeMonitor, Callable[..., int]]],
+) -> None:
+    monitor, update = make()
+    waiting = 0
+    for at_ns, speed, docked in zip(TIMES, SPEEDS, DOCKED, strict=True):
+        waiting += update(int(at_ns), speed, bool(docked))
+    events = monitor.take_events()
+    assert len(events) == waiting
+    assert bits(events) == bits(expected())
+    assert monitor.take_events() == []
+
+
+@pytest.mark.parametrize("make", [fast_function, fallback_function])
+def test_fast_calls_refuse_nonsense(
+    make: Callable[[], tuple[NativeMonitor, Callable[..., int]]],
+) -> None:
+    monitor, update = make()
+    with pytest.raises(TypeError):
+        update(0, 1.0)
+    with pytest.raises(TypeError):
+        update(0, "fast", True)
+    with pytest.raises(OverflowError):
+        update(2**70, 1.0, True)
+    assert update(ir.LATEST_NS, 1.0, True) == -1
+    assert monitor.next_wake() is None
+
+
+def test_a_fast_function_keeps_its_monitor_alive() -> None:
+    update = load("thresholds").update_call(0)
+    gc.collect()
+    assert [update(i * TICK, 0.15, False) for i in range(3)] == [1, 0, 0]
+
+
+def test_a_channel_with_arrays_has_no_fast_call() -> None:
+    with pytest.raises(ValueError, match="arrays"):
+        load("arrays").update_call(0)
+
+
+def test_events_of_fast_calls_and_of_updates_are_kept_apart() -> None:
+    monitor = load("thresholds")
+    assert monitor.update_call(0)(0, 0.15, False) == 1
+    assert monitor.update(TICK, {0: ChannelValues({0: 0.7, 1: 0.0})}) == []
+    assert [event.at_ns for event in monitor.reset(2 * TICK) if isinstance(event, ir.Verdict)] == [
+        2 * TICK
+    ]
+    assert len(monitor.take_events()) == 1
+
+
+def test_instants_out_of_range_are_refused() -> None:
+    monitor = load("thresholds")
+    for at_ns in (ir.LATEST_NS, ir.EARLIEST_NS, 2**80):
+        with pytest.raises(ValueError, match="out of range"):
+            monitor.update(at_ns, {0: ChannelValues({0: 1.0})})
+        with pytest.raises(ValueError, match="out of range"):
+            monitor.advance(at_ns)
+    assert monitor.next_wake() is None
+
+
+def test_arrays_of_any_length() -> None:
+    machine = CASES["arrays"]()
+    native, interpreter = load("arrays"), Interpreter(machine)
+    for step, ranges in enumerate([[], [1.0], [0.1, 2.0], [0.9] * 5000, [float("nan")], [0.9]]):
+        message = {0: ChannelValues({}, {0: ranges})}
+        at_ns = step * TICK
+        assert bits(native.update(at_ns, message)) == bits(interpreter.update(at_ns, message))
+        assert native.active == interpreter.active
+
+
+def test_two_monitors_do_not_share_anything() -> None:
+    one, other = load("thresholds"), load("thresholds")
+    one.update(0, {0: ChannelValues({0: 0.15, 1: 0.0})})
+    assert one.active == (False, True)
+    assert other.active == (False, False)
+
+
+# --- whole columns ---------------------------------------------------------------------------
+
+
+def columns() -> dict[str, np.ndarray]:
+    return {"input_0": SPEEDS, "input_1": DOCKED}
+
+
+def test_run_is_as_one_update_a_row() -> None:
+    result = load("thresholds").run(TIMES, columns(), active=True)
+    assert bits(result.events) == bits(expected())
+    interpreter = Interpreter(CASES["thresholds"]())
+    for row, (speed, docked) in enumerate(zip(SPEEDS, DOCKED, strict=True)):
+        values = ChannelValues({0: float(speed), 1: float(docked)})
+        interpreter.update(int(TIMES[row]), {0: values})
+        assert tuple(result.active[row]) == interpreter.active
+
+
+def test_chunks_are_as_a_whole() -> None:
+    bound = load("thresholds").bind(TIMES, columns())
+    chunks = [bound.run(start, min(start + 7, len(TIMES))) for start in range(0, len(TIMES), 7)]
+    assert bits([event for chunk in chunks for event in chunk.events]) == bits(expected())
+
+
+def test_any_number_type_and_layout_of_columns() -> None:
+    table = np.stack([SPEEDS, DOCKED.astype(float)], axis=1)
+    given = {"input_0.slot_0": table[:, 0].astype(np.float32).astype(float), "slot": table[:, 1]}
+    given["input_1"] = given.pop("slot")
+    whole = load("thresholds").run(TIMES, given)
+    assert (
+        [exactly(event)[:3] for event in whole.events]
+        == [  # type: ignore[index]
+            exactly(event)[:3]  # type: ignore[index]
+            for event in expected()
+        ]
+    )
+
+
+def test_several_channels_are_updated_together() -> None:
+    machine = CASES["timeouts"]()
+    times = np.array([0, SECOND, 2 * SECOND, 2 * SECOND, SECOND], np.int64)
+    speeds, batteries = np.array([2.0, 0.0, 0.0, 0.0, 0.0]), np.array([12.0, 11, 12, 12, 10])
+    interpreter, wanted = Interpreter(machine), []
+    for row, at_ns in enumerate(times):
+        messages = {0: ChannelValues({0: speeds[row]}), 1: ChannelValues({1: batteries[row]})}
+        wanted += interpreter.update(int(at_ns), messages)
+    found = load("timeouts").run(times, {"input_0": speeds, "input_1": batteries}).events
+    assert bits(found) == bits(wanted)
+
+
+def test_active_is_known_only_if_asked_for() -> None:
+    result = load("thresholds").run(TIMES, columns())
+    with pytest.raises(ValueError, match="active=True"):
+        _ = result.active
+
+
+@pytest.mark.parametrize(
+    ("given", "complaint"),
+    [
+        ({"input_0": SPEEDS}, "no columns for input_1"),
+        ({"input_0": SPEEDS, "input_1": DOCKED, "speed": SPEEDS}, "nothing reads"),
+        ({"input_0": SPEEDS[1:], "input_1": DOCKED}, "shape"),
+        ({"input_0": SPEEDS, "input_0.slot_0": SPEEDS, "input_1": DOCKED}, "2 columns"),
+    ],
+)
+def test_columns_that_do_not_fit(given: dict[str, np.ndarray], complaint: str) -> None:
+    with pytest.raises(ColumnError, match=complaint):
+        load("thresholds").run(TIMES, given)
+
+
+def test_instants_are_integers() -> None:
+    with pytest.raises(ColumnError, match="int64"):
+        load("thresholds").run(TIMES.astype(float), columns())
+
+
+def test_arrays_do_not_come_in_columns() -> None:
+    with pytest.raises(ColumnError, match="arrays"):
+        load("arrays").run(TIMES, {})
+
+
+def test_a_run_stops_at_an_instant_out_of_range() -> None:
+    times = TIMES.copy()
+    times[5] = ir.LATEST_NS
+    monitor = load("thresholds")
+    with pytest.raises(ValueError, match="row 5"):
+        monitor.run(times, columns())
+    assert monitor.run(TIMES[5:], {k: v[5:] for k, v in columns().items()}).events
+
+
+def test_rows_that_are_not_there() -> None:
+    bound = load("thresholds").bind(TIMES, columns())
+    with pytest.raises(IndexError):
+        bound.run(0, len(TIMES) + 1)
+
+
+# --- packed messages -------------------------------------------------------------------------
+
+
+def packed(
+    times: list[int], channels: list[int], slots: list[float], *arrays: list[float]
+) -> PackedMessages:
+    return PackedMessages(
+        np.array(times, np.int64),
+        np.array(channels, np.int32),
+        np.array(slots, np.float64),
+        np.array([len(array) for array in arrays], np.uint64),
+        np.array([x for array in arrays for x in array], np.float64),
+    )
+
+
+def test_messages_of_all_channels_in_order() -> None:
+    machine = CASES["timeouts"]()
+    times = [0, TICK, TICK, 5 * SECOND, 4 * SECOND]
+    arrivals = [(0, 2.0), (1, 12.0), (0, 0.0), (1, 10.0), (0, 1.5)]
+    interpreter, wanted = Interpreter(machine), []
+    for at_ns, (channel, value) in zip(times, arrivals, strict=True):
+        wanted += interpreter.update(at_ns, {channel: ChannelValues({channel: value})})
+    messages = packed(times, [channel for channel, _ in arrivals], [value for _, value in arrivals])
+    assert bits(load("timeouts").run_events(messages).events) == bits(wanted)
+
+
+def test_packed_arrays() -> None:
+    machine = CASES["arrays"]()
+    scans = [[0.1, 5.0], [], [0.9] * 4, [0.2]]
+    interpreter, wanted = Interpreter(machine), []
+    for step, scan in enumerate(scans):
+        wanted += interpreter.update(step * TICK, {0: ChannelValues({}, {0: scan})})
+    times = [step * TICK for step in range(len(scans))]
+    messages = packed(times, [0] * len(scans), [], *scans)
+    assert bits(load("arrays").run_events(messages).events) == bits(wanted)
+
+
+@pytest.mark.parametrize(
+    "messages",
+    [
+        packed([0, 1], [0], [1.0]),
+        packed([0], [2], [1.0]),
+        packed([0], [-1], [1.0]),
+        packed([0, 1], [0, 1], [1.0]),
+        packed([0], [0], [1.0, 2.0]),
+        packed([0], [0], [1.0], [1.0]),
+    ],
+)
+def test_packed_messages_that_do_not_fit(messages: PackedMessages) -> None:
+    with pytest.raises(ColumnError):
+        load("timeouts").run_events(messages)
+
+
+# --- the cache -------------------------------------------------------------------------------
+
+
+def test_a_corrupt_library_is_built_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    load("thresholds")
+    (made,) = (tmp_path / "rossmarie").iterdir()
+    # Another file takes its place: the loaded library must not change under its users.
+    made.unlink()
+    made.write_bytes(b"\x7fELF and then nothing")
+    monitor = load("thresholds")
+    assert monitor.run(TIMES, columns()).events

@@ -1,0 +1,192 @@
+"""A program that runs a trace through the generated C and prints all that can be seen of it.
+
+It knows the public interface only: the struct of values, `step`, `advance`, `reset`, `next_wake`,
+`is_active` and the callback.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Sequence
+
+from rossmarie import ir
+from rossmarie.targets.c99 import types
+from rossmarie.targets.c99.layout import lay_out
+from support.machines import Advance, Observation, Reset, Step, Update
+
+_PROGRAM = """\
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "NAME_monitor.c"
+
+static void print(void *user, const NAME_event *e)
+{
+    (void)user;
+    if (e->change == NAME_TIME_JUMP) {
+        printf("jump %" PRId64 " %" PRId64 "\\n", e->from_ns, e->at_ns);
+        return;
+    }
+    printf("verdict %d %" PRId64 " %d", e->rule, e->at_ns, e->change);
+    for (int i = 0; i < NAME_rules[e->rule].term_count; i++)
+        printf(" %d %" PRId64, e->truths[i], e->since_ns[i]);
+    for (int i = 0; i < NAME_rules[e->rule].value_count; i++) {
+        uint64_t bits;
+        memcpy(&bits, &e->values[i], sizeof bits);
+        printf(" %" PRIx64, isnan(e->values[i]) ? UINT64_C(0) - 1 : bits);
+    }
+    for (int i = 0; i < NAME_rules[e->rule].input_count; i++)
+        printf(" %d", e->inputs[i]);
+    printf("\\n");
+}
+
+static void read_into(void *to, size_t size)
+{
+    if (fread(to, size, 1, stdin) != 1)
+        exit(3);
+}
+
+static int64_t read_integer(void)
+{
+    int64_t x;
+    read_into(&x, sizeof x);
+    return x;
+}
+
+static double read_double(void)
+{
+    double x;
+    read_into(&x, sizeof x);
+    return x;
+}
+
+/* Exactly as long as the array, so that a read beyond its end is found. */
+static const double *read_array(size_t *count)
+{
+    double *x;
+    *count = (size_t)read_integer();
+    x = (double *)malloc(*count ? *count * sizeof *x : 1);
+    for (size_t i = 0; i < *count; i++)
+        x[i] = read_double();
+    return x;
+}
+
+int main(void)
+{
+    NAME_monitor *m = (NAME_monitor *)malloc(sizeof *m);
+    (void)read_array; /* not every machine has arrays */
+    NAME_init(m, print, NULL);
+    for (int64_t left = read_integer(); left > 0; left--) {
+        const int64_t kind = read_integer(), t_ns = read_integer();
+        if (kind == 1) {
+            NAME_advance(m, t_ns);
+        } else if (kind == 2) {
+            NAME_reset(m, t_ns, (int)read_integer());
+        } else {
+            NAME_values v;
+            memset(&v, 0, sizeof v);
+READ
+            NAME_step(m, t_ns, &v);
+FREE
+        }
+        printf("step %" PRId64, NAME_next_wake(m));
+        for (int i = 0; i < NAME_RULES; i++)
+            printf(" %d", NAME_is_active(m, i));
+        printf("\\n");
+    }
+    free(m);
+    return 0;
+}
+"""
+
+
+def program(machine: ir.Machine) -> str:
+    """The text of the program for a machine."""
+    layout = lay_out(machine)
+    read, release = [], []
+    for channel, name in enumerate(layout.channel_names):
+        read.append(f"            v.has_{name} = read_integer() != 0;")
+        read.append(f"            if (v.has_{name}) {{")
+        for field in types.fields_of(machine, channel):
+            member = f"v.{name}.{field.name}"
+            if field.slot is not None:
+                read.append(f"                {member} = read_double();")
+            else:
+                read.append(f"                {member} = read_array(&{member}_count);")
+                release.append(f"            free((void *)(uintptr_t){member});")
+        read.append("            }")
+    text = _PROGRAM.replace("READ", "\n".join(read)).replace("FREE", "\n".join(release))
+    return text.replace("NAME", layout.name)
+
+
+# --- in --------------------------------------------------------------------------------------
+
+
+def trace_bytes(machine: ir.Machine, trace: Sequence[Step]) -> bytes:
+    """What the program reads."""
+    parts = [struct.pack("=q", len(trace))]
+    for step in trace:
+        match step:
+            case Update(at_ns, messages):
+                parts.append(struct.pack("=2q", 0, at_ns))
+                for channel in range(len(machine.channels)):
+                    values = messages.get(channel)
+                    parts.append(struct.pack("=q", values is not None))
+                    if values is not None:
+                        parts.append(_message(machine, channel, values))
+            case Advance(at_ns):
+                parts.append(struct.pack("=2q", 1, at_ns))
+            case Reset(at_ns, rule):
+                parts.append(struct.pack("=3q", 2, at_ns, -1 if rule is None else rule))
+    return b"".join(parts)
+
+
+def _message(machine: ir.Machine, channel: int, values: ir.ChannelValues) -> bytes:
+    parts = []
+    for field in types.fields_of(machine, channel):
+        if field.slot is not None:
+            parts.append(struct.pack("=d", values.slots[field.slot]))
+        elif field.array is not None:
+            elements = values.arrays[field.array]
+            parts.append(struct.pack(f"=q{len(elements)}d", len(elements), *elements))
+    return b"".join(parts)
+
+
+# --- out -------------------------------------------------------------------------------------
+
+
+def observations(machine: ir.Machine, output: bytes, steps: int) -> list[Observation]:
+    """What the program printed, as `observe` has it."""
+    found: list[Observation] = []
+    events: list[object] = []
+    for line in output.decode().splitlines():
+        kind, *words = line.split()
+        if kind == "jump":
+            events.append(ir.TimeJump(int(words[0]), int(words[1])))
+        elif kind == "verdict":
+            events.append(_verdict(machine, words))
+        else:
+            wake = None if int(words[0]) == 2**63 - 1 else int(words[0])
+            active = tuple(word == "1" for word in words[1:])
+            found.append(Observation(tuple(events), wake, active))
+            events = []
+    assert len(found) == steps, "the program stopped early"
+    return found
+
+
+def _verdict(machine: ir.Machine, words: list[str]) -> object:
+    index, at_ns, change = int(words[0]), int(words[1]), int(words[2])
+    rule = machine.rules[index]
+    values_at = 3 + 2 * len(rule.terms)
+    inputs_at = values_at + len(rule.signals)
+    truths = tuple(ir.TruthValue(int(word)) for word in words[3:values_at:2])
+    since_ns = tuple(int(word) for word in words[4:values_at:2])
+    values = tuple(_bits(word) for word in words[values_at:inputs_at])
+    inputs = tuple(ir.InputState(int(word)) for word in words[inputs_at:])
+    return (index, at_ns, ir.Change(change), truths, since_ns, values, inputs)
+
+
+def _bits(word: str) -> str:
+    bits = int(word, 16)
+    return "nan" if bits == 2**64 - 1 else struct.pack("<Q", bits).hex()
