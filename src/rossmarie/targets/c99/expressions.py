@@ -59,6 +59,10 @@ class Expressions:
         """A value where the monitor keeps it."""
         return f"m->value[{self._layout.values[value].name}]"
 
+    def target(self, value: int) -> str:
+        """A value where it is assigned."""
+        return self.kept(value)
+
     def arrival(self, slot: int, raw: str, *, is_raw: bool) -> str:
         """A scalar of a message, converted to SI, and unknown if not finite unless `is_raw`."""
         declared = self._machine.slots[slot]
@@ -66,7 +70,7 @@ class Expressions:
         if not is_raw:
             text = f"known({text})"
         self.parts.add("known")
-        return f"{self.kept(self._layout.value_of_slot[slot])} = {text};"
+        return f"{self.target(self._layout.value_of_slot[slot])} = {text};"
 
     def signals(self) -> Iterator[Piece]:
         """The computed signals, but those over arrays, and what remembers their samples."""
@@ -81,7 +85,7 @@ class Expressions:
                 if signal.node.signal not in remembered:
                     remembered.add(signal.node.signal)
                     yield Piece(channels, (self._sample(signal.node.signal),))
-            target = self.kept(self._layout.value_of_signal[index])
+            target = self.target(self._layout.value_of_signal[index])
             yield Piece(channels, (f"{target} = {self._signal(signal.node)};",))
 
     def tests(self) -> Iterator[Piece]:
@@ -92,7 +96,7 @@ class Expressions:
                 self.parts.add("test")
                 outcome = f"outcome({', '.join(self.comparison(node, self.operand))})"
                 channels = self._layout.supports.truths[truth].channels
-                yield Piece(channels, (f"{self.kept(value)} = {outcome};",))
+                yield Piece(channels, (f"{self.target(value)} = {outcome};",))
 
     # --- signals -----------------------------------------------------------------------------
 
@@ -177,6 +181,19 @@ class Expressions:
         nodes = self._machine.signals
         variable = [s for s in signals if not isinstance(nodes[s].node, ir.Constant)]
         return " || ".join(f"isnan({write(signal)})" for signal in variable) or "false"
+
+
+class LocalExpressions(Expressions):
+    """The same with local variables, for looking ahead without touching the monitor."""
+
+    def kept(self, value: int) -> str:
+        """A local variable; what no message changes stays where it is."""
+        declared = self._layout.values[value]
+        return declared.name if declared.support.channels else super().kept(value)
+
+    def target(self, value: int) -> str:
+        """The declaration of the variable."""
+        return f"const double {self._layout.values[value].name}"
 
 
 def converted(raw: str, scale: float, offset: float) -> str:
