@@ -36,7 +36,7 @@ static {name}_monitor m;
     {name}_init(&m, NULL, NULL); \\
     memset(counts, 0, 3 * sizeof *counts); \\
     for (size_t i = 0; i < n; i++) {{ \\
-        {name}_update_sample(&m, t[i], {arguments}); \\
+        {name}_update_reading(&m, t[i], {arguments}); \\
         RECORD \\
     }}
 
@@ -141,8 +141,8 @@ def from_python_steps(compiled: Machine, columns: Columns, samples: int) -> Roun
 
     def run() -> tuple[float, list[int]]:
         monitor = Monitor(compiled)
-        step = monitor.update_call("/sample")
-        order = [("t_ns", *REALS, "contact").index(name) for name in monitor.fields("/sample")]
+        step = monitor.update_call("/reading")
+        order = [("t_ns", *REALS, "contact").index(name) for name in monitor.fields("/reading")]
         ordered = [(row[0], *(row[index] for index in order)) for row in rows]
         start = time.process_time()
         for row in ordered:

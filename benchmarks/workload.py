@@ -95,7 +95,7 @@ def rossmarie_rules(copies: int) -> str:
 
 def _rossmarie_lines(copies: int) -> Iterator[str]:
     for name in (*REALS, "contact"):
-        yield f"input {name} = topic /sample : bench_msgs/Sample .{name};"
+        yield f"input {name} = topic /reading : bench_msgs/Sample .{name};"
     yield "action react;"
     for copy, c in enumerate(constants(copies)):
         yield f"entity e{copy} {{"

@@ -62,7 +62,7 @@ def test_same_under_sanitizers(case: tuple[ir.Machine, list[Step]]) -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         write({**generate(machine), "replay.c": program(machine)}, folder)
-        command = ["cc", "-std=c99", "-O1", *STRICT, *SANITIZERS, folder / "replay.c"]
+        command = ["cc", "-std=c99", "-O1", *STRICT, *SANITIZERS, str(folder / "replay.c")]
         run([*command, "-o", folder / "replay", "-lm"])
         output = run([folder / "replay"], given=trace_bytes(machine, trace)).stdout
     assert observations(machine, output, len(trace)) == observe(Interpreter(machine), trace)

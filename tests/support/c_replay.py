@@ -1,7 +1,7 @@
 """A program that runs a trace through the generated C and prints all that can be seen of it.
 
-It knows the public interface only: the struct of values, `step`, `advance`, `reset`, `next_wake`,
-`is_active` and the callback.
+It knows the public interface only: a function for each channel, `step` for several at once,
+`advance`, `reset`, `next_wake`, `is_active` and the callback.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ int main(void)
             NAME_values v;
             memset(&v, 0, sizeof v);
 READ
-            NAME_step(m, t_ns, &v);
+TAKE
 FREE
         }
         printf("step %" PRId64, NAME_next_wake(m));
@@ -104,7 +104,7 @@ FREE
 def program(machine: ir.Machine) -> str:
     """The text of the program for a machine."""
     layout = lay_out(machine)
-    read, release = [], []
+    read, release, take = [], [], []
     for channel, name in enumerate(layout.channel_names):
         read.append(f"            v.has_{name} = read_integer() != 0;")
         read.append(f"            if (v.has_{name}) {{")
@@ -116,8 +116,25 @@ def program(machine: ir.Machine) -> str:
                 read.append(f"                {member} = read_array(&{member}_count);")
                 release.append(f"            free((void *)(uintptr_t){member});")
         read.append("            }")
+        others = [f"v.has_{other}" for other in layout.channel_names if other != name]
+        alone = " && ".join([f"v.has_{name}", *(f"!{other}" for other in others)])
+        arguments = ["m", "t_ns", *_arguments(machine, channel, f"v.{name}.")]
+        call = f"{layout.name}_update_{name}({', '.join(arguments)});"
+        take += [f"            if ({alone})", f"                {call}", "            else"]
+    take.append("                NAME_step(m, t_ns, &v);")
     text = _PROGRAM.replace("READ", "\n".join(read)).replace("FREE", "\n".join(release))
+    text = text.replace("TAKE", "\n".join(take))
     return text.replace("NAME", layout.name)
+
+
+def _arguments(machine: ir.Machine, channel: int, prefix: str) -> list[str]:
+    """The fields of a message as the public function of its channel takes them."""
+    casts = {ir.Kind.REAL: "", ir.Kind.FLAG: "(bool)", ir.Kind.TEXT: "(int32_t)"}
+    arguments = []
+    for field in types.fields_of(machine, channel):
+        cast = "" if field.slot is None else casts[machine.slots[field.slot].kind]
+        arguments += [f"{cast}{name}" for name in types.arguments(field, prefix)]
+    return arguments
 
 
 # --- in --------------------------------------------------------------------------------------

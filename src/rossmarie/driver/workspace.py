@@ -95,7 +95,7 @@ def read_source(path: Path, collector: Collector) -> SourceFile | None:
     nothing = SourceFile(str(path), "")
     try:
         with path.open("rb") as stream:
-            content = stream.read(MAXIMUM_FILE_SIZE + 4)
+            content = stream.read(MAXIMUM_FILE_SIZE + 8)
     except OSError as error:
         reason = error.strerror or "it cannot be opened"
         finding = FileUnreadable(path=str(path), reason=reason.lower())

@@ -1,7 +1,7 @@
-/* A Python function for one channel of a monitor: (at_ns, *numbers) -> number of new events.
+/* Python functions for a monitor: one message on a channel, and some rows of columns.
  *
- * Compiled together with host.c where the headers of Python are at hand; it is several times as fast
- * as a call through a foreign function interface.
+ * Compiled together with host.c where the headers of Python are at hand; they are several times as
+ * fast as calls through a foreign function interface.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
@@ -64,6 +64,85 @@ PyObject *host_python_function(void *machine, int channel, int fields, PyObject 
     }
     Py_INCREF(owner);
     function = PyCFunction_NewEx(&definition, capsule, NULL);
+    Py_DECREF(capsule);
+    return function;
+}
+
+/* --- rows of columns ----------------------------------------------------------------------- */
+
+typedef struct table {
+    host *machine;
+    PyObject *owner; /* keeps the machine and the columns alive */
+    const int64_t *times;
+    const void *const *columns;
+} table;
+
+/* The events behind the first `before`, which stay in the log, as bytes. */
+static PyObject *new_events(host *h, size_t before)
+{
+    const size_t size = host_event_size();
+    const char *log = (const char *)h->events;
+    PyObject *found = PyBytes_FromStringAndSize(
+        h->count == before ? NULL : log + before * size, (Py_ssize_t)((h->count - before) * size));
+    h->count = before;
+    return found;
+}
+
+/* (start, stop, room for active bits or None) -> the bytes of the events of these rows. */
+static PyObject *fastrows(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
+{
+    const table *of = (const table *)PyCapsule_GetPointer(self, NULL);
+    const size_t before = of->machine->count;
+    Py_buffer room = {0};
+    size_t start, stop, done;
+    if (count != 3)
+        return PyErr_Format(PyExc_TypeError, "wanted start, stop and room for active bits");
+    start = PyLong_AsSize_t(arguments[0]);
+    stop = PyLong_AsSize_t(arguments[1]);
+    if (PyErr_Occurred())
+        return NULL;
+    if (arguments[2] != Py_None && PyObject_GetBuffer(arguments[2], &room, PyBUF_WRITABLE) != 0)
+        return NULL;
+    done = host_run(of->machine, start, stop, of->times, of->columns, (unsigned char *)room.buf);
+    if (room.obj)
+        PyBuffer_Release(&room);
+    if (host_failed(of->machine))
+        return PyErr_NoMemory();
+    if (done != stop) {
+        return PyErr_Format(PyExc_ValueError, "the instant of row %zu is out of range", done);
+    }
+    return new_events(of->machine, before);
+}
+
+static PyMethodDef rows_definition = {
+    "rows", (PyCFunction)(void (*)(void))fastrows, METH_FASTCALL,
+    "Some rows: (start, stop, room for active bits or None) -> the bytes of their events."};
+
+static void forget_table(PyObject *capsule)
+{
+    table *of = (table *)PyCapsule_GetPointer(capsule, NULL);
+    Py_DECREF(of->owner);
+    PyMem_Free(of);
+}
+
+/* The function for columns; NULL with an exception if there is no memory. */
+PyObject *host_python_rows(void *machine, void *times, void *columns, PyObject *owner)
+{
+    PyObject *capsule, *function;
+    table *of = (table *)PyMem_Malloc(sizeof *of);
+    if (!of)
+        return PyErr_NoMemory();
+    of->machine = (host *)machine;
+    of->owner = owner;
+    of->times = (const int64_t *)times;
+    of->columns = (const void *const *)columns;
+    capsule = PyCapsule_New(of, NULL, forget_table);
+    if (!capsule) {
+        PyMem_Free(of);
+        return NULL;
+    }
+    Py_INCREF(owner);
+    function = PyCFunction_NewEx(&rows_definition, capsule, NULL);
     Py_DECREF(capsule);
     return function;
 }

@@ -55,16 +55,40 @@ class Library:
         """A copy of some memory."""
         return bytes(self._ffi.buffer(pointer, size)) if size else b""
 
-    def python_function(
+    def update_function(
         self, host: Pointer, channel: int, fields: int, owner: object
     ) -> Callable[..., int] | None:
-        """The function of `fastcall.c` for a channel; None if the library was built without."""
+        """The function of `fastcall.c` for a channel; None if the library was built without.
+
+        It keeps `owner` alive, on which the host rests.
+        """
+        kinds = [ctypes.c_void_p, ctypes.c_int, ctypes.c_int, ctypes.py_object]
+        return self._python_function(
+            "host_python_function", kinds, self._address(host), channel, fields, owner
+        )
+
+    def rows_function(
+        self, host: Pointer, times: Pointer, columns: Pointer, owner: object
+    ) -> Callable[..., bytes] | None:
+        """The function of `fastcall.c` for columns; None if the library was built without.
+
+        It keeps `owner` alive, on which host, times and columns rest.
+        """
+        kinds = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.py_object]
+        addresses = map(self._address, (host, times, columns))
+        return self._python_function("host_python_rows", kinds, *addresses, owner)
+
+    def _python_function(
+        self, name: str, kinds: list[Any], *arguments: object
+    ) -> Callable[..., Any] | None:
         try:
-            make = ctypes.PyDLL(str(self._path)).host_python_function
+            make = getattr(ctypes.PyDLL(str(self._path)), name)
         except AttributeError:
             return None
-        make.argtypes = [ctypes.c_void_p, ctypes.c_int, ctypes.c_int, ctypes.py_object]
+        make.argtypes = kinds
         make.restype = ctypes.py_object
-        address = int(self._ffi.cast("intptr_t", host))
-        function: Callable[..., int] = make(address, channel, fields, owner)
+        function: Callable[..., Any] = make(*arguments)
         return function
+
+    def _address(self, pointer: Pointer) -> int:
+        return int(self._ffi.cast("intptr_t", pointer))

@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from importlib import resources
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +36,10 @@ _NEVER = 2**63 - 1
 _NAN = float("nan")
 _BYTES = "unsigned char[]"
 _HEADERS = Path(sysconfig.get_paths()["include"])
+
+RowsCall: TypeAlias = Callable[[int, int, "NDArray[np.uint8] | None"], bytes]
+"""Start, stop and room for the active bits, or None; gives the bytes of the events."""
+
 _MOST_FIELDS = 256  # as in fastcall.c
 
 
@@ -89,7 +94,7 @@ class NativeMonitor:
         self._host = library.owned(made, library.function("host_free"))
         self._run = library.function("host_run")
         self._event_count = library.function("host_event_count")
-        self._active_bytes = (max(1, len(machine.rules)) + 7) // 8
+        self.active_bytes = (max(1, len(machine.rules)) + 7) // 8
         self._waiting = b""
 
     # --- as the interpreter ------------------------------------------------------------------
@@ -97,7 +102,7 @@ class NativeMonitor:
     @property
     def active(self) -> tuple[bool, ...]:
         """Which rules are active, by index."""
-        bits = self.library.bytes_at(self._call("host_active"), self._active_bytes)
+        bits = self.library.bytes_at(self._call("host_active"), self.active_bytes)
         rules = range(len(self._machine.rules))
         return tuple(bool(bits[rule // 8] >> rule % 8 & 1) for rule in rules)
 
@@ -108,6 +113,22 @@ class NativeMonitor:
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
         """The messages that arrive at one instant, by channel index."""
+        if len(messages) == 1:
+            (channel,) = messages
+            arguments = self._fields_of(channel, messages[channel])
+            return self._events_of(at_ns, f"host_update_{channel}", *arguments)
+        return self._update_together(at_ns, messages)
+
+    def _fields_of(self, channel: int, values: ChannelValues) -> list[Pointer]:
+        """The fields of one message as arguments."""
+        carried = self._fields[channel]
+        arguments: list[Pointer] = [values.slots.get(slot, _NAN) for slot in carried.slots]
+        for array in carried.arrays:
+            elements = values.arrays.get(array, ())
+            arguments += [self.library.new("double[]", list(elements)), len(elements)]
+        return arguments
+
+    def _update_together(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
         present = bytearray(max(1, len(self._fields)))
         slots = [_NAN] * max(1, len(self._machine.slots))
         arrays = [self.library.null] * max(1, len(self._machine.arrays))
@@ -150,7 +171,7 @@ class NativeMonitor:
             raise ValueError("a channel with arrays has no fast call")
         if len(carried.slots) <= _MOST_FIELDS:
             slots = len(carried.slots)
-            if made := self.library.python_function(self._host, channel, slots, self):
+            if made := self.library.update_function(self._host, channel, slots, self):
                 return made
         return partial(self.library.function(f"host_update_{channel}"), self._host)
 
@@ -189,15 +210,25 @@ class NativeMonitor:
         ]
         return BoundColumns(self, instants, kept)
 
-    def run_rows(self, bound: BoundColumns, start: int, stop: int, *, active: bool) -> RunResult:
-        """Take in rows of bound columns."""
-        packed = np.empty((stop - start, self._active_bytes), np.uint8) if active else None
-        bits = self.library.null if packed is None else self.library.pointer(_BYTES, packed)
-        self._waiting += self._drain()
-        done = self._run(self._host, start, stop, bound.instants, bound.pointers, bits)
-        if done != stop:
-            raise ValueError(f"the instant of row {done} is out of range")
-        return RunResult(self._machine, self._reader, self._drain(), packed)
+    def rows_call(self, times: Pointer, columns: Pointer, kept: object) -> RowsCall:
+        """A function that takes in rows of columns; `kept` is what their memory rests on."""
+        made = self.library.rows_function(self._host, times, columns, (self, kept))
+        if made is not None:
+            return made
+
+        def rows(start: int, stop: int, room: NDArray[np.uint8] | None) -> bytes:
+            bits = self.library.null if room is None else self.library.pointer(_BYTES, room)
+            self._waiting += self._drain()
+            done = self._run(self._host, start, stop, times, columns, bits)
+            if done != stop:
+                raise ValueError(f"the instant of row {done} is out of range")
+            return self._drain()
+
+        return rows
+
+    def result(self, log: bytes, packed: NDArray[np.uint8] | None) -> RunResult:
+        """What a run says."""
+        return RunResult(self._machine, self._reader, log, packed)
 
     def run_events(self, messages: PackedMessages) -> RunResult:
         """Take in messages of all channels, one after the other.
@@ -257,9 +288,10 @@ class BoundColumns:
         self._monitor = monitor
         self._rows = len(times_ns)
         library = monitor.library
-        self.instants = library.pointer("int64_t[]", times_ns)
-        self._columns = [library.pointer("char[]", column) for column in columns]
-        self.pointers = library.new("void *[]", self._columns or [library.null])
+        times = library.pointer("int64_t[]", times_ns)
+        kept = [library.pointer("char[]", column) for column in columns]
+        pointers = library.new("void *[]", kept or [library.null])
+        self._take_rows = monitor.rows_call(times, pointers, (times, kept, pointers))
 
     def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> RunResult:
         """Take in the rows from `start` up to `stop`, or to the end.
@@ -270,4 +302,7 @@ class BoundColumns:
         end = self._rows if stop is None else stop
         if not 0 <= start <= end <= self._rows:
             raise IndexError(f"no rows from {start} to {end} among {self._rows}")
-        return self._monitor.run_rows(self, start, end, active=active)
+        packed = None
+        if active:
+            packed = np.empty((end - start, self._monitor.active_bytes), np.uint8)
+        return self._monitor.result(self._take_rows(start, end, packed), packed)

@@ -98,7 +98,12 @@ class ExpressionBuilder:
         return _Comparator("not in", self._span(parts))
 
     def comparison(self, parts: list[Any]) -> ast.Expression:
-        """`a < b`, `a in b`; a chain is reported and stands for its links joined by `and`."""
+        """`a < b`, `a in b`; a chain is reported, and stands for its links joined by `and` if all
+        of them point in the same direction.
+        """
+        if len(parts) > 3 and not _is_monotonic(parts[1::2]):
+            self._report(self._chained(parts))
+            return ast.Broken(parts[0].span.to(parts[-1].span))
         value = self._link(*parts[:3])
         meant = value.span.text
         for left, sign, right in zip(parts[2::2], parts[3::2], parts[4::2], strict=False):
@@ -106,16 +111,20 @@ class ExpressionBuilder:
             meant += f" and {link.span.text}"
             value = ast.Binary(ast.BinaryOperator.AND, value, link, value.span.to(link.span))
         if len(parts) > 3:
-            self._report(self._chained(parts, value.span, meant))
+            self._report(self._chained(parts, Edit(value.span, f"({meant})")))
         return value
 
-    def _chained(self, parts: list[Any], span: Span, meant: str) -> Diagnostic:
+    def _chained(self, parts: list[Any], edit: Edit | None = None) -> Diagnostic:
         first, second = (
             part.span if isinstance(part, _Comparator) else self._at(part) for part in parts[1:4:2]
         )
-        fix = Fix(f"write `({meant})`", (Edit(span, f"({meant})"),))
-        shown = meant if len(meant) <= _LONGEST_ADVICE else "a < b and b < c"
-        finding = errors.ChainedComparison(meant=shown)
+        advice = "write two comparisons, joined by `and`; a condition needs no `== true`"
+        fix = None
+        if edit is not None:
+            fix = Fix(f"write `{edit.replacement}`", (edit,))
+            meant = edit.replacement[1:-1]
+            advice = f"write `{meant if len(meant) <= _LONGEST_ADVICE else 'a < b and b < c'}`"
+        finding = errors.ChainedComparison(advice=advice)
         return finding.at(second, Label(first, "the first comparison"), fix=fix)
 
     def _link(self, left: ast.Expression, sign: Token | _Comparator, right: Any) -> ast.Expression:
@@ -271,6 +280,12 @@ class ExpressionBuilder:
         start = first.start if isinstance(first, Token) else first.span.start
         end = last.end if isinstance(last, Token) else last.span.end
         return Span(self._file, start, end)
+
+
+def _is_monotonic(signs: list[Token | _Comparator]) -> bool:
+    """Whether all comparisons of a chain say the same: less, or greater, or equal."""
+    meant = {_SPELLINGS.get(sign.text, sign.text) for sign in signs}
+    return meant <= {"<", "<="} or meant <= {">", ">="} or meant == {"=="}
 
 
 def _arguments(parts: list[Any]) -> list[Any]:

@@ -12,10 +12,11 @@ from typing import NamedTuple
 
 from rossmarie.syntax.limits import ends_value
 from rossmarie.syntax.scan import Scan, Token
-from rossmarie.syntax.words import ITEM_WORDS, MEMBER_WORDS, OPERATOR_WORDS, RESERVED
+from rossmarie.syntax.words import ITEM_WORDS, MEANT, MEMBER_WORDS, OPERATOR_WORDS, RESERVED
 
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset({"when", "until", "timeout", "then", "clear", "latched"})
+_NOT_NAMED = OPERATOR_WORDS | _CONTINUATIONS | ITEM_WORDS.keys()
 
 
 class Piece(NamedTuple):
@@ -101,7 +102,8 @@ class _Cutter:
             if self._text(index + 1) in (";", ":"):
                 return False
             return self._source.begins_line(index) or before.text in (";", "}")
-        is_name = before.text in ITEM_WORDS and before.text != "if"
+        is_head = before.text in ITEM_WORDS and before.text != "if"
+        is_name = is_head and not self._is_field(index - 1)
         return self._source.begins_line(index) or (self._ends_item(index - 1) and not is_name)
 
     def _begins_unknown(self, first: int, index: int, kind: str | None) -> bool:
@@ -109,14 +111,18 @@ class _Cutter:
         token, before = self._tokens[index], self._tokens[index - 1]
         if token.kind != "word" or not self._source.begins_line(index):
             return False
-        if not self._ends_item(index - 1) or before.text in _NEVER_LAST:
+        is_unfinished = before.text in _NEVER_LAST and not self._is_field(index - 1)
+        if is_unfinished or not self._ends_item(index - 1):
             return False
         if kind in ("rule", "input") and {token.text, before.text} & _CONTINUATIONS:
-            return False
+            is_stray = token.text == "when" and before.text not in _CONTINUATIONS
+            return is_stray and self._names_something(index + 1)
         if token.text == "topic":
             return kind != "input" or any(self._text(at) == "topic" for at in range(first, index))
         if token.text in RESERVED:
             return token.text == "then" and kind != "rule"
+        if before.kind == "number" or before.text == "]":
+            return self._names_something(index + 1) and self._text(index + 1) not in ITEM_WORDS
         return self._names_something(index + 1)
 
     def _names_something(self, index: int) -> bool:
@@ -124,27 +130,33 @@ class _Cutter:
         return self._text(index) in (":", "=") or self._is_word(index)
 
     def _is_word(self, index: int) -> bool:
-        """Whether a token is a text or a word that does not carry on what stands before it."""
+        """Whether a token is a text, or a word that neither carries on nor begins an item."""
         if index == len(self._tokens):
             return False
         token = self._tokens[index]
         if token.kind != "word":
             return token.kind == "text"
-        return token.text not in OPERATOR_WORDS and token.text not in _CONTINUATIONS
+        return token.text not in _NOT_NAMED
 
     def _meant(self, index: int) -> str | None:
         """The word that begins an item and is nearest to this one."""
         token = self._tokens[index]
         if token.kind != "word" or self._text(index + 1) in (":", "=", ".", ";"):
             return None
+        if token.text in MEANT:
+            return MEANT[token.text]
         near = difflib.get_close_matches(token.text.lower(), ITEM_WORDS, n=1, cutoff=0.7)
         return near[0] if near else None
 
     def _ends_item(self, index: int) -> bool:
         token = self._tokens[index]
-        is_field = index > 0 and self._tokens[index - 1].text == "."
         is_value = token.kind != "open_text" and ends_value(token)
-        return token.text == "}" or is_value or (is_field and token.kind == "word")
+        return token.text == "}" or is_value or self._is_field(index)
+
+    def _is_field(self, index: int) -> bool:
+        """Whether a token is a word behind a dot, which means nothing but itself."""
+        behind_dot = index > 0 and self._tokens[index - 1].text == "."
+        return behind_dot and self._tokens[index].kind == "word"
 
     def _text(self, index: int) -> str:
         return self._tokens[index].text if index < len(self._tokens) else ""

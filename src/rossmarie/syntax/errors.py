@@ -125,8 +125,8 @@ class ChainedComparison(Error, code="ROSS011", name="chained-comparison"):
     title = "comparisons cannot be chained"
     label = "the second comparison would compare the truth of the first"
     note = "a comparison has exactly two sides"
-    help = "write `{meant}`"
-    meant: str
+    help = "{advice}"
+    advice: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -245,11 +245,45 @@ class MalformedOscillates(Error, code="ROSS021", name="malformed-oscillates"):
 class TooManyErrors(Error, code="ROSS022", name="too-many-errors"):
     """The point at which reading on stops helping."""
 
-    title = "too many syntax errors"
-    label = "not read from here on, after {limit} errors"
-    note = "this is probably not a rules file"
-    help = "check the path, or correct the errors above first"
+    title = "there are more than {limit} syntax errors"
+    label = "not read any further than this"
+    note = "of one file the first {limit} syntax errors are shown, and then nothing else about it"
+    help = "correct the errors above first; or is this no rules file at all?"
     limit: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class MalformedNumber(Error, code="ROSS023", name="malformed-number"):
+    """`.5`, `1.` or `1,5`."""
+
+    title = "`{found}` is not how numbers are written"
+    label = "{reason}"
+    note = "decimals stand behind a point, with at least one digit on each side of it"
+    help = "{advice}"
+    found: str
+    reason: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class KeywordInCapitals(Error, code="ROSS024", name="keyword-in-capitals"):
+    """`IF` for `if`."""
+
+    title = "`{found}` is written `{meant}` here"
+    label = "the words of the language are in small letters"
+    help = "write `{meant}`"
+    found: str
+    meant: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class BlockComment(Error, code="ROSS025", name="block-comment"):
+    """`/* ... */`."""
+
+    title = "comments are not written `/* ... */` here"
+    label = "this comment begins with `/*`"
+    note = "a comment begins with `//` and goes to the end of its line"
+    help = "begin each of its lines with `//`"
 
 
 ALL: tuple[type[Template], ...] = (
@@ -275,4 +309,7 @@ ALL: tuple[type[Template], ...] = (
     ActionBody,
     MalformedOscillates,
     TooManyErrors,
+    MalformedNumber,
+    KeywordInCapitals,
+    BlockComment,
 )

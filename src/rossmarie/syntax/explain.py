@@ -6,6 +6,7 @@ finding, the most specific that fits; for unclosed texts one each.
 
 from __future__ import annotations
 
+import difflib
 import unicodedata
 from collections.abc import Sequence
 
@@ -14,7 +15,7 @@ from dslkit.source import Span
 from rossmarie.syntax import errors
 from rossmarie.syntax.grammar import Failure
 from rossmarie.syntax.scan import Scan, Token
-from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, RESERVED
+from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, PART_WORDS, RESERVED
 
 _PARTNER = {"(": ")", "[": "]", "{": "}", ")": "(", "]": "[", "}": "{"}
 _SIGNS = frozenset("{}()[]:;,.=<>!+-*/&|%°^≤≥≠")
@@ -96,6 +97,11 @@ def reserved_word(source: Scan, token: Token) -> Diagnostic:
 def is_name(token: Token) -> bool:
     """Whether a token can be the name of something."""
     return token.kind == "word" and token.text.isascii() and token.text not in RESERVED
+
+
+def is_part_word(token: Token) -> bool:
+    """Whether a token is, or looks like, a word that carries on an item."""
+    return bool(difflib.get_close_matches(token.text, PART_WORDS, n=1, cutoff=0.7))
 
 
 def unexpected_character(source: Scan, token: Token) -> Diagnostic:
@@ -238,12 +244,19 @@ class _Case:
         found, before = self._found, self._before
         if before is None:
             return explain_token(self._source, self._index, self._kind)
+        if ":" in self._expected and found.kind == "word" and self._text_behind() == "/":
+            return missing_sign(self._source, ":", before, self._kind, " :")
         sign = next((sign for sign in ("=", ":", "{", "if", "topic") if self._is_only(sign)), None)
         if sign is None:
             return self._misplaced(before)
         if found.kind != "sign" or found.text in ("[", "(", "-", "/"):
             return missing_sign(self._source, sign, before, self._kind, f" {sign}")
         return wrong_sign(self._source, sign, found, self._kind)
+
+    def _text_behind(self) -> str:
+        """The token behind the one that does not fit."""
+        behind = self._index + 1
+        return self._tokens[behind].text if behind < self._last else ""
 
     def _is_only(self, sign: str) -> bool:
         """Whether that sign is what has to come, rather than one of many things that may."""

@@ -25,7 +25,7 @@ MAXIMUM_DEPTH = 250
 MAXIMUM_LENGTH = 10_000
 """Tokens of one constant, input, condition or rule."""
 
-MAXIMUM_ERRORS = 200
+MAXIMUM_ERRORS = 100
 """Syntax errors reported for one file."""
 
 _CLOSING = frozenset(")]")

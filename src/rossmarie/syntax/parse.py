@@ -8,6 +8,9 @@ length and the number of findings are bounded by `limits`.
 from __future__ import annotations
 
 import dataclasses
+import re
+from collections.abc import Iterator
+from typing import Any
 
 from dslkit.diagnostics import Collector, Diagnostic, Edit, Fix
 from dslkit.source import SourceFile, Span
@@ -16,24 +19,29 @@ from rossmarie.syntax.cut import Piece, cut
 from rossmarie.syntax.explain import (
     explain_token,
     is_name,
+    is_part_word,
     unclosed_bracket,
     unopened_bracket,
     unterminated_text,
 )
 from rossmarie.syntax.findings import Findings
 from rossmarie.syntax.grammar import Failure
-from rossmarie.syntax.limits import MAXIMUM_ERRORS, MAXIMUM_FILE_SIZE, MAXIMUM_TOKENS
+from rossmarie.syntax.limits import MAXIMUM_FILE_SIZE, MAXIMUM_TOKENS
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.recover import Stretch, recover
+from rossmarie.syntax.respell import respell
 from rossmarie.syntax.scan import Scan, Token, scan
 from rossmarie.syntax.words import MEMBER_WORDS
+
+_REST_OF_LINE = re.compile(r"[^\S\n]*(?:\n|\Z)")
 
 
 def parse(file: SourceFile, collector: Collector) -> ast.Module:
     """The tree of a file. What could not be parsed is reported, and missing or `ast.Broken` there.
 
     Spans never include the `;` behind an item or condition. An input that could not be parsed has a
-    topic without text, a topic declaration that could not be parsed a type without text.
+    topic without text, a topic declaration that could not be parsed a type without text. A file
+    with too many errors is not read to its end, and has no items.
     """
     findings = Findings(collector)
     size = len(file.text.encode("utf-8", errors="surrogatepass"))
@@ -44,14 +52,22 @@ def parse(file: SourceFile, collector: Collector) -> ast.Module:
     if len(source.tokens) > MAXIMUM_TOKENS:
         findings.add(_too_large(file, len(source.tokens), "words and signs", MAXIMUM_TOKENS))
         return ast.Module(file, ())
+    _report_trivia(source, findings)
+    items = _items(PartParser(respell(source, findings), findings))
+    return ast.Module(file, () if findings.is_full else tuple(items))
+
+
+def _report_trivia(source: Scan, findings: Findings) -> None:
     for trivium in source.trivia:
+        if findings.is_full:
+            break
         if trivium.kind == "open_documentation":
             findings.add(_unterminated_documentation(source, trivium))
-    items = _items(PartParser(source, findings), collector)
-    return ast.Module(file, tuple(items))
+        elif trivium.kind == "block_comment":
+            findings.add(_block_comment(source, trivium))
 
 
-def _items(part: PartParser, collector: Collector) -> list[ast.Item]:
+def _items(part: PartParser) -> list[ast.Item]:
     source, findings = part.source, part.findings
     items: list[ast.Item] = []
     is_lost = False
@@ -60,6 +76,7 @@ def _items(part: PartParser, collector: Collector) -> list[ast.Item]:
             is_brace = source.tokens[piece.first].text == "}"
             if not (is_lost and is_brace):
                 findings.add(_unknown(source, piece))
+                items.extend(_undeclared(part, piece))
             is_lost = not is_brace
         else:
             if piece.head is not None:
@@ -68,8 +85,6 @@ def _items(part: PartParser, collector: Collector) -> list[ast.Item]:
             items.extend(() if item is None else (item,))
             is_lost = False
         if findings.is_full:
-            stop = source.span(source.tokens[piece.first])
-            collector.add(errors.TooManyErrors(limit=MAXIMUM_ERRORS).at(stop))
             break
     return items
 
@@ -84,10 +99,43 @@ def _item(part: PartParser, piece: Piece, kind: str) -> ast.Item | None:
     node = part.attempt(kind, piece.first, last, piece.head)
     if isinstance(node, ast.Action) and has_body:
         return _with_body(part, node, brace, piece.last)
+    if isinstance(node, Failure):
+        node = _before_stray(part, piece, kind, node)
     if node is None or isinstance(node, Failure):
         stretch = Stretch(kind, piece.first, piece.last, piece.head)
         return recover(part, stretch, node)
     return node  # type: ignore[no-any-return]
+
+
+def _undeclared(part: PartParser, piece: Piece) -> Iterator[ast.Constant]:
+    """`NAME = VALUE` is meant as a constant."""
+    tokens = part.source.tokens
+    name, value = piece.first, piece.first + 2
+    if value >= piece.last or tokens[name + 1].text != "=" or not is_name(tokens[name]):
+        return
+    node = part.attempt("expression", value, piece.last)
+    span = part.source.span(tokens[name])
+    if node is None or isinstance(node, Failure):
+        node = part.broken(value, piece.last, span)
+    whole = part.source.span(tokens[name], tokens[piece.last - 1])
+    documentation = part.source.documentation.get(span.start)
+    yield ast.Constant(ast.Name(tokens[name].text, span), node, documentation, whole)
+
+
+def _before_stray(part: PartParser, piece: Piece, kind: str, failure: Failure) -> Any:
+    """The item, if it is complete in front of the word at which it failed and that word begins a
+    line: then the word, which is reported, has nothing to do with it. Otherwise the failure.
+    """
+    source, stray = part.source, failure.index
+    if not piece.first < stray < piece.last or not source.begins_line(stray):
+        return failure
+    if not is_name(source.tokens[stray]) or is_part_word(source.tokens[stray]):
+        return failure
+    node = part.attempt(kind, piece.first, stray, piece.head)
+    if node is None or isinstance(node, Failure):
+        return failure
+    part.findings.add(_unknown(source, Piece(None, stray, piece.last, None)))
+    return node
 
 
 def _with_body(part: PartParser, action: ast.Action, brace: int, last: int) -> ast.Action:
@@ -115,6 +163,15 @@ def _unterminated_documentation(source: Scan, token: Token) -> Diagnostic:
     return errors.UnterminatedDocumentation().at(span, fix=fix)
 
 
+def _block_comment(source: Scan, token: Token) -> Diagnostic:
+    span = source.span(token)
+    lines = token.text.removeprefix("/*").removesuffix("*/").strip().split("\n")
+    text = "\n".join(f"// {line.strip()}".rstrip() for line in lines)
+    is_last = _REST_OF_LINE.match(source.file.text, token.end) is not None
+    fix = Fix("begin it with `//`", (Edit(span, text if is_last else f"{text}\n"),))
+    return errors.BlockComment().at(span, fix=fix)
+
+
 def _misspelt(source: Scan, piece: Piece, meant: str) -> Diagnostic:
     found = source.tokens[piece.first]
     fix = Fix(f"write `{meant}`", (Edit(source.span(found), meant),))
@@ -140,6 +197,8 @@ def _unknown(source: Scan, piece: Piece) -> Diagnostic:
     elif after == "=":
         advice = f"to give a value a name, write `const {found.text} = ...;`"
         fix = Fix("insert `const`", (Edit(Span(source.file, found.start, found.start), "const "),))
+    elif found.text == "else":
+        advice = "there is no `else`: write another rule, with `not` in front of the condition"
     elif found.text == "then":
         advice = "`then` belongs to a rule: `if CONDITION then { ACTION; };`"
     else:

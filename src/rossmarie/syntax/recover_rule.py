@@ -35,6 +35,9 @@ class _Recovery:
         self._first = first
         self._last = last
         self._index = first
+        inside = part.source.tokens[first:last]
+        # An unclosed text has swallowed the end of a line.
+        self._is_cut_off = any(token.kind == "open_text" for token in inside)
 
     def rule(self, head: str) -> ast.Rule:
         """The rule; `head` is its first word."""
@@ -90,7 +93,7 @@ class _Recovery:
             sign = self._tokens[first - 1].text
             finding = errors.MissingValue(place="behind", sign=sign, form=FORMS["rule"])
             self._part.findings.add(finding.at(behind))
-        elif not has_then and not self._is_cut_off():
+        elif not has_then and not self._is_cut_off:
             self._report_missing_then(end)
         condition = self._part.parse("expression", first, end) if first < end else None
         return condition or self._part.broken(first, end, behind)
@@ -121,13 +124,13 @@ class _Recovery:
         else:
             self._part.findings.add(self._missing_brace())
         names = []
-        while self._index < self._last and self._text() != "}" and not self._begins_contract():
+        while self._goes_on() and self._text() != "}" and not self._begins_contract():
             name = self._action()
             if name is not None:
                 names.append(name)
         if self._text() == "}":
             self._index += 1
-        elif brace.text == "{" and not self._is_cut_off():
+        elif brace.text == "{" and not self._is_cut_off:
             behind = self._tokens[self._index - 1]
             self._part.findings.add(unclosed_bracket(self._source, brace, behind, inserted=" }"))
         return tuple(names)
@@ -153,14 +156,14 @@ class _Recovery:
             comma = self._tokens[self._index]
             self._part.findings.add(wrong_sign(self._source, ";", comma, "actions"))
             self._index += 1
-        elif not self._is_cut_off():
+        elif not self._is_cut_off:
             self._part.findings.add(missing_sign(self._source, ";", token, "actions"))
         return ast.Name(token.text, self._source.span(token))
 
     def _contracts(self) -> tuple[ast.ResumeContract, ...]:
         """`clear when ...` and so on, up to the end of the rule."""
         found = []
-        while self._index < self._last:
+        while self._goes_on():
             first = self._index
             self._index += 1
             while self._index < self._last and not self._begins_contract():
@@ -170,9 +173,8 @@ class _Recovery:
                 found.append(contract)
         return tuple(found)
 
+    def _goes_on(self) -> bool:
+        return self._index < self._last and not self._part.findings.is_full
+
     def _begins_contract(self) -> bool:
         return (self._text(), self._text(1)) in _CONTRACT_STARTS
-
-    def _is_cut_off(self) -> bool:
-        """Whether an unclosed text has swallowed the end of a line."""
-        return any(token.kind == "open_text" for token in self._tokens[self._first : self._last])

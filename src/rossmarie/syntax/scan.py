@@ -1,8 +1,9 @@
 """Text -> words, signs, comments and documentation, in one linear pass.
 
 Any text goes in. What the words mean (keyword, name, unit) depends on their place and is decided
-by `grammar`; a `'''` that is never closed ends in front of the next line that begins an item, so
-that it does not swallow the rest of the file.
+by `grammar`. A comment `/* ... */` is cut out like any other, for `parse` to report. A `'''` that
+is never closed ends in front of the next line that begins an item, so that it does not swallow the
+rest of the file.
 """
 
 from __future__ import annotations
@@ -20,23 +21,31 @@ from rossmarie.syntax.words import ITEM_WORDS
 _TOKEN = re.compile(
     r"""
       (?P<comment>//[^\n]*)
+    | (?P<block_comment>/\*)
     | (?P<documentation>'''.*?''')
     | (?P<text>"[^"\n]*")
     | (?P<open_documentation>''')
     | (?P<open_text>"[^\n]*)
     | (?P<word>[^\W\d]\w*)
-    | (?P<number>[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)
+    | (?P<number>
+        (?:
+            (?<!\.)[0-9]+\.(?![0-9])       # a digit is missing behind the point ...
+          | [0-9]+(?:\.[0-9]+)?
+          | (?<![\w.)\]])\.[0-9]+         # ... or in front of it: `respell` says so
+        )
+        (?:[eE][+-]?[0-9]+)?
+      )
     | (?P<sign>===|!==|==|!=|<=|>=|=<|=>|<>|&&|\|\||->|[^\s\ufeff])
     """,
     re.DOTALL | re.VERBOSE,
 )
 _ITEM_LINE = re.compile(rf"^[ \t]*(?:{'|'.join(ITEM_WORDS)})\b", re.MULTILINE)
-_TRIVIA = frozenset({"comment", "documentation", "open_documentation"})
+_TRIVIA = frozenset({"comment", "block_comment", "documentation", "open_documentation"})
 
 
 class Token(NamedTuple):
     """A piece of text: `kind` is `word`, `number`, `sign`, `text` (in quotes), `open_text` (the
-    closing quote is missing), `comment`, `documentation` or `open_documentation`.
+    closing quote is missing), `comment`, `block_comment`, `documentation` or `open_documentation`.
     """
 
     kind: str
@@ -107,8 +116,20 @@ def _find(text: str) -> Iterator[Token]:
 
 
 def _tokens(text: str, position: int) -> Iterator[Token]:
-    for match in _TOKEN.finditer(text, position):
-        yield Token(match.lastgroup or "", match.group(), match.start(), match.end())
+    last_closing = text.rfind("*/")
+    while match := _TOKEN.search(text, position):
+        kind, start, position = match.lastgroup or "", match.start(), match.end()
+        if kind == "block_comment":
+            position = _end_of_block(text, position, last_closing)
+        yield Token(kind, text[start:position], start, position)
+
+
+def _end_of_block(text: str, position: int, last_closing: int) -> int:
+    """Where a comment `/* ... */` ends that began in front of `position`; an open one is a line."""
+    if position <= last_closing:
+        return text.index("*/", position) + len("*/")
+    end = text.find("\n", position)
+    return end if end >= 0 else len(text)
 
 
 def _swallows_item(token: Token) -> bool:

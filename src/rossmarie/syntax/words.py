@@ -22,6 +22,15 @@ MEMBER_WORDS = {
 }
 """The words that begin a declaration inside a system."""
 
+PART_WORDS = frozenset(
+    {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by"}
+    | {"publishes", "subscribes"}
+)
+"""The words that are keywords in their places inside other items, and names elsewhere."""
+
+MEANT = {"when": "if", "whenever": "if", "include": "import"}
+"""Words that people begin an item with, and the word that they mean."""
+
 OPERATOR_WORDS = frozenset({"and", "or", "not", "in", "for"})
 
 RESERVED = OPERATOR_WORDS | ITEM_WORDS.keys() | {"topic", "then", "true", "false"}

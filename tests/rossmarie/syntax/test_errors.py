@@ -20,7 +20,6 @@ def codes(found: tuple[Diagnostic, ...]) -> list[tuple[str, str]]:
 FIXABLE = [
     ("entitty imu { }", "ROSS005", "entitty", "entity imu { }"),
     ("ruel r: if a then {}", "ROSS005", "ruel", "rule r: if a then {}"),
-    ("Const a = 3", "ROSS005", "Const", "const a = 3"),
     ("constant a = 3", "ROSS005", "constant", "const a = 3"),
     ('improt "a.ross"', "ROSS005", "improt", 'import "a.ross"'),
     ("iff a then {}", "ROSS005", "iff", "if a then {}"),
@@ -62,25 +61,63 @@ FIXABLE = [
     ("entity e { a : b => 3; }", "ROSS010", "=>", "entity e { a : b >= 3; }"),
     ("entity e { a : b ≤ 3; }", "ROSS010", "≤", "entity e { a : b <= 3; }"),
     ("entity e { a : 1 < b < 3; }", "ROSS011", "<", "entity e { a : (1 < b and b < 3); }"),
-    ("entity e { a : not b in c > d; }", "ROSS011", ">", None),
+    ("entity e { a : b == c == d; }", "ROSS011", "==", "entity e { a : (b == c and c == d); }"),
     ('const a = "b', "ROSS003", '"b', 'const a = "b"'),
     ('import "b;', "ROSS003", '"b;', 'import "b";'),
     ("import b.ross;", "ROSS018", "b.ross", 'import "b.ross";'),
     ("''' a\nconst b = 3", "ROSS004", "'''", "''' a'''\nconst b = 3"),
     ("action a { b; { } }", "ROSS020", "{ b; { } }", "action a;"),
+    ("when a then { b; }", "ROSS005", "when", "if a then { b; }"),
+    ("if a then { }\nwhen c then { d; }", "ROSS005", "when", "if a then { }\nif c then { d; }"),
+    ("input a = topic /t p/T .f", "ROSS006", "t", "input a = topic /t : p/T .f"),
+    ("input a = topic T p/T timeout 1 s", "ROSS006", "T", "input a = topic T : p/T timeout 1 s"),
+    ("const a = .5 m", "ROSS023", ".5", "const a = 0.5 m"),
+    ("const a = -.5e3 m", "ROSS023", ".5e3", "const a = -0.5e3 m"),
+    ("const a = 1. m", "ROSS023", "1.", "const a = 1.0 m"),
+    ("const a = 1.m", "ROSS023", "1.", "const a = 1.0 m"),
+    ("const a = 1.", "ROSS023", "1.", "const a = 1.0"),
+    ("const a = 1.e3", "ROSS023", "1.e3", "const a = 1.0e3"),
+    ("const a = [.5, 1] m", "ROSS023", ".5", "const a = [0.5, 1] m"),
+    ("const a = 1,5 m", "ROSS023", "1,5", "const a = 1.5 m"),
+    ("if a > 1,5 m/s then { b; }", "ROSS023", "1,5", "if a > 1.5 m/s then { b; }"),
+    ("if (a > 1,5 m/s) then { b; }", "ROSS023", "1,5", "if (a > 1.5 m/s) then { b; }"),
+    ("if a then { } clear for .5 s", "ROSS023", ".5", "if a then { } clear for 0.5 s"),
+    ("input a = topic /t timeout .5 s", "ROSS023", ".5", "input a = topic /t timeout 0.5 s"),
+    ("Const a = 3", "ROSS024", "Const", "const a = 3"),
+    ("if a THEN { b; }", "ROSS024", "THEN", "if a then { b; }"),
+    ("rule r: IF a then { b; }", "ROSS024", "IF", "rule r: if a then { b; }"),
+    ("if a > 1 AND b then { c; }", "ROSS024", "AND", "if a > 1 and b then { c; }"),
+    ("if NOT a then { b; }", "ROSS024", "NOT", "if not a then { b; }"),
+    ("if Not (a) then { b; }", "ROSS024", "Not", "if not (a) then { b; }"),
+    ("if a Not in b then { c; }", "ROSS024", "Not", "if a not in b then { c; }"),
+    ("if a FOR 3 s then { b; }", "ROSS024", "FOR", "if a for 3 s then { b; }"),
+    ("if a then { b; } Clear for 3 s", "ROSS024", "Clear", "if a then { b; } clear for 3 s"),
+    ("if a then { b; } clear When c", "ROSS024", "When", "if a then { b; } clear when c"),
+    ("input a = Topic /t", "ROSS024", "Topic", "input a = topic /t"),
+    ("input a = topic /t TIMEOUT 1 s", "ROSS024", "TIMEOUT", "input a = topic /t timeout 1 s"),
+    ("system s { Topic /t : p/T; }", "ROSS024", "Topic", "system s { topic /t : p/T; }"),
+    (
+        "system s { node n { Publishes /t; } }",
+        "ROSS024",
+        "Publishes",
+        "system s { node n { publishes /t; } }",
+    ),
+    ("/* a */", "ROSS025", "/* a */", "// a"),
+    ("/* a\n * b */ action c;", "ROSS025", "/* a\n * b */", "// a\n// * b\n action c;"),
+    ("action a; /* b", "ROSS025", "/* b", "action a; // b"),
+    ("if /* a */ b then { c; }", "ROSS025", "/* a */", "if // a\n b then { c; }"),
 ]
 
 
 @pytest.mark.parametrize(("text", "code", "marked", "mended"), FIXABLE)
 def test_a_mistake_is_found_once_and_its_fix_mends_it(
-    parsed: Parsed, text: str, code: str, marked: str, mended: str | None
+    parsed: Parsed, text: str, code: str, marked: str, mended: str
 ) -> None:
     _, found = parsed(text)
     assert codes(found) == [(code, marked)]
     assert found[0].fix is not None
     fixed = apply_edits(text, found[0].fix.edits)
-    if mended is not None:
-        assert fixed == mended
+    assert fixed == mended
     assert parsed(fixed)[1] == ()
 
 
@@ -127,6 +164,12 @@ MISTAKES = [
     ("const a = 1e999 m", "ROSS019", "1e999"),
     ("entity e { a : b[1.5] > 3; }", "ROSS019", "1.5"),
     ("entity e { a : b[9999999999] > 3; }", "ROSS019", "9999999999"),
+    ("action a\nhello;", "ROSS005", "hello"),
+    ("if a then { b; }\nelse { c; }", "ROSS005", "else"),
+    ("if a then { b; }\nclaer for 2 s", "ROSS018", "claer"),
+    ("entity e { a : not b in c > d; }", "ROSS011", ">"),
+    ("entity e { a : b > 1 m/s == c; }", "ROSS011", "=="),
+    ("const a = 1,000 m", "ROSS023", "1,000"),
     ("entity e { a : oscillates(b, 3); }", "ROSS021", "oscillates"),
     ("entity e { a : norm(b, 3 times); }", "ROSS021", "3 times"),
     ("entity e { a : b.c(within 3 s); }", "ROSS021", "within 3 s"),
@@ -157,9 +200,69 @@ def test_a_mistake_costs_nothing_around_it(
     assert names[-2:] == ["behind", "last"]
 
 
+def test_capitals_are_reported_once_for_each_word(parsed: Parsed) -> None:
+    text = (
+        "ENTITY e { A : x AND NOT y FOR 3 sec; }\n"
+        "RULE r: IF e.A OR OSCILLATES THEN { a; } LATCHED UNTIL RESET\n"
+        "INPUT i = TOPIC /i : p/T IN m TIMEOUT 1 sec"
+    )
+    module, found = parsed(text)
+    words = "ENTITY AND NOT FOR RULE IF OR THEN LATCHED UNTIL RESET INPUT TOPIC IN TIMEOUT"
+    assert codes(found) == [("ROSS024", word) for word in words.split()]
+    edits = [edit for one in found if one.fix is not None for edit in one.fix.edits]
+    mended, nothing = parsed(apply_edits(text, edits))
+    assert nothing == ()
+    assert len(module.items) == len(mended.items) == 3
+
+
+def test_names_may_look_like_keywords_in_capitals(parsed: Parsed) -> None:
+    text = """
+    const In = 3  const Then = [1, 2] m
+    input Topic = topic And : p/Or .For.Not in In timeout Timeout
+    entity Rule { If : Not > In and Clear.When; Not : If(Then, Within, By) for Times; }
+    if If then { Then; Not; } clear when Until
+    const last =
+        Const
+    if Rule
+        or Entity then { Latched; }
+    """
+    assert parsed(text)[1] == ()
+
+
+def test_commas_between_arguments_are_no_decimals(parsed: Parsed) -> None:
+    for value in ("[1,5] m", "max(1,5)", "max([1,2],3,(4))", "[(1),2,f(3)]"):
+        assert parsed(f"const a = {value}")[1] == ()
+
+
+def test_what_stands_in_front_of_a_stray_word_is_kept(parsed: Parsed) -> None:
+    module, _ = parsed("if a then { b; } clear for 2 s\nhello;\naction c\nhello")
+    rule, action = module.items
+    assert isinstance(rule, ast.Rule)
+    assert len(rule.contracts) == 1
+    assert isinstance(action, ast.Action)
+
+
+def test_a_unit_may_stand_on_its_own_line(parsed: Parsed) -> None:
+    assert parsed('const a = 3\nm import "b.ross" const c = [1, 2]\nm\nconst d = 3')[1] == ()
+
+
+def test_a_value_with_a_name_is_meant_as_a_constant(parsed: Parsed) -> None:
+    for text in ("limit = 3 m", "limit = 3 +"):
+        (constant,) = parsed(text)[0].items
+        assert isinstance(constant, ast.Constant)
+        assert constant.name.text == "limit"
+
+
 def test_messages_say_what_to_write(parsed: Parsed) -> None:
     (found,) = parsed("entity e { a : 0 < b < 3; }")[1]
     assert found.help == "write `0 < b and b < 3`"
+    (found,) = parsed("entity e { a : 0 < b == c; }")[1]
+    assert found.fix is None
+    assert "joined by `and`" in (found.help or "")
+    (found,) = parsed("const a = 1,000 m")[1]
+    assert found.help == "write `1.000` if the comma begins the decimals, else `1000`"
+    (found,) = parsed("if a then { b; } \n else { c; }")[1]
+    assert "no `else`" in (found.help or "")
     (found,) = parsed("entitty e { }")[1]
     assert found.help == "did you mean `entity`?"
     (found,) = parsed("const a = \x07")[1]

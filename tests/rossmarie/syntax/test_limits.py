@@ -80,11 +80,28 @@ def test_a_file_of_the_largest_size_is_read(parsed: Parsed) -> None:
     assert module.items == ()
 
 
-def test_the_number_of_findings_is_bounded(parsed: Parsed) -> None:
-    for text in ("a;\n" * 1000, f"entity e {{ {'a : ;' * 1000} }} const x = 3"):
-        _, found = parsed(text)
-        assert len(found) == MAXIMUM_ERRORS + 1
-        assert codes(found).count("ROSS022") == 1
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a;\n" * 1000,
+        f"entity e {{ {'a : ;' * 1000} }} const x = 3",
+        "if a then { " + "b b; " * 1000 + "}",
+        "/* a */" * 1000,
+        "const a = .5\n" * 1000,
+        "if a THEN { b; }\n" * 1000,
+    ],
+)
+def test_the_number_of_findings_is_bounded(parsed: Parsed, text: str) -> None:
+    module, found = parsed(text)
+    assert len(found) == MAXIMUM_ERRORS + 1
+    assert codes(found).index("ROSS022") == MAXIMUM_ERRORS
+    assert module.items == ()  # of names declared further on, nothing is known
+
+
+def test_as_many_findings_as_are_shown_are_not_too_many(parsed: Parsed) -> None:
+    module, found = parsed("a;\n" * MAXIMUM_ERRORS + "action last;")
+    assert codes(found) == ["ROSS005"] * MAXIMUM_ERRORS
+    assert len(module.items) == 1
 
 
 HUGE = {
@@ -110,6 +127,17 @@ HUGE = {
     "stray": "} " * (FULL // 2),
     "comparisons": "const x = " + "ab < " * (FULL // 5),
     "spaces": " " * FULL,
+    "pairs": "ab cd\n" * 149_000,
+    "parts": "const a b\n" * 99_000,
+    "conditions": "entity e {" + "a : b c;" * 59_000 + "}",
+    "actions": "if a then {" + "a a; " * 74_000 + "}",
+    "commas": "if a then {" + "a, " * 140_000 + "}",
+    "contracts": "if a then {} " + "clear for " * 104_000,
+    "capitals": "IF a THEN { b; };\n" * 33_000,
+    "block comments": "/*" * (FULL // 2),
+    "open block comments": "/*\n" * (FULL // 3),
+    "points": "1. " * 299_000,
+    "decimals": "1,5 " * 99_000,
     "arguments": "const x = f(" + "abc, " * (FULL // 5) + "a)",
 }
 

@@ -299,8 +299,15 @@ def test_lines_may_be_broken_anywhere(accepted: Accepted, text: str) -> None:
 
 
 def test_an_item_may_end_with_a_field_of_any_name(accepted: Accepted) -> None:
-    text = "input a = topic /t.in action b const c = d.for action e"
+    text = "input a = topic /t.in action b const c = d.rule action e"
     assert len(accepted(text).items) == 4
+
+
+@pytest.mark.parametrize("end", ["= topic /t.\nrule", "= topic /t timeout 3\nm"])
+def test_the_next_item_may_begin_behind_the_end_of_a_broken_line(
+    accepted: Accepted, end: str
+) -> None:
+    assert len(accepted(f'input a {end} import "a.ross"').items) == 2
 
 
 def test_a_unit_may_stand_on_the_next_line(accepted: Accepted) -> None:

@@ -18,7 +18,9 @@ _START = {ir.Folding.MINIMUM: "INFINITY", ir.Folding.MAXIMUM: "-INFINITY"}
 
 @dataclass
 class _Loop:
-    """The statements before, in and after the loop over an array, and the locals it has."""
+    """The statements before, in and after the loop over an array, and the locals it has; these are
+    in capitals, so that no field of a message is named like one.
+    """
 
     before: list[str] = field(default_factory=list)
     inside: list[str] = field(default_factory=list)
@@ -67,7 +69,7 @@ class Elements:
     def _fold(self, loop: _Loop, index: int, node: ir.Fold, pointer: str, count: str) -> None:
         function = node.folding.value
         self._expressions.parts.add(function)
-        name = f"{function}_{index}"
+        name = f"{function.upper()}_{index}"
         loop.before.append(f"double {name} = {_START[node.folding]};")
         element = self._signal(loop, node.element, pointer)
         loop.inside.append(f"{name} = {function}({name}, {element});")
@@ -80,14 +82,14 @@ class Elements:
         if element in loop.counted:
             return
         loop.counted.add(element)
-        loop.before.append(f"size_t truths_{element} = 0, unknowns_{element} = 0;")
+        loop.before.append(f"size_t TRUTHS_{element} = 0, UNKNOWNS_{element} = 0;")
         truth = self._truth(loop, element, pointer)
-        loop.inside.append(f"truths_{element} += {truth} == TRUE;")
-        loop.inside.append(f"unknowns_{element} += {truth} == UNKNOWN;")
+        loop.inside.append(f"TRUTHS_{element} += {truth} == TRUE;")
+        loop.inside.append(f"UNKNOWNS_{element} += {truth} == UNKNOWN;")
 
     def _finish(self, loop: _Loop, value: int, call: str, element: int, count: str) -> None:
         target = self._expressions.kept(value)
-        arguments = f"truths_{element}, unknowns_{element}, {count}"
+        arguments = f"TRUTHS_{element}, UNKNOWNS_{element}, {count}"
         loop.after.append(f"{target} = {call}({arguments});")
 
     # --- one element -------------------------------------------------------------------------
@@ -106,15 +108,15 @@ class Elements:
                 text = self._expressions.applied(
                     node, lambda operand: self._signal(loop, operand, pointer)
                 )
-            loop.signals[index] = f"element_{index}"
-            loop.inside.append(f"const double element_{index} = {text};")
+            loop.signals[index] = f"ELEMENT_{index}"
+            loop.inside.append(f"const double ELEMENT_{index} = {text};")
         return loop.signals[index]
 
     def _truth(self, loop: _Loop, index: int, pointer: str) -> str:
         if index not in loop.truths:
             text = self._truth_text(loop, index, pointer)
-            loop.truths[index] = f"is_{index}"
-            loop.inside.append(f"const unsigned char is_{index} = {text};")
+            loop.truths[index] = f"IS_{index}"
+            loop.inside.append(f"const unsigned char IS_{index} = {text};")
         return loop.truths[index]
 
     def _truth_text(self, loop: _Loop, index: int, pointer: str) -> str:

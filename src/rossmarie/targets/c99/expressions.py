@@ -59,10 +59,6 @@ class Expressions:
         """A value where the monitor keeps it."""
         return f"m->value[{self._layout.values[value].name}]"
 
-    def target(self, value: int) -> str:
-        """A value where it is assigned."""
-        return self.kept(value)
-
     def arrival(self, slot: int, raw: str, *, is_raw: bool) -> str:
         """A scalar of a message, converted to SI, and unknown if not finite unless `is_raw`."""
         declared = self._machine.slots[slot]
@@ -70,7 +66,7 @@ class Expressions:
         if not is_raw:
             text = f"known({text})"
         self.parts.add("known")
-        return f"{self.target(self._layout.value_of_slot[slot])} = {text};"
+        return f"{self.kept(self._layout.value_of_slot[slot])} = {text};"
 
     def signals(self) -> Iterator[Piece]:
         """The computed signals, but those over arrays, and what remembers their samples."""
@@ -85,7 +81,7 @@ class Expressions:
                 if signal.node.signal not in remembered:
                     remembered.add(signal.node.signal)
                     yield Piece(channels, (self._sample(signal.node.signal),))
-            target = self.target(self._layout.value_of_signal[index])
+            target = self.kept(self._layout.value_of_signal[index])
             yield Piece(channels, (f"{target} = {self._signal(signal.node)};",))
 
     def tests(self) -> Iterator[Piece]:
@@ -96,7 +92,7 @@ class Expressions:
                 self.parts.add("test")
                 outcome = f"outcome({', '.join(self.comparison(node, self.operand))})"
                 channels = self._layout.supports.truths[truth].channels
-                yield Piece(channels, (f"{self.target(value)} = {outcome};",))
+                yield Piece(channels, (f"{self.kept(value)} = {outcome};",))
 
     # --- signals -----------------------------------------------------------------------------
 
@@ -119,7 +115,7 @@ class Expressions:
                 return self.applied(node, self.operand)
             case ir.Rate(signal=signal):
                 self.parts |= {"rate", "known"}
-                return f"rate(m, {self._layout.sampled.index(signal)})"
+                return f"rate_of(m, {self._layout.sampled.index(signal)})"
             case ir.Previous(signal=signal):
                 return f"m->before[{self._layout.sampled.index(signal)}]"
             case _:
@@ -149,7 +145,8 @@ class Expressions:
                 total = f"({total}) + {operand} * {operand}"
             return f"sqrt({total})"
         self.parts.add(function.value)
-        return f"{function.value}({', '.join(operands)})"
+        name = f"{function.value}_of" if function in _ALWAYS_FINITE else function.value
+        return f"{name}({', '.join(operands)})"
 
     def _may_be_infinite(self, node: ir.SignalNode) -> bool:
         match node:
@@ -181,19 +178,6 @@ class Expressions:
         nodes = self._machine.signals
         variable = [s for s in signals if not isinstance(nodes[s].node, ir.Constant)]
         return " || ".join(f"isnan({write(signal)})" for signal in variable) or "false"
-
-
-class LocalExpressions(Expressions):
-    """The same with local variables, for looking ahead without touching the monitor."""
-
-    def kept(self, value: int) -> str:
-        """A local variable; what no message changes stays where it is."""
-        declared = self._layout.values[value]
-        return declared.name if declared.support.channels else super().kept(value)
-
-    def target(self, value: int) -> str:
-        """The declaration of the variable."""
-        return f"const double {self._layout.values[value].name}"
 
 
 def converted(raw: str, scale: float, offset: float) -> str:

@@ -6,7 +6,7 @@ from rossmarie import ir
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.messages import Messages
-from rossmarie.targets.c99.text import indented
+from rossmarie.targets.c99.text import call, indented
 
 
 def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
@@ -68,13 +68,17 @@ def _step(layout: Layout, messages: Messages) -> list[str]:
 
 def _columns(layout: Layout) -> list[str]:
     lines = [] if layout.machine.slots else ["(void)columns;"]
-    for index, slot in enumerate(layout.machine.slots):
-        kind = "unsigned char" if slot.kind is ir.Kind.FLAG else "double"
+    for index in range(len(layout.machine.slots)):
+        kind = _column_type(layout.machine, index)
         lines.append(f"const {kind} *column_{index} = (const {kind} *)columns[{index}];")
     if len(layout.channel_names) != 1:
         lines.append(f"{layout.name}_values v;")
         lines += [f"v.has_{name} = true;" for name in layout.channel_names or ["nothing"]]
     return lines
+
+
+def _column_type(machine: ir.Machine, slot: int) -> str:
+    return "unsigned char" if machine.slots[slot].kind is ir.Kind.FLAG else "double"
 
 
 def _cell(machine: ir.Machine, field: types.Field) -> list[str]:
@@ -88,16 +92,16 @@ def _cell(machine: ir.Machine, field: types.Field) -> list[str]:
 def _row(layout: Layout, messages: Messages) -> list[str]:
     if len(layout.channel_names) == 1:
         cells = [cell for field in messages.fields[0] for cell in _cell(layout.machine, field)]
-        arguments = ", ".join(["&h->machine", "times[i]", *cells])
-        return [f"if (take_{layout.channel_names[0]}({arguments}) < 0)", "    return i;"]
+        take = call(f"take_{layout.channel_names[0]}", ["&h->machine", "times[i]", *cells])
+        return [f"if ({take} < 0)", "    return i;"]
     lines = []
     for channel, name in enumerate(layout.channel_names):
         for field in messages.fields[channel]:
             members = types.arguments(field, f"v.{name}.")
             cells = _cell(layout.machine, field)
             lines += [f"{member} = {cell};" for member, cell in zip(members, cells, strict=True)]
-    call = f"{layout.name}_step(&h->machine, times[i], &v)"
-    return [*lines, f"if ({call} < 0)", "    return i;"]
+    step = f"{layout.name}_step(&h->machine, times[i], &v)"
+    return [*lines, f"if ({step} < 0)", "    return i;"]
 
 
 # --- events ----------------------------------------------------------------------------------

@@ -137,9 +137,9 @@ class _Builder:
         self.value_of_signal: dict[int, int] = {}
         self.value_of_test: dict[int, int] = {}
         self.guards: dict[int, Guard] = {}
-        self.family = names.Family("value_")
-        self.guard_family = names.Family("guard_")
-        self.truth_family = names.Family("truth_")
+        self.family = names.Family("VALUE_")
+        self.guard_family = names.Family("GUARD_")
+        self.truth_family = names.Family("TRUTH_")
         self.whole = [i for i, a in enumerate(self.elements.truths) if a is None]
 
     def layout(self) -> Layout:
@@ -177,7 +177,7 @@ class _Builder:
             truth_names={truth: self._truth_name(truth) for truth in order},
             rule_names=_named("rule_", [rule.name for rule in self.machine.rules]),
             channel_names=_named("", [channel.topic for channel in self.machine.channels]),
-            input_names=_named("input_", [used.name for used in self.machine.inputs]),
+            input_names=_named("INPUT_", [used.name for used in self.machine.inputs]),
         )
 
     # --- values ------------------------------------------------------------------------------
@@ -259,7 +259,7 @@ class _Builder:
 
     def _guard(self, value: int) -> Guard:
         if value not in self.guards:
-            name = self.guard_family.name(self.values[value].name.removeprefix("value_"))
+            name = self.guard_family.name(self.values[value].name.removeprefix("VALUE_"))
             self.guards[value] = Guard(name, value)
         return self.guards[value]
 

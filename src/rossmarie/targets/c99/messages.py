@@ -113,7 +113,7 @@ class Messages:
         """A number left its guard, maybe others too: the first is known, so that the processor
         guesses right about the rest.
         """
-        if not self._guards_of(channel):
+        if not self.guards_of(channel):
             return ""
         lines = [line for piece in self._guards() if channel in piece.channels
                  for line in piece.lines]  # fmt: skip
@@ -129,7 +129,7 @@ class Messages:
 
     def _late(self, channel: int, name: str) -> str:
         """A timer may be due, or time begins, or goes backwards."""
-        guards = self._guards_of(channel)
+        guards = self.guards_of(channel)
         settle = f"settle_{name}(m, t_ns, GUARDS)" if guards else "evaluate(m, t_ns)"
         return (
             f"{self._head(f'RARE int late_{name}', channel)}\n{{\n"
@@ -149,12 +149,12 @@ class Messages:
         if not is_seen_by_guards(self._layout, channel):
             calm = f"({calm} && m->quiet[{channel}])"
         checks = []
-        for guard in self._guards_of(channel):
+        for guard in self.guards_of(channel):
             value = self.expressions.kept(guard.value)
             checks.append(f"if (UNLIKELY(!is_inside(m, {guard.name}, {value})))")
             checks.append(f"    return settle_{name}(m, t_ns, {guard.name});")
         if any(channel in piece.channels for piece in self._followed()):
-            checks += ["if (m->pending)", "    return evaluate(m, t_ns);"]
+            checks += ["if (is_pending(m))", "    return evaluate(m, t_ns);"]
         return (
             f"{self._head(f'INLINE int take_{name}', channel)}\n{{\n"
             f"    if (UNLIKELY(!{calm}))\n"
@@ -163,7 +163,8 @@ class Messages:
             f"{indented([*checks, 'return 0;'])}\n}}\n"
         )
 
-    def _guards_of(self, channel: int) -> list[Guard]:
+    def guards_of(self, channel: int) -> list[Guard]:
+        """The guards that a message on a channel can leave."""
         values = self._layout.values
         return [g for g in self._layout.guards if channel in values[g.value].support.channels]
 
@@ -197,7 +198,7 @@ class Messages:
             f"    }}\n"
             f"    m->now_ns = t_ns;\n"
             f"{indented(self._guarded(pieces))}\n"
-            f"    if (m->pending)\n"
+            f"    if (is_pending(m))\n"
             f"        events += evaluate(m, t_ns);\n"
             f"    if (!calm)\n"
             f"        set_wake(m);\n"

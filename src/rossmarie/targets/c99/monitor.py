@@ -86,10 +86,12 @@ class _Writer:
         messages = self._messages.functions()
         constants = self._messages.constants()
         derived, logic = derive(layout)
+        value = "derive(m, node, t_ns)" if derived else "UNKNOWN"
+        size = "few" if state.is_small(layout) else "many"
         engine = self._fill(
             "engine.c.j2",
             derive=derived,
-            value="derive(m, node, t_ns)" if derived else "UNKNOWN",
+            evaluate=self._fill(f"evaluate_{size}.c.j2", value=value),
             wake=indented(state.wake(layout)),
             tick=indented(state.tick(layout)),
             restart=indented(state.restart(layout)),
@@ -99,7 +101,7 @@ class _Writer:
             descriptions=describe.descriptions(layout),
         )
         needed = self._messages.expressions.parts | logic | state.parts(layout)
-        parts = ["core", *(part for part in _PARTS if part in needed)]
+        parts = [f"core_{size}", *(part for part in _PARTS if part in needed)]
         return self._fill(
             "monitor.c.j2",
             enums=tables.enumerations(layout),

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Iterable
 from pathlib import PurePath
 
 from dslkit.source import Span
 
 _LONGEST = 40
 
-_RESERVED = frozenset(
-    """
+_LANGUAGE = """
     alignas alignof and and_eq asm atomic auto bitand bitor bool break case catch char class compl
     concept const consteval constexpr constinit const_cast continue co_await co_return co_yield
     decltype default delete do double dynamic_cast else enum explicit export extern false float for
@@ -23,9 +23,18 @@ _RESERVED = frozenset(
     or_eq private protected public register reinterpret_cast requires restrict return short signed
     sizeof static static_assert static_cast struct switch template this thread_local throw true try
     typedef typeid typename typeof union unsigned using virtual void volatile wchar_t while xor
-    xor_eq linux unix m t_ns events i
-    """.split()  # noqa: SIM905 -- nobody can read a list of 90 quoted words
-)
+    xor_eq linux unix
+"""
+
+# What the generated functions call and name themselves, where a field of a message is a parameter.
+_GENERATED = """
+    arrive asin atan2 both catch_up cross either element_truth events every evaluate fabs first
+    follow how_many i index_t is_calm is_inside is_pending isfinite isnan known m mark maximum
+    minimum monitor opposite outcome pitch_of rate_of roll_of sample set_wake some sqrt t_ns tick
+    yaw_of
+"""
+
+_RESERVED = frozenset((_LANGUAGE + _GENERATED).split())
 
 
 def identifier(text: str) -> str:
@@ -38,21 +47,25 @@ def identifier(text: str) -> str:
 
 
 class Family:
-    """Identifiers that must differ from each other, all with one prefix."""
+    """Identifiers that must differ from each other, all with one prefix, and in capitals if the
+    prefix is: what is in capitals is a constant and differs from all that is not.
+    """
 
-    def __init__(self, prefix: str = "") -> None:
+    def __init__(self, prefix: str = "", taken: Iterable[str] = ()) -> None:
         self._prefix = prefix
-        self._given: set[str] = set()
+        self._given = set(taken)
         self._numbers: dict[str, int] = {}
 
-    def name(self, text: str) -> str:
-        """A new identifier that reminds of the text."""
+    def name(self, text: str, *endings: str) -> str:
+        """A new identifier that reminds of the text; with each of the endings it is new, too."""
         word = self._prefix + identifier(text)
+        if self._prefix.isupper():
+            word = word.upper()
         candidate = word
-        while candidate in self._given:
+        while self._given.intersection(candidate + ending for ending in ("", *endings)):
             self._numbers[word] = self._numbers.get(word, 1) + 1
             candidate = f"{word}_{self._numbers[word]}"
-        self._given.add(candidate)
+        self._given.update(candidate + ending for ending in ("", *endings))
         return candidate
 
 

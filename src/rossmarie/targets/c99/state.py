@@ -15,6 +15,11 @@ def has_timeouts(layout: Layout) -> bool:
     return any(used.timeout_ns is not None for used in layout.machine.inputs)
 
 
+def is_small(layout: Layout) -> bool:
+    """Whether the marks of all truths and rules fit one word."""
+    return layout.truth_count + len(layout.machine.rules) <= 64
+
+
 def parts(layout: Layout) -> set[str]:
     """The C functions that the state needs."""
     found = {
@@ -42,24 +47,24 @@ def turns(layout: Layout) -> list[int]:
 def members(layout: Layout) -> list[str]:
     """The members of the struct of a monitor; those that every message looks at come first."""
     machine, truths = layout.machine, layout.truth_count
-    nodes = truths + len(machine.rules)
+    words = (truths + len(machine.rules) + 63) // 64
     found = [
         "int64_t now_ns;",
         "int64_t wake_ns;",
-        f"bool quiet[{max(1, len(machine.channels))}];",
-        "bool pending;",
-        "bool started;",
+        f"double value[{max(1, len(layout.values))}];",
     ]
     if layout.guards:
         found += [f"double low[{len(layout.guards)}];", f"double high[{len(layout.guards)}];"]
     found += [
-        f"double value[{max(1, len(layout.values))}];",
+        "uint64_t dirty;" if is_small(layout) else f"uint64_t dirty[{words}];",
+        f"bool quiet[{max(1, len(machine.channels))}];",
+        "bool started;",
+        *([] if is_small(layout) else ["bool pending;"]),
         f"int64_t stamp_ns[{max(1, len(machine.inputs))}];",
         f"unsigned char state[{max(1, len(machine.inputs))}];",
         f"unsigned char active[{(max(1, len(machine.rules)) + 7) // 8}];",
         f"unsigned char truth[{max(1, truths)}];",
         f"int64_t since_ns[{max(1, truths)}];",
-        f"uint64_t dirty[{max(1, (nodes + 63) // 64)}];",
     ]
     if layout.guards:
         found.append(f"int place[{len(layout.guards)}];")
@@ -133,16 +138,15 @@ def tick(layout: Layout) -> list[str]:
     lines: list[str] = []
     if has_timeouts(layout):
         lines += [
-            "bool has_expired = false;",
+            *(["bool has_expired = false;"] if layout.guards else []),
             "for (unsigned i = 0; i != INPUTS; i++) {",
             "    if (m->state[i] == FRESH && input_timeouts[i] != 0 &&",
             "        t_ns - m->stamp_ns[i] >= input_timeouts[i]) {",
             "        expire(m, i);",
-            "        has_expired = true;",
+            *(["        has_expired = true;"] if layout.guards else []),
             "    }",
             "}",
-            "if (has_expired)",
-            "    review(m, t_ns);" if layout.guards else "    m->pending = true;",
+            *(["if (has_expired)", "    review(m, t_ns);"] if layout.guards else []),
         ]
     if layout.ages:
         lines += ["for (unsigned k = 0; k != AGES; k++)", "    look_at_age(m, k, t_ns);"]

@@ -12,7 +12,7 @@ from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Guard, Layout
 from rossmarie.targets.c99.limits import true_below, twins
-from rossmarie.targets.c99.state import has_timeouts, turns
+from rossmarie.targets.c99.state import has_timeouts, is_small, turns
 from rossmarie.targets.c99.text import enumeration, lists, remarked_table, table
 from rossmarie.targets.c99.types import duration, number
 
@@ -57,8 +57,9 @@ def enumerations(layout: Layout) -> str:
         "COVERED": len(covered_values(layout)),
         "LATCHED": 0xFFFF,
         "NO_TWIN": 0xFFFF,
-        "WORDS": (layout.truth_count + len(machine.rules) + 63) // 64,
     }
+    if not is_small(layout):
+        sizes["WORDS"] = (layout.truth_count + len(machine.rules) + 63) // 64
     counts = "\n".join(f"    {name} = {size}," for name, size in sizes.items()).rstrip(",")
     return "\n".join(
         [
@@ -166,10 +167,11 @@ def _node_tables(layout: Layout) -> str:
         users[layout.node_of_truth[rule.condition]].add(layout.truth_count + number_)
         if rule.release is not None:
             users[layout.node_of_truth[rule.release]].add(layout.truth_count + number_)
-    listed = [sorted(found) for found in users]
-    return "/* What depends on each truth; rules stand behind all truths. */\n" + lists(
-        "index_t", "node_users", "users", listed
-    )
+    remark = "/* What depends on each truth; rules stand behind all truths. */\n"
+    if is_small(layout):
+        masks = [f"UINT64_C({sum(1 << user for user in found):#x})" for found in users]
+        return remark + table("uint64_t", "node_users", masks)
+    return remark + lists("index_t", "node_users", "users", [sorted(found) for found in users])
 
 
 def _rule_tables(layout: Layout) -> str:
@@ -242,7 +244,7 @@ class _LimitRow:
 
 def _limit_rows(layout: Layout, guard: Guard, start: int) -> list[_LimitRow]:
     """The limits of a guard between two ends."""
-    name = layout.values[guard.value].name.removeprefix("value_")
+    name = layout.values[guard.value].name.removeprefix("VALUE_")
     rows = [_LimitRow("-INFINITY", f"below all limits of {name}")]
     for limit, other in zip(guard.limits, twins(guard.limits), strict=True):
         above = "TRUE" if limit.rises else "FALSE"

@@ -35,10 +35,16 @@ class Field:
 
 def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
     """What the messages of a channel carry: its slots, then its arrays."""
-    family = names.Family()
+    # The functions that have fields as parameters call functions named after channels.
+    called = [
+        f"{step}_{names.identifier(topic.topic)}"
+        for step in ("receive", "settle", "late", "take")
+        for topic in machine.channels
+    ]
+    family = names.Family(taken=called)
 
-    def named(path: tuple[str | int, ...]) -> str:
-        return family.name("_".join(map(str, path)) or "value")
+    def named(path: tuple[str | int, ...], *endings: str) -> str:
+        return family.name("_".join(map(str, path)) or "value", *endings)
 
     def is_here(used: int) -> bool:
         return machine.inputs[used].channel == channel
@@ -49,7 +55,7 @@ def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
         if is_here(slot.input)
     ]
     arrays = [
-        Field(named(array.path), array=index)
+        Field(named(array.path, "_count"), array=index)
         for index, array in enumerate(machine.arrays)
         if is_here(array.input)
     ]

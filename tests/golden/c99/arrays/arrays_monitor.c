@@ -44,37 +44,37 @@ enum { NEVER_RECEIVED, FRESH, EXPIRED };
 
 /* Inputs. */
 enum {
-    input_input_0, /* draft.ross:1 /topic_0 */
+    INPUT_INPUT_0, /* draft.ross:1 /topic_0 */
     INPUTS
 };
 
 /* The numbers that a monitor keeps. */
 enum {
-    value_min_ranges, /* draft.ross:1 min(ranges) */
-    value_count_ranges_0_5_m, /* draft.ross:1 count(ranges > 0.5 m) */
-    value_truth_2, /* draft.ross:1 truth_2 */
-    value_truth_3, /* draft.ross:1 truth_3 */
+    VALUE_MIN_RANGES, /* draft.ross:1 min(ranges) */
+    VALUE_COUNT_RANGES_0_5_M, /* draft.ross:1 count(ranges > 0.5 m) */
+    VALUE_TRUTH_2, /* draft.ross:1 truth_2 */
+    VALUE_TRUTH_3, /* draft.ross:1 truth_3 */
     VALUES
 };
 
 /* The numbers that are watched. */
 enum {
-    guard_min_ranges, /* draft.ross:1 min(ranges) */
-    guard_count_ranges_0_5_m, /* draft.ross:1 count(ranges > 0.5 m) */
-    guard_truth_2, /* draft.ross:1 truth_2 */
-    guard_truth_3, /* draft.ross:1 truth_3 */
+    GUARD_MIN_RANGES, /* draft.ross:1 min(ranges) */
+    GUARD_COUNT_RANGES_0_5_M, /* draft.ross:1 count(ranges > 0.5 m) */
+    GUARD_TRUTH_2, /* draft.ross:1 truth_2 */
+    GUARD_TRUTH_3, /* draft.ross:1 truth_3 */
     GUARDS
 };
 
 /* Truths: first those that look at numbers or ages, then those made of others. */
 enum {
-    truth_truth_4, /* draft.ross:1 truth_4 */
-    truth_truth_1, /* draft.ross:1 truth_1 */
-    truth_truth_2, /* draft.ross:1 truth_2 */
-    truth_truth_3, /* draft.ross:1 truth_3 */
-    truth_truth_7, /* draft.ross:1 truth_7 */
-    truth_truth_5, /* draft.ross:1 truth_5 */
-    truth_truth_6, /* draft.ross:1 truth_6 */
+    TRUTH_TRUTH_4, /* draft.ross:1 truth_4 */
+    TRUTH_TRUTH_1, /* draft.ross:1 truth_1 */
+    TRUTH_TRUTH_2, /* draft.ross:1 truth_2 */
+    TRUTH_TRUTH_3, /* draft.ross:1 truth_3 */
+    TRUTH_TRUTH_7, /* draft.ross:1 truth_7 */
+    TRUTH_TRUTH_5, /* draft.ross:1 truth_5 */
+    TRUTH_TRUTH_6, /* draft.ross:1 truth_6 */
     TRUTHS
 };
 
@@ -89,8 +89,7 @@ enum {
     SAMPLED_VALUES = 0,
     COVERED = 0,
     LATCHED = 65535,
-    NO_TWIN = 65535,
-    WORDS = 1
+    NO_TWIN = 65535
 };
 
 static const index_t input_channel[1] = {0};
@@ -99,20 +98,21 @@ static const int64_t input_timeouts[1] = {
 };
 
 /* What depends on each truth; rules stand behind all truths. */
-static const index_t node_users[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-static const index_t users[7] = {6, 6, 5, 5, 7, 6, 7};
+static const uint64_t node_users[7] = {
+    UINT64_C(0x40), UINT64_C(0x40), UINT64_C(0x20), UINT64_C(0x20), UINT64_C(0x80),
+    UINT64_C(0x40), UINT64_C(0x80)};
 
 /* Rules: the condition, what must hold for them to clear, what a verdict carries. */
 static const index_t rule_condition[1] = {
-    truth_truth_6, /* draft.ross:1 rule_1: clears by contract */
+    TRUTH_TRUTH_6, /* draft.ross:1 rule_1: clears by contract */
 };
-static const index_t rule_release[1] = {truth_truth_7};
+static const index_t rule_release[1] = {TRUTH_TRUTH_7};
 static const index_t rule_terms[2] = {0, 4};
-static const index_t terms[4] = {truth_truth_1, truth_truth_2, truth_truth_3, truth_truth_4};
+static const index_t terms[4] = {TRUTH_TRUTH_1, TRUTH_TRUTH_2, TRUTH_TRUTH_3, TRUTH_TRUTH_4};
 static const index_t rule_values[2] = {0, 2};
-static const index_t shown_values[2] = {value_min_ranges, value_count_ranges_0_5_m};
+static const index_t shown_values[2] = {VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M};
 static const index_t rule_inputs[2] = {0, 1};
-static const index_t shown_inputs[1] = {input_input_0};
+static const index_t shown_inputs[1] = {INPUT_INPUT_0};
 
 /* Guards: guard g watches a value. It owns the truths from guard_leaves[g] up to, but without,
  * guard_leaves[g + 1], and the limits between the ends guard_limits[g] and guard_limits[g + 1] - 1,
@@ -120,25 +120,25 @@ static const index_t shown_inputs[1] = {input_input_0};
  * limit_above[i]; limit_twin[i] is the other limit of the same truth, if it has two.
  */
 static const index_t guard_value[4] = {
-    value_min_ranges, value_count_ranges_0_5_m, value_truth_2, value_truth_3};
+    VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M, VALUE_TRUTH_2, VALUE_TRUTH_3};
 static const index_t guard_leaves[5] = {0, 1, 2, 3, 4};
 static const index_t guard_limits[5] = {0, 3, 6, 9, 12};
 static const double limits[12] = {
-    -INFINITY, /* below all limits of min_ranges */
+    -INFINITY, /* below all limits of MIN_RANGES */
     0.29999999999999993, /* draft.ross:1 truth_4 */
-    DBL_MAX, /* above all limits of min_ranges */
-    -INFINITY, /* below all limits of count_ranges_0_5_m */
+    DBL_MAX, /* above all limits of MIN_RANGES */
+    -INFINITY, /* below all limits of COUNT_RANGES_0_5_M */
     3.0, /* draft.ross:1 truth_1 */
-    DBL_MAX, /* above all limits of count_ranges_0_5_m */
-    -INFINITY, /* below all limits of truth_2 */
+    DBL_MAX, /* above all limits of COUNT_RANGES_0_5_M */
+    -INFINITY, /* below all limits of TRUTH_2 */
     0.5, /* draft.ross:1 truth_2 */
-    DBL_MAX, /* above all limits of truth_2 */
-    -INFINITY, /* below all limits of truth_3 */
+    DBL_MAX, /* above all limits of TRUTH_2 */
+    -INFINITY, /* below all limits of TRUTH_3 */
     0.5, /* draft.ross:1 truth_3 */
-    DBL_MAX, /* above all limits of truth_3 */
+    DBL_MAX, /* above all limits of TRUTH_3 */
 };
 static const index_t limit_leaf[12] = {
-    0, truth_truth_4, 0, 0, truth_truth_1, 0, 0, truth_truth_2, 0, 0, truth_truth_3, 0};
+    0, TRUTH_TRUTH_4, 0, 0, TRUTH_TRUTH_1, 0, 0, TRUTH_TRUTH_2, 0, 0, TRUTH_TRUTH_3, 0};
 static const index_t limit_twin[12] = {
     NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN,
     NO_TWIN, NO_TWIN};
@@ -148,20 +148,19 @@ static const unsigned char leaf_below[4] = {TRUE, FALSE, FALSE, FALSE};
 
 /* Whose lack makes a truth lost instead of unknown. */
 static const index_t blames[4] = {
-    value_min_ranges, value_count_ranges_0_5_m, value_truth_2, value_truth_3};
+    VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M, VALUE_TRUTH_2, VALUE_TRUTH_3};
 static const index_t guard_blames[5] = {0, 1, 2, 3, 4};
 
 static const index_t input_values[2] = {0, 4};
 static const index_t lost_values[4] = {
-    value_min_ranges, value_count_ranges_0_5_m, value_truth_2, value_truth_3};
+    VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M, VALUE_TRUTH_2, VALUE_TRUTH_3};
 
 /* --- the core ------------------------------------------------------------------------------ */
 
-INLINE void mark(monitor *m, unsigned node)
-{
-    m->dirty[node / 64] |= (uint64_t)1 << (node % 64);
-    m->pending = true;
-}
+/* Something that a truth or rule depends on changed: it is evaluated again. */
+INLINE void mark(monitor *m, unsigned node) { m->dirty |= (uint64_t)1 << node; }
+
+INLINE bool is_pending(const monitor *m) { return m->dirty != 0; }
 
 /* The index of the lowest bit that is set. */
 INLINE unsigned lowest(uint64_t bits)
@@ -187,8 +186,7 @@ INLINE void set_truth(monitor *m, unsigned node, unsigned value, int64_t t_ns)
         return;
     m->truth[node] = (unsigned char)value;
     m->since_ns[node] = t_ns;
-    for (unsigned i = node_users[node]; i != node_users[node + 1]; i++)
-        mark(m, users[i]);
+    m->dirty |= node_users[node];
 }
 
 static double minimum(double a, double b) { return isnan(a) || isnan(b) ? NAN : a < b ? a : b; }
@@ -410,10 +408,10 @@ static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     (void)t_ns;
     switch (node) {
-    case truth_truth_5: /* draft.ross:1 truth_5 */
-        return both(m->truth[truth_truth_2], m->truth[truth_truth_3]);
-    case truth_truth_6: /* draft.ross:1 truth_6 */
-        return either(either(m->truth[truth_truth_4], m->truth[truth_truth_1]), m->truth[truth_truth_5]);
+    case TRUTH_TRUTH_5: /* draft.ross:1 truth_5 */
+        return both(m->truth[TRUTH_TRUTH_2], m->truth[TRUTH_TRUTH_3]);
+    case TRUTH_TRUTH_6: /* draft.ross:1 truth_6 */
+        return either(either(m->truth[TRUTH_TRUTH_4], m->truth[TRUTH_TRUTH_1]), m->truth[TRUTH_TRUTH_5]);
     default:
         return UNKNOWN;
     }
@@ -424,18 +422,14 @@ static int evaluate(monitor *m, int64_t t_ns)
 {
     int events = 0;
     m->now_ns = t_ns;
-    m->pending = false;
-    for (unsigned word = 0; word != WORDS; word++) {
-        while (m->dirty[word] != 0) {
-            const unsigned node = 64 * word + lowest(m->dirty[word]);
-            m->dirty[word] &= m->dirty[word] - 1;
-            if (node >= TRUTHS)
-                events += judge(m, node - TRUTHS, t_ns);
-            else
-                set_truth(m, node, derive(m, node, t_ns), t_ns);
-        }
+    while (m->dirty != 0) {
+        const unsigned node = lowest(m->dirty);
+        m->dirty &= m->dirty - 1;
+        if (node >= TRUTHS)
+            events += judge(m, node - TRUTHS, t_ns);
+        else
+            set_truth(m, node, derive(m, node, t_ns), t_ns);
     }
-    m->pending = false;
     return events;
 }
 
@@ -479,7 +473,7 @@ static void restart(monitor *m, int64_t t_ns)
             m->stamp_ns[i] = t_ns - input_timeouts[i];
     for (unsigned i = 0; i != CHANNELS; i++)
         m->quiet[i] = false;
-    set_truth(m, truth_truth_7, TRUE, t_ns);
+    set_truth(m, TRUTH_TRUTH_7, TRUE, t_ns);
     for (unsigned g = 0; g != GUARDS; g++) {
         m->place[g] = -(int)UNSET;
         m->low[g] = INFINITY;
@@ -558,21 +552,21 @@ static void arrive(monitor *m, unsigned channel, int64_t t_ns)
 INLINE void receive_topic_0(monitor *m, int64_t t_ns, const double *array_0, size_t array_0_count)
 {
     m->now_ns = t_ns;
-    m->stamp_ns[input_input_0] = t_ns;
+    m->stamp_ns[INPUT_INPUT_0] = t_ns;
     {
-        double minimum_2 = INFINITY;
-        size_t truths_0 = 0, unknowns_0 = 0;
+        double MINIMUM_2 = INFINITY;
+        size_t TRUTHS_0 = 0, UNKNOWNS_0 = 0;
         for (size_t i = 0; i != array_0_count; i++) {
-            const double element_0 = array_0[i];
-            minimum_2 = minimum(minimum_2, element_0);
-            const unsigned char is_0 = element_truth(isnan(element_0), element_0 > 0.5);
-            truths_0 += is_0 == TRUE;
-            unknowns_0 += is_0 == UNKNOWN;
+            const double ELEMENT_0 = array_0[i];
+            MINIMUM_2 = minimum(MINIMUM_2, ELEMENT_0);
+            const unsigned char IS_0 = element_truth(isnan(ELEMENT_0), ELEMENT_0 > 0.5);
+            TRUTHS_0 += IS_0 == TRUE;
+            UNKNOWNS_0 += IS_0 == UNKNOWN;
         }
-        m->value[value_min_ranges] = array_0_count != 0 ? minimum_2 : NAN;
-        m->value[value_count_ranges_0_5_m] = how_many(truths_0, unknowns_0, array_0_count);
-        m->value[value_truth_2] = some(truths_0, unknowns_0, array_0_count);
-        m->value[value_truth_3] = every(truths_0, unknowns_0, array_0_count);
+        m->value[VALUE_MIN_RANGES] = array_0_count != 0 ? MINIMUM_2 : NAN;
+        m->value[VALUE_COUNT_RANGES_0_5_M] = how_many(TRUTHS_0, UNKNOWNS_0, array_0_count);
+        m->value[VALUE_TRUTH_2] = some(TRUTHS_0, UNKNOWNS_0, array_0_count);
+        m->value[VALUE_TRUTH_3] = every(TRUTHS_0, UNKNOWNS_0, array_0_count);
     }
 }
 
@@ -582,14 +576,14 @@ RARE int settle_topic_0(monitor *m, int64_t t_ns, unsigned first)
         arrive(m, 0, t_ns);
     if (first != GUARDS)
         cross(m, first, m->value[guard_value[first]], t_ns);
-    if (!is_inside(m, guard_min_ranges, m->value[value_min_ranges]))
-        cross(m, guard_min_ranges, m->value[value_min_ranges], t_ns);
-    if (!is_inside(m, guard_count_ranges_0_5_m, m->value[value_count_ranges_0_5_m]))
-        cross(m, guard_count_ranges_0_5_m, m->value[value_count_ranges_0_5_m], t_ns);
-    if (!is_inside(m, guard_truth_2, m->value[value_truth_2]))
-        cross(m, guard_truth_2, m->value[value_truth_2], t_ns);
-    if (!is_inside(m, guard_truth_3, m->value[value_truth_3]))
-        cross(m, guard_truth_3, m->value[value_truth_3], t_ns);
+    if (!is_inside(m, GUARD_MIN_RANGES, m->value[VALUE_MIN_RANGES]))
+        cross(m, GUARD_MIN_RANGES, m->value[VALUE_MIN_RANGES], t_ns);
+    if (!is_inside(m, GUARD_COUNT_RANGES_0_5_M, m->value[VALUE_COUNT_RANGES_0_5_M]))
+        cross(m, GUARD_COUNT_RANGES_0_5_M, m->value[VALUE_COUNT_RANGES_0_5_M], t_ns);
+    if (!is_inside(m, GUARD_TRUTH_2, m->value[VALUE_TRUTH_2]))
+        cross(m, GUARD_TRUTH_2, m->value[VALUE_TRUTH_2], t_ns);
+    if (!is_inside(m, GUARD_TRUTH_3, m->value[VALUE_TRUTH_3]))
+        cross(m, GUARD_TRUTH_3, m->value[VALUE_TRUTH_3], t_ns);
     return evaluate(m, t_ns);
 }
 
@@ -611,14 +605,14 @@ INLINE int take_topic_0(monitor *m, int64_t t_ns, const double *array_0, size_t 
     if (UNLIKELY(!(is_calm(m, t_ns) && m->quiet[0])))
         return late_topic_0(m, t_ns, array_0, array_0_count);
     receive_topic_0(m, t_ns, array_0, array_0_count);
-    if (UNLIKELY(!is_inside(m, guard_min_ranges, m->value[value_min_ranges])))
-        return settle_topic_0(m, t_ns, guard_min_ranges);
-    if (UNLIKELY(!is_inside(m, guard_count_ranges_0_5_m, m->value[value_count_ranges_0_5_m])))
-        return settle_topic_0(m, t_ns, guard_count_ranges_0_5_m);
-    if (UNLIKELY(!is_inside(m, guard_truth_2, m->value[value_truth_2])))
-        return settle_topic_0(m, t_ns, guard_truth_2);
-    if (UNLIKELY(!is_inside(m, guard_truth_3, m->value[value_truth_3])))
-        return settle_topic_0(m, t_ns, guard_truth_3);
+    if (UNLIKELY(!is_inside(m, GUARD_MIN_RANGES, m->value[VALUE_MIN_RANGES])))
+        return settle_topic_0(m, t_ns, GUARD_MIN_RANGES);
+    if (UNLIKELY(!is_inside(m, GUARD_COUNT_RANGES_0_5_M, m->value[VALUE_COUNT_RANGES_0_5_M])))
+        return settle_topic_0(m, t_ns, GUARD_COUNT_RANGES_0_5_M);
+    if (UNLIKELY(!is_inside(m, GUARD_TRUTH_2, m->value[VALUE_TRUTH_2])))
+        return settle_topic_0(m, t_ns, GUARD_TRUTH_2);
+    if (UNLIKELY(!is_inside(m, GUARD_TRUTH_3, m->value[VALUE_TRUTH_3])))
+        return settle_topic_0(m, t_ns, GUARD_TRUTH_3);
     return 0;
 }
 
@@ -642,32 +636,32 @@ int arrays_step(arrays_monitor *m, int64_t t_ns, const arrays_values *v)
     }
     m->now_ns = t_ns;
     if (v->has_topic_0) {
-        m->stamp_ns[input_input_0] = t_ns;
+        m->stamp_ns[INPUT_INPUT_0] = t_ns;
         {
-            double minimum_2 = INFINITY;
-            size_t truths_0 = 0, unknowns_0 = 0;
+            double MINIMUM_2 = INFINITY;
+            size_t TRUTHS_0 = 0, UNKNOWNS_0 = 0;
             for (size_t i = 0; i != v->topic_0.array_0_count; i++) {
-                const double element_0 = v->topic_0.array_0[i];
-                minimum_2 = minimum(minimum_2, element_0);
-                const unsigned char is_0 = element_truth(isnan(element_0), element_0 > 0.5);
-                truths_0 += is_0 == TRUE;
-                unknowns_0 += is_0 == UNKNOWN;
+                const double ELEMENT_0 = v->topic_0.array_0[i];
+                MINIMUM_2 = minimum(MINIMUM_2, ELEMENT_0);
+                const unsigned char IS_0 = element_truth(isnan(ELEMENT_0), ELEMENT_0 > 0.5);
+                TRUTHS_0 += IS_0 == TRUE;
+                UNKNOWNS_0 += IS_0 == UNKNOWN;
             }
-            m->value[value_min_ranges] = v->topic_0.array_0_count != 0 ? minimum_2 : NAN;
-            m->value[value_count_ranges_0_5_m] = how_many(truths_0, unknowns_0, v->topic_0.array_0_count);
-            m->value[value_truth_2] = some(truths_0, unknowns_0, v->topic_0.array_0_count);
-            m->value[value_truth_3] = every(truths_0, unknowns_0, v->topic_0.array_0_count);
+            m->value[VALUE_MIN_RANGES] = v->topic_0.array_0_count != 0 ? MINIMUM_2 : NAN;
+            m->value[VALUE_COUNT_RANGES_0_5_M] = how_many(TRUTHS_0, UNKNOWNS_0, v->topic_0.array_0_count);
+            m->value[VALUE_TRUTH_2] = some(TRUTHS_0, UNKNOWNS_0, v->topic_0.array_0_count);
+            m->value[VALUE_TRUTH_3] = every(TRUTHS_0, UNKNOWNS_0, v->topic_0.array_0_count);
         }
-        if (!is_inside(m, guard_min_ranges, m->value[value_min_ranges]))
-            cross(m, guard_min_ranges, m->value[value_min_ranges], t_ns);
-        if (!is_inside(m, guard_count_ranges_0_5_m, m->value[value_count_ranges_0_5_m]))
-            cross(m, guard_count_ranges_0_5_m, m->value[value_count_ranges_0_5_m], t_ns);
-        if (!is_inside(m, guard_truth_2, m->value[value_truth_2]))
-            cross(m, guard_truth_2, m->value[value_truth_2], t_ns);
-        if (!is_inside(m, guard_truth_3, m->value[value_truth_3]))
-            cross(m, guard_truth_3, m->value[value_truth_3], t_ns);
+        if (!is_inside(m, GUARD_MIN_RANGES, m->value[VALUE_MIN_RANGES]))
+            cross(m, GUARD_MIN_RANGES, m->value[VALUE_MIN_RANGES], t_ns);
+        if (!is_inside(m, GUARD_COUNT_RANGES_0_5_M, m->value[VALUE_COUNT_RANGES_0_5_M]))
+            cross(m, GUARD_COUNT_RANGES_0_5_M, m->value[VALUE_COUNT_RANGES_0_5_M], t_ns);
+        if (!is_inside(m, GUARD_TRUTH_2, m->value[VALUE_TRUTH_2]))
+            cross(m, GUARD_TRUTH_2, m->value[VALUE_TRUTH_2], t_ns);
+        if (!is_inside(m, GUARD_TRUTH_3, m->value[VALUE_TRUTH_3]))
+            cross(m, GUARD_TRUTH_3, m->value[VALUE_TRUTH_3], t_ns);
     }
-    if (m->pending)
+    if (is_pending(m))
         events += evaluate(m, t_ns);
     if (!calm)
         set_wake(m);
@@ -692,7 +686,7 @@ int arrays_advance(monitor *m, int64_t t_ns)
     if (events < 0)
         return events;
     tick(m, t_ns);
-    if (m->pending)
+    if (is_pending(m))
         events += evaluate(m, t_ns);
     m->now_ns = t_ns;
     set_wake(m);

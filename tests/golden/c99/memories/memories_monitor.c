@@ -44,38 +44,38 @@ enum { NEVER_RECEIVED, FRESH, EXPIRED };
 
 /* Inputs. */
 enum {
-    input_input_0, /* draft.ross:1 /topic_0 */
+    INPUT_INPUT_0, /* draft.ross:1 /topic_0 */
     INPUTS
 };
 
 /* The numbers that a monitor keeps. */
 enum {
-    value_input_0_slot_0, /* draft.ross:1 input_0.slot_0 */
-    value_input_0_slot_1, /* draft.ross:1 input_0.slot_1 */
-    value_input_0_slot_2, /* draft.ross:1 input_0.slot_2 */
-    value_input_0_slot_3, /* draft.ross:1 input_0.slot_3 */
-    value_signal_4, /* draft.ross:1 signal_4 */
-    value_rate_orientation_pitch, /* draft.ross:1 rate(orientation.pitch()) */
-    value_previous_orientation_pitch, /* draft.ross:1 previous(orientation.pitch()) */
-    value_truth_0, /* draft.ross:1 truth_0 */
+    VALUE_INPUT_0_SLOT_0, /* draft.ross:1 input_0.slot_0 */
+    VALUE_INPUT_0_SLOT_1, /* draft.ross:1 input_0.slot_1 */
+    VALUE_INPUT_0_SLOT_2, /* draft.ross:1 input_0.slot_2 */
+    VALUE_INPUT_0_SLOT_3, /* draft.ross:1 input_0.slot_3 */
+    VALUE_SIGNAL_4, /* draft.ross:1 signal_4 */
+    VALUE_RATE_ORIENTATION_PITCH, /* draft.ross:1 rate(orientation.pitch()) */
+    VALUE_PREVIOUS_ORIENTATION_PITCH, /* draft.ross:1 previous(orientation.pitch()) */
+    VALUE_TRUTH_0, /* draft.ross:1 truth_0 */
     VALUES
 };
 
 /* The numbers that are watched. */
 enum {
-    guard_rate_orientation_pitch, /* draft.ross:1 rate(orientation.pitch()) */
-    guard_truth_0, /* draft.ross:1 truth_0 */
+    GUARD_RATE_ORIENTATION_PITCH, /* draft.ross:1 rate(orientation.pitch()) */
+    GUARD_TRUTH_0, /* draft.ross:1 truth_0 */
     GUARDS
 };
 
 /* Truths: first those that look at numbers or ages, then those made of others. */
 enum {
-    truth_truth_2, /* draft.ross:1 truth_2 */
-    truth_truth_0, /* draft.ross:1 truth_0 */
-    truth_truth_4, /* draft.ross:1 truth_4 */
-    truth_truth_5, /* draft.ross:1 truth_5 */
-    truth_truth_1, /* draft.ross:1 truth_1 */
-    truth_truth_3, /* draft.ross:1 truth_3 */
+    TRUTH_TRUTH_2, /* draft.ross:1 truth_2 */
+    TRUTH_TRUTH_0, /* draft.ross:1 truth_0 */
+    TRUTH_TRUTH_4, /* draft.ross:1 truth_4 */
+    TRUTH_TRUTH_5, /* draft.ross:1 truth_5 */
+    TRUTH_TRUTH_1, /* draft.ross:1 truth_1 */
+    TRUTH_TRUTH_3, /* draft.ross:1 truth_3 */
     TRUTHS
 };
 
@@ -90,8 +90,7 @@ enum {
     SAMPLED_VALUES = 3,
     COVERED = 0,
     LATCHED = 65535,
-    NO_TWIN = 65535,
-    WORDS = 1
+    NO_TWIN = 65535
 };
 
 static const index_t input_channel[1] = {0};
@@ -100,58 +99,59 @@ static const int64_t input_timeouts[1] = {
 };
 
 /* What depends on each truth; rules stand behind all truths. */
-static const index_t node_users[7] = {0, 1, 2, 3, 4, 5, 6};
-static const index_t users[6] = {5, 5, 6, 7, 7, 6};
+static const uint64_t node_users[6] = {
+    UINT64_C(0x20), UINT64_C(0x20), UINT64_C(0x40), UINT64_C(0x80), UINT64_C(0x80),
+    UINT64_C(0x40)};
 
 /* Rules: the condition, what must hold for them to clear, what a verdict carries. */
 static const index_t rule_condition[2] = {
-    truth_truth_3, /* draft.ross:1 rule_1: clears by contract */
-    truth_truth_1, /* draft.ross:1 rule_2: clears by contract */
+    TRUTH_TRUTH_3, /* draft.ross:1 rule_1: clears by contract */
+    TRUTH_TRUTH_1, /* draft.ross:1 rule_2: clears by contract */
 };
-static const index_t rule_release[2] = {truth_truth_4, truth_truth_5};
+static const index_t rule_release[2] = {TRUTH_TRUTH_4, TRUTH_TRUTH_5};
 static const index_t rule_terms[3] = {0, 2, 3};
-static const index_t terms[3] = {truth_truth_0, truth_truth_2, truth_truth_1};
+static const index_t terms[3] = {TRUTH_TRUTH_0, TRUTH_TRUTH_2, TRUTH_TRUTH_1};
 static const index_t rule_values[3] = {0, 3, 4};
 static const index_t shown_values[4] = {
-    value_signal_4, value_rate_orientation_pitch, value_previous_orientation_pitch,
-    value_input_0_slot_0};
+    VALUE_SIGNAL_4, VALUE_RATE_ORIENTATION_PITCH, VALUE_PREVIOUS_ORIENTATION_PITCH,
+    VALUE_INPUT_0_SLOT_0};
 static const index_t rule_inputs[3] = {0, 1, 2};
-static const index_t shown_inputs[2] = {input_input_0, input_input_0};
+static const index_t shown_inputs[2] = {INPUT_INPUT_0, INPUT_INPUT_0};
 
 /* Guards: guard g watches a value. It owns the truths from guard_leaves[g] up to, but without,
  * guard_leaves[g + 1], and the limits between the ends guard_limits[g] and guard_limits[g + 1] - 1,
  * from low to high. A number above limits[i] gives the truth limit_leaf[i] the value
  * limit_above[i]; limit_twin[i] is the other limit of the same truth, if it has two.
  */
-static const index_t guard_value[2] = {value_rate_orientation_pitch, value_truth_0};
+static const index_t guard_value[2] = {VALUE_RATE_ORIENTATION_PITCH, VALUE_TRUTH_0};
 static const index_t guard_leaves[3] = {0, 1, 2};
 static const index_t guard_limits[3] = {0, 3, 6};
 static const double limits[6] = {
-    -INFINITY, /* below all limits of rate_orientation_pitch */
+    -INFINITY, /* below all limits of RATE_ORIENTATION_PITCH */
     0.5, /* draft.ross:1 truth_2 */
-    DBL_MAX, /* above all limits of rate_orientation_pitch */
-    -INFINITY, /* below all limits of truth_0 */
+    DBL_MAX, /* above all limits of RATE_ORIENTATION_PITCH */
+    -INFINITY, /* below all limits of TRUTH_0 */
     0.5, /* draft.ross:1 truth_0 */
-    DBL_MAX, /* above all limits of truth_0 */
+    DBL_MAX, /* above all limits of TRUTH_0 */
 };
-static const index_t limit_leaf[6] = {0, truth_truth_2, 0, 0, truth_truth_0, 0};
+static const index_t limit_leaf[6] = {0, TRUTH_TRUTH_2, 0, 0, TRUTH_TRUTH_0, 0};
 static const index_t limit_twin[6] = {NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN};
 static const unsigned char limit_above[6] = {FALSE, TRUE, FALSE, FALSE, TRUE, FALSE};
 static const unsigned char leaf_below[2] = {FALSE, FALSE};
 
 /* Whose lack makes a truth lost instead of unknown. */
 static const index_t blames[9] = {
-    value_input_0_slot_0, value_input_0_slot_1, value_input_0_slot_2, value_input_0_slot_3,
-    value_input_0_slot_0, value_input_0_slot_1, value_input_0_slot_2, value_input_0_slot_3,
-    value_input_0_slot_0};
+    VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2, VALUE_INPUT_0_SLOT_3,
+    VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2, VALUE_INPUT_0_SLOT_3,
+    VALUE_INPUT_0_SLOT_0};
 static const index_t guard_blames[3] = {0, 4, 8};
 static const index_t turn_blames[2] = {8, 9};
 
 static const index_t input_values[2] = {0, 8};
 static const index_t lost_values[8] = {
-    value_input_0_slot_0, value_input_0_slot_1, value_input_0_slot_2, value_input_0_slot_3,
-    value_signal_4, value_rate_orientation_pitch, value_previous_orientation_pitch,
-    value_truth_0};
+    VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2, VALUE_INPUT_0_SLOT_3,
+    VALUE_SIGNAL_4, VALUE_RATE_ORIENTATION_PITCH, VALUE_PREVIOUS_ORIENTATION_PITCH,
+    VALUE_TRUTH_0};
 static const index_t input_samples[2] = {0, 1};
 static const index_t lost_samples[1] = {0};
 
@@ -159,20 +159,19 @@ static const int64_t turn_windows[1] = {
     INT64_C(250000000), /* draft.ross:1 truth_1 */
 };
 static const double turn_swings[1] = {0.1};
-static const index_t turn_value[1] = {value_input_0_slot_0};
+static const index_t turn_value[1] = {VALUE_INPUT_0_SLOT_0};
 static const index_t turn_first[2] = {0, 3};
-static const index_t turn_leaf[1] = {truth_truth_1};
+static const index_t turn_leaf[1] = {TRUTH_TRUTH_1};
 
 static const index_t sampled_values[3] = {
-    value_rate_orientation_pitch, value_previous_orientation_pitch, value_truth_0};
+    VALUE_RATE_ORIENTATION_PITCH, VALUE_PREVIOUS_ORIENTATION_PITCH, VALUE_TRUTH_0};
 
 /* --- the core ------------------------------------------------------------------------------ */
 
-INLINE void mark(monitor *m, unsigned node)
-{
-    m->dirty[node / 64] |= (uint64_t)1 << (node % 64);
-    m->pending = true;
-}
+/* Something that a truth or rule depends on changed: it is evaluated again. */
+INLINE void mark(monitor *m, unsigned node) { m->dirty |= (uint64_t)1 << node; }
+
+INLINE bool is_pending(const monitor *m) { return m->dirty != 0; }
 
 /* The index of the lowest bit that is set. */
 INLINE unsigned lowest(uint64_t bits)
@@ -198,14 +197,13 @@ INLINE void set_truth(monitor *m, unsigned node, unsigned value, int64_t t_ns)
         return;
     m->truth[node] = (unsigned char)value;
     m->since_ns[node] = t_ns;
-    for (unsigned i = node_users[node]; i != node_users[node + 1]; i++)
-        mark(m, users[i]);
+    m->dirty |= node_users[node];
 }
 
 /* Not finite is unknown: x - (x - x) is x, to the bit, if x is finite, and NaN if it is not. */
 static double known(double x) { return x - (x - x); }
 
-static double pitch(double x, double y, double z, double w)
+static double pitch_of(double x, double y, double z, double w)
 {
     const double n = ((x * x + y * y) + z * z) + w * w;
     const double sine = (2.0 * (w * y - z * x)) / n;
@@ -251,7 +249,7 @@ static void sample(monitor *m, unsigned k, double x, int64_t t_ns)
 }
 
 /* The slope over the last two samples, per second. */
-static double rate(const monitor *m, unsigned k)
+static double rate_of(const monitor *m, unsigned k)
 {
     const double seconds = (double)(m->latest_ns[k] - m->before_ns[k]) / 1e9;
     return known((m->latest[k] - m->before[k]) / seconds);
@@ -501,10 +499,10 @@ static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     (void)t_ns;
     switch (node) {
-    case truth_truth_1: /* draft.ross:1 truth_1 */
+    case TRUTH_TRUTH_1: /* draft.ross:1 truth_1 */
         return m->swinging[0];
-    case truth_truth_3: /* draft.ross:1 truth_3 */
-        return both(m->truth[truth_truth_0], m->truth[truth_truth_2]);
+    case TRUTH_TRUTH_3: /* draft.ross:1 truth_3 */
+        return both(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_TRUTH_2]);
     default:
         return UNKNOWN;
     }
@@ -515,18 +513,14 @@ static int evaluate(monitor *m, int64_t t_ns)
 {
     int events = 0;
     m->now_ns = t_ns;
-    m->pending = false;
-    for (unsigned word = 0; word != WORDS; word++) {
-        while (m->dirty[word] != 0) {
-            const unsigned node = 64 * word + lowest(m->dirty[word]);
-            m->dirty[word] &= m->dirty[word] - 1;
-            if (node >= TRUTHS)
-                events += judge(m, node - TRUTHS, t_ns);
-            else
-                set_truth(m, node, derive(m, node, t_ns), t_ns);
-        }
+    while (m->dirty != 0) {
+        const unsigned node = lowest(m->dirty);
+        m->dirty &= m->dirty - 1;
+        if (node >= TRUTHS)
+            events += judge(m, node - TRUTHS, t_ns);
+        else
+            set_truth(m, node, derive(m, node, t_ns), t_ns);
     }
-    m->pending = false;
     return events;
 }
 
@@ -581,8 +575,8 @@ static void restart(monitor *m, int64_t t_ns)
         m->value[sampled_values[i]] = NAN;
     for (unsigned k = 0; k != OSCILLATIONS; k++)
         forget_turns(m, k);
-    set_truth(m, truth_truth_4, TRUE, t_ns);
-    set_truth(m, truth_truth_5, TRUE, t_ns);
+    set_truth(m, TRUTH_TRUTH_4, TRUE, t_ns);
+    set_truth(m, TRUTH_TRUTH_5, TRUE, t_ns);
     for (unsigned g = 0; g != GUARDS; g++) {
         m->place[g] = -(int)UNSET;
         m->low[g] = INFINITY;
@@ -662,16 +656,16 @@ INLINE void receive_topic_0(monitor *m, int64_t t_ns, double slot_0, double slot
         double slot_3)
 {
     m->now_ns = t_ns;
-    m->stamp_ns[input_input_0] = t_ns;
-    m->value[value_input_0_slot_0] = known(slot_0);
-    m->value[value_input_0_slot_1] = known(slot_1);
-    m->value[value_input_0_slot_2] = known(slot_2);
-    m->value[value_input_0_slot_3] = known(slot_3);
-    m->value[value_signal_4] = pitch(m->value[value_input_0_slot_0], m->value[value_input_0_slot_1], m->value[value_input_0_slot_2], m->value[value_input_0_slot_3]);
-    sample(m, 0, m->value[value_signal_4], t_ns);
-    m->value[value_rate_orientation_pitch] = rate(m, 0);
-    m->value[value_previous_orientation_pitch] = m->before[0];
-    m->value[value_truth_0] = outcome(isnan(m->value[value_signal_4]) || isnan(m->value[value_previous_orientation_pitch]), m->value[value_signal_4] > m->value[value_previous_orientation_pitch]);
+    m->stamp_ns[INPUT_INPUT_0] = t_ns;
+    m->value[VALUE_INPUT_0_SLOT_0] = known(slot_0);
+    m->value[VALUE_INPUT_0_SLOT_1] = known(slot_1);
+    m->value[VALUE_INPUT_0_SLOT_2] = known(slot_2);
+    m->value[VALUE_INPUT_0_SLOT_3] = known(slot_3);
+    m->value[VALUE_SIGNAL_4] = pitch_of(m->value[VALUE_INPUT_0_SLOT_0], m->value[VALUE_INPUT_0_SLOT_1], m->value[VALUE_INPUT_0_SLOT_2], m->value[VALUE_INPUT_0_SLOT_3]);
+    sample(m, 0, m->value[VALUE_SIGNAL_4], t_ns);
+    m->value[VALUE_RATE_ORIENTATION_PITCH] = rate_of(m, 0);
+    m->value[VALUE_PREVIOUS_ORIENTATION_PITCH] = m->before[0];
+    m->value[VALUE_TRUTH_0] = outcome(isnan(m->value[VALUE_SIGNAL_4]) || isnan(m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]), m->value[VALUE_SIGNAL_4] > m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]);
     follow(m, 0, t_ns);
 }
 
@@ -681,10 +675,10 @@ RARE int settle_topic_0(monitor *m, int64_t t_ns, unsigned first)
         arrive(m, 0, t_ns);
     if (first != GUARDS)
         cross(m, first, m->value[guard_value[first]], t_ns);
-    if (!is_inside(m, guard_rate_orientation_pitch, m->value[value_rate_orientation_pitch]))
-        cross(m, guard_rate_orientation_pitch, m->value[value_rate_orientation_pitch], t_ns);
-    if (!is_inside(m, guard_truth_0, m->value[value_truth_0]))
-        cross(m, guard_truth_0, m->value[value_truth_0], t_ns);
+    if (!is_inside(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH]))
+        cross(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH], t_ns);
+    if (!is_inside(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0]))
+        cross(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0], t_ns);
     return evaluate(m, t_ns);
 }
 
@@ -708,11 +702,11 @@ INLINE int take_topic_0(monitor *m, int64_t t_ns, double slot_0, double slot_1, 
     if (UNLIKELY(!is_calm(m, t_ns)))
         return late_topic_0(m, t_ns, slot_0, slot_1, slot_2, slot_3);
     receive_topic_0(m, t_ns, slot_0, slot_1, slot_2, slot_3);
-    if (UNLIKELY(!is_inside(m, guard_rate_orientation_pitch, m->value[value_rate_orientation_pitch])))
-        return settle_topic_0(m, t_ns, guard_rate_orientation_pitch);
-    if (UNLIKELY(!is_inside(m, guard_truth_0, m->value[value_truth_0])))
-        return settle_topic_0(m, t_ns, guard_truth_0);
-    if (m->pending)
+    if (UNLIKELY(!is_inside(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH])))
+        return settle_topic_0(m, t_ns, GUARD_RATE_ORIENTATION_PITCH);
+    if (UNLIKELY(!is_inside(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0])))
+        return settle_topic_0(m, t_ns, GUARD_TRUTH_0);
+    if (is_pending(m))
         return evaluate(m, t_ns);
     return 0;
 }
@@ -737,23 +731,23 @@ int memories_step(memories_monitor *m, int64_t t_ns, const memories_values *v)
     }
     m->now_ns = t_ns;
     if (v->has_topic_0) {
-        m->stamp_ns[input_input_0] = t_ns;
-        m->value[value_input_0_slot_0] = known(v->topic_0.slot_0);
-        m->value[value_input_0_slot_1] = known(v->topic_0.slot_1);
-        m->value[value_input_0_slot_2] = known(v->topic_0.slot_2);
-        m->value[value_input_0_slot_3] = known(v->topic_0.slot_3);
-        m->value[value_signal_4] = pitch(m->value[value_input_0_slot_0], m->value[value_input_0_slot_1], m->value[value_input_0_slot_2], m->value[value_input_0_slot_3]);
-        sample(m, 0, m->value[value_signal_4], t_ns);
-        m->value[value_rate_orientation_pitch] = rate(m, 0);
-        m->value[value_previous_orientation_pitch] = m->before[0];
-        m->value[value_truth_0] = outcome(isnan(m->value[value_signal_4]) || isnan(m->value[value_previous_orientation_pitch]), m->value[value_signal_4] > m->value[value_previous_orientation_pitch]);
+        m->stamp_ns[INPUT_INPUT_0] = t_ns;
+        m->value[VALUE_INPUT_0_SLOT_0] = known(v->topic_0.slot_0);
+        m->value[VALUE_INPUT_0_SLOT_1] = known(v->topic_0.slot_1);
+        m->value[VALUE_INPUT_0_SLOT_2] = known(v->topic_0.slot_2);
+        m->value[VALUE_INPUT_0_SLOT_3] = known(v->topic_0.slot_3);
+        m->value[VALUE_SIGNAL_4] = pitch_of(m->value[VALUE_INPUT_0_SLOT_0], m->value[VALUE_INPUT_0_SLOT_1], m->value[VALUE_INPUT_0_SLOT_2], m->value[VALUE_INPUT_0_SLOT_3]);
+        sample(m, 0, m->value[VALUE_SIGNAL_4], t_ns);
+        m->value[VALUE_RATE_ORIENTATION_PITCH] = rate_of(m, 0);
+        m->value[VALUE_PREVIOUS_ORIENTATION_PITCH] = m->before[0];
+        m->value[VALUE_TRUTH_0] = outcome(isnan(m->value[VALUE_SIGNAL_4]) || isnan(m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]), m->value[VALUE_SIGNAL_4] > m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]);
         follow(m, 0, t_ns);
-        if (!is_inside(m, guard_rate_orientation_pitch, m->value[value_rate_orientation_pitch]))
-            cross(m, guard_rate_orientation_pitch, m->value[value_rate_orientation_pitch], t_ns);
-        if (!is_inside(m, guard_truth_0, m->value[value_truth_0]))
-            cross(m, guard_truth_0, m->value[value_truth_0], t_ns);
+        if (!is_inside(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH]))
+            cross(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH], t_ns);
+        if (!is_inside(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0]))
+            cross(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0], t_ns);
     }
-    if (m->pending)
+    if (is_pending(m))
         events += evaluate(m, t_ns);
     if (!calm)
         set_wake(m);
@@ -778,7 +772,7 @@ int memories_advance(monitor *m, int64_t t_ns)
     if (events < 0)
         return events;
     tick(m, t_ns);
-    if (m->pending)
+    if (is_pending(m))
         events += evaluate(m, t_ns);
     m->now_ns = t_ns;
     set_wake(m);

@@ -44,34 +44,34 @@ enum { NEVER_RECEIVED, FRESH, EXPIRED };
 
 /* Inputs. */
 enum {
-    input_input_0, /* draft.ross:1 /topic_0 */
-    input_input_1, /* draft.ross:1 /topic_0 */
+    INPUT_INPUT_0, /* draft.ross:1 /topic_0 */
+    INPUT_INPUT_1, /* draft.ross:1 /topic_0 */
     INPUTS
 };
 
 /* The numbers that a monitor keeps. */
 enum {
-    value_input_0, /* draft.ross:1 input_0 */
-    value_input_1, /* draft.ross:1 input_1 */
+    VALUE_INPUT_0, /* draft.ross:1 input_0 */
+    VALUE_INPUT_1, /* draft.ross:1 input_1 */
     VALUES
 };
 
 /* The numbers that are watched. */
 enum {
-    guard_input_0, /* draft.ross:1 input_0 */
-    guard_input_1, /* draft.ross:1 input_1 */
+    GUARD_INPUT_0, /* draft.ross:1 input_0 */
+    GUARD_INPUT_1, /* draft.ross:1 input_1 */
     GUARDS
 };
 
 /* Truths: first those that look at numbers or ages, then those made of others. */
 enum {
-    truth_drive_slow, /* drive.ross:2 drive.slow: speed in [0.1, 0.2] m/s */
-    truth_truth_0, /* draft.ross:1 truth_0 */
-    truth_truth_2, /* draft.ross:1 truth_2 */
-    truth_truth_6, /* draft.ross:1 truth_6 */
-    truth_drive_fast, /* drive.ross:1 drive.fast: speed > 0.5 m/s for 2.0 sec */
-    truth_truth_3, /* draft.ross:1 truth_3 */
-    truth_truth_5, /* draft.ross:1 truth_5 */
+    TRUTH_DRIVE_SLOW, /* drive.ross:2 drive.slow: speed in [0.1, 0.2] m/s */
+    TRUTH_TRUTH_0, /* draft.ross:1 truth_0 */
+    TRUTH_TRUTH_2, /* draft.ross:1 truth_2 */
+    TRUTH_TRUTH_6, /* draft.ross:1 truth_6 */
+    TRUTH_DRIVE_FAST, /* drive.ross:1 drive.fast: speed > 0.5 m/s for 2.0 sec */
+    TRUTH_TRUTH_3, /* draft.ross:1 truth_3 */
+    TRUTH_TRUTH_5, /* draft.ross:1 truth_5 */
     TRUTHS
 };
 
@@ -86,8 +86,7 @@ enum {
     SAMPLED_VALUES = 0,
     COVERED = 2,
     LATCHED = 65535,
-    NO_TWIN = 65535,
-    WORDS = 1
+    NO_TWIN = 65535
 };
 
 static const index_t input_channel[2] = {0, 0};
@@ -97,43 +96,44 @@ static const int64_t input_timeouts[2] = {
 };
 
 /* What depends on each truth; rules stand behind all truths. */
-static const index_t node_users[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-static const index_t users[7] = {8, 4, 5, 7, 6, 6, 7};
+static const uint64_t node_users[7] = {
+    UINT64_C(0x100), UINT64_C(0x10), UINT64_C(0x20), UINT64_C(0x80), UINT64_C(0x40),
+    UINT64_C(0x40), UINT64_C(0x80)};
 
 /* Rules: the condition, what must hold for them to clear, what a verdict carries. */
 static const index_t rule_condition[2] = {
-    truth_truth_5, /* drive.ross:3 rule_1: clears by contract */
-    truth_drive_slow, /* drive.ross:3 rule_2: clears by contract */
+    TRUTH_TRUTH_5, /* drive.ross:3 rule_1: clears by contract */
+    TRUTH_DRIVE_SLOW, /* drive.ross:3 rule_2: clears by contract */
 };
-static const index_t rule_release[2] = {truth_truth_6, LATCHED};
+static const index_t rule_release[2] = {TRUTH_TRUTH_6, LATCHED};
 static const index_t rule_terms[3] = {0, 3, 4};
-static const index_t terms[4] = {truth_truth_0, truth_drive_fast, truth_truth_2, truth_drive_slow};
+static const index_t terms[4] = {TRUTH_TRUTH_0, TRUTH_DRIVE_FAST, TRUTH_TRUTH_2, TRUTH_DRIVE_SLOW};
 static const index_t rule_values[3] = {0, 2, 3};
-static const index_t shown_values[3] = {value_input_0, value_input_1, value_input_0};
+static const index_t shown_values[3] = {VALUE_INPUT_0, VALUE_INPUT_1, VALUE_INPUT_0};
 static const index_t rule_inputs[3] = {0, 2, 3};
-static const index_t shown_inputs[3] = {input_input_0, input_input_1, input_input_0};
+static const index_t shown_inputs[3] = {INPUT_INPUT_0, INPUT_INPUT_1, INPUT_INPUT_0};
 
 /* Guards: guard g watches a value. It owns the truths from guard_leaves[g] up to, but without,
  * guard_leaves[g + 1], and the limits between the ends guard_limits[g] and guard_limits[g + 1] - 1,
  * from low to high. A number above limits[i] gives the truth limit_leaf[i] the value
  * limit_above[i]; limit_twin[i] is the other limit of the same truth, if it has two.
  */
-static const index_t guard_value[2] = {value_input_0, value_input_1};
-static const index_t covered_values[2] = {value_input_0, value_input_1};
+static const index_t guard_value[2] = {VALUE_INPUT_0, VALUE_INPUT_1};
+static const index_t covered_values[2] = {VALUE_INPUT_0, VALUE_INPUT_1};
 static const index_t guard_leaves[3] = {0, 2, 3};
 static const index_t guard_limits[3] = {0, 5, 8};
 static const double limits[8] = {
-    -INFINITY, /* below all limits of input_0 */
+    -INFINITY, /* below all limits of INPUT_0 */
     0.09999999999999999, /* drive.ross:2 drive.slow: speed in [0.1, 0.2] m/s */
     0.2, /* drive.ross:2 drive.slow: speed in [0.1, 0.2] m/s */
     0.5, /* draft.ross:1 truth_0 */
-    DBL_MAX, /* above all limits of input_0 */
-    -INFINITY, /* below all limits of input_1 */
+    DBL_MAX, /* above all limits of INPUT_0 */
+    -INFINITY, /* below all limits of INPUT_1 */
     0.5, /* draft.ross:1 truth_2 */
-    DBL_MAX, /* above all limits of input_1 */
+    DBL_MAX, /* above all limits of INPUT_1 */
 };
 static const index_t limit_leaf[8] = {
-    0, truth_drive_slow, truth_drive_slow, truth_truth_0, 0, 0, truth_truth_2, 0};
+    0, TRUTH_DRIVE_SLOW, TRUTH_DRIVE_SLOW, TRUTH_TRUTH_0, 0, 0, TRUTH_TRUTH_2, 0};
 static const index_t limit_twin[8] = {NO_TWIN, 2, 1, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN};
 static const unsigned char limit_above[8] = {FALSE, TRUE, FALSE, TRUE, FALSE, FALSE, TRUE, FALSE};
 static const unsigned char leaf_below[3] = {FALSE, FALSE, FALSE};
@@ -145,15 +145,14 @@ static const index_t guard_blames[3] = {0, 0, 0};
 static const int64_t held_durations[1] = {
     INT64_C(2000000000), /* drive.ross:1 drive.fast: speed > 0.5 m/s for 2.0 sec */
 };
-static const index_t held_nodes[1] = {truth_drive_fast};
+static const index_t held_nodes[1] = {TRUTH_DRIVE_FAST};
 
 /* --- the core ------------------------------------------------------------------------------ */
 
-INLINE void mark(monitor *m, unsigned node)
-{
-    m->dirty[node / 64] |= (uint64_t)1 << (node % 64);
-    m->pending = true;
-}
+/* Something that a truth or rule depends on changed: it is evaluated again. */
+INLINE void mark(monitor *m, unsigned node) { m->dirty |= (uint64_t)1 << node; }
+
+INLINE bool is_pending(const monitor *m) { return m->dirty != 0; }
 
 /* The index of the lowest bit that is set. */
 INLINE unsigned lowest(uint64_t bits)
@@ -179,8 +178,7 @@ INLINE void set_truth(monitor *m, unsigned node, unsigned value, int64_t t_ns)
         return;
     m->truth[node] = (unsigned char)value;
     m->since_ns[node] = t_ns;
-    for (unsigned i = node_users[node]; i != node_users[node + 1]; i++)
-        mark(m, users[i]);
+    m->dirty |= node_users[node];
 }
 
 /* Not finite is unknown: x - (x - x) is x, to the bit, if x is finite, and NaN if it is not. */
@@ -395,12 +393,12 @@ static int judge(monitor *m, unsigned rule, int64_t t_ns)
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     switch (node) {
-    case truth_drive_fast: /* drive.ross:1 drive.fast: speed > 0.5 m/s for 2.0 sec */
-        return held(m, 0, m->truth[truth_truth_0], t_ns);
-    case truth_truth_3: /* draft.ross:1 truth_3 */
-        return opposite(m->truth[truth_truth_2]);
-    case truth_truth_5: /* draft.ross:1 truth_5 */
-        return both(m->truth[truth_drive_fast], m->truth[truth_truth_3]);
+    case TRUTH_DRIVE_FAST: /* drive.ross:1 drive.fast: speed > 0.5 m/s for 2.0 sec */
+        return held(m, 0, m->truth[TRUTH_TRUTH_0], t_ns);
+    case TRUTH_TRUTH_3: /* draft.ross:1 truth_3 */
+        return opposite(m->truth[TRUTH_TRUTH_2]);
+    case TRUTH_TRUTH_5: /* draft.ross:1 truth_5 */
+        return both(m->truth[TRUTH_DRIVE_FAST], m->truth[TRUTH_TRUTH_3]);
     default:
         return UNKNOWN;
     }
@@ -411,18 +409,14 @@ static int evaluate(monitor *m, int64_t t_ns)
 {
     int events = 0;
     m->now_ns = t_ns;
-    m->pending = false;
-    for (unsigned word = 0; word != WORDS; word++) {
-        while (m->dirty[word] != 0) {
-            const unsigned node = 64 * word + lowest(m->dirty[word]);
-            m->dirty[word] &= m->dirty[word] - 1;
-            if (node >= TRUTHS)
-                events += judge(m, node - TRUTHS, t_ns);
-            else
-                set_truth(m, node, derive(m, node, t_ns), t_ns);
-        }
+    while (m->dirty != 0) {
+        const unsigned node = lowest(m->dirty);
+        m->dirty &= m->dirty - 1;
+        if (node >= TRUTHS)
+            events += judge(m, node - TRUTHS, t_ns);
+        else
+            set_truth(m, node, derive(m, node, t_ns), t_ns);
     }
-    m->pending = false;
     return events;
 }
 
@@ -458,7 +452,7 @@ static void restart(monitor *m, int64_t t_ns)
         m->quiet[i] = false;
     for (unsigned k = 0; k != HELD; k++)
         m->held_due_ns[k] = NEVER;
-    set_truth(m, truth_truth_6, TRUE, t_ns);
+    set_truth(m, TRUTH_TRUTH_6, TRUE, t_ns);
     for (unsigned g = 0; g != GUARDS; g++) {
         m->place[g] = -(int)UNSET;
         m->low[g] = INFINITY;
@@ -537,8 +531,8 @@ static void arrive(monitor *m, unsigned channel, int64_t t_ns)
 INLINE void receive_topic_0(monitor *m, int64_t t_ns, double slot_0, double slot_1)
 {
     m->now_ns = t_ns;
-    m->value[value_input_0] = slot_0;
-    m->value[value_input_1] = slot_1;
+    m->value[VALUE_INPUT_0] = slot_0;
+    m->value[VALUE_INPUT_1] = slot_1;
 }
 
 RARE int settle_topic_0(monitor *m, int64_t t_ns, unsigned first)
@@ -547,10 +541,10 @@ RARE int settle_topic_0(monitor *m, int64_t t_ns, unsigned first)
         arrive(m, 0, t_ns);
     if (first != GUARDS)
         cross(m, first, m->value[guard_value[first]], t_ns);
-    if (!is_inside(m, guard_input_0, m->value[value_input_0]))
-        cross(m, guard_input_0, m->value[value_input_0], t_ns);
-    if (!is_inside(m, guard_input_1, m->value[value_input_1]))
-        cross(m, guard_input_1, m->value[value_input_1], t_ns);
+    if (!is_inside(m, GUARD_INPUT_0, m->value[VALUE_INPUT_0]))
+        cross(m, GUARD_INPUT_0, m->value[VALUE_INPUT_0], t_ns);
+    if (!is_inside(m, GUARD_INPUT_1, m->value[VALUE_INPUT_1]))
+        cross(m, GUARD_INPUT_1, m->value[VALUE_INPUT_1], t_ns);
     return evaluate(m, t_ns);
 }
 
@@ -572,10 +566,10 @@ INLINE int take_topic_0(monitor *m, int64_t t_ns, double slot_0, double slot_1)
     if (UNLIKELY(!is_calm(m, t_ns)))
         return late_topic_0(m, t_ns, slot_0, slot_1);
     receive_topic_0(m, t_ns, slot_0, slot_1);
-    if (UNLIKELY(!is_inside(m, guard_input_0, m->value[value_input_0])))
-        return settle_topic_0(m, t_ns, guard_input_0);
-    if (UNLIKELY(!is_inside(m, guard_input_1, m->value[value_input_1])))
-        return settle_topic_0(m, t_ns, guard_input_1);
+    if (UNLIKELY(!is_inside(m, GUARD_INPUT_0, m->value[VALUE_INPUT_0])))
+        return settle_topic_0(m, t_ns, GUARD_INPUT_0);
+    if (UNLIKELY(!is_inside(m, GUARD_INPUT_1, m->value[VALUE_INPUT_1])))
+        return settle_topic_0(m, t_ns, GUARD_INPUT_1);
     return 0;
 }
 
@@ -598,14 +592,14 @@ int thresholds_step(thresholds_monitor *m, int64_t t_ns, const thresholds_values
     }
     m->now_ns = t_ns;
     if (v->has_topic_0) {
-        m->value[value_input_0] = known(v->topic_0.slot_0);
-        m->value[value_input_1] = known(v->topic_0.slot_1);
-        if (!is_inside(m, guard_input_0, m->value[value_input_0]))
-            cross(m, guard_input_0, m->value[value_input_0], t_ns);
-        if (!is_inside(m, guard_input_1, m->value[value_input_1]))
-            cross(m, guard_input_1, m->value[value_input_1], t_ns);
+        m->value[VALUE_INPUT_0] = known(v->topic_0.slot_0);
+        m->value[VALUE_INPUT_1] = known(v->topic_0.slot_1);
+        if (!is_inside(m, GUARD_INPUT_0, m->value[VALUE_INPUT_0]))
+            cross(m, GUARD_INPUT_0, m->value[VALUE_INPUT_0], t_ns);
+        if (!is_inside(m, GUARD_INPUT_1, m->value[VALUE_INPUT_1]))
+            cross(m, GUARD_INPUT_1, m->value[VALUE_INPUT_1], t_ns);
     }
-    if (m->pending)
+    if (is_pending(m))
         events += evaluate(m, t_ns);
     if (!calm)
         set_wake(m);
@@ -630,7 +624,7 @@ int thresholds_advance(monitor *m, int64_t t_ns)
     if (events < 0)
         return events;
     tick(m, t_ns);
-    if (m->pending)
+    if (is_pending(m))
         events += evaluate(m, t_ns);
     m->now_ns = t_ns;
     set_wake(m);

@@ -44,33 +44,33 @@ enum { NEVER_RECEIVED, FRESH, EXPIRED };
 
 /* Inputs. */
 enum {
-    input_input_0, /* draft.ross:1 /topic_0 */
-    input_input_1, /* draft.ross:1 /topic_1 */
+    INPUT_INPUT_0, /* draft.ross:1 /topic_0 */
+    INPUT_INPUT_1, /* draft.ross:1 /topic_1 */
     INPUTS
 };
 
 /* The numbers that a monitor keeps. */
 enum {
-    value_input_0, /* draft.ross:1 input_0 */
-    value_input_1, /* draft.ross:1 input_1 */
+    VALUE_INPUT_0, /* draft.ross:1 input_0 */
+    VALUE_INPUT_1, /* draft.ross:1 input_1 */
     VALUES
 };
 
 /* The numbers that are watched. */
 enum {
-    guard_input_0, /* draft.ross:1 input_0 */
-    guard_input_1, /* draft.ross:1 input_1 */
+    GUARD_INPUT_0, /* draft.ross:1 input_0 */
+    GUARD_INPUT_1, /* draft.ross:1 input_1 */
     GUARDS
 };
 
 /* Truths: first those that look at numbers or ages, then those made of others. */
 enum {
-    truth_truth_2, /* draft.ross:1 truth_2 */
-    truth_truth_0, /* draft.ross:1 truth_0 */
-    truth_battery_stale, /* draft.ross:1 truth_1 */
-    truth_truth_3, /* draft.ross:1 truth_3 */
-    truth_truth_4, /* draft.ross:1 truth_4 */
-    truth_truth_5, /* draft.ross:1 truth_5 */
+    TRUTH_TRUTH_2, /* draft.ross:1 truth_2 */
+    TRUTH_TRUTH_0, /* draft.ross:1 truth_0 */
+    TRUTH_BATTERY_STALE, /* draft.ross:1 truth_1 */
+    TRUTH_TRUTH_3, /* draft.ross:1 truth_3 */
+    TRUTH_TRUTH_4, /* draft.ross:1 truth_4 */
+    TRUTH_TRUTH_5, /* draft.ross:1 truth_5 */
     TRUTHS
 };
 
@@ -85,8 +85,7 @@ enum {
     SAMPLED_VALUES = 0,
     COVERED = 2,
     LATCHED = 65535,
-    NO_TWIN = 65535,
-    WORDS = 1
+    NO_TWIN = 65535
 };
 
 static const index_t input_channel[2] = {0, 1};
@@ -96,69 +95,69 @@ static const int64_t input_timeouts[2] = {
 };
 
 /* What depends on each truth; rules stand behind all truths. */
-static const index_t node_users[7] = {0, 1, 2, 3, 4, 5, 6};
-static const index_t users[6] = {3, 5, 5, 4, 6, 6};
+static const uint64_t node_users[6] = {
+    UINT64_C(0x8), UINT64_C(0x20), UINT64_C(0x20), UINT64_C(0x10), UINT64_C(0x40),
+    UINT64_C(0x40)};
 
 /* Rules: the condition, what must hold for them to clear, what a verdict carries. */
 static const index_t rule_condition[1] = {
-    truth_truth_5, /* draft.ross:1 rule_1: clears by contract */
+    TRUTH_TRUTH_5, /* draft.ross:1 rule_1: clears by contract */
 };
-static const index_t rule_release[1] = {truth_truth_4};
+static const index_t rule_release[1] = {TRUTH_TRUTH_4};
 static const index_t rule_terms[2] = {0, 2};
-static const index_t terms[2] = {truth_truth_0, truth_battery_stale};
+static const index_t terms[2] = {TRUTH_TRUTH_0, TRUTH_BATTERY_STALE};
 static const index_t rule_values[2] = {0, 1};
-static const index_t shown_values[1] = {value_input_1};
+static const index_t shown_values[1] = {VALUE_INPUT_1};
 static const index_t rule_inputs[2] = {0, 1};
-static const index_t shown_inputs[1] = {input_input_1};
+static const index_t shown_inputs[1] = {INPUT_INPUT_1};
 
 /* Guards: guard g watches a value. It owns the truths from guard_leaves[g] up to, but without,
  * guard_leaves[g + 1], and the limits between the ends guard_limits[g] and guard_limits[g + 1] - 1,
  * from low to high. A number above limits[i] gives the truth limit_leaf[i] the value
  * limit_above[i]; limit_twin[i] is the other limit of the same truth, if it has two.
  */
-static const index_t guard_value[2] = {value_input_0, value_input_1};
-static const index_t covered_values[2] = {value_input_0, value_input_1};
+static const index_t guard_value[2] = {VALUE_INPUT_0, VALUE_INPUT_1};
+static const index_t covered_values[2] = {VALUE_INPUT_0, VALUE_INPUT_1};
 static const index_t guard_leaves[3] = {0, 1, 2};
 static const index_t guard_limits[3] = {0, 3, 6};
 static const double limits[6] = {
-    -INFINITY, /* below all limits of input_0 */
+    -INFINITY, /* below all limits of INPUT_0 */
     1.0, /* draft.ross:1 truth_2 */
-    DBL_MAX, /* above all limits of input_0 */
-    -INFINITY, /* below all limits of input_1 */
+    DBL_MAX, /* above all limits of INPUT_0 */
+    -INFINITY, /* below all limits of INPUT_1 */
     11.499999999999998, /* draft.ross:1 truth_0 */
-    DBL_MAX, /* above all limits of input_1 */
+    DBL_MAX, /* above all limits of INPUT_1 */
 };
-static const index_t limit_leaf[6] = {0, truth_truth_2, 0, 0, truth_truth_0, 0};
+static const index_t limit_leaf[6] = {0, TRUTH_TRUTH_2, 0, 0, TRUTH_TRUTH_0, 0};
 static const index_t limit_twin[6] = {NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN};
 static const unsigned char limit_above[6] = {FALSE, TRUE, FALSE, FALSE, FALSE, FALSE};
 static const unsigned char leaf_below[2] = {FALSE, TRUE};
 
 /* Whose lack makes a truth lost instead of unknown. */
-static const index_t blames[2] = {value_input_0, value_input_1};
+static const index_t blames[2] = {VALUE_INPUT_0, VALUE_INPUT_1};
 static const index_t guard_blames[3] = {0, 1, 2};
 
 static const index_t input_values[3] = {0, 1, 2};
-static const index_t lost_values[2] = {value_input_0, value_input_1};
+static const index_t lost_values[2] = {VALUE_INPUT_0, VALUE_INPUT_1};
 
 static const int64_t held_durations[1] = {
     INT64_C(1000000000), /* draft.ross:1 truth_4 */
 };
-static const index_t held_nodes[1] = {truth_truth_4};
+static const index_t held_nodes[1] = {TRUTH_TRUTH_4};
 
 static const int64_t age_limits[1] = {
     INT64_C(3000000000), /* draft.ross:1 truth_1 */
 };
-static const index_t age_input[1] = {input_input_1};
+static const index_t age_input[1] = {INPUT_INPUT_1};
 static const unsigned char age_unknown[1] = {LOST};
-static const index_t age_leaf[1] = {truth_battery_stale};
+static const index_t age_leaf[1] = {TRUTH_BATTERY_STALE};
 
 /* --- the core ------------------------------------------------------------------------------ */
 
-INLINE void mark(monitor *m, unsigned node)
-{
-    m->dirty[node / 64] |= (uint64_t)1 << (node % 64);
-    m->pending = true;
-}
+/* Something that a truth or rule depends on changed: it is evaluated again. */
+INLINE void mark(monitor *m, unsigned node) { m->dirty |= (uint64_t)1 << node; }
+
+INLINE bool is_pending(const monitor *m) { return m->dirty != 0; }
 
 /* The index of the lowest bit that is set. */
 INLINE unsigned lowest(uint64_t bits)
@@ -184,8 +183,7 @@ INLINE void set_truth(monitor *m, unsigned node, unsigned value, int64_t t_ns)
         return;
     m->truth[node] = (unsigned char)value;
     m->since_ns[node] = t_ns;
-    for (unsigned i = node_users[node]; i != node_users[node + 1]; i++)
-        mark(m, users[i]);
+    m->dirty |= node_users[node];
 }
 
 /* Not finite is unknown: x - (x - x) is x, to the bit, if x is finite, and NaN if it is not. */
@@ -347,7 +345,9 @@ static void look_at_age(monitor *m, unsigned k, int64_t t_ns)
     const unsigned input = age_input[k];
     const bool is_known = m->state[input] != NEVER_RECEIVED;
     const int64_t due_ns = m->stamp_ns[input] + age_limits[k];
-    const unsigned char value = !is_known ? age_unknown[k] : t_ns >= due_ns ? TRUE : FALSE;
+    unsigned char value = age_unknown[k];
+    if (is_known)
+        value = t_ns >= due_ns ? TRUE : FALSE;
     if (value == TRUE)
         m->quiet[input_channel[input]] = false;
     if (value == FALSE)
@@ -423,12 +423,12 @@ static int judge(monitor *m, unsigned rule, int64_t t_ns)
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     switch (node) {
-    case truth_truth_3: /* draft.ross:1 truth_3 */
-        return opposite(m->truth[truth_truth_2]);
-    case truth_truth_4: /* draft.ross:1 truth_4 */
-        return held(m, 0, m->truth[truth_truth_3], t_ns);
-    case truth_truth_5: /* draft.ross:1 truth_5 */
-        return either(m->truth[truth_truth_0], m->truth[truth_battery_stale]);
+    case TRUTH_TRUTH_3: /* draft.ross:1 truth_3 */
+        return opposite(m->truth[TRUTH_TRUTH_2]);
+    case TRUTH_TRUTH_4: /* draft.ross:1 truth_4 */
+        return held(m, 0, m->truth[TRUTH_TRUTH_3], t_ns);
+    case TRUTH_TRUTH_5: /* draft.ross:1 truth_5 */
+        return either(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_BATTERY_STALE]);
     default:
         return UNKNOWN;
     }
@@ -439,18 +439,14 @@ static int evaluate(monitor *m, int64_t t_ns)
 {
     int events = 0;
     m->now_ns = t_ns;
-    m->pending = false;
-    for (unsigned word = 0; word != WORDS; word++) {
-        while (m->dirty[word] != 0) {
-            const unsigned node = 64 * word + lowest(m->dirty[word]);
-            m->dirty[word] &= m->dirty[word] - 1;
-            if (node >= TRUTHS)
-                events += judge(m, node - TRUTHS, t_ns);
-            else
-                set_truth(m, node, derive(m, node, t_ns), t_ns);
-        }
+    while (m->dirty != 0) {
+        const unsigned node = lowest(m->dirty);
+        m->dirty &= m->dirty - 1;
+        if (node >= TRUTHS)
+            events += judge(m, node - TRUTHS, t_ns);
+        else
+            set_truth(m, node, derive(m, node, t_ns), t_ns);
     }
-    m->pending = false;
     return events;
 }
 
@@ -585,8 +581,8 @@ static void arrive(monitor *m, unsigned channel, int64_t t_ns)
 INLINE void receive_topic_0(monitor *m, int64_t t_ns, double slot_0)
 {
     m->now_ns = t_ns;
-    m->stamp_ns[input_input_0] = t_ns;
-    m->value[value_input_0] = slot_0;
+    m->stamp_ns[INPUT_INPUT_0] = t_ns;
+    m->value[VALUE_INPUT_0] = slot_0;
 }
 
 RARE int settle_topic_0(monitor *m, int64_t t_ns, unsigned first)
@@ -595,8 +591,8 @@ RARE int settle_topic_0(monitor *m, int64_t t_ns, unsigned first)
         arrive(m, 0, t_ns);
     if (first != GUARDS)
         cross(m, first, m->value[guard_value[first]], t_ns);
-    if (!is_inside(m, guard_input_0, m->value[value_input_0]))
-        cross(m, guard_input_0, m->value[value_input_0], t_ns);
+    if (!is_inside(m, GUARD_INPUT_0, m->value[VALUE_INPUT_0]))
+        cross(m, GUARD_INPUT_0, m->value[VALUE_INPUT_0], t_ns);
     return evaluate(m, t_ns);
 }
 
@@ -618,8 +614,8 @@ INLINE int take_topic_0(monitor *m, int64_t t_ns, double slot_0)
     if (UNLIKELY(!is_calm(m, t_ns)))
         return late_topic_0(m, t_ns, slot_0);
     receive_topic_0(m, t_ns, slot_0);
-    if (UNLIKELY(!is_inside(m, guard_input_0, m->value[value_input_0])))
-        return settle_topic_0(m, t_ns, guard_input_0);
+    if (UNLIKELY(!is_inside(m, GUARD_INPUT_0, m->value[VALUE_INPUT_0])))
+        return settle_topic_0(m, t_ns, GUARD_INPUT_0);
     return 0;
 }
 
@@ -631,8 +627,8 @@ int timeouts_update_topic_0(timeouts_monitor *m, int64_t t_ns, double slot_0)
 INLINE void receive_topic_1(monitor *m, int64_t t_ns, double slot_1)
 {
     m->now_ns = t_ns;
-    m->stamp_ns[input_input_1] = t_ns;
-    m->value[value_input_1] = slot_1;
+    m->stamp_ns[INPUT_INPUT_1] = t_ns;
+    m->value[VALUE_INPUT_1] = slot_1;
 }
 
 RARE int settle_topic_1(monitor *m, int64_t t_ns, unsigned first)
@@ -641,8 +637,8 @@ RARE int settle_topic_1(monitor *m, int64_t t_ns, unsigned first)
         arrive(m, 1, t_ns);
     if (first != GUARDS)
         cross(m, first, m->value[guard_value[first]], t_ns);
-    if (!is_inside(m, guard_input_1, m->value[value_input_1]))
-        cross(m, guard_input_1, m->value[value_input_1], t_ns);
+    if (!is_inside(m, GUARD_INPUT_1, m->value[VALUE_INPUT_1]))
+        cross(m, GUARD_INPUT_1, m->value[VALUE_INPUT_1], t_ns);
     return evaluate(m, t_ns);
 }
 
@@ -664,8 +660,8 @@ INLINE int take_topic_1(monitor *m, int64_t t_ns, double slot_1)
     if (UNLIKELY(!(is_calm(m, t_ns) && m->quiet[1])))
         return late_topic_1(m, t_ns, slot_1);
     receive_topic_1(m, t_ns, slot_1);
-    if (UNLIKELY(!is_inside(m, guard_input_1, m->value[value_input_1])))
-        return settle_topic_1(m, t_ns, guard_input_1);
+    if (UNLIKELY(!is_inside(m, GUARD_INPUT_1, m->value[VALUE_INPUT_1])))
+        return settle_topic_1(m, t_ns, GUARD_INPUT_1);
     return 0;
 }
 
@@ -690,26 +686,26 @@ int timeouts_step(timeouts_monitor *m, int64_t t_ns, const timeouts_values *v)
     }
     m->now_ns = t_ns;
     if (v->has_topic_0) {
-        m->stamp_ns[input_input_0] = t_ns;
+        m->stamp_ns[INPUT_INPUT_0] = t_ns;
     }
     if (v->has_topic_1) {
-        m->stamp_ns[input_input_1] = t_ns;
+        m->stamp_ns[INPUT_INPUT_1] = t_ns;
     }
     if (v->has_topic_0) {
-        m->value[value_input_0] = known(v->topic_0.slot_0);
+        m->value[VALUE_INPUT_0] = known(v->topic_0.slot_0);
     }
     if (v->has_topic_1) {
-        m->value[value_input_1] = known(v->topic_1.slot_1);
+        m->value[VALUE_INPUT_1] = known(v->topic_1.slot_1);
     }
     if (v->has_topic_0) {
-        if (!is_inside(m, guard_input_0, m->value[value_input_0]))
-            cross(m, guard_input_0, m->value[value_input_0], t_ns);
+        if (!is_inside(m, GUARD_INPUT_0, m->value[VALUE_INPUT_0]))
+            cross(m, GUARD_INPUT_0, m->value[VALUE_INPUT_0], t_ns);
     }
     if (v->has_topic_1) {
-        if (!is_inside(m, guard_input_1, m->value[value_input_1]))
-            cross(m, guard_input_1, m->value[value_input_1], t_ns);
+        if (!is_inside(m, GUARD_INPUT_1, m->value[VALUE_INPUT_1]))
+            cross(m, GUARD_INPUT_1, m->value[VALUE_INPUT_1], t_ns);
     }
-    if (m->pending)
+    if (is_pending(m))
         events += evaluate(m, t_ns);
     if (!calm)
         set_wake(m);
@@ -734,7 +730,7 @@ int timeouts_advance(monitor *m, int64_t t_ns)
     if (events < 0)
         return events;
     tick(m, t_ns);
-    if (m->pending)
+    if (is_pending(m))
         events += evaluate(m, t_ns);
     m->now_ns = t_ns;
     set_wake(m);

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from rossmarie import ir
+from rossmarie.targets import c99
 from rossmarie.targets.c99 import generate, generate_loadable
 from support.c99_cases import CASES
 from support.c_compiler import C_COMPILERS, CPP_COMPILERS, STRICT, needs_c, run, write
@@ -48,7 +51,7 @@ def test_is_clean_as_c99(case: str, compiler: str, tmp_path: Path) -> None:
 def test_is_clean_as_cpp17(case: str, compiler: str, tmp_path: Path) -> None:
     write(generate(CASES[case]()), tmp_path)
     source = tmp_path / f"{case}_monitor.c"
-    command = [compiler, "-x", "c++", "-std=c++17", *STRICT, "-c", source]
+    command = [compiler, "-x", "c++", "-std=c++17", *STRICT, "-c", str(source)]
     run([*command, "-o", tmp_path / "out.o"])
 
 
@@ -66,20 +69,42 @@ def test_needs_nothing_but_math(case: str, tmp_path: Path) -> None:
     assert names <= {"asin", "atan2", "fabs", "sqrt", "memset"}
 
 
-@needs_c
-def test_names_of_users_cannot_break_the_code(tmp_path: Path) -> None:
-    from dataclasses import replace
+NASTY = 'int */ "?? \\ // /* while\nπ\u202e'
 
-    machine = CASES["thresholds"]()
-    nasty = 'int */ "?? \\ // /* while\nπ\u202e'
-    truths = tuple(replace(truth, text=nasty, name=nasty) for truth in machine.truths)
-    rules = tuple(replace(rule, name=nasty, contract=nasty) for rule in machine.rules)
-    inputs = tuple(replace(used, name=nasty) for used in machine.inputs)
-    channels = tuple(replace(channel, topic="/while/int") for channel in machine.channels)
-    slots = tuple(replace(slot, path=("while",)) for slot in machine.slots)
-    named = replace(
-        machine, truths=truths, rules=rules, inputs=inputs, channels=channels, slots=slots
+
+def renamed(machine: ir.Machine, name: str, path: str) -> ir.Machine:
+    """The same machine, where everything has the same unfortunate name."""
+    return replace(
+        machine,
+        truths=tuple(replace(truth, text=name, name=name) for truth in machine.truths),
+        rules=tuple(replace(rule, name=name, contract=name) for rule in machine.rules),
+        inputs=tuple(replace(used, name=name) for used in machine.inputs),
+        signals=tuple(replace(signal, text=name) for signal in machine.signals),
+        channels=tuple(replace(channel, topic=f"/{path}") for channel in machine.channels),
+        slots=tuple(replace(slot, path=(path,)) for slot in machine.slots),
+        arrays=tuple(replace(array, path=(path,)) for array in machine.arrays),
     )
-    write(generate(named), tmp_path)
-    source = tmp_path / "thresholds_monitor.c"
-    run([C_COMPILERS[0], "-std=c99", *STRICT, "-c", source, "-o", tmp_path / "out.o"])
+
+
+def invented_functions() -> set[str]:
+    """The names of all functions in the templates."""
+    templates = Path(c99.__file__).parent / "templates"
+    texts = [path.read_text(encoding="utf-8") for path in templates.glob("**/*.c*")]
+    declared = re.compile(r"^(?:static|INLINE|RARE)[^=;{]*?(\w+)\(", re.MULTILINE)
+    return {name for text in texts for name in declared.findall(text)}
+
+
+@needs_c
+@pytest.mark.parametrize("case", ["arrays", "memories"])
+def test_names_of_users_cannot_break_the_code(case: str, tmp_path: Path) -> None:
+    fields = sorted(invented_functions() | {"while", "fabs", "sqrt", "isnan", "m", "value", "i"})
+    assert "cross" in fields
+    sources = []
+    for number, field in enumerate(fields):
+        machine = replace(renamed(CASES[case](), NASTY, field), name=f"{case}_{number}")
+        write(generate(machine), tmp_path)
+        sources.append(f'#include "{machine.name}_monitor.h"\n')
+    (tmp_path / "headers.c").write_text("".join(sources), encoding="utf-8")
+    monitors = sorted(tmp_path.glob("*_monitor.c"))
+    quick = ["-std=c99", "-fsyntax-only", *STRICT]
+    run([C_COMPILERS[0], *quick, tmp_path / "headers.c", *monitors])

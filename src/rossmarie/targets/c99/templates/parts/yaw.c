@@ -1,4 +1,4 @@
-static double yaw(double x, double y, double z, double w)
+static double yaw_of(double x, double y, double z, double w)
 {
     const double n = ((x * x + y * y) + z * z) + w * w;
     const double sine = (2.0 * (w * z + x * y)) / n;

@@ -1,10 +1,13 @@
 /* --- the core ------------------------------------------------------------------------------ */
 
+/* Something that a truth or rule depends on changed: it is evaluated again. */
 INLINE void mark(monitor *m, unsigned node)
 {
     m->dirty[node / 64] |= (uint64_t)1 << (node % 64);
     m->pending = true;
 }
+
+INLINE bool is_pending(const monitor *m) { return m->pending; }
 
 /* The index of the lowest bit that is set. */
 INLINE unsigned lowest(uint64_t bits)
