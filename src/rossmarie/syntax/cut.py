@@ -121,8 +121,6 @@ class _Cutter:
             return kind != "input" or any(self._text(at) == "topic" for at in range(first, index))
         if token.text in RESERVED:
             return token.text == "then" and kind != "rule"
-        if before.kind == "number" or before.text == "]":
-            return self._names_something(index + 1) and self._text(index + 1) not in ITEM_WORDS
         return self._names_something(index + 1)
 
     def _names_something(self, index: int) -> bool:

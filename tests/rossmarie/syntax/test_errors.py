@@ -26,6 +26,7 @@ FIXABLE = [
     ("limit = 3", "ROSS005", "limit", "const limit = 3"),
     ("entity e { a : b }", "ROSS006", "b", "entity e { a : b; }"),
     ("entity e { a : b c : d; }", "ROSS006", "b", "entity e { a : b; c : d; }"),
+    ("entity e { a : b And : d; }", "ROSS006", "b", "entity e { a : b; And : d; }"),
     ("entity e { a : b > 3\n m : d; }", "ROSS006", "3", "entity e { a : b > 3;\n m : d; }"),
     ("if a then { b }", "ROSS006", "b", "if a then { b; }"),
     ("if a then { b c; }", "ROSS006", "b", "if a then { b; c; }"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.layout import Layout
@@ -27,9 +27,44 @@ def rule_enumeration(layout: Layout) -> str:
     return f"enum {layout.name}_rule {{\n{body}\n}};\n"
 
 
+def text_declaration(layout: Layout) -> str:
+    """The texts that rules compare with, for whoever gives texts to a monitor."""
+    texts = layout.machine.texts
+    if not texts:
+        return ""
+    return (
+        "/* A text in a message is given as its index here, or as -1 if it is none of these. */\n"
+        f"extern const char *const {layout.name}_texts[{len(texts)}];\n\n"
+    )
+
+
 def descriptions(layout: Layout) -> str:
-    """The table of what each rule says."""
-    rows = []
+    """The tables of what each rule says, and of texts."""
+    machine = layout.machine
+    truths = [truth.name or truth.text for truth in machine.truths]
+    terms = [[truths[index] for index in rule.terms] for rule in machine.rules]
+    values = [[machine.signals[index].text for index in rule.signals] for rule in machine.rules]
+    inputs = [[machine.inputs[index].name for index in rule.inputs] for rule in machine.rules]
+    parts = [
+        _texts("static const char *const term_texts", terms),
+        _texts("static const char *const value_texts", values),
+        _texts("static const char *const input_texts", inputs),
+        _rules(layout),
+    ]
+    if machine.texts:
+        parts.append(_texts(f"const char *const {layout.name}_texts", [machine.texts]))
+    return "\n\n".join(parts)
+
+
+def _texts(declared: str, rows: Sequence[Sequence[str]]) -> str:
+    """A table of texts; those of rule i stand one after another, as its numbers do elsewhere."""
+    quoted = [names.string(text) for row in rows for text in row] or ['""']
+    listed = ",\n    ".join(quoted)
+    return f"{declared}[{len(quoted)}] = {{\n    {listed}}};"
+
+
+def _rules(layout: Layout) -> str:
+    rows, starts = [], [0, 0, 0]
     for rule in layout.machine.rules:
         texts = (
             rule.name,
@@ -39,11 +74,16 @@ def descriptions(layout: Layout) -> str:
             names.place(rule.span),
         )
         quoted = ",\n     ".join(names.string(text) for text in texts)
-        counts = f"{len(rule.terms)}, {len(rule.signals)}, {len(rule.inputs)}"
-        rows.append(f"    {{{quoted},\n     {counts}}},")
-    body = "\n".join(rows) or '    {"", "", "", "", "", 0, 0, 0},'
-    kind = f"{layout.name}_description"
-    return f"const {kind} {layout.name}_rules[{max(1, len(rows))}] = {{\n{body}\n}};"
+        tables = zip(("term", "value", "input"), starts, strict=True)
+        behind = ", ".join(f"{kind}_texts + {start}" for kind, start in tables)
+        counts = [len(rule.terms), len(rule.signals), len(rule.inputs)]
+        starts = [start + count for start, count in zip(starts, counts, strict=True)]
+        listed = ", ".join(map(str, counts))
+        rows.append(f"    {{{quoted},\n     {behind},\n     {listed}}},")
+    empty = '    {"", "", "", "", "", term_texts, value_texts, input_texts, 0, 0, 0},'
+    body = "\n".join(rows) or empty
+    declared = f"const {layout.name}_description {layout.name}_rules"
+    return f"{declared}[{max(1, len(rows))}] = {{\n{body}\n}};"
 
 
 def _remark(layout: Layout, index: int) -> str:

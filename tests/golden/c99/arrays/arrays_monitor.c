@@ -712,12 +712,26 @@ bool arrays_is_active(const monitor *m, int rule)
     return rule >= 0 && rule < arrays_RULES && is_active(m, (unsigned)rule);
 }
 
+static const char *const term_texts[4] = {
+    "truth_1",
+    "truth_2",
+    "truth_3",
+    "truth_4"};
+
+static const char *const value_texts[2] = {
+    "min(ranges)",
+    "count(ranges > 0.5 m)"};
+
+static const char *const input_texts[1] = {
+    "input_0"};
+
 const arrays_description arrays_rules[1] = {
     {"rule_1",
      "truth_6",
      "clears by contract",
      "stop",
      "draft.ross:1",
+     term_texts + 0, value_texts + 0, input_texts + 0,
      4, 2, 1},
 };
 

@@ -41,7 +41,7 @@ enum arrays_change {
 };
 
 /* One change of one rule, and what the rule rested on at that instant. How many entries of each
- * array count, and what they are, is in the description of the rule.
+ * array there are, and what they are, is in the description of the rule.
  */
 typedef struct arrays_event {
     int64_t at_ns;
@@ -63,12 +63,16 @@ typedef struct arrays_description {
     const char *contract;
     const char *actions; /* separated by spaces */
     const char *place;   /* file:line */
+    const char *const *terms;  /* the conditions behind truths[] of its events */
+    const char *const *values; /* what values[] are */
+    const char *const *inputs; /* what inputs[] are */
     int term_count;
     int value_count;
     int input_count;
 } arrays_description;
 
 extern const arrays_description arrays_rules[1];
+
 
 /* The monitor. Its members are its own; only their size is public. */
 typedef struct arrays_monitor {

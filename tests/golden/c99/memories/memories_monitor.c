@@ -798,18 +798,38 @@ bool memories_is_active(const monitor *m, int rule)
     return rule >= 0 && rule < memories_RULES && is_active(m, (unsigned)rule);
 }
 
+static const char *const term_texts[3] = {
+    "truth_0",
+    "truth_2",
+    "truth_1"};
+
+static const char *const value_texts[4] = {
+    "signal_4",
+    "rate(orientation.pitch())",
+    "previous(orientation.pitch())",
+    "signal_0"};
+
+static const char *const input_texts[2] = {
+    "input_0",
+    "input_0"};
+
 const memories_description memories_rules[2] = {
     {"rule_1",
      "truth_3",
      "clears by contract",
      "stop",
      "draft.ross:1",
+     term_texts + 0, value_texts + 0, input_texts + 0,
      2, 3, 1},
     {"rule_2",
      "truth_1",
      "clears by contract",
      "stop",
      "draft.ross:1",
+     term_texts + 2, value_texts + 3, input_texts + 1,
      1, 1, 1},
 };
+
+const char *const memories_texts[1] = {
+    "docked"};
 

@@ -42,7 +42,7 @@ enum memories_change {
 };
 
 /* One change of one rule, and what the rule rested on at that instant. How many entries of each
- * array count, and what they are, is in the description of the rule.
+ * array there are, and what they are, is in the description of the rule.
  */
 typedef struct memories_event {
     int64_t at_ns;
@@ -64,12 +64,19 @@ typedef struct memories_description {
     const char *contract;
     const char *actions; /* separated by spaces */
     const char *place;   /* file:line */
+    const char *const *terms;  /* the conditions behind truths[] of its events */
+    const char *const *values; /* what values[] are */
+    const char *const *inputs; /* what inputs[] are */
     int term_count;
     int value_count;
     int input_count;
 } memories_description;
 
 extern const memories_description memories_rules[2];
+
+/* A text in a message is given as its index here, or as -1 if it is none of these. */
+extern const char *const memories_texts[1];
+
 
 /* The monitor. Its members are its own; only their size is public. */
 typedef struct memories_monitor {

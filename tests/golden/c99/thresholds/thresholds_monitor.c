@@ -650,18 +650,36 @@ bool thresholds_is_active(const monitor *m, int rule)
     return rule >= 0 && rule < thresholds_RULES && is_active(m, (unsigned)rule);
 }
 
+static const char *const term_texts[4] = {
+    "truth_0",
+    "drive.fast",
+    "truth_2",
+    "drive.slow"};
+
+static const char *const value_texts[3] = {
+    "speed",
+    "docked",
+    "speed"};
+
+static const char *const input_texts[3] = {
+    "input_0",
+    "input_1",
+    "input_0"};
+
 const thresholds_description thresholds_rules[2] = {
     {"rule_1",
      "truth_5",
      "clears by contract",
      "stop",
      "drive.ross:3",
+     term_texts + 0, value_texts + 0, input_texts + 0,
      3, 2, 2},
     {"rule_2",
      "drive.slow: speed in [0.1, 0.2] m/s",
      "clears by contract",
      "stop",
      "drive.ross:3",
+     term_texts + 3, value_texts + 2, input_texts + 2,
      1, 1, 1},
 };
 

@@ -42,7 +42,7 @@ enum thresholds_change {
 };
 
 /* One change of one rule, and what the rule rested on at that instant. How many entries of each
- * array count, and what they are, is in the description of the rule.
+ * array there are, and what they are, is in the description of the rule.
  */
 typedef struct thresholds_event {
     int64_t at_ns;
@@ -64,12 +64,16 @@ typedef struct thresholds_description {
     const char *contract;
     const char *actions; /* separated by spaces */
     const char *place;   /* file:line */
+    const char *const *terms;  /* the conditions behind truths[] of its events */
+    const char *const *values; /* what values[] are */
+    const char *const *inputs; /* what inputs[] are */
     int term_count;
     int value_count;
     int input_count;
 } thresholds_description;
 
 extern const thresholds_description thresholds_rules[2];
+
 
 /* The monitor. Its members are its own; only their size is public. */
 typedef struct thresholds_monitor {

@@ -756,12 +756,23 @@ bool timeouts_is_active(const monitor *m, int rule)
     return rule >= 0 && rule < timeouts_RULES && is_active(m, (unsigned)rule);
 }
 
+static const char *const term_texts[2] = {
+    "truth_0",
+    "battery.stale"};
+
+static const char *const value_texts[1] = {
+    "signal_1"};
+
+static const char *const input_texts[1] = {
+    "input_1"};
+
 const timeouts_description timeouts_rules[1] = {
     {"rule_1",
      "truth_5",
      "clears by contract",
      "stop",
      "draft.ross:1",
+     term_texts + 0, value_texts + 0, input_texts + 0,
      2, 1, 1},
 };
 

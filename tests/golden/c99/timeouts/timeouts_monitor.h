@@ -41,7 +41,7 @@ enum timeouts_change {
 };
 
 /* One change of one rule, and what the rule rested on at that instant. How many entries of each
- * array count, and what they are, is in the description of the rule.
+ * array there are, and what they are, is in the description of the rule.
  */
 typedef struct timeouts_event {
     int64_t at_ns;
@@ -63,12 +63,16 @@ typedef struct timeouts_description {
     const char *contract;
     const char *actions; /* separated by spaces */
     const char *place;   /* file:line */
+    const char *const *terms;  /* the conditions behind truths[] of its events */
+    const char *const *values; /* what values[] are */
+    const char *const *inputs; /* what inputs[] are */
     int term_count;
     int value_count;
     int input_count;
 } timeouts_description;
 
 extern const timeouts_description timeouts_rules[1];
+
 
 /* The monitor. Its members are its own; only their size is public. */
 typedef struct timeouts_monitor {

@@ -108,3 +108,9 @@ def test_names_of_users_cannot_break_the_code(case: str, tmp_path: Path) -> None
     monitors = sorted(tmp_path.glob("*_monitor.c"))
     quick = ["-std=c99", "-fsyntax-only", *STRICT]
     run([C_COMPILERS[0], *quick, tmp_path / "headers.c", *monitors])
+
+
+def test_texts_are_told_to_whoever_gives_them() -> None:
+    header = generate(CASES["memories"]())["memories_monitor.h"]
+    assert "extern const char *const memories_texts[1];" in header
+    assert "_texts[" not in generate(CASES["arrays"]())["arrays_monitor.h"]
