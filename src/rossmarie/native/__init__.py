@@ -1,7 +1,7 @@
 """Monitors in C, built with the system's compiler and run in this process."""
 
 from rossmarie.native.build import BuildError, NoCompilerError, build
-from rossmarie.native.columns import ColumnError, PackedMessages, RunResult
+from rossmarie.native.columns import ColumnError, RunResult
 from rossmarie.native.monitor import BoundColumns, NativeMonitor, load_native
 
 __all__ = [
@@ -10,7 +10,6 @@ __all__ = [
     "ColumnError",
     "NativeMonitor",
     "NoCompilerError",
-    "PackedMessages",
     "RunResult",
     "build",
     "load_native",

@@ -1,4 +1,4 @@
-"""Whole columns and packed messages as memory that C reads, and what comes back.
+"""Whole columns as memory that C reads, and what comes back.
 
 Takes numpy arrays; columns go by the names of `ir.field_names`.
 """
@@ -87,58 +87,3 @@ def as_column(
         is_ready = column.dtype == np.uint8 and column.flags.c_contiguous
         return column if is_ready else np.ascontiguousarray(column, np.bool_).view(np.uint8)
     return np.ascontiguousarray(column, np.float64)
-
-
-@dataclass(frozen=True)
-class PackedMessages:
-    """Messages of all channels in order of time, for one call.
-
-    Message i arrives at `times_ns[i]` on channel `channels[i]`. `slots` holds the scalars of its
-    slots in index order, message after message; `counts` the lengths of its arrays in index order,
-    and `elements` their elements. All in the units of the messages.
-    """
-
-    times_ns: NDArray[np.int64]
-    channels: NDArray[np.int32]
-    slots: NDArray[np.float64]
-    counts: NDArray[np.uint64]
-    elements: NDArray[np.float64]
-
-
-def check_packed(machine: ir.Machine, messages: PackedMessages) -> None:
-    """Raise `ColumnError` unless the parts fit together: C trusts them."""
-    channels = len(machine.channels)
-    arrived = messages.channels
-    if arrived.shape != messages.times_ns.shape:
-        raise ColumnError("every message has one instant and one channel")
-    if arrived.size and not (arrived.min() >= 0 and arrived.max() < channels):
-        raise ColumnError(f"channels are numbered from 0 to {channels - 1}")
-    counted = np.bincount(arrived, minlength=channels)
-    slots = _per_channel(machine, [slot.input for slot in machine.slots])
-    arrays = _per_channel(machine, [array.input for array in machine.arrays])
-    _require_size("slots", messages.slots.size, int(counted @ slots))
-    _require_size("counts", messages.counts.size, int(counted @ arrays))
-    _require_size("elements", messages.elements.size, int(messages.counts.sum()))
-
-
-def _per_channel(machine: ir.Machine, inputs: list[int]) -> NDArray[np.int64]:
-    found = np.zeros(max(1, len(machine.channels)), np.int64)
-    for used in inputs:
-        found[machine.inputs[used].channel] += 1
-    return found
-
-
-def _require_size(name: str, found: int, wanted: int) -> None:
-    if found != wanted:
-        raise ColumnError(f"{name} has {found} entries, the messages need {wanted}")
-
-
-def contiguous(messages: PackedMessages) -> PackedMessages:
-    """The same messages as C reads them."""
-    return PackedMessages(
-        np.ascontiguousarray(messages.times_ns, np.int64),
-        np.ascontiguousarray(messages.channels, np.int32),
-        np.ascontiguousarray(messages.slots, np.float64),
-        np.ascontiguousarray(messages.counts, np.uint64),
-        np.ascontiguousarray(messages.elements, np.float64),
-    )

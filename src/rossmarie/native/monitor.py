@@ -20,12 +20,9 @@ from rossmarie import ir
 from rossmarie.ir import ChannelValues, Event
 from rossmarie.native.build import BuildError, build
 from rossmarie.native.columns import (
-    PackedMessages,
     RunResult,
     as_column,
     as_instants,
-    check_packed,
-    contiguous,
     order_of,
 )
 from rossmarie.native.events import EventReader
@@ -229,28 +226,6 @@ class NativeMonitor:
     def result(self, log: bytes, packed: NDArray[np.uint8] | None) -> RunResult:
         """What a run says."""
         return RunResult(self._machine, self._reader, log, packed)
-
-    def run_events(self, messages: PackedMessages) -> RunResult:
-        """Take in messages of all channels, one after the other.
-
-        Raises `ColumnError` if their parts do not fit, `ValueError` if an instant is out of range:
-        messages before it have been taken in.
-        """
-        ready = contiguous(messages)
-        check_packed(self._machine, ready)
-        self._waiting += self._drain()
-        done = self._call(
-            "host_run_events",
-            len(ready.times_ns),
-            self.library.pointer("int64_t[]", ready.times_ns),
-            self.library.pointer("int32_t[]", ready.channels),
-            self.library.pointer("double[]", ready.slots),
-            self.library.pointer("double[]", ready.elements),
-            self.library.pointer("size_t[]", ready.counts),
-        )
-        if done != len(ready.times_ns):
-            raise ValueError(f"the instant of message {done} is out of range")
-        return RunResult(self._machine, self._reader, self._drain(), None)
 
     # --- calls -------------------------------------------------------------------------------
 

@@ -25,7 +25,6 @@ int host_reset(host *, int64_t, int);
 int64_t host_next_wake(host *);
 int host_step(host *, int64_t, unsigned char *, double *, double **, size_t *);
 size_t host_run(host *, size_t, size_t, int64_t *, void **, unsigned char *);
-size_t host_run_events(host *, size_t, int64_t *, int32_t *, double *, double *, size_t *);
 """
 
 

@@ -12,7 +12,7 @@ import pytest
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Event
-from rossmarie.native import ColumnError, NativeMonitor, PackedMessages, load_native
+from rossmarie.native import ColumnError, NativeMonitor, load_native
 from rossmarie.native import monitor as native_monitor
 from rossmarie.targets.c99 import generate_loadable
 from support.c99_cases import CASES
@@ -253,59 +253,6 @@ def test_rows_that_are_not_there() -> None:
 
 
 # --- packed messages -------------------------------------------------------------------------
-
-
-def packed(
-    times: list[int], channels: list[int], slots: list[float], *arrays: list[float]
-) -> PackedMessages:
-    return PackedMessages(
-        np.array(times, np.int64),
-        np.array(channels, np.int32),
-        np.array(slots, np.float64),
-        np.array([len(array) for array in arrays], np.uint64),
-        np.array([x for array in arrays for x in array], np.float64),
-    )
-
-
-def test_messages_of_all_channels_in_order() -> None:
-    machine = CASES["timeouts"]()
-    times = [0, TICK, TICK, 5 * SECOND, 4 * SECOND]
-    arrivals = [(0, 2.0), (1, 12.0), (0, 0.0), (1, 10.0), (0, 1.5)]
-    interpreter, wanted = Interpreter(machine), []
-    for at_ns, (channel, value) in zip(times, arrivals, strict=True):
-        wanted += interpreter.update(at_ns, {channel: ChannelValues({channel: value})})
-    messages = packed(times, [channel for channel, _ in arrivals], [value for _, value in arrivals])
-    assert bits(load("timeouts").run_events(messages).events) == bits(wanted)
-
-
-def test_packed_arrays() -> None:
-    machine = CASES["arrays"]()
-    scans = [[0.1, 5.0], [], [0.9] * 4, [0.2]]
-    interpreter, wanted = Interpreter(machine), []
-    for step, scan in enumerate(scans):
-        wanted += interpreter.update(step * TICK, {0: ChannelValues({}, {0: scan})})
-    times = [step * TICK for step in range(len(scans))]
-    messages = packed(times, [0] * len(scans), [], *scans)
-    assert bits(load("arrays").run_events(messages).events) == bits(wanted)
-
-
-@pytest.mark.parametrize(
-    "messages",
-    [
-        packed([0, 1], [0], [1.0]),
-        packed([0], [2], [1.0]),
-        packed([0], [-1], [1.0]),
-        packed([0, 1], [0, 1], [1.0]),
-        packed([0], [0], [1.0, 2.0]),
-        packed([0], [0], [1.0], [1.0]),
-    ],
-)
-def test_packed_messages_that_do_not_fit(messages: PackedMessages) -> None:
-    with pytest.raises(ColumnError):
-        load("timeouts").run_events(messages)
-
-
-# --- the cache -------------------------------------------------------------------------------
 
 
 def test_a_corrupt_library_is_built_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

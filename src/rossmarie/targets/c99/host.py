@@ -17,7 +17,6 @@ def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
         "step": indented(_step(layout, messages)),
         "columns": indented(_columns(layout)),
         "row": indented(_row(layout, messages), 2),
-        "cases": indented(_cases(layout, messages), 2),
         "active_bytes": (max(1, len(layout.machine.rules)) + 7) // 8,
     }
 
@@ -102,28 +101,3 @@ def _row(layout: Layout, messages: Messages) -> list[str]:
             lines += [f"{member} = {cell};" for member, cell in zip(members, cells, strict=True)]
     step = f"{layout.name}_step(&h->machine, times[i], &v)"
     return [*lines, f"if ({step} < 0)", "    return i;"]
-
-
-# --- events ----------------------------------------------------------------------------------
-
-
-def _cases(layout: Layout, messages: Messages) -> list[str]:
-    lines = []
-    for channel, name in enumerate(layout.channel_names):
-        fields = messages.fields[channel]
-        slots = [field for field in fields if field.slot is not None]
-        arrays = [field for field in fields if field.array is not None]
-        arguments = ["&h->machine", "times[i]"]
-        arguments += [f"slots[{place}]" for place in range(len(slots))]
-        lines.append(f"case {channel}:")
-        offset = ""
-        for place in range(len(arrays)):
-            arguments += [f"elements{offset}", f"counts[{place}]"]
-            offset += f" + counts[{place}]"
-        body = [f"result = take_{name}({', '.join(arguments)});"]
-        if slots:
-            body.append(f"slots += {len(slots)};")
-        if arrays:
-            body += [f"elements +={offset.removeprefix(' +')};", f"counts += {len(arrays)};"]
-        lines += [f"    {line}" for line in [*body, "break;"]]
-    return lines
