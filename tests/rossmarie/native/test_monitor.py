@@ -252,7 +252,7 @@ def test_rows_that_are_not_there() -> None:
         bound.run(0, len(TIMES) + 1)
 
 
-# --- packed messages -------------------------------------------------------------------------
+# --- the cache -------------------------------------------------------------------------------
 
 
 def test_a_corrupt_library_is_built_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
