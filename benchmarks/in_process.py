@@ -35,8 +35,12 @@ void hand_table(size_t, int64_t *, double *, double *, double *, double *, uint8
 
 
 def compile_shared(sources: list[Path], output: Path, flags: list[str]) -> None:
-    """One shared library by the system's C compiler."""
-    command = ["cc", "-std=gnu99", "-shared", "-fPIC", "-ffp-contract=off", *flags]
+    """One shared library by the system's C compiler.
+
+    Calls within it go straight to their target, as in a program that links the monitor.
+    """
+    command = ["cc", "-std=gnu99", "-shared", "-fPIC", "-Wl,-Bsymbolic-functions"]
+    command += ["-ffp-contract=off", *flags]
     subprocess.run([*command, *map(str, sources), "-o", str(output), "-lm"], check=True)
 
 

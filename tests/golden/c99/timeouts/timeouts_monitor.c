@@ -325,18 +325,18 @@ static void review(monitor *m, int64_t t_ns)
             cross(m, g, m->value[guard_value[g]], t_ns);
 }
 
-/* `operand for duration`: true once the operand has been true that long. */
+/* `operand for duration`: true once the operand has been true that long. (Next to no branches:
+ * whether an operand rose or fell is what a processor guesses badly.)
+ */
 static unsigned char held(monitor *m, unsigned k, unsigned char operand, int64_t t_ns)
 {
-    if (operand != TRUE) {
-        m->held_due_ns[k] = NEVER;
+    const bool has_begun = m->held_due_ns[k] != NEVER;
+    const int64_t due_ns = has_begun ? m->held_due_ns[k] : t_ns + held_durations[k];
+    m->held_due_ns[k] = operand == TRUE ? due_ns : NEVER;
+    wake_by(m, m->held_due_ns[k]);
+    if (operand != TRUE)
         return operand;
-    }
-    if (m->held_due_ns[k] == NEVER) {
-        m->held_due_ns[k] = t_ns + held_durations[k];
-        wake_by(m, m->held_due_ns[k]);
-    }
-    return t_ns >= m->held_due_ns[k] ? TRUE : FALSE;
+    return t_ns >= due_ns ? TRUE : FALSE;
 }
 
 /* How long ago the last message of an input was. */
