@@ -53,9 +53,7 @@ def check(
     was_parsed = not collector.has_errors
     declarations = collect(modules, collector)
     context = Context(collector, declarations)
-    model = read_system_model(
-        declarations.systems, options.message_folders, context.suggestions, collector
-    )
+    model = read_system_model(declarations, options.message_folders, context.suggestions, collector)
     resolve_inputs(model, context)
     _check_constants(context)
     resolve_timeouts(context)

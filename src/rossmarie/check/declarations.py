@@ -39,12 +39,14 @@ def kind_of(item: Named) -> str:
 class Declarations:
     """What is declared. `names` is the one namespace of constants, inputs, entities and actions;
     `conditions` are those of each entity. `items` holds every item, also second declarations.
+    `is_whole` is False if a file could not be read: what is not declared here may be there.
     """
 
     items: tuple[ast.Item, ...]
     main: ast.Module
     names: Mapping[str, Named]
     conditions: Mapping[str, Mapping[str, ast.Condition]]
+    is_whole: bool
 
     @property
     def rules(self) -> tuple[ast.Rule, ...]:
@@ -90,7 +92,8 @@ def collect(modules: Sequence[ast.Module], collector: Collector) -> Declarations
             _report_second(item, first, collector)
         elif isinstance(item, ast.Entity):
             conditions[item.name.text] = _conditions(item, collector)
-    declarations = Declarations(items, modules[-1], names, conditions)
+    is_whole = all(module.is_whole for module in modules)
+    declarations = Declarations(items, modules[-1], names, conditions, is_whole)
     _check_hidden_names(declarations, collector)
     _check_structure(declarations, collector)
     return declarations

@@ -83,7 +83,7 @@ def _message(
     if topic is not None:
         # What is wrong with the type of a declared topic is reported at its declaration.
         return find_message(topic.declaration.message_type, model, collector)
-    if declaration.topic.text:
+    if declaration.topic.text and model.is_whole:
         _report_without_type(declaration.topic, model, collector)
     return None
 

@@ -1,7 +1,8 @@
 """What a name stands for: constants, inputs and conditions; what is meant by an undeclared one.
 
 A name that looks like an undeclared one counts as used: otherwise each misspelling would be
-reported a second time, as an unused declaration.
+reported a second time, as an unused declaration. Where a file could not be read, no name is
+undeclared: that file may declare it.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
         _use_condition(own, name, context)
         return Boolean()
     if declared is None:
-        if not is_rest_of_unit(node, context):
+        if context.declarations.is_whole and not is_rest_of_unit(node, context):
             _report_undeclared(name, context)
         return Unknown()
     context.used_names.add(name.text)
@@ -68,7 +69,7 @@ def type_of_member(node: ast.Member, context: Context) -> Type:
     if declared is not None:
         context.used_names.add(name.text)
         _report_wrong_kind(name, declared, "an entity or an input", context)
-    else:
+    elif context.declarations.is_whole:
         _report_undeclared_entity(name, node.member, context)
     return Unknown()
 
@@ -97,7 +98,7 @@ def use_actions(rule: ast.Rule, context: Context) -> None:
             context.used_names.add(name.text)
         elif declared is not None:
             _report_wrong_kind(name, declared, "an action", context)
-        else:
+        elif context.declarations.is_whole:
             _report_undeclared_action(name, context)
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Edit, Fix, Label
+from rossmarie.check.declarations import Declarations
 from rossmarie.check.fields import has_no_number, select, unit_of
 from rossmarie.check.name_errors import (
     DuplicateName,
@@ -49,10 +50,13 @@ class Topic:
 
 @dataclass(frozen=True)
 class SystemModel:
-    """The topics, by full name and by alias, and the messages."""
+    """The topics, by full name and by alias, and the messages. If `is_whole` is False, a file that
+    could not be read may declare more of both.
+    """
 
     messages: MessageCatalog
     suggestions: Suggestions
+    is_whole: bool
     topics: dict[str, Topic] = field(default_factory=dict)
     aliases: dict[str, Topic] = field(default_factory=dict)
 
@@ -88,16 +92,16 @@ def type_name(name: str) -> str:
 
 
 def read_system_model(
-    systems: Sequence[ast.System],
+    declarations: Declarations,
     message_folders: Sequence[Path],
     suggestions: Suggestions,
     collector: Collector,
 ) -> SystemModel:
     """Gather the members of all system models; `message_folders` are searched after theirs."""
-    members = [member for system in systems for member in system.members]
+    members = [member for system in declarations.systems for member in system.members]
     folders = [*_folders(members, collector), *message_folders]
     units = dict(_declared_units(members, collector))
-    model = SystemModel(MessageCatalog(folders, units), suggestions)
+    model = SystemModel(MessageCatalog(folders, units), suggestions, declarations.is_whole)
     for member in members:
         if isinstance(member, ast.TopicDeclaration):
             _add_topic(member, model, collector)
@@ -110,7 +114,9 @@ def read_system_model(
 
 
 def find_message(name: ast.Name, model: SystemModel, collector: Collector) -> Message | None:
-    """The definition of a message type, or None after reporting that there is none."""
+    """The definition of a message type, or None if there is none, which is reported unless a file
+    that could not be read may say where it is.
+    """
     if not name.text:
         return None
     try:
@@ -119,7 +125,7 @@ def find_message(name: ast.Name, model: SystemModel, collector: Collector) -> Me
         finding = MalformedMessageDefinition(identifier=name.text, problem=str(error))
         collector.add(finding.at(name.span))
         return None
-    if found is None:
+    if found is None and model.is_whole:
         near = model.near_type(type_name(name.text))
         help = (
             f"did you mean `{near}`?"
@@ -197,7 +203,11 @@ def _add_topic(declaration: ast.TopicDeclaration, model: SystemModel, collector:
 
 
 def report_conflict(written: ast.Name, topic: Topic, collector: Collector) -> None:
-    """Report that `written` is not the message type that a system model gives `topic`."""
+    """Report that `written` is not the message type that a system model gives `topic`, unless one
+    of the two could not be read.
+    """
+    if not written.text or not topic.message_type:
+        return
     finding = TopicTypeConflict(
         topic=topic.name, found=type_name(written.text), expected=topic.message_type
     )
@@ -238,7 +248,7 @@ def contradicts(known: Unit | None, stated: Unit, field_name: str) -> UnitContra
 
 def _check_node(node: ast.NodeDeclaration, model: SystemModel, collector: Collector) -> None:
     for name in (*node.publishes, *node.subscribes):
-        if model.find(name.text) is None:
+        if model.find(name.text) is None and model.is_whole:
             near = model.near_topic(name.text)
             help = f"did you mean `{near}`?" if near is not None else None
             fix = rename(name, near) if near is not None else None

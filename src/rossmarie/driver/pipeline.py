@@ -47,12 +47,8 @@ def check_file(
     """
     collector = Collector()
     modules = load_modules(rules, systems, collector)
-    program = None
-    if modules and Path(modules[-1].file.path) == rules:
-        options = CheckOptions(message_folders=tuple(message_folders))
-        program = check(modules, options, collector)
-    if collector.has_errors:
-        program = None
+    options = CheckOptions(message_folders=tuple(message_folders))
+    program = check(modules, options, collector)
     return CheckResult(modules, program, collector.sorted())
 
 

@@ -1,6 +1,6 @@
 """From the path of a rules file to the syntax trees of it and of everything that it imports.
 
-Reads files, never fails: a file that cannot be read is a finding at the import that names it.
+Reads files, never fails: a file that cannot be read is a finding, and a module without items.
 """
 
 from __future__ import annotations
@@ -61,15 +61,19 @@ class _Loader:
     ) -> None:
         if imported_at is not None and not _is_file(path):
             self.collector.add(_import_not_found(path, imported_at))
+            self.modules.append(_unread(path))
             return
         key = path.resolve()
         if key in self.visited:
             return
         self.visited.add(key)
         source = read_source(path, self.collector)
-        if source is not None:
-            module = parse(source, self.collector)
-            stack.append((module, _imports(module, path.parent)))
+        module = _unread(path) if source is None else parse(source, self.collector)
+        stack.append((module, _imports(module, path.parent)))
+
+
+def _unread(path: Path) -> ast.Module:
+    return ast.Module(SourceFile(str(path), ""), (), is_whole=False)
 
 
 def _is_folder(path: Path) -> bool:
@@ -130,8 +134,8 @@ def _imports(module: ast.Module, folder: Path) -> list[tuple[Path, Span]]:
 
 def _import_not_found(path: Path, span: Span) -> Diagnostic:
     folder = path.parent
-    present = [found.name for found in folder.glob("*.ross")] if _is_folder(folder) else []
-    near = difflib.get_close_matches(path.name, present, n=1)
-    help = f"did you mean `{near[0]}`?" if near else "check the path"
+    present = [found.stem for found in folder.glob("*.ross")] if _is_folder(folder) else []
+    near = difflib.get_close_matches(path.stem, present, n=1)
+    help = f"did you mean `{near[0]}.ross`?" if near else "check the path"
     finding = ImportNotFound(path=span.text.strip('"'), looked_for=f"`{path}`")
     return finding.at(span, help=help)

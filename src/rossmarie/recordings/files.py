@@ -75,6 +75,6 @@ def _unnumbered(file: Path) -> str:
 
 def _similar(path: Path) -> str:
     folder = path.parent
-    present = [found.name for found in folder.iterdir()] if folder.is_dir() else []
-    near = difflib.get_close_matches(path.name, present, n=1)
-    return f"did you mean `{folder / near[0]}`?" if near else "check the path"
+    present = {found.stem: found for found in folder.iterdir()} if folder.is_dir() else {}
+    near = difflib.get_close_matches(path.stem, present, n=1)
+    return f"did you mean `{present[near[0]]}`?" if near else "check the path"

@@ -375,7 +375,10 @@ Item = Import | System | Action | Constant | Input | Entity | Rule
 
 @dataclass(frozen=True)
 class Module:
-    """One parsed file."""
+    """One parsed file. `is_whole` is False if it could not be read to its end: then nobody knows
+    what it declares.
+    """
 
     file: SourceFile
     items: tuple[Item, ...]
+    is_whole: bool = True

@@ -47,14 +47,16 @@ def parse(file: SourceFile, collector: Collector) -> ast.Module:
     size = len(file.text.encode("utf-8", errors="surrogatepass"))
     if size > MAXIMUM_FILE_SIZE:
         findings.add(_too_large(file, size, "bytes", MAXIMUM_FILE_SIZE))
-        return ast.Module(file, ())
+        return ast.Module(file, (), is_whole=False)
     source = scan(file)
     if len(source.tokens) > MAXIMUM_TOKENS:
         findings.add(_too_large(file, len(source.tokens), "words and signs", MAXIMUM_TOKENS))
-        return ast.Module(file, ())
+        return ast.Module(file, (), is_whole=False)
     _report_trivia(source, findings)
     items = _items(PartParser(respell(source, findings), findings))
-    return ast.Module(file, () if findings.is_full else tuple(items))
+    if findings.is_full:
+        return ast.Module(file, (), is_whole=False)
+    return ast.Module(file, tuple(items))
 
 
 def _report_trivia(source: Scan, findings: Findings) -> None:

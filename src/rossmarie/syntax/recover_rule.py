@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import difflib
+
 from dslkit.diagnostics import Diagnostic, Edit, Fix
 from dslkit.source import Span
 from rossmarie.syntax import ast, errors
@@ -13,6 +15,7 @@ from rossmarie.syntax.explain import (
     unclosed_bracket,
     wrong_sign,
 )
+from rossmarie.syntax.limits import ends_value
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.words import FORMS, RESERVED
 
@@ -86,8 +89,8 @@ class _Recovery:
         )
         has_then = end < self._last and self._tokens[end].text == "then"
         self._index = end + has_then
-        if not has_then:
-            end -= first < end and self._tokens[end - 1].text in _ARROWS
+        if not has_then and self._is_meant_as_then(first, end - 1):
+            end -= 1
         behind = self._source.span(self._tokens[first - 1])
         if first == end:
             sign = self._tokens[first - 1].text
@@ -98,8 +101,22 @@ class _Recovery:
         condition = self._part.parse("expression", first, end) if first < end else None
         return condition or self._part.broken(first, end, behind)
 
+    def _is_meant_as_then(self, first: int, index: int) -> bool:
+        """Whether a condition from `first` on ends in front of this token: an arrow, or `then` with
+        a slip of the pen.
+        """
+        if index < first:
+            return False
+        token = self._tokens[index]
+        if token.text in _ARROWS:
+            return True
+        is_near = difflib.get_close_matches(token.text, ["then"], cutoff=0.7)
+        return first < index and bool(is_near) and ends_value(self._tokens[index - 1])
+
     def _report_missing_then(self, end: int) -> None:
-        """`end` is the token behind the condition: an arrow, the brace, or the end of the rule."""
+        """`end` is the token behind the condition: what stands for `then`, or the brace, or the end
+        of the rule.
+        """
         if end < self._index:
             arrow = self._source.span(self._tokens[end])
             fix = Fix("write `then`", (Edit(arrow, "then"),))
