@@ -137,17 +137,27 @@ class Evaluator:
     def _is_lost(self, index: int, node: ir.TruthNode) -> bool:
         """S30: whether an unknown leaf is unknown for lack of an input with a timeout."""
         support = self._supports.truths[index]
-        blamed = {
+        lacking = {
             self._machine.slots[slot].input
             for slot in support.slots
             if math.isnan(self._memory.slots[slot])
         }
         for fold in support.folds:
             if math.isnan(self._memory.signals[fold]):
-                blamed |= self._supports.signals[fold].inputs
-        if isinstance(node, ir.Quantified | ir.AgeReaches):
-            blamed |= support.inputs
-        return any(self._machine.inputs[index].timeout_ns is not None for index in blamed)
+                lacking |= self._supports.signals[fold].inputs
+        is_whole = isinstance(node, ir.Quantified | ir.AgeReaches)
+        if is_whole or not self._is_excused(support):
+            lacking |= support.inputs
+        return any(self._machine.inputs[used].timeout_ns is not None for used in lacking)
+
+    def _is_excused(self, support: ir.Support) -> bool:
+        """S30: whether a leaf is unknown because of what it rests on, not of its arithmetic: a
+        number that is not there, elements out of range (REP 117), or a sample still to come.
+        """
+        memory = self._memory
+        values = [memory.slots[slot] for slot in support.slots]
+        values += [memory.signals[signal] for signal in support.folds | support.samples]
+        return not all(value < math.inf for value in values)
 
     def _age_reaches(self, node: ir.AgeReaches, at_ns: int) -> TruthValue:
         """S31."""
@@ -173,8 +183,10 @@ class Evaluator:
     def _held(self, index: int, node: ir.Held, at_ns: int) -> TruthValue:
         """S33."""
         operand = self._known(node.operand)
+        held = self._memory.held[index]
         if operand is not TruthValue.TRUE:
-            self._memory.held_since_ns.pop(index, None)
+            held.start_ns, held.before = None, operand
             return operand
-        start_ns = self._memory.held_since_ns.setdefault(index, at_ns)
-        return kleene.truth_of(at_ns - start_ns >= node.duration_ns)
+        if held.start_ns is None:
+            held.start_ns = at_ns
+        return TruthValue.TRUE if at_ns - held.start_ns >= node.duration_ns else held.before

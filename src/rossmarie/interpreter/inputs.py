@@ -50,12 +50,13 @@ class Inputs:
         return expired
 
     def restart(self, at_ns: int) -> None:
-        """S17: after a jump fresh inputs count as just received, expired ones as just expired."""
-        for declared, present in zip(self._machine.inputs, self._memory.inputs, strict=True):
-            present.stamp_ns = at_ns
-            if present.state is InputState.EXPIRED:
-                assert declared.timeout_ns is not None, "only inputs with a timeout expire"
-                present.stamp_ns = at_ns - declared.timeout_ns
+        """S17: after a jump every input is as old as it was before. No limit on an age is above
+        `LONGEST_NS`, so older ones count as that old.
+        """
+        now_ns = self._memory.now_ns
+        assert now_ns is not None, "only a clock that ran can jump"
+        for present in self._memory.inputs:
+            present.stamp_ns = at_ns - min(now_ns - present.stamp_ns, ir.LONGEST_NS)
 
     def _is_due(self, index: int, at_ns: int) -> bool:
         timeout_ns = self._machine.inputs[index].timeout_ns

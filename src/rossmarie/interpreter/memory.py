@@ -6,7 +6,7 @@ import enum
 import math
 from collections import deque
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.interpreter.arithmetic import NAN, finite_or_nan
@@ -42,6 +42,14 @@ class Samples:
             return NAN
         seconds = float(self.latest_ns - self.before_ns) / 1e9
         return finite_or_nan((self.latest - self.before) / seconds)
+
+
+@dataclass
+class HeldMemory:
+    """Since when the operand of a `for` has been true, and its value before (S33)."""
+
+    start_ns: int | None = None
+    before: TruthValue = TruthValue.FALSE
 
 
 class Direction(enum.Enum):
@@ -105,7 +113,7 @@ class Memory:
     truths: list[TruthValue | None]
     since_ns: list[int]
     oscillations: dict[int, Oscillation]
-    held_since_ns: dict[int, int] = field(default_factory=dict)
+    held: dict[int, HeldMemory]
     now_ns: int | None = None
 
     def restart(self) -> None:
@@ -114,7 +122,8 @@ class Memory:
             self.samples[samples] = Samples()
         for oscillation in self.oscillations.values():
             oscillation.clear()
-        self.held_since_ns.clear()
+        for held in self.held:
+            self.held[held] = HeldMemory(before=TruthValue.UNKNOWN)
         self.truths = [None] * len(self.truths)
 
 
@@ -136,5 +145,10 @@ def fresh_memory(machine: ir.Machine) -> Memory:
             index: Oscillation(deque(maxlen=truth.node.count))
             for index, truth in enumerate(machine.truths)
             if isinstance(truth.node, ir.Oscillates)
+        },
+        held={
+            index: HeldMemory()
+            for index, truth in enumerate(machine.truths)
+            if isinstance(truth.node, ir.Held)
         },
     )

@@ -23,9 +23,9 @@ def _expiries(machine: ir.Machine, memory: Memory) -> Iterator[int]:
 def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
     for index, truth in enumerate(machine.truths):
         match truth.node, memory.truths[index]:
-            case ir.Held(duration_ns=duration_ns), TruthValue.FALSE:
-                if index in memory.held_since_ns:
-                    yield memory.held_since_ns[index] + duration_ns
+            case ir.Held(duration_ns=duration_ns), value if value is not TruthValue.TRUE:
+                if (start_ns := memory.held[index].start_ns) is not None:
+                    yield start_ns + duration_ns
             case ir.AgeReaches(input=used, age_ns=age_ns), TruthValue.FALSE:
                 yield memory.inputs[used].stamp_ns + age_ns
             case ir.Oscillates(window_ns=window_ns), TruthValue.TRUE:

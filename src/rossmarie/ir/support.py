@@ -15,13 +15,15 @@ from rossmarie.ir import model as ir
 class Support:
     """Everything that a value can depend on, as indexes into the machine.
 
-    `folds` are the signals (`Fold` and `Count`) that turn an array into a number. The input of an
-    `AgeReaches` is among `inputs` although no slot of it need be.
+    `folds` are the signals (`Fold` and `Count`) that turn an array into a number, `samples` those
+    (`Rate` and `Previous`) that remember samples. The input of an `AgeReaches` is among `inputs`
+    although no slot of it need be.
     """
 
     slots: frozenset[int] = frozenset()
     arrays: frozenset[int] = frozenset()
     folds: frozenset[int] = frozenset()
+    samples: frozenset[int] = frozenset()
     inputs: frozenset[int] = frozenset()
     channels: frozenset[int] = frozenset()
 
@@ -30,6 +32,7 @@ class Support:
             self.slots | other.slots,
             self.arrays | other.arrays,
             self.folds | other.folds,
+            self.samples | other.samples,
             self.inputs | other.inputs,
             self.channels | other.channels,
         )
@@ -139,6 +142,8 @@ def _signal_support(
             return signals[element] | Support(folds=frozenset({index}))
         case ir.Count(element=element):
             return elements[element] | Support(folds=frozenset({index}))
+        case ir.Rate(signal=signal) | ir.Previous(signal=signal):
+            return signals[signal] | Support(samples=frozenset({index}))
         case _:
             return _union(signals[operand] for operand in signal_operands(node))
 

@@ -1,16 +1,19 @@
 """Conditions: rules S27 to S34 of docs/explanation/semantics.md."""
 
+import math
 from collections.abc import Sequence
 
 from rossmarie.ir import (
     AgeReaches,
     Between,
+    Change,
     Compare,
     Comparison,
     Count,
     Flag,
     Fold,
     Folding,
+    Function,
     Held,
     Kind,
     Literal,
@@ -22,7 +25,7 @@ from rossmarie.ir import (
     Rate,
     TruthValue,
 )
-from support.bench import Bench
+from support.bench import Bench, told
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
@@ -93,6 +96,33 @@ def test_s30_nan_from_a_guarded_input_is_lost() -> None:
     bench = Bench(draft)
     bench.send(0, c0=NAN)
     assert bench.truth(positive) is L
+
+
+def test_s30_arithmetic_that_gives_no_number_from_a_guarded_input_is_lost() -> None:
+    draft = Draft()
+    guarded, other = draft.read(timeout_ns=SECOND), draft.read()
+    alone = draft.above(draft.apply(Function.DIVIDE, guarded, guarded), 0.5)
+    mixed = draft.above(draft.apply(Function.DIVIDE, other, guarded), 0.5)
+    unguarded = draft.above(draft.apply(Function.DIVIDE, other, other), 0.5)
+    bench = Bench(draft)
+    bench.send(0, c0=0.0)
+    assert (bench.truth(alone), bench.truth(mixed), bench.truth(unguarded)) == (L, U, U)
+    bench.send(0, c1=0.0)
+    assert (bench.truth(alone), bench.truth(mixed), bench.truth(unguarded)) == (L, L, U)
+    bench.send(0, c0=1.0)
+    assert (bench.truth(alone), bench.truth(mixed), bench.truth(unguarded)) == (T, F, U)
+
+
+def test_s30_elements_out_of_range_are_not_a_lack() -> None:
+    draft = Draft()
+    least = draft.signal(Fold(Folding.MINIMUM, draft.elements(timeout_ns=SECOND)))
+    nearer = draft.apply(Function.SUBTRACT, least, draft.constant(0.5))
+    near = draft.above(nearer, 0.0)
+    bench = Bench(draft)
+    bench.send(0, c0=[math.inf])
+    assert bench.truth(near) is U
+    bench.send(0, c0=[-math.inf])
+    assert bench.truth(near) is L
 
 
 def test_s30_waiting_for_a_second_sample_is_not_lost() -> None:
@@ -216,9 +246,39 @@ def test_s33_unknown_breaks_it() -> None:
     assert bench.truth(held) is U
     bench.send(1.5, c0=1.0)
     bench.advance(3)
-    assert bench.truth(held) is F
+    assert bench.truth(held) is U
     bench.advance(3.5)
     assert bench.truth(held) is T
+
+
+def test_s33_until_it_matures_it_is_what_the_condition_was_before() -> None:
+    draft = Draft()
+    positive = draft.above(draft.read(timeout_ns=SECOND), 0.0)
+    held = draft.truth(Held(positive, 2 * SECOND))
+    bench = Bench(draft)
+    bench.send(0, c0=-1.0)
+    bench.send(0.5, c0=1.0)
+    assert bench.truth(held) is F
+    bench.advance(2)
+    assert bench.truth(held) is L
+    bench.send(2, c0=1.0)
+    assert bench.truth(held) is L
+    assert bench.wake() == 3.0
+    bench.send(2.5, c0=-1.0)
+    assert bench.truth(held) is F
+
+
+def test_s33_a_dropout_does_not_clear_a_rule_whose_condition_goes_on() -> None:
+    draft = Draft()
+    tilted = draft.above(draft.read(timeout_ns=SECOND), 0.0)
+    draft.rule(draft.truth(Held(tilted, SECOND)))
+    bench = Bench(draft)
+    bench.send(0, c0=1.0)
+    bench.send(0.9, c0=1.0)
+    assert told(bench.send(1.0, c0=1.0)) == [(0, 1.0, Change.ACTIVATED)]
+    assert bench.send(1.2, c0=NAN) == []
+    assert bench.send(1.3, c0=1.0) == []
+    assert told(bench.send(1.4, c0=-1.0)) == [(0, 1.4, Change.CLEARED)]
 
 
 def test_s33_nothing_has_held_before_the_start() -> None:

@@ -10,13 +10,15 @@ def test_support_goes_through_functions_samples_and_folds() -> None:
     draft = Draft()
     x, element = draft.read(), draft.elements()
     least = draft.signal(ir.Fold(ir.Folding.MINIMUM, element))
-    total = draft.apply(ir.Function.ADD, draft.signal(ir.Rate(x)), least)
+    rate = draft.signal(ir.Rate(x))
+    total = draft.apply(ir.Function.ADD, rate, least)
     previous = draft.signal(ir.Previous(total))
     support = ir.supports(draft.machine()).signals[previous]
     assert support == ir.Support(
         slots=frozenset({0}),
         arrays=frozenset({0}),
         folds=frozenset({least}),
+        samples=frozenset({rate, previous}),
         inputs=frozenset({0, 1}),
         channels=frozenset({0, 1}),
     )

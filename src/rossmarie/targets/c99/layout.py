@@ -110,6 +110,20 @@ class Layout:
         ]
         return slots + folds
 
+    def excuses(self, support: ir.Support) -> list[int]:
+        """The values that, if they are not there or infinite, make a result unknown and not lost
+        (S30): slots of inputs without a timeout, folds and samples.
+        """
+        slots = [
+            index
+            for index, value in enumerate(self.values)
+            if value.slot is not None
+            and value.slot in support.slots
+            and not self.has_timeout(self.machine.slots[value.slot].input)
+        ]
+        signals = sorted(support.folds | support.samples)
+        return slots + [self.value_of_signal[signal] for signal in signals]
+
     def guard_blames(self, guard: Guard) -> list[int]:
         """The same for the leaves of a guard; a quantifier blames its array whenever unknown."""
         value = self.values[guard.value]
@@ -159,7 +173,7 @@ class _Builder:
         order = [*guarded, *ages, *literals, *oscillations, *derived]
         return Layout(
             machine=self.machine,
-            name=names.identifier(self.machine.name),
+            name=names.public_prefix(self.machine.name),
             supports=self.supports,
             elements=self.elements,
             values=tuple(self.values),

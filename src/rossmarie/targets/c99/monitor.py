@@ -23,7 +23,7 @@ _PARTS = (
     "known", "minimum", "maximum", "roll", "pitch", "yaw", "test", "both", "either", "opposite",
     "element",
     "any", "all", "count", "earlier", "wake_by", "samples", "sample", "rate", "as_is", "covered",
-    "guards", "held", "oscillations", "follow", "ages", "expire", "expire_samples",
+    "unknown_kind", "guards", "held", "oscillations", "follow", "ages", "expire", "expire_samples",
 )  # fmt: skip
 
 

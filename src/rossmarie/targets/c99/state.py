@@ -24,6 +24,7 @@ def parts(layout: Layout) -> set[str]:
     """The C functions that the state needs."""
     found = {
         "guards": layout.guards,
+        "unknown_kind": layout.guards or layout.oscillations,
         "covered": covered_values(layout),
         "as_is": layout.guards and not covered_values(layout),
         "held": layout.held,
@@ -70,6 +71,7 @@ def members(layout: Layout) -> list[str]:
         found.append(f"int place[{len(layout.guards)}];")
     if layout.held:
         found.append(f"int64_t held_due_ns[{len(layout.held)}];")
+        found.append(f"unsigned char held_before[{len(layout.held)}];")
     found += [*_sample_members(len(layout.sampled)), *_turn_members(turns(layout))]
     return [*found, f"{layout.name}_callback on_event;", "void *user;"]
 
@@ -98,20 +100,24 @@ def begin(layout: Layout) -> list[str]:
 
 
 def restart(layout: Layout) -> list[str]:
-    """What is forgotten when time begins, or begins again (S17)."""
+    """What is forgotten when time begins, or begins again (S17); inputs keep their ages."""
     lines = []
     if layout.machine.inputs:
-        lines += ["for (unsigned i = 0; i != INPUTS; i++)", "    m->stamp_ns[i] = t_ns;"]
-    if has_timeouts(layout):
         lines += [
-            "for (unsigned i = 0; i != INPUTS; i++)",
-            "    if (m->state[i] == EXPIRED)",
-            "        m->stamp_ns[i] = t_ns - input_timeouts[i];",
+            "for (unsigned i = 0; i != INPUTS; i++) {",
+            "    const int64_t age_ns = m->now_ns - m->stamp_ns[i];",
+            "    m->stamp_ns[i] = t_ns - (age_ns < LONGEST ? age_ns : LONGEST);",
+            "}",
         ]
     if layout.channel_names:
         lines += ["for (unsigned i = 0; i != CHANNELS; i++)", "    m->quiet[i] = false;"]
     if layout.held:
-        lines += ["for (unsigned k = 0; k != HELD; k++)", "    m->held_due_ns[k] = NEVER;"]
+        lines += [
+            "for (unsigned k = 0; k != HELD; k++) {",
+            "    m->held_due_ns[k] = NEVER;",
+            "    m->held_before[k] = m->started ? UNKNOWN : FALSE;",
+            "}",
+        ]
     if layout.sampled:
         lines += ["for (unsigned k = 0; k != SAMPLED; k++)", "    forget_samples(m, k);"]
         lines += ["for (unsigned i = 0; i != SAMPLED_VALUES; i++)"]

@@ -19,6 +19,7 @@ from rossmarie.targets.c99.types import duration, number
 _CONSTANTS = """\
 #define EARLIEST (-(INT64_C(1) << 60) * 2)
 #define LATEST (INT64_C(1) << 62)
+#define LONGEST (INT64_C(1) << 61)
 #define NEVER INT64_MAX
 
 enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };
@@ -255,20 +256,25 @@ def _limit_rows(layout: Layout, guard: Guard, start: int) -> list[_LimitRow]:
 
 
 def _blame_tables(layout: Layout) -> str:
-    """The values whose lack, for an input with a timeout, makes a guard or oscillation lost."""
-    guards = [layout.guard_blames(guard) for guard in layout.guards]
-    swings = [layout.blamed(layout.supports.truths[index]) for index in layout.oscillations]
-    places = [0]
-    for row in (*guards, *swings):
-        places.append(places[-1] + len(row))
-    flat = [layout.values[value].name for row in (*guards, *swings) for value in row]
-    parts = ["/* Whose lack makes a truth lost instead of unknown. */"]
-    parts.append(table("index_t", "blames", flat))
-    if guards:
-        parts.append(table("index_t", "guard_blames", places[: len(guards) + 1]))
-    if swings:
-        parts.append(table("index_t", "turn_blames", places[len(guards) :]))
-    return "\n".join(parts)
+    """The values whose lack makes a guard lost, and those whose lack leaves it unknown; then the
+    same for the oscillations.
+    """
+    swings = [layout.supports.truths[index] for index in layout.oscillations]
+    supports = [layout.values[guard.value].support for guard in layout.guards] + swings
+    blames = [layout.guard_blames(guard) for guard in layout.guards]
+    blames += [layout.blamed(support) for support in swings]
+    excuses = [layout.excuses(support) for support in supports]
+    return "\n".join(
+        [
+            "/* Whose lack makes a truth lost, and whose leaves it unknown. */",
+            lists("index_t", "row_blames", "blames", _value_names(layout, blames)),
+            lists("index_t", "row_excuses", "excuses", _value_names(layout, excuses)),
+        ]
+    )
+
+
+def _value_names(layout: Layout, rows: list[list[int]]) -> list[list[str]]:
+    return [[layout.values[value].name for value in row] for row in rows]
 
 
 # --- timers ----------------------------------------------------------------------------------

@@ -47,6 +47,8 @@ def _table_sizes(machine: ir.Machine) -> dict[str, int]:
     inputs = [used for used in range(len(machine.inputs)) if layout.has_timeout(used)]
     lost = sum(used in value.support.inputs for value in layout.values for used in inputs)
     blames = sum(len(layout.guard_blames(guard)) for guard in layout.guards)
+    supports = (layout.values[guard.value].support for guard in layout.guards)
+    excuses = sum(len(layout.excuses(support)) for support in supports)
     return {
         "conditions and rules": layout.truth_count + len(machine.rules),
         "operands of conditions": operands + 2 * len(machine.rules),
@@ -54,7 +56,7 @@ def _table_sizes(machine: ir.Machine) -> dict[str, int]:
         "numbers": len(layout.values),
         "turning points": sum(turns),
         "numbers that expire": lost,
-        "reasons to be unknown": blames + layout.leaf_count,
+        "reasons to be unknown": max(blames, excuses) + layout.leaf_count,
         "terms of verdicts": sum(len(rule.terms) for rule in machine.rules),
         "numbers of verdicts": sum(len(rule.signals) for rule in machine.rules),
         "inputs of verdicts": sum(len(rule.inputs) for rule in machine.rules),

@@ -37,6 +37,7 @@ typedef uint16_t index_t;
 
 #define EARLIEST (-(INT64_C(1) << 60) * 2)
 #define LATEST (INT64_C(1) << 62)
+#define LONGEST (INT64_C(1) << 61)
 #define NEVER INT64_MAX
 
 enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };
@@ -146,10 +147,12 @@ static const unsigned char limit_above[12] = {
     FALSE, FALSE, FALSE, FALSE, TRUE, FALSE, FALSE, TRUE, FALSE, FALSE, TRUE, FALSE};
 static const unsigned char leaf_below[4] = {TRUE, FALSE, FALSE, FALSE};
 
-/* Whose lack makes a truth lost instead of unknown. */
+/* Whose lack makes a truth lost, and whose leaves it unknown. */
+static const index_t row_blames[5] = {0, 1, 2, 3, 4};
 static const index_t blames[4] = {
     VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M, VALUE_TRUTH_2, VALUE_TRUTH_3};
-static const index_t guard_blames[5] = {0, 1, 2, 3, 4};
+static const index_t row_excuses[5] = {0, 1, 2, 2, 2};
+static const index_t excuses[2] = {VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M};
 
 static const index_t input_values[2] = {0, 4};
 static const index_t lost_values[4] = {
@@ -236,19 +239,26 @@ static int64_t earlier(int64_t a, int64_t b) { return a < b ? a : b; }
 /* A number that is not finite may be an infinity out of an array, which is as good as any. */
 static double or_unknown(const monitor *m, unsigned g) { return m->value[guard_value[g]]; }
 
+/* Whether a number is unknown for lack of an input with a timeout: its value is missing, or nothing
+ * is missing and no number comes out (a division by zero).
+ */
+static unsigned char unknown_kind(const monitor *m, unsigned row)
+{
+    for (unsigned i = row_blames[row]; i != row_blames[row + 1]; i++)
+        if (isnan(m->value[blames[i]]))
+            return LOST;
+    if (row_blames[row] == row_blames[row + 1])
+        return UNKNOWN;
+    for (unsigned i = row_excuses[row]; i != row_excuses[row + 1]; i++)
+        if (!(m->value[excuses[i]] < INFINITY))
+            return UNKNOWN;
+    return LOST;
+}
+
 /* Not inside if not finite. (Written so that each comparison needs one instruction.) */
 INLINE bool is_inside(const monitor *m, unsigned g, double x)
 {
     return !UNLIKELY(!(x > m->low[g])) && !UNLIKELY(x > m->high[g]);
-}
-
-/* Whether the value behind a guard is unknown for lack of an input with a timeout. */
-static unsigned char unknown_kind(const monitor *m, unsigned g)
-{
-    for (unsigned i = guard_blames[g]; i != guard_blames[g + 1]; i++)
-        if (isnan(m->value[blames[i]]))
-            return LOST;
-    return UNKNOWN;
 }
 
 RARE void lose_sight(monitor *m, unsigned g, int64_t t_ns)
@@ -466,11 +476,10 @@ static void restart(monitor *m, int64_t t_ns)
         m->truth[node] = UNSET;
     for (unsigned node = LEAVES; node != TRUTHS + RULES; node++)
         mark(m, node);
-    for (unsigned i = 0; i != INPUTS; i++)
-        m->stamp_ns[i] = t_ns;
-    for (unsigned i = 0; i != INPUTS; i++)
-        if (m->state[i] == EXPIRED)
-            m->stamp_ns[i] = t_ns - input_timeouts[i];
+    for (unsigned i = 0; i != INPUTS; i++) {
+        const int64_t age_ns = m->now_ns - m->stamp_ns[i];
+        m->stamp_ns[i] = t_ns - (age_ns < LONGEST ? age_ns : LONGEST);
+    }
     for (unsigned i = 0; i != CHANNELS; i++)
         m->quiet[i] = false;
     set_truth(m, TRUTH_TRUTH_7, TRUE, t_ns);

@@ -37,6 +37,7 @@ typedef uint16_t index_t;
 
 #define EARLIEST (-(INT64_C(1) << 60) * 2)
 #define LATEST (INT64_C(1) << 62)
+#define LONGEST (INT64_C(1) << 61)
 #define NEVER INT64_MAX
 
 enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };
@@ -138,9 +139,11 @@ static const index_t limit_twin[8] = {NO_TWIN, 2, 1, NO_TWIN, NO_TWIN, NO_TWIN, 
 static const unsigned char limit_above[8] = {FALSE, TRUE, FALSE, TRUE, FALSE, FALSE, TRUE, FALSE};
 static const unsigned char leaf_below[3] = {FALSE, FALSE, FALSE};
 
-/* Whose lack makes a truth lost instead of unknown. */
+/* Whose lack makes a truth lost, and whose leaves it unknown. */
+static const index_t row_blames[3] = {0, 0, 0};
 static const index_t blames[1] = {0};
-static const index_t guard_blames[3] = {0, 0, 0};
+static const index_t row_excuses[3] = {0, 1, 2};
+static const index_t excuses[2] = {VALUE_INPUT_0, VALUE_INPUT_1};
 
 static const int64_t held_durations[1] = {
     INT64_C(2000000000), /* drive.ross:1 drive.fast: speed > 0.5 m/s for 2.0 sec */
@@ -217,19 +220,26 @@ RARE double or_unknown(monitor *m, unsigned g)
     return m->value[guard_value[g]];
 }
 
+/* Whether a number is unknown for lack of an input with a timeout: its value is missing, or nothing
+ * is missing and no number comes out (a division by zero).
+ */
+static unsigned char unknown_kind(const monitor *m, unsigned row)
+{
+    for (unsigned i = row_blames[row]; i != row_blames[row + 1]; i++)
+        if (isnan(m->value[blames[i]]))
+            return LOST;
+    if (row_blames[row] == row_blames[row + 1])
+        return UNKNOWN;
+    for (unsigned i = row_excuses[row]; i != row_excuses[row + 1]; i++)
+        if (!(m->value[excuses[i]] < INFINITY))
+            return UNKNOWN;
+    return LOST;
+}
+
 /* Not inside if not finite. (Written so that each comparison needs one instruction.) */
 INLINE bool is_inside(const monitor *m, unsigned g, double x)
 {
     return !UNLIKELY(!(x > m->low[g])) && !UNLIKELY(x > m->high[g]);
-}
-
-/* Whether the value behind a guard is unknown for lack of an input with a timeout. */
-static unsigned char unknown_kind(const monitor *m, unsigned g)
-{
-    for (unsigned i = guard_blames[g]; i != guard_blames[g + 1]; i++)
-        if (isnan(m->value[blames[i]]))
-            return LOST;
-    return UNKNOWN;
 }
 
 RARE void lose_sight(monitor *m, unsigned g, int64_t t_ns)
@@ -320,18 +330,17 @@ static void review(monitor *m, int64_t t_ns)
             cross(m, g, m->value[guard_value[g]], t_ns);
 }
 
-/* `operand for duration`: true once the operand has been true that long. (Next to no branches:
- * whether an operand rose or fell is what a processor guesses badly.)
+/* `operand for duration`: true once the operand has been true that long; until then what the operand
+ * was before. (Next to no branches: whether an operand rose or fell is badly predictable.)
  */
 static unsigned char held(monitor *m, unsigned k, unsigned char operand, int64_t t_ns)
 {
     const bool has_begun = m->held_due_ns[k] != NEVER;
     const int64_t due_ns = has_begun ? m->held_due_ns[k] : t_ns + held_durations[k];
     m->held_due_ns[k] = operand == TRUE ? due_ns : NEVER;
+    m->held_before[k] = operand == TRUE ? m->held_before[k] : operand;
     wake_by(m, m->held_due_ns[k]);
-    if (operand != TRUE)
-        return operand;
-    return t_ns >= due_ns ? TRUE : FALSE;
+    return operand == TRUE && t_ns >= due_ns ? (unsigned char)TRUE : m->held_before[k];
 }
 
 /* --- rules --------------------------------------------------------------------------------- */
@@ -446,12 +455,16 @@ static void restart(monitor *m, int64_t t_ns)
         m->truth[node] = UNSET;
     for (unsigned node = LEAVES; node != TRUTHS + RULES; node++)
         mark(m, node);
-    for (unsigned i = 0; i != INPUTS; i++)
-        m->stamp_ns[i] = t_ns;
+    for (unsigned i = 0; i != INPUTS; i++) {
+        const int64_t age_ns = m->now_ns - m->stamp_ns[i];
+        m->stamp_ns[i] = t_ns - (age_ns < LONGEST ? age_ns : LONGEST);
+    }
     for (unsigned i = 0; i != CHANNELS; i++)
         m->quiet[i] = false;
-    for (unsigned k = 0; k != HELD; k++)
+    for (unsigned k = 0; k != HELD; k++) {
         m->held_due_ns[k] = NEVER;
+        m->held_before[k] = m->started ? UNKNOWN : FALSE;
+    }
     set_truth(m, TRUTH_TRUTH_6, TRUE, t_ns);
     for (unsigned g = 0; g != GUARDS; g++) {
         m->place[g] = -(int)UNSET;

@@ -92,6 +92,7 @@ typedef struct thresholds_monitor {
     int64_t since_ns[7];
     int place[2];
     int64_t held_due_ns[1];
+    unsigned char held_before[1];
     thresholds_callback on_event;
     void *user;
 } thresholds_monitor;

@@ -91,6 +91,7 @@ typedef struct timeouts_monitor {
     int64_t since_ns[6];
     int place[2];
     int64_t held_due_ns[1];
+    unsigned char held_before[1];
     timeouts_callback on_event;
     void *user;
 } timeouts_monitor;

@@ -4,15 +4,6 @@ INLINE bool is_inside(const monitor *m, unsigned g, double x)
     return !UNLIKELY(!(x > m->low[g])) && !UNLIKELY(x > m->high[g]);
 }
 
-/* Whether the value behind a guard is unknown for lack of an input with a timeout. */
-static unsigned char unknown_kind(const monitor *m, unsigned g)
-{
-    for (unsigned i = guard_blames[g]; i != guard_blames[g + 1]; i++)
-        if (isnan(m->value[blames[i]]))
-            return LOST;
-    return UNKNOWN;
-}
-
 RARE void lose_sight(monitor *m, unsigned g, int64_t t_ns)
 {
     const unsigned char kind = unknown_kind(m, g);

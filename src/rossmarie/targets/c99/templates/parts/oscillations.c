@@ -16,10 +16,7 @@ static unsigned char swings(monitor *m, unsigned k, int64_t t_ns)
 {
     if (!isfinite(m->value[turn_value[k]])) {
         forget_turns(m, k);
-        for (unsigned i = turn_blames[k]; i != turn_blames[k + 1]; i++)
-            if (isnan(m->value[blames[i]]))
-                return LOST;
-        return UNKNOWN;
+        return unknown_kind(m, GUARDS + k);
     }
     if (m->turns[k] != turn_first[k + 1] - turn_first[k])
         return FALSE;
