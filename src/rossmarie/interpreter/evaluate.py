@@ -104,19 +104,18 @@ class Evaluator:
                 return kleene.disjunction(self._known(operand) for operand in operands)
             case ir.Held():
                 return self._held(index, node, at_ns)
+            case ir.Oscillates():
+                return self._oscillates(index, node, at_ns, updated)
             case _:
-                found = self._leaf(index, node, at_ns, updated)
-                is_unknown = found is TruthValue.UNKNOWN
-                return TruthValue.LOST if is_unknown and self._is_lost(index, node) else found
+                found = self._leaf(node, at_ns)
+                return self._unknown(index, node) if found is TruthValue.UNKNOWN else found
 
     def _known(self, index: int) -> TruthValue:
         value = self._memory.truths[index]
         assert value is not None, "operands stand before their users"
         return value
 
-    def _leaf(
-        self, index: int, node: ir.TruthNode, at_ns: int, updated: frozenset[int]
-    ) -> TruthValue:
+    def _leaf(self, node: ir.TruthNode, at_ns: int) -> TruthValue:
         signals = self._memory.signals
         match node:
             case ir.Compare(comparison=comparison, left=left, right=right):
@@ -127,15 +126,13 @@ class Evaluator:
                 return is_set(signals[signal])
             case ir.AgeReaches():
                 return self._age_reaches(node, at_ns)
-            case ir.Oscillates():
-                return self._oscillates(index, node, at_ns, updated)
             case ir.Quantified():
                 return self._elements.quantified(node)
             case _:
                 raise AssertionError(f"{type(node).__name__} is no leaf")
 
-    def _is_lost(self, index: int, node: ir.TruthNode) -> bool:
-        """S30: whether an unknown leaf is unknown for lack of an input with a timeout."""
+    def _unknown(self, index: int, node: ir.TruthNode) -> TruthValue:
+        """S30: an unknown leaf is lost if that is for lack of an input with a timeout."""
         support = self._supports.truths[index]
         lacking = {
             self._machine.slots[slot].input
@@ -148,7 +145,8 @@ class Evaluator:
         is_whole = isinstance(node, ir.Quantified | ir.AgeReaches)
         if is_whole or not self._is_excused(support):
             lacking |= support.inputs
-        return any(self._machine.inputs[used].timeout_ns is not None for used in lacking)
+        is_lost = any(self._machine.inputs[used].timeout_ns is not None for used in lacking)
+        return TruthValue.LOST if is_lost else TruthValue.UNKNOWN
 
     def _is_excused(self, support: ir.Support) -> bool:
         """S30: whether a leaf is unknown because of what it rests on, not of its arithmetic: a
@@ -174,11 +172,11 @@ class Evaluator:
         x = self._memory.signals[node.signal]
         if not math.isfinite(x):
             oscillation.clear()
-            return TruthValue.UNKNOWN
+            oscillation.gap, oscillation.gap_end_ns = self._unknown(index, node), None
+            return oscillation.gap
         if self._supports.signals[node.signal].channels & updated:
             oscillation.take(x, node.swing, at_ns)
-        oldest_ns = oscillation.oldest_ns()
-        return kleene.truth_of(oldest_ns is not None and at_ns - oldest_ns < node.window_ns)
+        return oscillation.look(node.window_ns, at_ns)
 
     def _held(self, index: int, node: ir.Held, at_ns: int) -> TruthValue:
         """S33."""

@@ -76,7 +76,7 @@ class Interpreter:
         now_ns = self._memory.now_ns
         if now_ns is not None and at_ns < now_ns:
             self._inputs.restart(at_ns)
-            self._memory.restart()
+            self._memory.restart(at_ns)
             return [TimeJump(now_ns, at_ns)]
         events: list[Event] = []
         while (wake_ns := self.next_wake()) is not None and wake_ns < at_ns:

@@ -62,17 +62,32 @@ class Direction(enum.Enum):
 
 @dataclass
 class Oscillation:
-    """The turning points of a signal (S32); `turns` holds the instants of the last few."""
+    """The turning points of a signal (S32); `turns` holds the instants of the last few.
+
+    `gap` is what the condition was when the signal was last not finite, and `gap_end_ns` when that
+    ended; None while it lasts.
+    """
 
     turns: deque[int]
     direction: Direction = Direction.NONE
     extreme: float = NAN
+    gap: TruthValue = TruthValue.FALSE
+    gap_end_ns: int | None = 0
 
     def clear(self) -> None:
         """Nothing is known of the signal any more."""
         self.turns.clear()
         self.direction = Direction.NONE
         self.extreme = NAN
+
+    def look(self, window_ns: int, at_ns: int) -> TruthValue:
+        """Whether enough turning points lie in the window, the signal being finite."""
+        if self.gap_end_ns is None:
+            self.gap_end_ns = at_ns
+        oldest_ns = self.oldest_ns()
+        if oldest_ns is not None and at_ns - oldest_ns < window_ns:
+            return TruthValue.TRUE
+        return self.gap if at_ns - self.gap_end_ns < window_ns else TruthValue.FALSE
 
     def take(self, x: float, swing: float, at_ns: int) -> None:
         """A finite sample."""
@@ -116,12 +131,13 @@ class Memory:
     held: dict[int, HeldMemory]
     now_ns: int | None = None
 
-    def restart(self) -> None:
+    def restart(self, at_ns: int) -> None:
         """Forget everything that was measured against a clock (S17)."""
         for samples in self.samples:
             self.samples[samples] = Samples()
         for oscillation in self.oscillations.values():
             oscillation.clear()
+            oscillation.gap, oscillation.gap_end_ns = TruthValue.UNKNOWN, at_ns
         for held in self.held:
             self.held[held] = HeldMemory(before=TruthValue.UNKNOWN)
         self.truths = [None] * len(self.truths)

@@ -32,5 +32,8 @@ def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
                 oldest_ns = memory.oscillations[index].oldest_ns()
                 assert oldest_ns is not None, "a true oscillation has all its turning points"
                 yield oldest_ns + window_ns
+            case ir.Oscillates(window_ns=window_ns), TruthValue.UNKNOWN | TruthValue.LOST:
+                if (gap_end_ns := memory.oscillations[index].gap_end_ns) is not None:
+                    yield gap_end_ns + window_ns
             case _:
                 pass

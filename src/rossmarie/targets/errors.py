@@ -21,17 +21,4 @@ class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
     most: int
 
 
-@dataclass(frozen=True, kw_only=True)
-class TooManyTurningPoints(Error, code="ROSS502", name="too-many-turning-points"):
-    """An oscillation whose turning points would fill the memory of a monitor."""
-
-    title = "a {target} monitor cannot remember {found} turning points"
-    label = "every one is remembered; up to {most} are possible"
-    note = "a monitor has no heap: its memory is reserved when it is compiled"
-    help = "ask for fewer turning points within a shorter time"
-    target: str
-    found: int
-    most: int
-
-
-ALL: tuple[type[Template], ...] = (MonitorTooLarge, TooManyTurningPoints)
+ALL: tuple[type[Template], ...] = (MonitorTooLarge,)

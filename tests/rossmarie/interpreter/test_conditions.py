@@ -217,7 +217,25 @@ def test_s32_the_window_closes() -> None:
 
 
 def test_s32_unknown_forgets_turning_points() -> None:
-    assert shaken((0.0, 1.0, 0.0, NAN, 1.0, 0.0, 1.0), 1, 0.0) == [F, F, T, U, F, F, T]
+    assert shaken((0.0, 1.0, 0.0, NAN, 1.0, 0.0, 1.0), 1, 0.0) == [F, F, T, U, U, U, T]
+
+
+def test_s32_after_a_gap_it_is_false_once_it_was_known_throughout_the_window() -> None:
+    draft = Draft()
+    shaking = draft.truth(Oscillates(draft.read(timeout_ns=SECOND), 1, 3 * SECOND, 0.0))
+    draft.rule(shaking)
+    bench = Bench(draft)
+    for second, x in enumerate((0.0, 1.0, 0.0)):
+        bench.send(second / 2, c0=x)
+    assert bench.monitor.active == (True,)
+    assert bench.send(1.5, c0=NAN) == []
+    assert bench.send(2, c0=0.0) == []
+    assert bench.truth(shaking) is L
+    bench.send(2.9, c0=0.0)
+    assert bench.wake() == 3.9
+    bench.send(3.8, c0=0.0)
+    assert bench.send(4.7, c0=0.0) == []
+    assert told(bench.advance(5)) == [(0, 5.0, Change.CLEARED)]
 
 
 def test_s33_for_matures_at_its_own_instant() -> None:

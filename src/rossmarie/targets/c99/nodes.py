@@ -19,7 +19,7 @@ def derive(layout: Layout) -> tuple[str, set[str]]:
         remark = names.comment(f"{names.place(truth.span)}  {truth.text}")
         cases.append(f"    case {layout.truth_names[index]}: /* {remark} */")
         cases.append(f"        return {_expression(layout, index, truth.node, parts)};")
-    unused = [] if layout.held else ["    (void)t_ns;"]
+    unused = [] if layout.held or layout.oscillations else ["    (void)t_ns;"]
     lines = [
         "/* The value of a truth that was marked. */",
         "static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)",
@@ -45,7 +45,7 @@ def _expression(layout: Layout, index: int, node: ir.TruthNode, parts: set[str])
         case ir.Or(operands=operands):
             return _joined(layout, "either", operands, parts)
         case ir.Oscillates():
-            return f"m->swinging[{layout.oscillations.index(index)}]"
+            return f"swings_or_gap(m, {layout.oscillations.index(index)}, t_ns)"
         case ir.Held(operand=operand):
             number = layout.held.index(index)
             return f"held(m, {number}, {_truth(layout, operand)}, t_ns)"

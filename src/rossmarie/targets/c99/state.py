@@ -91,6 +91,8 @@ def _turn_members(counts: list[int]) -> list[str]:
         f"uint16_t turn_next[{len(counts)}];",
         f"signed char heading[{len(counts)}];",
         f"unsigned char swinging[{len(counts)}];",
+        f"unsigned char gap[{len(counts)}];",
+        f"int64_t gap_end_ns[{len(counts)}];",
     ]
 
 
@@ -123,7 +125,13 @@ def restart(layout: Layout) -> list[str]:
         lines += ["for (unsigned i = 0; i != SAMPLED_VALUES; i++)"]
         lines += ["    m->value[sampled_values[i]] = NAN;"]
     if layout.oscillations:
-        lines += ["for (unsigned k = 0; k != OSCILLATIONS; k++)", "    forget_turns(m, k);"]
+        lines += [
+            "for (unsigned k = 0; k != OSCILLATIONS; k++) {",
+            "    forget_turns(m, k);",
+            "    m->gap[k] = m->started ? UNKNOWN : FALSE;",
+            "    m->gap_end_ns[k] = t_ns;",
+            "}",
+        ]
     for index in layout.literals:
         value = "TRUE" if layout.machine.truths[index].node == ir.Literal(True) else "FALSE"
         lines.append(f"set_truth(m, {layout.truth_names[index]}, {value}, t_ns);")
@@ -189,6 +197,8 @@ def wake(layout: Layout) -> list[str]:
             "for (unsigned k = 0; k != OSCILLATIONS; k++)",
             "    if (m->truth[turn_leaf[k]] == TRUE)",
             *_earlier("oldest_turn(m, k) + turn_windows[k]"),
+            "    else if (m->truth[turn_leaf[k]] != FALSE && m->gap_end_ns[k] != NEVER)",
+            *_earlier("m->gap_end_ns[k] + turn_windows[k]"),
         ]
     if layout.held:
         lines += [

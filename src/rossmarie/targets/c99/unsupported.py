@@ -1,4 +1,4 @@
-"""What the C99 target cannot do: machines that its tables or its memory cannot hold."""
+"""What the C99 target cannot do: machines that its tables cannot hold."""
 
 from __future__ import annotations
 
@@ -7,31 +7,16 @@ from collections.abc import Iterator
 from dslkit.diagnostics import Diagnostic
 from rossmarie import ir
 from rossmarie.targets.c99.layout import lay_out
-from rossmarie.targets.errors import MonitorTooLarge, TooManyTurningPoints
+from rossmarie.targets.errors import MonitorTooLarge
 
 MOST_INDEXES = 0xFFFE
 """The greatest index but one: the greatest means "none"."""
-
-MOST_TURNS = 4096
 
 _NAME = "C99"
 
 
 def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
-    """A finding for everything that the target cannot do, at the place where it was written."""
-    yield from _turning_points(machine)
-    yield from _sizes(machine)
-
-
-def _turning_points(machine: ir.Machine) -> Iterator[Diagnostic]:
-    for truth in machine.truths:
-        if isinstance(truth.node, ir.Oscillates) and truth.node.count > MOST_TURNS:
-            found = TooManyTurningPoints(target=_NAME, found=truth.node.count, most=MOST_TURNS)
-            yield found.at(truth.span)
-
-
-def _sizes(machine: ir.Machine) -> Iterator[Diagnostic]:
-    """The first table that does not fit, if any; without rules every table does."""
+    """A finding for the first table that does not fit, if any; without rules every table does."""
     for what, found in _table_sizes(machine).items():
         if found > MOST_INDEXES and machine.rules:
             large = MonitorTooLarge(target=_NAME, what=what, found=found, most=MOST_INDEXES)

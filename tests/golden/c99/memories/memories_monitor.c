@@ -398,11 +398,32 @@ static unsigned char swings(monitor *m, unsigned k, int64_t t_ns)
 static void look_at_swings(monitor *m, unsigned k, int64_t t_ns)
 {
     const unsigned char value = swings(m, k, t_ns);
+    const bool begins_gap = value >= UNKNOWN && m->gap_end_ns[k] != NEVER;
     m->swinging[k] = value;
     if (value == TRUE)
         wake_by(m, oldest_turn(m, k) + turn_windows[k]);
-    if (value != m->truth[turn_leaf[k]])
+    if (value != m->truth[turn_leaf[k]] || begins_gap)
         mark(m, turn_leaf[k]);
+}
+
+/* What is known of an oscillation: too few turning points tell nothing until the number has been
+ * known throughout the window.
+ */
+static unsigned char swings_or_gap(monitor *m, unsigned k, int64_t t_ns)
+{
+    const unsigned char value = m->swinging[k];
+    if (value >= UNKNOWN) {
+        m->gap[k] = value;
+        m->gap_end_ns[k] = NEVER;
+        return value;
+    }
+    if (m->gap_end_ns[k] == NEVER)
+        m->gap_end_ns[k] = t_ns;
+    if (value == TRUE || t_ns - m->gap_end_ns[k] >= turn_windows[k])
+        return value;
+    if (m->gap[k] != FALSE)
+        wake_by(m, m->gap_end_ns[k] + turn_windows[k]);
+    return m->gap[k];
 }
 
 static void turn(monitor *m, unsigned k, signed char heading, double x, int64_t t_ns)
@@ -503,10 +524,9 @@ static int judge(monitor *m, unsigned rule, int64_t t_ns)
 /* The value of a truth that was marked. */
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
-    (void)t_ns;
     switch (node) {
     case TRUTH_TRUTH_1: /* draft.ross:1 truth_1 */
-        return m->swinging[0];
+        return swings_or_gap(m, 0, t_ns);
     case TRUTH_TRUTH_3: /* draft.ross:1 truth_3 */
         return both(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_TRUTH_2]);
     default:
@@ -541,6 +561,8 @@ static int64_t earliest_timer(const monitor *m)
     for (unsigned k = 0; k != OSCILLATIONS; k++)
         if (m->truth[turn_leaf[k]] == TRUE)
             wake_ns = earlier(wake_ns, oldest_turn(m, k) + turn_windows[k]);
+        else if (m->truth[turn_leaf[k]] != FALSE && m->gap_end_ns[k] != NEVER)
+            wake_ns = earlier(wake_ns, m->gap_end_ns[k] + turn_windows[k]);
     return wake_ns;
 }
 
@@ -578,8 +600,11 @@ static void restart(monitor *m, int64_t t_ns)
         forget_samples(m, k);
     for (unsigned i = 0; i != SAMPLED_VALUES; i++)
         m->value[sampled_values[i]] = NAN;
-    for (unsigned k = 0; k != OSCILLATIONS; k++)
+    for (unsigned k = 0; k != OSCILLATIONS; k++) {
         forget_turns(m, k);
+        m->gap[k] = m->started ? UNKNOWN : FALSE;
+        m->gap_end_ns[k] = t_ns;
+    }
     set_truth(m, TRUTH_TRUTH_4, TRUE, t_ns);
     set_truth(m, TRUTH_TRUTH_5, TRUE, t_ns);
     for (unsigned g = 0; g != GUARDS; g++) {

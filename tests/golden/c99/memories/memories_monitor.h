@@ -104,6 +104,8 @@ typedef struct memories_monitor {
     uint16_t turn_next[1];
     signed char heading[1];
     unsigned char swinging[1];
+    unsigned char gap[1];
+    int64_t gap_end_ns[1];
     memories_callback on_event;
     void *user;
 } memories_monitor;

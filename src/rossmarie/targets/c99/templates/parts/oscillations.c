@@ -26,9 +26,30 @@ static unsigned char swings(monitor *m, unsigned k, int64_t t_ns)
 static void look_at_swings(monitor *m, unsigned k, int64_t t_ns)
 {
     const unsigned char value = swings(m, k, t_ns);
+    const bool begins_gap = value >= UNKNOWN && m->gap_end_ns[k] != NEVER;
     m->swinging[k] = value;
     if (value == TRUE)
         wake_by(m, oldest_turn(m, k) + turn_windows[k]);
-    if (value != m->truth[turn_leaf[k]])
+    if (value != m->truth[turn_leaf[k]] || begins_gap)
         mark(m, turn_leaf[k]);
+}
+
+/* What is known of an oscillation: too few turning points tell nothing until the number has been
+ * known throughout the window.
+ */
+static unsigned char swings_or_gap(monitor *m, unsigned k, int64_t t_ns)
+{
+    const unsigned char value = m->swinging[k];
+    if (value >= UNKNOWN) {
+        m->gap[k] = value;
+        m->gap_end_ns[k] = NEVER;
+        return value;
+    }
+    if (m->gap_end_ns[k] == NEVER)
+        m->gap_end_ns[k] = t_ns;
+    if (value == TRUE || t_ns - m->gap_end_ns[k] >= turn_windows[k])
+        return value;
+    if (m->gap[k] != FALSE)
+        wake_by(m, m->gap_end_ns[k] + turn_windows[k]);
+    return m->gap[k];
 }
