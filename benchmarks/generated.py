@@ -13,7 +13,8 @@ from workload import PERIOD_NS, REALS, rossmarie_rules
 
 from rossmarie.driver import compile_file
 from rossmarie.driver.monitor import Monitor
-from rossmarie.ir import Change, Machine, Verdict
+from rossmarie.interpreter import Interpreter
+from rossmarie.ir import Change, ChannelValues, Machine, Verdict
 from rossmarie.targets.c99 import generate
 
 DECLARATIONS = """
@@ -149,6 +150,29 @@ def from_python_steps(compiled: Machine, columns: Columns, samples: int) -> Roun
             step(*row)
         took = time.process_time() - start
         return took, _active_samples(monitor, end_ns)
+
+    return run
+
+
+def interpreted_steps(compiled: Machine, columns: Columns, samples: int) -> Round:
+    """One update a sample of the interpreter, which runs where there is no C compiler."""
+    rows = python_rows(columns, samples)
+    names = ("t_ns", *REALS, "contact")
+    order = [names.index(str(slot.path[0])) for slot in compiled.slots]
+    messages = [
+        (row[0], {0: ChannelValues({slot: float(row[at]) for slot, at in enumerate(order)})})
+        for row in rows
+    ]
+
+    def run() -> tuple[float, list[int]]:
+        monitor = Interpreter(compiled)
+        counts = [0] * len(compiled.rules)
+        start = time.process_time()
+        for at_ns, message in messages:
+            monitor.update(at_ns, message)
+            for rule, is_active in enumerate(monitor.active):
+                counts[rule] += is_active
+        return time.process_time() - start, counts
 
     return run
 

@@ -10,6 +10,7 @@ running ROS 2 would write it, and the same on every run.
 from __future__ import annotations
 
 import sys
+from argparse import ArgumentParser
 from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -250,5 +251,6 @@ def _write_bag(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    target = write(Path(sys.argv[1] if len(sys.argv) > 1 else "build/demo"))
-    sys.stdout.write(f"{target}\n")
+    parser = ArgumentParser(description="Write the recording of the demo.")
+    parser.add_argument("folder", type=Path, nargs="?", default=Path("build/demo"), help="where to")
+    sys.stdout.write(f"{write(parser.parse_args().folder)}\n")

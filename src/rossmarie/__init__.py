@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rossmarie.driver.monitor import Monitor, load
     from rossmarie.driver.pipeline import RulesError
+    from rossmarie.native import ColumnError
 
-__all__ = ["Monitor", "RulesError", "load"]
+__all__ = ["ColumnError", "Monitor", "RulesError", "load"]
 
 
 def __getattr__(name: str) -> object:
@@ -24,4 +25,8 @@ def __getattr__(name: str) -> object:
         from rossmarie.driver import pipeline
 
         return pipeline.RulesError
+    if name == "ColumnError":
+        from rossmarie import native
+
+        return native.ColumnError
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

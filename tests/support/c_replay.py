@@ -1,15 +1,17 @@
 """A program that runs a trace through the generated C and prints all that can be seen of it.
 
-It knows the public interface only: a function for each channel, `step` for several at once,
-`advance`, `reset`, `next_wake`, `is_active` and the callback.
+It uses the public interface: a function for each channel, `step` for several at once, `advance`,
+`reset`, `next_wake`, `is_active` and the callback; and then `host.c`, for a run over columns.
 """
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Sequence
 
 from rossmarie import ir
+from rossmarie.native import Columns
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.layout import lay_out
 from support.machines import Advance, Observation, Reset, Step, Update
@@ -19,7 +21,7 @@ _PROGRAM = """\
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "NAME_monitor.c"
+#include "host.c"
 
 static void print(void *user, const NAME_event *e)
 {
@@ -72,6 +74,55 @@ static const double *read_array(size_t *count)
     return x;
 }
 
+/* As long as the column, for the same reason. */
+static void *read_column(size_t size)
+{
+    void *x = malloc(size ? size : 1);
+    if (size)
+        read_into(x, size);
+    return x;
+}
+
+static void print_state(const NAME_monitor *m)
+{
+    printf("step %" PRId64, NAME_next_wake(m));
+    for (int i = 0; i < NAME_RULES; i++)
+        printf(" %d", NAME_is_active(m, i));
+    printf("\\n");
+}
+
+static void run_table(void)
+{
+    enum { COLUMNS = COLUMN_COUNT, ARRAYS = ARRAY_COUNT, CHANNELS = CHANNEL_COUNT };
+    host *h = host_new();
+    const size_t rows = (size_t)read_integer();
+    int64_t *times = (int64_t *)read_column(rows * sizeof *times);
+    void *columns[COLUMNS + 1] = {NULL};
+    size_t widths[ARRAYS + 1] = {0};
+    unsigned char *arriving, *active = (unsigned char *)malloc(rows * ACTIVE_BYTES);
+    host_table table;
+    for (int i = 0; i < COLUMNS; i++)
+        columns[i] = read_column((size_t)read_integer());
+    for (int i = 0; i < ARRAYS; i++)
+        widths[i] = (size_t)read_integer();
+    arriving = (unsigned char *)read_column(CHANNELS);
+    table.times = times;
+    table.columns = (const void *const *)columns;
+    table.widths = widths;
+    table.arriving = arriving;
+    if (host_run(h, 0, rows, &table, active) != rows)
+        exit(4);
+    for (size_t i = 0; i < h->count; i++)
+        print(NULL, &h->events[i]);
+    print_state(&h->machine);
+    for (int i = 0; i < COLUMNS; i++)
+        free(columns[i]);
+    free(times);
+    free(arriving);
+    free(active);
+    host_free(h);
+}
+
 int main(void)
 {
     NAME_monitor *m = (NAME_monitor *)malloc(sizeof *m);
@@ -90,11 +141,9 @@ READ
 TAKE
 FREE
         }
-        printf("step %" PRId64, NAME_next_wake(m));
-        for (int i = 0; i < NAME_RULES; i++)
-            printf(" %d", NAME_is_active(m, i));
-        printf("\\n");
+        print_state(m);
     }
+    run_table();
     free(m);
     return 0;
 }
@@ -117,13 +166,23 @@ def program(machine: ir.Machine) -> str:
                 release.append(f"            free((void *)(uintptr_t){member});")
         read.append("            }")
         others = [f"v.has_{other}" for other in layout.channel_names if other != name]
-        alone = " && ".join([f"v.has_{name}", *(f"!{other}" for other in others)])
+        # The parameters of flags and strings have no unknown value.
+        lacking = [
+            f"isnan(v.{name}.{field.name})"
+            for field in types.fields_of(machine, channel)
+            if field.slot is not None and machine.slots[field.slot].kind is not ir.Kind.REAL
+        ]
+        alone = " && ".join([f"v.has_{name}", *(f"!{other}" for other in [*others, *lacking])])
         arguments = ["m", "t_ns", *_arguments(machine, channel, f"v.{name}.")]
         call = f"{layout.name}_update_{name}({', '.join(arguments)});"
         take += [f"            if ({alone})", f"                {call}", "            else"]
     take.append("                NAME_step(m, t_ns, &v);")
     text = _PROGRAM.replace("READ", "\n".join(read)).replace("FREE", "\n".join(release))
     text = text.replace("TAKE", "\n".join(take))
+    text = text.replace("COLUMN_COUNT", str(len(machine.slots) + len(machine.arrays)))
+    text = text.replace("ARRAY_COUNT", str(len(machine.arrays)))
+    text = text.replace("CHANNEL_COUNT", str(max(1, len(machine.channels))))
+    text = text.replace("ACTIVE_BYTES", str((len(machine.rules) + 7) // 8))
     return text.replace("NAME", layout.name)
 
 
@@ -159,13 +218,27 @@ def trace_bytes(machine: ir.Machine, trace: Sequence[Step]) -> bytes:
     return b"".join(parts)
 
 
+def table_bytes(columns: Columns) -> bytes:
+    """What the program reads after the trace."""
+    fields = [column.tobytes() for column in (*columns.slots, *columns.arrays)]
+    return b"".join(
+        [
+            struct.pack("=q", len(columns.times_ns)),
+            columns.times_ns.tobytes(),
+            *(struct.pack("=q", len(values)) + values for values in fields),
+            *(struct.pack("=q", array.shape[1]) for array in columns.arrays),
+            columns.arriving.tobytes(),
+        ]
+    )
+
+
 def _message(machine: ir.Machine, channel: int, values: ir.ChannelValues) -> bytes:
     parts = []
     for field in types.fields_of(machine, channel):
         if field.slot is not None:
-            parts.append(struct.pack("=d", values.slots[field.slot]))
+            parts.append(struct.pack("=d", values.slots.get(field.slot, math.nan)))
         elif field.array is not None:
-            elements = values.arrays[field.array]
+            elements = values.arrays.get(field.array, ())
             parts.append(struct.pack(f"=q{len(elements)}d", len(elements), *elements))
     return b"".join(parts)
 

@@ -43,8 +43,9 @@ class Growing:
                 self._fields(used)
 
     def _fields(self, used: int) -> None:
+        # Of an input without fields only the age is read.
         kinds = st.sampled_from((*ir.Kind, ir.Kind.REAL, ir.Kind.REAL, "array"))
-        for kind in self.draw(st.lists(kinds, min_size=1, max_size=3)):
+        for kind in self.draw(st.lists(kinds, max_size=3)):
             scale, offset = self.draw(scales)
             if isinstance(kind, str):
                 array = self.draft.array(used, scale, offset)

@@ -76,14 +76,18 @@ Case = tuple[ir.Machine, list[Step]]
 @st.composite
 def traces(draw: st.DrawFn, machine: ir.Machine, max_steps: int = 24) -> list[Step]:
     """What happens to a monitor: gaps, equal instants, jumps back, silence, bad numbers."""
+    return [draw(_step(machine, at_ns)) for at_ns in draw(instants(max_steps))]
+
+
+@st.composite
+def instants(draw: st.DrawFn, most: int) -> list[int]:
+    """One or more instants, now and then the same or an earlier one."""
     ticks = st.sampled_from((0, 0, 1, 1, 1, 2, 2, 3, 5, 9, 20, -4))
     odd = st.sampled_from((0, 0, 0, 0, 1, -1, TICK // 3))
-    at_ns = draw(st.sampled_from((0, 17, SECOND, -3 * SECOND, 1_700_000_000 * SECOND)))
-    steps: list[Step] = []
-    for _ in range(draw(st.integers(1, max_steps))):
-        steps.append(draw(_step(machine, at_ns)))
-        at_ns += draw(ticks) * TICK + draw(odd)
-    return steps
+    found = [draw(st.sampled_from((0, 17, SECOND, -3 * SECOND, 1_700_000_000 * SECOND)))]
+    for _ in range(draw(st.integers(0, most - 1))):
+        found.append(found[-1] + draw(ticks) * TICK + draw(odd))
+    return found
 
 
 def _step(machine: ir.Machine, at_ns: int) -> st.SearchStrategy[Step]:
@@ -104,13 +108,13 @@ def _messages(draw: st.DrawFn, machine: ir.Machine) -> dict[int, ir.ChannelValue
 
 @st.composite
 def channel_values(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.ChannelValues:
-    """One message with all the slots and arrays of its channel."""
-    elements = st.lists(_raw(ir.Kind.REAL), max_size=4)
+    """One message with the arrays of its channel, and nearly always all its slots."""
+    elements = st.lists(raw(ir.Kind.REAL), max_size=4)
     return ir.ChannelValues(
         slots={
-            index: draw(_raw(slot.kind))
+            index: draw(raw(slot.kind))
             for index, slot in enumerate(machine.slots)
-            if machine.inputs[slot.input].channel == channel
+            if machine.inputs[slot.input].channel == channel and draw(_IS_PRESENT)
         },
         arrays={
             index: draw(elements)
@@ -120,12 +124,16 @@ def channel_values(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.Cha
     )
 
 
-def _raw(kind: ir.Kind) -> st.SearchStrategy[float]:
+_IS_PRESENT = st.sampled_from((True,) * 9 + (False,))
+
+
+def raw(kind: ir.Kind) -> st.SearchStrategy[float]:
+    """A number as a message carries it; NaN if it is lacking."""
     match kind:
         case ir.Kind.FLAG:
-            return st.sampled_from((0.0, 1.0))
+            return st.sampled_from((0.0, 1.0, 0.0, 1.0, NAN))
         case ir.Kind.TEXT:
-            return st.sampled_from((0.0, 1.0, -1.0))
+            return st.sampled_from((0.0, 1.0, -1.0, 0.0, 1.0, NAN))
         case ir.Kind.REAL:
             broken = st.sampled_from((NAN, INFINITY, -INFINITY, *EXTREMES))
             return st.one_of(

@@ -12,9 +12,10 @@ from pathlib import Path
 
 from dslkit.diagnostics import Collector, Label
 from rossmarie.check.context import ConditionKey, Context, Uses
-from rossmarie.check.decided import warn_of_decided
+from rossmarie.check.decided import warn_of_decided, warn_of_never_cleared
 from rossmarie.check.declarations import collect
 from rossmarie.check.expressions import infer
+from rossmarie.check.field_units import check_read_units
 from rossmarie.check.inputs import resolve_inputs, resolve_timeouts
 from rossmarie.check.model import CheckedProgram, Symbols, Value
 from rossmarie.check.name_errors import CircularCondition, CircularConstant
@@ -54,12 +55,13 @@ def check(
     declarations = collect(modules, collector)
     context = Context(collector, declarations)
     model = read_system_model(declarations, options.message_folders, context.suggestions, collector)
-    resolve_inputs(model, context)
+    stated_units = resolve_inputs(model, context)
     _check_constants(context)
     resolve_timeouts(context)
     conditions = _check_conditions(context)
     rules = [(rule, _check_rule(rule, context)) for rule in declarations.rules]
     _check_circles(conditions, context)
+    check_read_units(stated_units, context)
     if was_parsed:
         warn_of_unused(context)
         warn_of_missing_rules(context)
@@ -138,6 +140,7 @@ def _check_rule(rule: ast.Rule, context: Context) -> Uses:
     for contract in rule.contracts:
         if isinstance(contract, ast.ClearWhen):
             _check_condition(contract.condition, context)
+            warn_of_never_cleared(rule, contract, context)
         elif isinstance(contract, ast.ClearFor):
             infer(contract.duration, context)
             duration_ns(contract.duration, "what stands behind `clear for`", context)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie.check.context import Context
-from rossmarie.check.meaning_errors import ConstantCondition
+from rossmarie.check.meaning_errors import ConstantCondition, NeverCleared
 from rossmarie.check.trees import constant_of, stripped
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import children, walk
@@ -37,6 +37,38 @@ def warn_of_decided(expression: ast.Expression, context: Context) -> None:
             _report(node, "the same", context)
         else:
             pending.extend(_parts(node, is_whole))
+
+
+def warn_of_never_cleared(rule: ast.Rule, contract: ast.ClearWhen, context: Context) -> None:
+    """Warn of a condition behind `clear when` that cannot be true while that of the rule is false:
+    they are the same, or it needs all that alone makes the rule hold.
+    """
+    needed = _spellings(contract.condition, ast.BinaryOperator.AND)
+    for part in (rule.condition, *_joined(rule.condition, ast.BinaryOperator.OR)):
+        if needed.issuperset({_spelling(part)}) or needed.issuperset(
+            map(_spelling, _joined(part, ast.BinaryOperator.AND))
+        ):
+            context.collector.add(NeverCleared().at(contract.condition.span))
+            return
+
+
+def _spellings(node: ast.Expression, operator: ast.BinaryOperator) -> set[str]:
+    return {_spelling(part) for part in (node, *_joined(node, operator))}
+
+
+def _joined(node: ast.Expression, operator: ast.BinaryOperator) -> Iterator[ast.Expression]:
+    """The parts that one operator joins, without the parentheses around them."""
+    pending = [node]
+    while pending:
+        part = stripped(pending.pop())
+        if isinstance(part, ast.Binary) and part.operator is operator:
+            pending += [part.right, part.left]
+        else:
+            yield part
+
+
+def _spelling(node: ast.Expression) -> str:
+    return " ".join(stripped(node).span.text.split())
 
 
 def _parts(node: ast.Expression, is_whole: bool) -> Iterator[tuple[ast.Expression, bool]]:

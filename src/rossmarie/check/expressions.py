@@ -14,11 +14,12 @@ from rossmarie.check.functions import type_of_call, type_of_oscillates
 from rossmarie.check.names import is_value, type_of_member, type_of_reference
 from rossmarie.check.operators import type_of_binary, type_of_held, type_of_unary
 from rossmarie.check.ranges import type_of_bracket, type_of_membership
+from rossmarie.check.trees import text_of
 from rossmarie.check.type_errors import NotAnArray
 from rossmarie.check.units import read_unit
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import children
-from rossmarie.types import Array, Boolean, Quantity, Text, Type, Unknown
+from rossmarie.types import Array, Boolean, Quantity, Text, Type, Unknown, Vector
 from rossmarie.units import DIMENSIONLESS
 
 
@@ -108,5 +109,9 @@ def _type_of_index(node: ast.Index, context: Context) -> Type:
         return type_.element
     if not isinstance(type_, Unknown):
         finding = NotAnArray(purpose="an index", found=describe(type_))
-        context.collector.add(finding.at(node.value.span, help="leave the index out"))
+        help = "leave the index out"
+        if isinstance(type_, Vector):
+            text = text_of(node.value)
+            help = f"its components have names: `{text}.x`, `{text}.y`, `{text}.z`"
+        context.collector.add(finding.at(node.value.span, help=help))
     return Unknown()

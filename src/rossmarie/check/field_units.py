@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Collector, Diagnostic, Label
 from dslkit.source import Span
+from rossmarie.check.context import Context
 from rossmarie.check.fields import unit_of
 from rossmarie.check.model import CheckedInput
+from rossmarie.check.trees import path_of, root_of
 from rossmarie.check.unit_errors import FieldUnitConflict
-from rossmarie.check.units import end_of_field
-from rossmarie.types import Vector
+from rossmarie.check.units import end_of_field, is_same_unit
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import walk
+from rossmarie.types import Message, Type, Vector
 from rossmarie.units import Unit
 
 FieldKey = tuple[str, tuple[str, ...]]
@@ -26,12 +30,56 @@ def check_one_unit(
     unit = unit_of(found.type)
     if unit is None:
         return
-    earlier = [stated.setdefault((found.topic, path), found) for path in _paths(found)]
+    earlier = [
+        stated.setdefault((found.topic, path), found)
+        for path in _with_components(found.path, found.type)
+    ]
     for first in earlier:
         expected = unit_of(first.type)
         if expected is not None and not is_same_unit(unit, expected):
             collector.add(_conflict(found, unit, first, expected))
             return
+
+
+def check_read_units(stated: Mapping[FieldKey, CheckedInput], context: Context) -> None:
+    """Report fields of whole messages, where something reads them, that an input of the same topic
+    reads in another unit. `stated` are those inputs, by topic and path.
+    """
+    reported: set[tuple[str, str]] = set()
+    for expression in context.declarations.expressions():
+        for part in walk(expression):
+            if isinstance(part, ast.Member):
+                _check_read(part, stated, reported, context)
+
+
+def _check_read(
+    node: ast.Member,
+    stated: Mapping[FieldKey, CheckedInput],
+    reported: set[tuple[str, str]],
+    context: Context,
+) -> None:
+    root = root_of(node)
+    whole = None if root is None else context.inputs.get(root.name.text)
+    type_ = context.type_of(node)
+    unit = unit_of(type_)
+    if whole is None or unit is None or not isinstance(whole.type, Message):
+        return
+    path = (*whole.path, *path_of(node))
+    for place in _with_components(path, type_):
+        first = stated.get((whole.topic, place))
+        expected = None if first is None else unit_of(first.type)
+        if first is None or expected is None or is_same_unit(unit, expected):
+            continue
+        names = (whole.declaration.name.text, first.declaration.name.text)
+        if names not in reported:
+            reported.add(names)
+            field = ".".join((whole.message_type, *path))
+            finding = FieldUnitConflict(
+                topic=whole.topic, field=field, found=unit.symbol, expected=expected.symbol
+            )
+            label = Label(_place(first), f"{expected.symbol} here")
+            context.collector.add(finding.at(node.span, label))
+        return
 
 
 def _conflict(found: CheckedInput, unit: Unit, first: CheckedInput, expected: Unit) -> Diagnostic:
@@ -44,20 +92,11 @@ def _conflict(found: CheckedInput, unit: Unit, first: CheckedInput, expected: Un
     return finding.at(_place(found), Label(_place(first), f"{expected.symbol} here"))
 
 
-def _paths(found: CheckedInput) -> Iterator[tuple[str, ...]]:
+def _with_components(path: tuple[str, ...], type_: Type) -> Iterator[tuple[str, ...]]:
     """The path of the field; of a vector, those of its components as well."""
-    yield found.path
-    if isinstance(found.type, Vector):
-        yield from ((*found.path, axis) for axis in "xyz")
-
-
-def is_same_unit(unit: Unit, other: Unit) -> bool:
-    """Whether two units are one by different names, as `s` and `sec`."""
-    return (unit.dimension, unit.scale, unit.offset) == (
-        other.dimension,
-        other.scale,
-        other.offset,
-    )
+    yield path
+    if isinstance(type_, Vector):
+        yield from ((*path, axis) for axis in "xyz")
 
 
 def _place(found: CheckedInput) -> Span:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from dslkit.diagnostics import Collector, Edit, Fix
 from dslkit.source import Span
+from rossmarie.check.gaps import without
 from rossmarie.check.name_errors import UnknownField
 from rossmarie.check.suggestions import listed, near_name, rename
 from rossmarie.check.type_errors import FieldNotUsable
@@ -37,14 +36,18 @@ def members(type_: Type) -> dict[str, Type]:
     return {}
 
 
-def select(owner: Type, name: ast.Name, owner_text: str, collector: Collector) -> Type:
-    """The type of a member of `owner`; `Unknown` after reporting why there is none."""
+def select(
+    owner: Type, name: ast.Name, owner_text: str, before: Span, collector: Collector
+) -> Type:
+    """The type of a member of `owner`; `Unknown` after reporting why there is none. `owner_text` is
+    what to call the owner, and `before` what is written before the dot.
+    """
     if isinstance(owner, Unknown):
         return owner
     known = members(owner)
     found = known.get(name.text)
     if found is None:
-        _report_unknown(owner, name, owner_text, tuple(known), collector)
+        _report_unknown(owner, name, owner_text, before, collector)
         return Unknown()
     if isinstance(found, Unsupported):
         collector.add(FieldNotUsable(identifier=name.text, reason=found.reason).at(name.span))
@@ -82,8 +85,9 @@ def has_no_number(type_: Type) -> bool:
 
 
 def _report_unknown(
-    owner: Type, name: ast.Name, owner_text: str, known: Sequence[str], collector: Collector
+    owner: Type, name: ast.Name, owner_text: str, before: Span, collector: Collector
 ) -> None:
+    known = tuple(members(owner))
     shown = owner.name if isinstance(owner, Message) else f"`{owner_text}`"
     finding = UnknownField(identifier=name.text, owner=shown)
     near = near_name(name.text, known)
@@ -97,13 +101,7 @@ def _report_unknown(
         help, fix = f"it has {listed(known)}", None
     elif name.text == "data":
         help = f"`{owner_text}` already stands for its data: leave `.data` out"
-        fix = Fix("leave `.data` out", (Edit(_with_dot(name), ""),))
+        fix = Fix("leave `.data` out", without(before, ".", name.span))
     else:
         help, fix = "it has no fields at all: leave this out", None
     collector.add(finding.at(name.span, help=help, fix=fix))
-
-
-def _with_dot(name: ast.Name) -> Span:
-    """The name and the dot before it."""
-    text = name.span.file.text
-    return Span(name.span.file, text.rindex(".", 0, name.span.start), name.span.end)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
+from rossmarie.check.angles import warn_of_rate
 from rossmarie.check.context import Context
 from rossmarie.check.describe import describe
 from rossmarie.check.elements import check_elements
@@ -19,7 +20,7 @@ from rossmarie.check.operands import (
 )
 from rossmarie.check.operators import applied
 from rossmarie.check.suggestions import listed, near_name, rename
-from rossmarie.check.trees import stripped
+from rossmarie.check.trees import stripped, text_of
 from rossmarie.check.type_errors import (
     NotAnArray,
     OscillationCount,
@@ -37,8 +38,10 @@ from rossmarie.types import (
     Message,
     Operator,
     Quantity,
+    Quaternion,
     Type,
     Unknown,
+    Vector,
     apply,
 )
 from rossmarie.units import DIMENSIONLESS
@@ -71,7 +74,15 @@ _NEEDS: Mapping[Operator, str] = {
     Operator.YAW: "an orientation",
     Operator.DISTANCE: "two vectors",
 }
+_FIELDS: Mapping[Operator, type[object]] = {
+    Operator.NORM: Vector,
+    Operator.ROLL: Quaternion,
+    Operator.PITCH: Quaternion,
+    Operator.YAW: Quaternion,
+}
+_MOST_FIELDS = 4
 _QUANTIFIERS = frozenset({Operator.ANY, Operator.ALL, Operator.COUNT})
+_JUNCTIONS = frozenset({ast.BinaryOperator.AND, ast.BinaryOperator.OR})
 _EXTREMES = frozenset({Operator.MIN, Operator.MAX})
 
 
@@ -87,6 +98,8 @@ def type_of_call(node: ast.Call, context: Context) -> Type:
         return _age(node, context)
     if operator in _QUANTIFIERS or (operator in _EXTREMES and len(node.arguments) == 1):
         return _fold(node, operator, context)
+    if operator is Operator.RATE:
+        warn_of_rate(node, context)
     return _function(node, operator, context)
 
 
@@ -149,11 +162,15 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
         report_not_a_number(argument, context)
     else:
         _report_no_array(argument, type_, operator, context)
-    return _result_of_fold(operator, outcome.type)
+    return _result_of_fold(node, operator, outcome.type, context)
 
 
-def _result_of_fold(operator: Operator, type_: Type) -> Type:
-    """What comes out whatever is wrong with the argument."""
+def _result_of_fold(node: ast.Call, operator: Operator, type_: Type, context: Context) -> Type:
+    """What comes out whatever is wrong with the argument; of `any(x) < 1`, one finding will do."""
+    around = context.parents.get(id(node))
+    is_compared = isinstance(around, ast.Binary) and around.operator not in _JUNCTIONS
+    if isinstance(type_, Unknown) and is_compared:
+        return type_
     if not isinstance(type_, Unknown):
         return type_
     if operator is Operator.COUNT:
@@ -199,7 +216,30 @@ def _report_argument(
         found=describe(context.type_of(argument)),
         usage=USAGES[_FUNCTIONS[node.function.text]],
     )
-    context.collector.add(finding.at(argument.span))
+    help = _fields_for(node, argument, context)
+    context.collector.add(finding.at(argument.span, help=help))
+
+
+def _fields_for(node: ast.Call, argument: ast.Expression, context: Context) -> str | None:
+    """The fields of a message that a function can be called on; None if there is no such."""
+    wanted = _FIELDS.get(_FUNCTIONS[node.function.text])
+    type_ = context.type_of(argument)
+    if wanted is None or not isinstance(type_, Message):
+        return None
+    function, text = node.function.text, text_of(argument)
+    fields = [f"{text}.{path}" for path in _paths_to(wanted, type_)]
+    calls = [
+        f"`{x}.{function}()`" if wanted is Quaternion else f"`{function}({x})`" for x in fields
+    ]
+    return f"write {' or '.join(calls)}" if 0 < len(calls) <= _MOST_FIELDS else None
+
+
+def _paths_to(wanted: type[object], message: Message) -> Iterator[str]:
+    for name, field in message.fields.items():
+        if isinstance(field, wanted):
+            yield name
+        elif isinstance(field, Message):
+            yield from (f"{name}.{path}" for path in _paths_to(wanted, field))
 
 
 def type_of_oscillates(node: ast.Oscillates, context: Context) -> Type:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import dataclasses
 
-from dslkit.diagnostics import Collector, Edit, Fix, Label
-from dslkit.source import Span
+from dslkit.diagnostics import Collector, Fix, Label
 from rossmarie.check.context import Context
 from rossmarie.check.expressions import infer
-from rossmarie.check.field_units import FieldKey, check_one_unit, is_same_unit
+from rossmarie.check.field_units import FieldKey, check_one_unit
 from rossmarie.check.fields import has_no_number, select, unit_of, with_unit
+from rossmarie.check.gaps import without
 from rossmarie.check.model import CheckedInput
 from rossmarie.check.name_errors import TopicTypeConflict, TopicWithoutType
 from rossmarie.check.operands import duration_ns
@@ -24,14 +24,16 @@ from rossmarie.check.system_model import (
     type_name,
 )
 from rossmarie.check.unit_errors import FieldUnitConflict, MisplacedUnit
-from rossmarie.check.units import read_unit
+from rossmarie.check.units import end_of_field, is_same_unit, read_unit
 from rossmarie.syntax import ast
 from rossmarie.types import Message, Type, Unknown, message_value, std_msgs_data
 from rossmarie.units import Unit
 
 
-def resolve_inputs(model: SystemModel, context: Context) -> None:
-    """Resolve every input of the program into `context.inputs`, as yet without timeouts."""
+def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, CheckedInput]:
+    """Resolve every input of the program into `context.inputs`, as yet without timeouts; gives the
+    first input that states the unit of a field, for each.
+    """
     stated: dict[str, ast.Input] = {}
     units: dict[FieldKey, CheckedInput] = {}
     for declaration in context.declarations.inputs:
@@ -39,6 +41,7 @@ def resolve_inputs(model: SystemModel, context: Context) -> None:
         _check_one_type(found, stated, model, context.collector)
         check_one_unit(found, units, context.collector)
         context.inputs.setdefault(declaration.name.text, found)
+    return units
 
 
 def resolve_timeouts(context: Context) -> None:
@@ -110,8 +113,10 @@ def _report_without_type(name: ast.Name, model: SystemModel, collector: Collecto
 
 def _selected(type_: Type, message: Message, declaration: ast.Input, collector: Collector) -> Type:
     text = message.name
+    before = declaration.message_type or declaration.topic
     for step in declaration.path:
-        type_ = select(type_, step, text, collector)
+        type_ = select(type_, step, text, before.span, collector)
+        before = step
         text = f"{text}.{step.text}"
     return type_
 
@@ -137,8 +142,8 @@ def _in_unit(
     contradiction = contradicts(known, unit, field)
     if contradiction is None:
         return _rescaled(type_, unit)
-    place = _with_in(declaration.unit)
-    fix = Fix(f"leave out `in {declaration.unit.text}`", (Edit(place, ""),))
+    edits = without(end_of_field(declaration), "in", declaration.unit.span)
+    fix = Fix(f"leave out `in {declaration.unit.text}`", edits)
     collector.add(contradiction.at(declaration.unit.span, fix=fix))
     return Unknown()
 
@@ -166,13 +171,6 @@ def _report_no_number(unit: ast.Unit, type_: Type, field: str, collector: Collec
         advice = f"choose the field that is in {unit.text}, or leave `in {unit.text}` out"
     finding = MisplacedUnit(reason=f"`{field}` is not a number", advice=advice)
     collector.add(finding.at(unit.span))
-
-
-def _with_in(unit: ast.Unit) -> Span:
-    """The unit, the `in` before it and the space before that."""
-    text = unit.span.file.text
-    start = text.rindex("in", 0, unit.span.start)
-    return Span(unit.span.file, start - len(" "), unit.span.end)
 
 
 def _check_one_type(

@@ -83,13 +83,41 @@ class ConstantCondition(Warning, code="ROSS406", name="constant-condition"):
 
 @dataclass(frozen=True, kw_only=True)
 class NoRules(Warning, code="ROSS407", name="no-rules"):
-    """Conditions or inputs, and no rule that rests on them."""
+    """Conditions or inputs and no rule that rests on them, or a file without anything."""
 
     title = "there is no rule: nothing will be monitored"
-    label = "no rule rests on this {kind}"
+    label = "{what}"
     note = "only rules start actions and yield verdicts"
     help = "write what follows from it: `if CONDITION then {{ ACTION; }};`"
-    kind: str
+    what: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NeverCleared(Warning, code="ROSS408", name="never-cleared"):
+    """A rule that is to be cleared by what keeps it active."""
+
+    title = "this rule can never be cleared"
+    label = "while this holds, so does the condition of the rule"
+    note = (
+        "a rule is cleared once its own condition is false and the one behind `clear when` is true"
+    )
+    help = "write when it may end, with a margin; or leave the contract out"
+
+
+@dataclass(frozen=True, kw_only=True)
+class JumpingAngle(Warning, code="ROSS409", name="jumping-angle"):
+    """A change of an angle that jumps by 360 deg at half a turn."""
+
+    title = "`{angle}` jumps from 180 deg to -180 deg"
+    label = "where it jumps, {effect}"
+    note = "a robot that turns slowly past that point looks as if it had turned all the way round"
+    help = (
+        "compare an angular velocity that a message carries, such as "
+        "`imu.angular_velocity.{axis}` or `odom.twist.twist.angular.{axis}`"
+    )
+    angle: str
+    effect: str
+    axis: str
 
 
 ALL: tuple[type[Template], ...] = (
@@ -100,4 +128,6 @@ ALL: tuple[type[Template], ...] = (
     RepeatedAction,
     ConstantCondition,
     NoRules,
+    NeverCleared,
+    JumpingAngle,
 )

@@ -58,9 +58,8 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
 def type_of_member(node: ast.Member, context: Context) -> Type:
     """The type of a condition of an entity, or of a field."""
     if is_value(node.value, context):
-        return select(
-            context.type_of(node.value), node.member, text_of(node.value), context.collector
-        )
+        type_, text, place = context.type_of(node.value), text_of(node.value), node.value.span
+        return select(type_, node.member, text, place, context.collector)
     name = node.value.name if isinstance(node.value, ast.Reference) else node.member
     declared = context.declarations.names.get(name.text)
     if isinstance(declared, ast.Entity):
@@ -130,7 +129,17 @@ def _condition_of(entity: str, name: ast.Name, context: Context) -> Type:
     return Boolean()
 
 
+def _report_capitals(name: ast.Name, context: Context) -> None:
+    """Report `True`, which is written `true` here."""
+    help = f"write `{name.text.lower()}`"
+    fix = Fix(help, (Edit(name.span, name.text.lower()),))
+    context.collector.add(UndeclaredName(identifier=name.text).at(name.span, help=help, fix=fix))
+
+
 def _report_undeclared(name: ast.Name, context: Context) -> None:
+    if name.text.lower() in ("true", "false"):
+        _report_capitals(name, context)
+        return
     if not context.may_suggest():
         context.collector.add(UndeclaredName(identifier=name.text).at(name.span))
         return

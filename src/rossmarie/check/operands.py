@@ -159,7 +159,8 @@ def duration_ns(node: ast.Expression, purpose: str, context: Context) -> int | N
     if not require_constant(node, purpose, context):
         return None
     seconds = context.values[id(node)].numbers[0]
-    if 0 < round(seconds * 1e9) <= LONGEST_DURATION_S * 1e9:
+    # Before the multiplication: that of a huge number of seconds has no whole result.
+    if 0 < seconds <= LONGEST_DURATION_S and round(seconds * 1e9) > 0:
         return round(seconds * 1e9)
     context.collector.add(_out_of_range(node, seconds, purpose))
     return None
@@ -180,7 +181,7 @@ def _report_not_a_duration(
 
 
 def _out_of_range(node: ast.Expression, seconds: float, purpose: str) -> Diagnostic:
-    if seconds > 0 and round(seconds * 1e9) > 0:
+    if seconds > LONGEST_DURATION_S:
         bound, reason = "at most 1e9 sec", "instants are counted in nanoseconds, in 64 bits"
     else:
         bound, reason = "more than zero", "the clock of a monitor counts whole nanoseconds"

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 from dslkit.diagnostics import Edit, Fix
 from dslkit.source import Span
+from rossmarie.check.angles import warn_of_difference
 from rossmarie.check.context import Context
 from rossmarie.check.describe import describe, is_plain
 from rossmarie.check.elements import enclosing_fold, report_held_elements
@@ -19,7 +21,8 @@ from rossmarie.check.operands import (
     report_not_a_number,
     require_condition,
 )
-from rossmarie.check.trees import quoted, stripped, text_of
+from rossmarie.check.ratios import check_ratio
+from rossmarie.check.trees import constant_of, quoted, stripped, text_of
 from rossmarie.check.type_errors import DivisionByZero, Incomparable, TextsCompared, TruthCompared
 from rossmarie.check.unit_errors import TemperatureArithmetic
 from rossmarie.check.units import Operand, check_fit_of, operand_of
@@ -60,6 +63,8 @@ def type_of_binary(node: ast.Binary, context: Context) -> Type:
             _report_ambiguous_for(node, held, context)
         return applied(operator, (node.left, node.right), context)
     if operator in ARITHMETIC:
+        if operator is Operator.SUBTRACT:
+            warn_of_difference(node, context)
         type_ = applied(operator, (node.left, node.right), context)
         is_by_zero = operator is Operator.DIVIDE and _is_zero(node.right, context)
         return Unknown() if is_by_zero else type_
@@ -185,6 +190,9 @@ def _comparison(operator: Operator, node: ast.Binary, context: Context) -> Type:
         return _report_incomparable(node, context)
     for fault in outcome.faults:
         _report(fault, operator, (node.left, node.right), context)
+    if not outcome.faults:
+        check_ratio(node.left, node.right, context)
+        check_ratio(node.right, node.left, context)
     if operator in EQUALITY and not outcome.faults:
         _warn_of_equality(operator, node, context)
     return outcome.type
@@ -222,9 +230,30 @@ def _report_incomparable(node: ast.Binary, context: Context) -> Type:
     elif is_truth(context.type_of(node.left)) or is_truth(context.type_of(node.right)):
         help = "use the condition by itself, or `not` and the condition"
     else:
-        help = 'write both sides as texts, `"3"`'
+        help = _in_one_kind(node, context)
     context.collector.add(finding.at(node.span, help=help))
     return Unknown()
+
+
+def _in_one_kind(node: ast.Binary, context: Context) -> str:
+    """How to compare a text and a number."""
+    for side in (node.left, node.right):
+        literal, constant = stripped(side), constant_of(stripped(side), context.declarations)
+        if constant is not None:
+            what = describe(context.type_of(side))
+            return f"`{constant.name.text}` is declared as {what}; declare what is to be compared"
+        if isinstance(literal, ast.Text) and _is_number(literal.value):
+            return f"leave the quotes out: `{literal.value}`"
+        if isinstance(literal, ast.Number):
+            return f'put it in quotes: `"{text_of(literal)}"`'
+    return "a text never equals a number: compare with something of the same kind"
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
 
 
 def _warn_of_equality(operator: Operator, node: ast.Binary, context: Context) -> None:

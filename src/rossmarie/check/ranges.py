@@ -14,6 +14,7 @@ from rossmarie.check.operands import (
     require_constant,
     scalar_operand,
 )
+from rossmarie.check.ratios import check_ratio
 from rossmarie.check.rewriting import rewritten
 from rossmarie.check.trees import constant_of, quoted, stripped, text_of
 from rossmarie.check.type_errors import (
@@ -132,6 +133,8 @@ def type_of_membership(node: ast.Membership, context: Context) -> Type:
         _report_unfit(node, value, container, context)
     if Fault.UNITS in outcome.faults or Fault.UNSTATED_UNIT in outcome.faults:
         check_fit_of(node.value, node.container, "compared", context)
+    if not outcome.faults:
+        check_ratio(node.value, node.container, context)
     return outcome.type
 
 

@@ -23,8 +23,13 @@ from rossmarie.check.name_errors import (
     UnknownMessageType,
 )
 from rossmarie.check.suggestions import Suggestions, near_name, rename
-from rossmarie.check.unit_errors import MisplacedUnit, UnitContradictsField
-from rossmarie.check.units import read_unit
+from rossmarie.check.unit_errors import (
+    FieldUnitConflict,
+    MisplacedUnit,
+    UnitContradictsField,
+    UnitDeclarationConflict,
+)
+from rossmarie.check.units import is_same_unit, read_unit
 from rossmarie.syntax import ast
 from rossmarie.types import (
     Message,
@@ -32,6 +37,7 @@ from rossmarie.types import (
     MessageDefinitionError,
     Type,
     Unknown,
+    Vector,
     message_value,
     std_msgs_data,
 )
@@ -48,21 +54,25 @@ class Topic:
     declaration: ast.TopicDeclaration
 
 
+DeclaredUnit = tuple[Unit, ast.UnitDeclaration]
+Field = tuple[str, tuple[str, ...]]
+
+
 @dataclass(frozen=True)
 class SystemModel:
-    """The topics, by full name and by alias, and the messages. If `is_whole` is False, a file that
-    could not be read may declare more of both.
+    """The topics by full name, their full names by alias, and the messages. If `is_whole` is False,
+    a file that could not be read may declare more of both.
     """
 
     messages: MessageCatalog
     suggestions: Suggestions
     is_whole: bool
     topics: dict[str, Topic] = field(default_factory=dict)
-    aliases: dict[str, Topic] = field(default_factory=dict)
+    aliases: dict[str, str] = field(default_factory=dict)
 
     def find(self, name: str) -> Topic | None:
         """The topic that a name in a rules file means: an alias, else a topic's own name."""
-        return self.aliases.get(name) or self.topics.get(full_name(name))
+        return self.topics.get(self.aliases.get(name) or full_name(name))
 
     def near_topic(self, name: str) -> str | None:
         """A name that `find` finds and that looks like `name`."""
@@ -100,13 +110,20 @@ def read_system_model(
     """Gather the members of all system models; `message_folders` are searched after theirs."""
     members = [member for system in declarations.systems for member in system.members]
     folders = [*_folders(members, collector), *message_folders]
-    units = dict(_declared_units(members, collector))
+    declared = [
+        (read_unit(member.unit, collector), member)
+        for member in members
+        if isinstance(member, ast.UnitDeclaration)
+    ]
+    # The first declaration of a field counts.
+    units = {_field_of(member): unit for unit, member in reversed(declared) if unit is not None}
     model = SystemModel(MessageCatalog(folders, units), suggestions, declarations.is_whole)
     for member in members:
         if isinstance(member, ast.TopicDeclaration):
             _add_topic(member, model, collector)
-        elif isinstance(member, ast.UnitDeclaration):
-            _check_unit_declaration(member, model, collector)
+    first: dict[Field, DeclaredUnit] = {}
+    for unit, declaration in declared:
+        _check_unit_declaration(unit, declaration, first, model, collector)
     for member in members:
         if isinstance(member, ast.NodeDeclaration):
             _check_node(member, model, collector)
@@ -126,15 +143,22 @@ def find_message(name: ast.Name, model: SystemModel, collector: Collector) -> Me
         collector.add(finding.at(name.span))
         return None
     if found is None and model.is_whole:
-        near = model.near_type(type_name(name.text))
-        help = (
-            f"did you mean `{near}`?"
-            if near is not None
-            else 'name the folder of its .msg file in a system model: `messages "msg";`'
-        )
-        fix = rename(name, near) if near is not None else None
-        collector.add(UnknownMessageType(identifier=name.text).at(name.span, help=help, fix=fix))
+        _report_unknown_type(name, model, collector)
     return found
+
+
+def _report_unknown_type(name: ast.Name, model: SystemModel, collector: Collector) -> None:
+    finding = UnknownMessageType(identifier=name.text)
+    package = model.messages.package_of(name.text)
+    near = model.near_type(type_name(name.text)) if package is None else None
+    if package is not None:
+        help = f"`{package}` is the package itself: name the folder that it is in"
+    elif near is not None:
+        help = f"did you mean `{near}`?"
+    else:
+        help = 'name the folder of its .msg file in a system model: `messages "msg";`'
+    fix = rename(name, near) if near is not None else None
+    collector.add(finding.at(name.span, help=help, fix=fix))
 
 
 def _folders(members: Sequence[ast.SystemMember], collector: Collector) -> Iterator[Path]:
@@ -148,30 +172,55 @@ def _folders(members: Sequence[ast.SystemMember], collector: Collector) -> Itera
                 collector.add(finding.at(member.path.span))
 
 
-def _declared_units(
-    members: Sequence[ast.SystemMember], collector: Collector
-) -> Iterator[tuple[tuple[str, tuple[str, ...]], Unit]]:
-    for member in members:
-        if isinstance(member, ast.UnitDeclaration):
-            unit = read_unit(member.unit, collector)
-            if unit is not None:
-                path = tuple(name.text for name in member.path)
-                yield (type_name(member.message_type.text), path), unit
+def _field_of(declaration: ast.UnitDeclaration) -> Field:
+    path = tuple(name.text for name in declaration.path)
+    return type_name(declaration.message_type.text), path
 
 
 def _check_unit_declaration(
-    declaration: ast.UnitDeclaration, model: SystemModel, collector: Collector
+    unit: Unit | None,
+    declaration: ast.UnitDeclaration,
+    first: dict[Field, DeclaredUnit],
+    model: SystemModel,
+    collector: Collector,
 ) -> None:
+    """Check that there is such a field, and that no earlier declaration, one of `first`, gives it
+    another unit.
+    """
     message = find_message(declaration.message_type, model, collector)
     if message is None:
         return
+    name, path = _field_of(declaration)
     type_: Type = message_value(message)
-    text = declaration.message_type.text
-    for name in declaration.path:
-        type_ = select(type_, name, text, collector)
-        text = f"{text}.{name.text}"
-    if not isinstance(type_, Unknown) and has_no_number(type_):
+    text, before = declaration.message_type.text, declaration.message_type.span
+    for step in declaration.path:
+        if isinstance(type_, Vector):
+            path = path[:-1]  # a vector has one unit, whichever component is named
+        type_ = select(type_, step, text, before, collector)
+        text, before = f"{text}.{step.text}", step.span
+    if isinstance(type_, Unknown):
+        return
+    if has_no_number(type_):
         _report_misplaced(declaration.unit, text, "name a field that holds numbers", collector)
+    elif unit is not None:
+        _check_declared_once(unit, declaration, (name, path), first, collector)
+
+
+def _check_declared_once(
+    unit: Unit,
+    declaration: ast.UnitDeclaration,
+    field: Field,
+    first: dict[Field, DeclaredUnit],
+    collector: Collector,
+) -> None:
+    name, path = field
+    expected, earlier = first.setdefault(field, (unit, declaration))
+    if not is_same_unit(unit, expected):
+        finding = UnitDeclarationConflict(
+            field=".".join((name, *path)), found=unit.symbol, expected=expected.symbol
+        )
+        place = Label(earlier.unit.span, f"{expected.symbol} here")
+        collector.add(finding.at(declaration.unit.span, place))
 
 
 def _report_misplaced(unit: ast.Unit, text: str, advice: str, collector: Collector) -> None:
@@ -187,10 +236,14 @@ def _add_topic(declaration: ast.TopicDeclaration, model: SystemModel, collector:
     first = model.topics.setdefault(name, topic)
     if first.message_type != topic.message_type:
         report_conflict(declaration.message_type, first, collector)
+    elif first.unit is None and unit is not None:
+        model.topics[name] = topic
+    elif first.unit is not None and unit is not None and not is_same_unit(unit, first.unit):
+        _report_other_unit(declaration, unit, first, collector)
     alias = declaration.alias
     if alias is None:
         return
-    other = model.aliases.setdefault(alias.text, first)
+    other = model.topics[model.aliases.setdefault(alias.text, name)]
     if other.name != name:
         finding = DuplicateName(
             identifier=alias.text,
@@ -200,6 +253,23 @@ def _add_topic(declaration: ast.TopicDeclaration, model: SystemModel, collector:
         )
         place = Label(other.declaration.span, "first declared here")
         collector.add(finding.at(alias.span, place))
+
+
+def _report_other_unit(
+    declaration: ast.TopicDeclaration, unit: Unit, first: Topic, collector: Collector
+) -> None:
+    """Report that an earlier declaration gives the values of a topic another unit."""
+    written, earlier = declaration.unit, first.declaration.unit
+    if written is None or earlier is None or first.unit is None:
+        return
+    finding = FieldUnitConflict(
+        topic=first.name,
+        field=f"{first.message_type}.data",
+        found=unit.symbol,
+        expected=first.unit.symbol,
+    )
+    place = Label(earlier.span, f"{first.unit.symbol} here")
+    collector.add(finding.at(written.span, place))
 
 
 def report_conflict(written: ast.Name, topic: Topic, collector: Collector) -> None:

@@ -163,6 +163,31 @@ class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
     corrected: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class UnitDeclarationConflict(Error, code="ROSS313", name="unit-declaration-conflict"):
+    """One field of one message, declared to be in two units by system models."""
+
+    title = "{field} cannot be both in {found} and in {expected}"
+    label = "{found} here"
+    note = "a field carries one number; with one of the two units it would be misread"
+    help = "find out what the publishers send, and declare its unit once"
+    field: str
+    found: str
+    expected: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RatioOutOfRange(Error, code="ROSS314", name="ratio-out-of-range"):
+    """A field that carries a share from 0 to 1, compared with a plain number above 1."""
+
+    title = "{field} is a share from 0 to 1, and {text} is beyond that"
+    label = "as a share, 1 means 100 %"
+    note = "whatever the name of the field says, a message carries 0.2 there for 20 %"
+    help = "write `{text} %`"
+    field: str
+    text: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnitMismatch,
     RateAgainstQuantity,
@@ -176,4 +201,6 @@ ALL: tuple[type[Template], ...] = (
     TemperatureArithmetic,
     FieldUnitConflict,
     SpacedUnit,
+    UnitDeclarationConflict,
+    RatioOutOfRange,
 )

@@ -18,10 +18,20 @@ from rossmarie.check.unit_errors import (
 )
 from rossmarie.syntax import ast
 from rossmarie.types import Array, Box, Interval, Quantity, Vector, unit_faults
-from rossmarie.units import DIMENSIONLESS, Unit, UnknownUnitError, divide, multiply, parse_unit
+from rossmarie.units import (
+    DIMENSIONLESS,
+    Unit,
+    UnknownUnitError,
+    divide,
+    factor_of,
+    multiply,
+    parse_unit,
+)
 
 SECOND = parse_unit("s")
 ANGLE = parse_unit("rad").dimension
+_GRAM = parse_unit("g")
+_GRAVITY = parse_unit("g0")
 
 
 @dataclass(frozen=True)
@@ -47,8 +57,11 @@ def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
         return parse_unit(unit.text)
     except UnknownUnitError as error:
         near = next(iter(error.suggestions), None)
+        factor = factor_of(error.part)
         finding = UnknownUnit(text=error.text, part=error.part)
-        if near is None:
+        if factor is not None:
+            help, fix = f"calculate it: {factor}", None
+        elif near is None:
             help, fix = "units look like `m/s^2`, `N*m`, `deg`, `sec`, `%`", None
         else:
             help = f"did you mean `{near}`?"
@@ -107,7 +120,11 @@ def _report_mismatch(odd: Operand, other: Operand, purpose: str, context: Contex
     help = None
     if is_plain(other.quantity):
         help = "leave the unit out, or choose something that has one for the other side"
-    context.collector.add(finding.at(odd.node.span, *labels, help=help))
+    fix = None
+    if found == _GRAM and expected.dimension == _GRAVITY.dimension:
+        help = f"`{found.symbol}` is gram; standard gravity is `{_GRAVITY.symbol}`"
+        fix = _unit_fix(odd, _GRAVITY, context)
+    context.collector.add(finding.at(odd.node.span, *labels, help=help, fix=fix))
 
 
 def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], context: Context) -> None:
@@ -188,6 +205,15 @@ def _report_field_without_unit(unknown: Operand, known: Operand, context: Contex
         field = ".".join((found.message_type, *found.path, *path_of(unknown.node)))
         help = f"say its unit in a system model, `unit {field} = {unit};`"
         context.collector.add(finding.at(unknown.node.span, *labels, help=help))
+
+
+def is_same_unit(unit: Unit, other: Unit) -> bool:
+    """Whether two units are one by different names, as `s` and `sec`."""
+    return (unit.dimension, unit.scale, unit.offset) == (
+        other.dimension,
+        other.scale,
+        other.offset,
+    )
 
 
 def end_of_field(declaration: ast.Input) -> Span:

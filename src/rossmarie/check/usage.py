@@ -39,18 +39,23 @@ def warn_of_unused(context: Context) -> None:
 
 
 def warn_of_missing_rules(context: Context) -> None:
-    """Warn of a main file with something to monitor, but no rule that does, its own or imported.
+    """Warn of a main file with something to monitor, or with nothing at all, but no rule that does,
+    its own or imported.
 
     A file of system models, actions and constants is there to be imported.
     """
     if context.declarations.rules:
         return
     items = context.declarations.main.items
+    if not items:
+        start = Span(context.declarations.main.file, 0, 0)
+        context.collector.add(NoRules(what="this file declares nothing").at(start))
     entities = (item for item in items if isinstance(item, ast.Entity))
     inputs = (item for item in items if isinstance(item, ast.Input))
     first = next(entities, None) or next(inputs, None)
     if first is not None:
-        context.collector.add(NoRules(kind=kind_of(first)).at(first.name.span))
+        what = f"no rule rests on this {kind_of(first)}"
+        context.collector.add(NoRules(what=what).at(first.name.span))
 
 
 def _warn_of_entity(entity: ast.Entity, context: Context) -> None:

@@ -11,7 +11,7 @@ import enum
 import sys
 import traceback
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -24,12 +24,41 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
+    context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-Rules = Annotated[Path, typer.Argument(metavar="RULES", help="A .ross file.")]
+
+def _written(text: str) -> Path:
+    """A path to write to; an empty one would be the folder that one happens to be in."""
+    if not text:
+        raise typer.BadParameter("the path is empty")
+    return Path(text)
+
+
+def _choice(kind: type[enum.Enum], text: str) -> Any:
+    """An option that takes one of the values of `kind`, in upper or lower case."""
+    values = [str(member.value) for member in kind]
+
+    def parse(word: str) -> enum.Enum:
+        if isinstance(word, kind):
+            return word  # the default
+        if word.lower() not in values:
+            raise typer.BadParameter(f"`{word}` is none of {', '.join(values)}")
+        return kind(word.lower())
+
+    return typer.Option(help=text, parser=parse, metavar="|".join(values))
+
+
+# Not `readable`: a file that cannot be read is a finding like others (ROSS801, ROSS611).
+Rules = Annotated[Path, typer.Argument(metavar="RULES", help="A .ross file.", readable=False)]
+RulesFiles = Annotated[
+    list[Path], typer.Argument(metavar="RULES...", help=".ross files.", readable=False)
+]
 Systems = Annotated[
     list[Path] | None,
-    typer.Option("--system", metavar="FILE", help="A system model beside those imported."),
+    typer.Option(
+        "--system", metavar="FILE", help="A system model beside those imported.", readable=False
+    ),
 ]
 MessageFolders = Annotated[
     list[Path] | None,
@@ -74,8 +103,10 @@ class StageName(str, enum.Enum):
 
 @app.command()
 def check(
-    files: Annotated[list[Path], typer.Argument(metavar="RULES...", help=".ross files.")],
-    format: Annotated[Format, typer.Option(help="How findings are printed.")] = Format.TEXT,  # noqa: A002
+    files: RulesFiles,
+    format: Annotated[  # noqa: A002
+        Format, _choice(Format, "How findings are printed.")
+    ] = Format.TEXT,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
@@ -106,13 +137,14 @@ def explain(
 
 @app.command()
 def fmt(
-    files: Annotated[list[Path], typer.Argument(metavar="RULES...", help=".ross files.")],
+    files: RulesFiles,
     check_only: Annotated[
         bool, typer.Option("--check", help="Change nothing; exit with 1 if something would.")
     ] = False,
 ) -> None:
     """Write rules files in the one layout."""
     from rossmarie.driver.formatting import Formatted, format_file
+    from rossmarie.driver.writing import reason, write_whole
 
     exit_code = 0
     for path in files:
@@ -124,15 +156,20 @@ def fmt(
             typer.echo(f"would reformat {path}")
             exit_code = max(exit_code, 1)
         elif result.has_changed:
-            path.write_text(result.text, encoding="utf-8", newline="")
-            typer.echo(f"reformatted {path}")
+            try:
+                write_whole(path, result.text)
+            except OSError as error:
+                output.complain(f"cannot write {path}: {reason(error)}")
+                exit_code = 2
+            else:
+                typer.echo(f"reformatted {path}")
     raise typer.Exit(exit_code)
 
 
 @app.command()
 def dump(
     rules: Rules,
-    after: Annotated[StageName, typer.Option(help="The stage to stop after.")] = StageName.LOWER,
+    after: Annotated[StageName, _choice(StageName, "The stage to stop after.")] = StageName.LOWER,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
@@ -153,14 +190,17 @@ def dump(
 @app.command()
 def build(
     rules: Rules,
-    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Where to write.")],
-    target: Annotated[TargetName, typer.Option(help="What to generate.")] = TargetName.C99,
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="DIR", help="Where to write.", parser=_written)
+    ],
+    target: Annotated[TargetName, _choice(TargetName, "What to generate.")] = TargetName.C99,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Generate the monitor of a rules file."""
     from rossmarie.driver import RulesError
-    from rossmarie.driver.build import build_files
+    from rossmarie.driver.build import ForeignFileError, build_files
+    from rossmarie.driver.writing import reason
 
     try:
         written, found = build_files(
@@ -168,8 +208,10 @@ def build(
         )
     except RulesError as error:
         output.reject(error.diagnostics)
+    except ForeignFileError as error:
+        output.fail(f"{error}; remove it, or choose another --out", exit_code=2)
     except OSError as error:
-        output.fail(f"cannot write to {out}: {error.strerror}", exit_code=2)
+        output.fail(f"cannot write to {out}: {reason(error)}", exit_code=2)
     output.print_diagnostics(found, Format.TEXT, file_count=1)
     for path in written:
         typer.echo(f"wrote {path}")
@@ -179,7 +221,10 @@ def build(
 def replay(
     rules: Rules,
     recording: Annotated[
-        Path, typer.Argument(metavar="RECORDING", help=".bag, .db3, .mcap, a bag folder, or .csv.")
+        Path,
+        typer.Argument(
+            metavar="RECORDING", help=".bag, .db3, .mcap, a bag folder, or .csv.", readable=False
+        ),
     ],
     topic_map: Annotated[
         list[str] | None,
@@ -191,7 +236,13 @@ def replay(
     ] = None,
     out: Annotated[
         Path | None,
-        typer.Option("--out", metavar="DIR", help="Write timeline.html and verdicts.jsonl here."),
+        typer.Option(
+            "--out",
+            "-o",
+            metavar="DIR",
+            help="Write timeline.html and verdicts.jsonl here.",
+            parser=_written,
+        ),
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
@@ -204,9 +255,12 @@ def replay(
 
 @app.command()
 def model(
-    recording: Annotated[Path, typer.Argument(metavar="RECORDING", help="Any recording.")],
+    recording: Annotated[
+        Path, typer.Argument(metavar="RECORDING", help="Any recording.", readable=False)
+    ],
     out: Annotated[
-        Path | None, typer.Option("--out", "-o", metavar="FILE", help="Write here.")
+        Path | None,
+        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=_written),
     ] = None,
 ) -> None:
     """Write the system model of a recording: its topics and their types."""
@@ -218,8 +272,14 @@ def model(
 def main() -> None:
     """Run the command line; a defect of ours is reported as one."""
     try:
-        app()
-    except Exception:
-        detail = traceback.format_exc()
-        output.internal_error(detail)
+        try:
+            app()
+        finally:
+            if sys.stdout is not None:  # closed by the caller
+                sys.stdout.flush()
+    except Exception as error:
+        if isinstance(error, OSError) and output.is_about_output(error):
+            output.give_up_output(error)
+            sys.exit(2)
+        output.internal_error(traceback.format_exc())
         sys.exit(output.INTERNAL_ERROR)

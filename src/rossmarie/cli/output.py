@@ -7,10 +7,11 @@ wrong with the command itself goes to standard error.
 from __future__ import annotations
 
 import enum
+import errno
+import os
 import sys
 from collections.abc import Iterable, Sequence
 from importlib.metadata import version
-from pathlib import Path
 from typing import NoReturn
 
 import typer
@@ -21,6 +22,9 @@ from dslkit.diagnostics import Diagnostic, Severity, summary
 INTERNAL_ERROR = 70
 """The exit code for a defect of this tool (sysexits: EX_SOFTWARE)."""
 
+_OUTPUT_FAILURES = frozenset(
+    (errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG, errno.EPIPE, errno.EBADF)
+)
 _UNREADABLE = frozenset({"ROSS610", "ROSS611", "ROSS801", "ROSS802"})
 
 
@@ -50,7 +54,7 @@ def each_once(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     kept: dict[tuple[object, ...], Diagnostic] = {}
     for finding in found:
         span = finding.primary.span
-        place = (Path(span.file.path).resolve(), span.start, span.end)
+        place = (os.path.realpath(span.file.path), span.start, span.end)
         kept.setdefault((finding.code, finding.title, *place), finding)
     return tuple(kept.values())
 
@@ -99,10 +103,28 @@ def reject(found: Sequence[Diagnostic]) -> NoReturn:
     raise typer.Exit(exit_code(found))
 
 
+def complain(message: str) -> None:
+    """One line on standard error."""
+    typer.echo(f"rossmarie: {message}", err=True)
+
+
 def fail(message: str, *, exit_code: int) -> NoReturn:
     """End the run with one line on standard error."""
-    typer.echo(f"rossmarie: {message}", err=True)
+    complain(message)
     raise typer.Exit(exit_code)
+
+
+def is_about_output(error: OSError) -> bool:
+    """Whether standard output cannot be written to: such an error names no file."""
+    return error.filename is None and error.errno in _OUTPUT_FAILURES
+
+
+def give_up_output(error: OSError) -> None:
+    """Say that standard output cannot be written to, and drop what is left for it."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, sys.stdout.fileno())  # otherwise Python fails once more when it ends
+    os.close(nowhere)
+    complain(f"cannot write the output: {(error.strerror or 'it is gone').lower()}")
 
 
 def internal_error(detail: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,8 +13,10 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, T
 
 from rossmarie.cli import output
 from rossmarie.driver import RulesError
+from rossmarie.driver.formatting import format_text
 from rossmarie.driver.monitor import NATIVE
 from rossmarie.driver.replay import replay_file
+from rossmarie.driver.writing import reason, write_whole
 from rossmarie.recordings import RecordingError, open_recording, write_model
 from rossmarie.report import Replay, render_timeline, verdict_lines, write_table
 
@@ -30,7 +33,9 @@ def run_replay(
     message_folders: Sequence[Path],
 ) -> None:
     """Replay, print the findings and the table, and write the reports into `out`."""
-    pairs = dict(_pair(text) for text in topic_map)
+    pairs = _topic_pairs(topic_map)
+    if out is not None:
+        _check_folder(out)
     console = Console(stderr=True)
     progress = Progress(
         TextColumn("replaying"),
@@ -65,6 +70,27 @@ def run_replay(
         _write_reports(replay, out)
 
 
+def _topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:
+    pairs: dict[str, str] = {}
+    for text in topic_map:
+        wanted, recorded = _pair(text)
+        if pairs.setdefault(wanted, recorded) != recorded:
+            both = f"`{pairs[wanted]}` and `{recorded}`"
+            output.fail(f"--topic-map leads from `{wanted}` to {both}; keep one", exit_code=2)
+    return pairs
+
+
+def _check_folder(out: Path) -> None:
+    """End the run unless reports can be written to `out`: a replay may take long."""
+    place = Path(os.path.realpath(out))
+    while not os.path.lexists(place):
+        place = place.parent
+    if not place.is_dir():
+        output.fail(f"cannot write to {out}: {place} is not a folder", exit_code=2)
+    if not os.access(place, os.W_OK | os.X_OK):
+        output.fail(f"cannot write to {out}: permission denied", exit_code=2)
+
+
 def _pair(text: str) -> tuple[str, str]:
     wanted, equals, recorded = text.partition("=")
     if not (wanted and equals and recorded):
@@ -75,20 +101,25 @@ def _pair(text: str) -> tuple[str, str]:
 def _write_reports(replay: Replay, out: Path) -> None:
     try:
         out.mkdir(parents=True, exist_ok=True)
-        (out / TIMELINE).write_text(render_timeline(replay), encoding="utf-8")
+        write_whole(out / TIMELINE, render_timeline(replay))
         with (out / VERDICTS).open("w", encoding="utf-8") as stream:
             stream.writelines(f"{line}\n" for line in verdict_lines(replay))
     except OSError as error:
-        output.fail(f"cannot write to {out}: {error.strerror}", exit_code=2)
+        output.fail(f"cannot write to {out}: {reason(error)}", exit_code=2)
     typer.echo(f"wrote {out / TIMELINE} and {out / VERDICTS}")
 
 
 def write_model_of(recording: Path, out: Path | None) -> None:
-    """Print the system model of a recording, or write it to `out`."""
+    """Print the system model of a recording, or write it to `out`.
+
+    A file that is there stays: system models are completed by hand.
+    """
+    if out is not None and out.is_file():
+        output.fail(f"{out} is there; remove it, or choose another name", exit_code=2)
     try:
         with open_recording(recording) as opened:
             output.print_findings(opened.findings)
-            text = write_model(opened)
+            text = format_text(write_model(opened))
     except RecordingError as error:
         output.print_findings([error.diagnostic])
         raise typer.Exit(output.exit_code([error.diagnostic])) from None
@@ -96,7 +127,7 @@ def write_model_of(recording: Path, out: Path | None) -> None:
         typer.echo(text, nl=False)
         return
     try:
-        out.write_text(text, encoding="utf-8")
+        write_whole(out, text)
     except OSError as error:
-        output.fail(f"cannot write {out}: {error.strerror}", exit_code=2)
+        output.fail(f"cannot write {out}: {reason(error)}", exit_code=2)
     typer.echo(f"wrote {out}")

@@ -10,7 +10,7 @@ from pathlib import Path
 from dslkit.source import SourceFile, Span
 from rossmarie.check import CheckedProgram
 from rossmarie.driver.build import generate
-from rossmarie.driver.pipeline import RulesError, check_file, compile_file
+from rossmarie.driver.pipeline import RulesError, check_file, compile_checked
 from rossmarie.ir import dump_text
 
 
@@ -38,7 +38,7 @@ def dump(
         raise RulesError(result.diagnostics)
     if after is Stage.CHECK:
         return "\n".join(_symbols(result.program)) + "\n"
-    machine = compile_file(rules, systems=systems, message_folders=message_folders).machine
+    machine = compile_checked(result, message_folders).machine
     if after is Stage.LOWER:
         return dump_text(machine)
     return "\n".join(generate(machine, "c99").values())

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.source import SourceFile
 from rossmarie.driver.workspace import read_source
 from rossmarie.syntax import format_module, parse
 
@@ -16,6 +17,13 @@ class Formatted:
 
     text: str
     has_changed: bool
+
+
+def format_text(text: str) -> str:
+    """Rules without syntax errors in the one layout; the same text if there are some."""
+    collector = Collector()
+    module = parse(SourceFile("", text), collector)
+    return text if collector.has_errors else format_module(module)
 
 
 def format_file(path: Path) -> Formatted | tuple[Diagnostic, ...]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
+import math
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from operator import index as as_index
 from os import PathLike
 from pathlib import Path
 from typing import Protocol, TypeAlias
@@ -12,43 +14,37 @@ from typing import Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from rossmarie.driver.interpreted import InterpretedColumns
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.interpreter import Interpreter
-from rossmarie.ir import ChannelValues, Event, Kind, Machine, Verdict, explain, field_names
+from rossmarie.ir import (
+    ChannelValues,
+    Event,
+    Kind,
+    Machine,
+    Verdict,
+    arrival_names,
+    explain,
+    field_names,
+    near_name,
+)
 from rossmarie.native import (
-    BoundColumns,
     BuildError,
     NativeMonitor,
     NoCompilerError,
+    fit,
     load_native,
 )
 from rossmarie.targets import c99
+
+_WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
+_NUMBERS = (int, float, np.integer, np.floating, np.bool_)
 
 NATIVE = "native"
 INTERPRETER = "interpreter"
 
 Value: TypeAlias = float | bool | str | Sequence[float]
-"""What a message field holds: a number, a flag, a text, or the elements of an array."""
-
-
-class Engine(Protocol):
-    """What runs a machine. Messages are given by channel, fields by index."""
-
-    @property
-    def active(self) -> tuple[bool, ...]:
-        """Which rules are active, by index."""
-
-    def next_wake(self) -> int | None:
-        """The instant at which `advance` is wanted if no message comes before."""
-
-    def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
-        """The messages that arrive at one instant, by channel index."""
-
-    def advance(self, at_ns: int) -> list[Event]:
-        """Time passes without a message."""
-
-    def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
-        """An operator resets one latched rule, or all."""
+"""What a message field holds: a number, a flag, a string, or the elements of an array."""
 
 
 class Run(Protocol):
@@ -60,22 +56,27 @@ class Run(Protocol):
 
     @property
     def active(self) -> NDArray[np.bool_]:
-        """Which rules were active behind each row: of shape (rows, rules)."""
+        """Which rules were active after each row: of shape (rows, rules).
+
+        Raises `ValueError` if the run was not asked for it.
+        """
 
 
-@dataclass(frozen=True)
-class InterpretedRun:
-    """A `Run` of the interpreter."""
+class Bound(Protocol):
+    """Columns that fit a monitor; they must not change while they are used."""
 
-    events: list[Event]
-    active: NDArray[np.bool_]
+    def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> Run:
+        """Take in the rows from `start` up to `stop`, or to the end.
+
+        Raises `IndexError` if there are no such rows, `MemoryError` if events were lost.
+        """
 
 
 @dataclass(frozen=True)
 class Started:
     """An engine, its kind (`NATIVE` or `INTERPRETER`), and why it is not native."""
 
-    engine: Engine
+    engine: Interpreter | NativeMonitor
     kind: str
     reason: str | None
 
@@ -88,7 +89,7 @@ def start_engine(machine: Machine) -> Started:
     try:
         return Started(load_native(machine, c99.generate_loadable(machine)), NATIVE, None)
     except (NoCompilerError, BuildError, OSError) as error:
-        return _interpreted(machine, str(error))
+        return _interpreted(machine, str(error).partition("\n")[0])
 
 
 def _interpreted(machine: Machine, why: str) -> Started:
@@ -100,6 +101,8 @@ class Monitor:
     """A rules file, running. Fields go by the names of inputs: `speed`, `orientation.x`.
 
     Instants are integers in nanoseconds on one clock; values are in the units of the messages.
+    An instant that is no integer raises `TypeError`, one outside the years 1896 to 2116
+    (`ir.EARLIEST_NS`, `ir.LATEST_NS`) `ValueError`; whatever is refused changes nothing.
     """
 
     def __init__(self, machine: Machine) -> None:
@@ -109,6 +112,7 @@ class Monitor:
         self.kind = started.kind
         self.reason = started.reason
         self._slots, self._arrays = (_by_name(names) for names in field_names(machine))
+        self._arrivals = arrival_names(machine)
 
     @property
     def rules(self) -> tuple[str, ...]:
@@ -128,8 +132,13 @@ class Monitor:
     def update(self, at_ns: int, values: Mapping[str, Value]) -> list[Event]:
         """Messages arrive: one on each topic of which a field is named; other fields are unknown.
 
-        Raises `KeyError` for a name that is no field, `ValueError` for an instant out of range.
+        An input of which rules read only the age is named by itself, with any value. Raises
+        `KeyError` for a name that nothing reads, `TypeError` for a value of another type than the
+        field or an instant that is no integer, `OverflowError` for an integer beyond all floats,
+        `ValueError` for an instant out of range, `MemoryError` if events were lost for lack of
+        memory.
         """
+        instant = as_index(at_ns)
         slots: dict[int, dict[int, float]] = {}
         arrays: dict[int, dict[int, Sequence[float]]] = {}
         for name, value in values.items():
@@ -141,21 +150,31 @@ class Monitor:
                 index = self._arrays[name]
                 channel = self._channel(self.machine.arrays[index].input)
                 arrays.setdefault(channel, {})[index] = _elements(name, value)
+            elif name in self._arrivals:
+                slots.setdefault(self._arrivals[name], {})
             else:
                 raise KeyError(self._unknown(name))
         messages = {
             channel: ChannelValues(slots.get(channel, {}), arrays.get(channel, {}))
             for channel in slots.keys() | arrays.keys()
         }
-        return self._engine.update(at_ns, messages)
+        return self._engine.update(instant, messages)
 
     def advance(self, at_ns: int) -> list[Event]:
-        """Time passes without a message."""
-        return self._engine.advance(at_ns)
+        """Time passes without a message; timers due at this very instant fire as well.
+
+        Raises `TypeError` for an instant that is no integer, `ValueError` for one out of range,
+        `MemoryError` if events were lost for lack of memory.
+        """
+        return self._engine.advance(as_index(at_ns))
 
     def reset(self, at_ns: int, rule: str | None = None) -> list[Event]:
-        """An operator resets one latched rule, or all. Raises `ValueError` for an unknown rule."""
-        return self._engine.reset(at_ns, None if rule is None else self.rules.index(rule))
+        """An operator resets one latched rule, or all: those with a false condition clear.
+
+        Raises `ValueError` for an unknown rule or an instant out of range, `TypeError` for an
+        instant that is no integer, `MemoryError` if events were lost for lack of memory.
+        """
+        return self._engine.reset(as_index(at_ns), None if rule is None else self.rules.index(rule))
 
     def explain(self, event: Event) -> str:
         """An event in words: the rule, what happened, and why."""
@@ -174,43 +193,49 @@ class Monitor:
         return self._native("update_call").update_call(self._topic(topic))
 
     def take_events(self) -> list[Event]:
-        """The events of the calls that `update_call` gave, since the last time."""
+        """The events of the calls that `update_call` gave, since the last time.
+
+        Raises `MemoryError` if events were lost for lack of memory, `ValueError` for an interpreted
+        monitor.
+        """
         return self._native("take_events").take_events()
 
     def fields(self, topic: str) -> tuple[str, ...]:
-        """The scalars of a topic that rules read. Raises `ValueError` for an unknown topic."""
+        """The scalars of a topic that rules read, in the order of `update_call`; arrays are not
+        among them, nor is an input of which only the age is read.
+
+        Raises `ValueError` for a topic that no input reads.
+        """
         channel = self._topic(topic)
         names, _ = field_names(self.machine)
         return tuple(
-            min(names[index], key=len)
+            min(names[index], key=len, default="")
             for index, slot in enumerate(self.machine.slots)
             if self._channel(slot.input) == channel
         )
 
     def run(self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]) -> Run:
-        """Whole columns: every topic is updated at each instant with the values of that row.
+        """Whole columns: each row is a message on every topic of which a column is given.
 
-        `times_ns` has the shape (rows,), as every column has; there is a column for each field.
-        Raises `ValueError` if the columns do not fit.
+        `times_ns` has the shape (rows,), as every column of scalars has; a column of an array has
+        the shape (rows, elements). There is a column for each field that rules read; one for an
+        input of which only the age is read may be left out, and then it never arrives. Raises
+        `ColumnError`, a `ValueError`, before anything is taken in if the columns do not fit, and
+        `MemoryError` if events were lost for lack of memory.
         """
-        if isinstance(self._engine, NativeMonitor):
-            return self._engine.run(times_ns, columns, active=True)
-        events: list[Event] = []
-        active = np.zeros((len(times_ns), len(self.rules)), dtype=np.bool_)
-        rows = zip(*(column.tolist() for column in columns.values()), strict=True)
-        for index, row in enumerate(rows):
-            events += self.update(int(times_ns[index]), dict(zip(columns, row, strict=True)))
-            active[index] = self._engine.active
-        return InterpretedRun(events, active)
+        return self.bind(times_ns, columns).run(active=True)
 
     def bind(
         self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]
-    ) -> BoundColumns:
+    ) -> Bound:
         """Columns as for `run`, looked at once, to be run over in chunks: `bound.run(0, 1000)`.
 
-        Raises `ValueError` if they do not fit, and for an interpreted monitor.
+        Raises `ColumnError` if they do not fit.
         """
-        return self._native("bind").bind(times_ns, columns)
+        if isinstance(self._engine, NativeMonitor):
+            return self._engine.bind(times_ns, columns)
+        fitting = fit(self.machine, times_ns, columns)
+        return InterpretedColumns(self.machine, self._engine, fitting)
 
     # --- names -------------------------------------------------------------------------------
 
@@ -226,29 +251,35 @@ class Monitor:
         return [channel.topic for channel in self.machine.channels].index(topic)
 
     def _number(self, slot: int, value: Value) -> float:
-        """A text is its index among the texts of the machine, or -1."""
+        """A string is its index among the strings of the machine, or -1."""
         kind = self.machine.slots[slot].kind
         if isinstance(value, str) and kind is Kind.TEXT:
             texts = self.machine.texts
             return float(texts.index(value)) if value in texts else -1.0
-        if isinstance(value, (int, float)) and kind is not Kind.TEXT:
-            return float(value)
-        raise TypeError(f"a {kind.value} is wanted, not {value!r}")
+        if isinstance(value, _NUMBERS) and kind is not Kind.TEXT:
+            number = float(value)
+            return _flag(number) if kind is Kind.FLAG else number
+        raise TypeError(f"{_WANTED[kind]} is wanted, not {value!r}")
 
     def _unknown(self, name: str) -> str:
-        known = [*self._slots, *self._arrays]
-        near = difflib.get_close_matches(name, known, n=1)
-        return f"no rule reads `{name}`" + (f"; did you mean `{near[0]}`?" if near else "")
+        near = near_name(name, (*self._slots, *self._arrays, *self._arrivals))
+        return f"no rule reads `{name}`" + (f"; did you mean `{near}`?" if near else "")
 
 
 def _by_name(names: Sequence[frozenset[str]]) -> dict[str, int]:
     return {name: index for index, known in enumerate(names) for name in known}
 
 
-def _elements(name: str, value: Value) -> Sequence[float]:
-    if isinstance(value, (str, int, float)):
-        raise TypeError(f"`{name}` is an array")
-    return value
+def _flag(number: float) -> float:
+    return float(number != 0.0) if math.isfinite(number) else math.nan
+
+
+def _elements(name: str, value: Value) -> list[float]:
+    elements = np.asarray(value)
+    if elements.ndim != 1 or elements.dtype.kind not in "buif":
+        raise TypeError(f"`{name}` is an array of numbers, not {value!r}")
+    found: list[float] = elements.astype(np.float64).tolist()
+    return found
 
 
 def load(
@@ -257,7 +288,12 @@ def load(
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
 ) -> Monitor:
-    """The monitor of a rules file. Raises `RulesError`, which holds all that is wrong with it."""
-    return Monitor(
-        compile_file(Path(rules), systems=systems, message_folders=message_folders).machine
-    )
+    """The monitor of a rules file. Raises `RulesError`, which holds all that is wrong with it.
+
+    Gives a `RuntimeWarning` with the reason if the monitor is interpreted.
+    """
+    compiled = compile_file(Path(rules), systems=systems, message_folders=message_folders)
+    monitor = Monitor(compiled.machine)
+    if monitor.reason is not None:
+        warnings.warn(monitor.reason, RuntimeWarning, stacklevel=2)
+    return monitor

@@ -68,6 +68,11 @@ def compile_file(
 ) -> Compiled:
     """Check a rules file and lower it. Raises `RulesError`."""
     result = check_file(rules, systems=systems, message_folders=message_folders)
+    return compile_checked(result, message_folders)
+
+
+def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -> Compiled:
+    """Lower what `check_file` has made, with the same folders. Raises `RulesError`."""
     if result.program is None:
         raise RulesError(result.diagnostics)
     machine = lower(result.program)

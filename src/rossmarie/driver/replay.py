@@ -48,16 +48,19 @@ def replay_file(
         for update in _told(updates, recording, on_progress):
             events += started.engine.update(update.at_ns, update.channels)
             sampler.feed(update)
-        events += started.engine.advance(max(recording.end_ns, sampler.last_ns))
+        # Rows that no rule reads may come before the first sample and after the last one.
+        start_ns = min((recording.start_ns, *sampler.instants[:1]))
+        end_ns = max((recording.end_ns, *sampler.instants[1:]))
+        events += started.engine.advance(end_ns)
         replay = Replay(
             machine=machine,
             rules_file=str(rules),
             recording=str(recording_path),
             monitor=started.kind,
-            start_ns=recording.start_ns,
-            end_ns=recording.end_ns,
+            start_ns=start_ns,
+            end_ns=end_ns,
             events=tuple(events),
-            plots=sampler.plots(recording.start_ns),
+            plots=sampler.plots(start_ns),
             notes=_notes(started, collector.sorted()),
         )
     return replay, (*compiled.warnings, *collector.sorted())
@@ -88,15 +91,15 @@ class _Sampler:
 
     def __init__(self, machine: Machine) -> None:
         self._plans = plan_plots(machine)
-        signals_only = dataclasses.replace(machine, truths=(), rules=())
-        self._machine = Interpreter(signals_only)
+        without_rules = dataclasses.replace(machine, rules=())  # signals may count truths
+        self._machine = Interpreter(without_rules)
         self._times_ns: list[int] = []
         self._rows: list[tuple[float, ...]] = []
 
     @property
-    def last_ns(self) -> int:
-        """The instant of the last sample."""
-        return self._times_ns[-1] if self._times_ns else 0
+    def instants(self) -> tuple[int, ...]:
+        """The instants of the first and the last sample; nothing if there is none."""
+        return (self._times_ns[0], self._times_ns[-1]) if self._times_ns else ()
 
     def feed(self, update: Update) -> None:
         """Take a sample after a message, and before it wherever an input expires."""

@@ -6,6 +6,7 @@ Reads files, never fails: a file that cannot be read is a finding, and a module 
 from __future__ import annotations
 
 import difflib
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -22,24 +23,28 @@ SYSTEM_MODEL = "system.ross"
 def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> list[ast.Module]:
     """The trees of `systems`, of the folder's system model and of all imports, `main` last.
 
-    Each file is read once, whatever imports it.
+    Each file is read once, whatever imports it: `main` too, if a system model does.
     """
     loader = _Loader(collector)
     beside = main.parent / SYSTEM_MODEL
-    implicit = [beside] if beside.is_file() and beside.resolve() != main.resolve() else []
-    for path in (*systems, *implicit, main):
+    for path in (*systems, *([beside] if _is_file(beside) else []), main):
         loader.load(path)
-    return loader.modules
+    return loader.with_last(main)
 
 
 @dataclass
 class _Loader:
     collector: Collector
     modules: list[ast.Module] = field(default_factory=list)
-    visited: set[Path] = field(default_factory=set)
+    visited: dict[Path, ast.Module] = field(default_factory=dict)
+
+    def with_last(self, path: Path) -> list[ast.Module]:
+        """All modules, that of `path` at the end."""
+        last = self.visited[_identity(path)]
+        return [module for module in self.modules if module is not last] + [last]
 
     def load(self, path: Path, imported_at: Span | None = None) -> None:
-        """Add the module at `path` behind everything it imports (an explicit stack, so that a
+        """Add the module at `path` after everything it imports (an explicit stack, so that a
         long chain of imports cannot exhaust Python's).
         """
         stack: list[tuple[ast.Module, list[tuple[Path, Span]]]] = []
@@ -63,17 +68,25 @@ class _Loader:
             self.collector.add(_import_not_found(path, imported_at))
             self.modules.append(_unread(path))
             return
-        key = path.resolve()
+        key = _identity(path)
         if key in self.visited:
             return
-        self.visited.add(key)
         source = read_source(path, self.collector)
         module = _unread(path) if source is None else parse(source, self.collector)
+        self.visited[key] = module
         stack.append((module, _imports(module, path.parent)))
 
 
 def _unread(path: Path) -> ast.Module:
     return ast.Module(SourceFile(str(path), ""), (), is_whole=False)
+
+
+def _identity(path: Path) -> Path:
+    """One path for all ways to name a file; links that lead in a circle lead nowhere."""
+    try:
+        return Path(os.path.realpath(path))
+    except (OSError, ValueError):
+        return path.absolute()
 
 
 def _is_folder(path: Path) -> bool:
@@ -100,8 +113,8 @@ def read_source(path: Path, collector: Collector) -> SourceFile | None:
     try:
         with path.open("rb") as stream:
             content = stream.read(MAXIMUM_FILE_SIZE + 8)
-    except OSError as error:
-        reason = error.strerror or "it cannot be opened"
+    except (OSError, ValueError) as error:  # ValueError: what no path can be
+        reason = getattr(error, "strerror", None) or "it cannot be opened"
         finding = FileUnreadable(path=str(path), reason=reason.lower())
         collector.add(finding.at(Span(nothing, 0, 0)))
         return None

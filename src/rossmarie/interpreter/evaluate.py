@@ -168,13 +168,16 @@ class Evaluator:
         self, index: int, node: ir.Oscillates, at_ns: int, updated: frozenset[int]
     ) -> TruthValue:
         """S32."""
+        channels = self._supports.signals[node.signal].channels
+        if not channels:
+            return TruthValue.FALSE
         oscillation = self._memory.oscillations[index]
         x = self._memory.signals[node.signal]
         if not math.isfinite(x):
             oscillation.clear()
             oscillation.gap, oscillation.gap_end_ns = self._unknown(index, node), None
             return oscillation.gap
-        if self._supports.signals[node.signal].channels & updated:
+        if channels & updated:
             oscillation.take(x, node.swing, at_ns)
         return oscillation.look(node.window_ns, at_ns)
 

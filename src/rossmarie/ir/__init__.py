@@ -39,7 +39,7 @@ from rossmarie.ir.model import (
     Truth,
     TruthNode,
 )
-from rossmarie.ir.naming import field_names
+from rossmarie.ir.naming import arrival_names, field_names, near_name
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.support import (
     ElementArrays,
@@ -114,6 +114,7 @@ __all__ = [
     "TruthValue",
     "UnreadableMachine",
     "Verdict",
+    "arrival_names",
     "compared_signals",
     "dump_text",
     "element_arrays",
@@ -123,6 +124,7 @@ __all__ = [
     "leaf_truths",
     "machine_from_json",
     "machine_to_json",
+    "near_name",
     "reachable_truths",
     "rule_signals",
     "rule_terms",

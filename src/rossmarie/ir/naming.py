@@ -2,19 +2,22 @@
 
 An input that carries one field is called by its name alone (`speed`); where there are several,
 the last words of the path tell them apart (`orientation.x`). Any longer ending is good as well.
+An element that is read by itself beside its whole array (`ranges.5`) leaves the name to the array.
 """
 
 from __future__ import annotations
 
+import difflib
 from collections import Counter
+from collections.abc import Iterable
 
 from rossmarie.ir.model import Array, Machine, Slot
 
 
 def field_names(machine: Machine) -> tuple[tuple[frozenset[str], ...], tuple[frozenset[str], ...]]:
     """The names of each slot, and of each array, by index; no name is that of two fields."""
-    slots = [_names(machine, slot) for slot in machine.slots]
     arrays = [_names(machine, array) for array in machine.arrays]
+    slots = [_names(machine, slot) - _names_of_whole(machine, slot) for slot in machine.slots]
     uses = Counter(name for names in (*slots, *arrays) for name in names)
 
     def own(names: set[str]) -> frozenset[str]:
@@ -23,9 +26,37 @@ def field_names(machine: Machine) -> tuple[tuple[frozenset[str], ...], tuple[fro
     return tuple(map(own, slots)), tuple(map(own, arrays))
 
 
+def arrival_names(machine: Machine) -> dict[str, int]:
+    """The inputs of which no field is read, only the age: their names, and their channels."""
+    slots = {slot.input for slot in machine.slots}
+    arrays = {array.input for array in machine.arrays}
+    return {
+        used.name: used.channel
+        for index, used in enumerate(machine.inputs)
+        if index not in slots | arrays
+    }
+
+
+def near_name(name: str, known: Iterable[str]) -> str | None:
+    """The known name that was probably meant: a field, if its input is named."""
+    names = sorted(known, key=lambda each: (len(each), each))
+    inside = [each for each in names if each.startswith(f"{name}.")]
+    return next(iter(inside or difflib.get_close_matches(name, names, n=1)), None)
+
+
 def _names(machine: Machine, field: Slot | Array) -> set[str]:
     """The input, and the input with every ending of the path."""
     name = machine.inputs[field.input].name
     words = [str(word) for word in field.path]
     endings = {".".join(words[start:]) for start in range(len(words))}
     return {name} | {f"{name}.{ending}" for ending in endings}
+
+
+def _names_of_whole(machine: Machine, slot: Slot) -> set[str]:
+    """The names of the arrays in which a slot is an element."""
+    wholes = (
+        array
+        for array in machine.arrays
+        if array.input == slot.input and array.path == slot.path[: len(array.path)]
+    )
+    return {name for array in wholes for name in _names(machine, array)}

@@ -27,9 +27,16 @@ class BuildError(Exception):
 
 
 def cache_folder() -> Path:
-    """Where libraries are kept: `$XDG_CACHE_HOME/rossmarie`, or `~/.cache/rossmarie`."""
-    base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
-    return Path(base) / "rossmarie"
+    """Where libraries are kept: `$XDG_CACHE_HOME/rossmarie`, or `~/.cache/rossmarie`.
+
+    Raises `OSError` if there is no home directory.
+    """
+    named = os.environ.get("XDG_CACHE_HOME")
+    try:
+        base = Path(named) if named else Path.home() / ".cache"
+    except RuntimeError as error:
+        raise OSError(f"no folder for compiled monitors: {error}") from error
+    return base / "rossmarie"
 
 
 def compiler() -> list[str]:
@@ -37,13 +44,21 @@ def compiler() -> list[str]:
 
     Raises `NoCompilerError` if there is none.
     """
-    named = os.environ.get("CC")
-    candidates = [shlex.split(named)] if named else [["cc"], ["gcc"], ["clang"]]
+    candidates = _named() or [["cc"], ["gcc"], ["clang"]]
     for command in candidates:
         if command and (found := shutil.which(command[0])):
             return [found, *command[1:]]
     looked = " ".join(command[0] for command in candidates if command)
     raise NoCompilerError(f"no C compiler found (looked for {looked})")
+
+
+def _named() -> list[list[str]]:
+    """The command in `$CC`, if there is one."""
+    named = os.environ.get("CC")
+    try:
+        return [shlex.split(named)] if named else []
+    except ValueError as error:
+        raise NoCompilerError(f"no C compiler found (CC is {named!r}: {error})") from error
 
 
 def build(files: Mapping[str, str], main: str, *more_options: str, rebuild: bool = False) -> Path:
@@ -65,7 +80,7 @@ def _digest(files: Mapping[str, str], main: str, command: Sequence[str]) -> str:
     found = Path(command[0]).resolve().stat()
     digest = hashlib.sha256()
     for part in (main, *command, str(found.st_size), str(found.st_mtime_ns)):
-        digest.update(part.encode() + b"\0")
+        digest.update(os.fsencode(part) + b"\0")
     for name in sorted(files):
         digest.update(name.encode() + b"\0" + files[name].encode() + b"\0")
     return digest.hexdigest()[:32]
@@ -78,7 +93,8 @@ def _compile(files: Mapping[str, str], main: str, command: Sequence[str], librar
             (Path(folder) / name).write_text(text, encoding="utf-8")
         built = Path(folder) / "built.so"
         call = [*command, "-o", str(built), str(Path(folder) / main), "-lm"]
-        result = subprocess.run(call, capture_output=True, text=True, check=False)
+        result = subprocess.run(call, capture_output=True, check=False)
         if result.returncode != 0:
-            raise BuildError(result.stderr.strip() or f"{call[0]} failed")
+            said = result.stderr.decode("utf-8", "replace").strip()
+            raise BuildError(said or f"{call[0]} failed")
         built.replace(library)

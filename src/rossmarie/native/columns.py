@@ -1,89 +1,160 @@
-"""Whole columns as memory that C reads, and what comes back.
+"""Whole columns as memory that C reads, checked against the machine that is to read them.
 
-Takes numpy arrays; columns go by the names of `ir.field_names`.
+Takes numpy arrays by the names of `ir.field_names` and `ir.arrival_names`. What fits is the same
+for every engine: this is the only place that accepts or refuses columns.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie import ir
-from rossmarie.ir import Event
-from rossmarie.native.events import EventReader
+
+FLAG_VALUES = (0.0, 1.0, float("nan"))
+"""What the bytes of a column of flags stand for; `host.c` has the same table."""
+
+_UNKNOWN_FLAG = 2
+_WANTED = {ir.Kind.REAL: "numbers", ir.Kind.FLAG: "flags"}
+_NUMBERS = "buif"  # the kinds of numpy: bool, unsigned, signed and floating-point numbers
+_Number = TypeVar("_Number", np.float64, np.uint8)
 
 
 class ColumnError(ValueError):
     """The columns do not fit the machine, or each other."""
 
 
-@dataclass(eq=False)
-class RunResult:
-    """What a run over many rows said.
+@dataclass(frozen=True, eq=False)
+class Columns:
+    """Columns that fit a machine.
 
-    `packed_active` has a row of bytes for every row of the run, with the bit of rule r at bit
-    `r % 8` of byte `r // 8`; it is None if it was not asked for.
+    `times_ns` has the shape (rows,), `slots` a column of that shape for each slot: float64, or for
+    flags uint8, an index into `FLAG_VALUES`. `arrays` has a float64 table of shape (rows, elements)
+    for each array. `arriving` tells for each channel, as 0 or 1, whether every row is a message.
     """
 
-    machine: ir.Machine
-    reader: EventReader
-    log: bytes
-    packed_active: NDArray[np.uint8] | None
-
-    @cached_property
-    def events(self) -> list[Event]:
-        """All events, in order."""
-        return self.reader.read(self.log)
-
-    @cached_property
-    def active(self) -> NDArray[np.bool_]:
-        """Which rules were active behind each row: of shape (rows, rules).
-
-        Raises `ValueError` if the run was not asked for it.
-        """
-        if self.packed_active is None:
-            raise ValueError("run with active=True to learn which rules were active")
-        rules = len(self.machine.rules)
-        bits = np.unpackbits(self.packed_active, axis=1, count=rules, bitorder="little")
-        return bits.view(np.bool_)
+    times_ns: NDArray[np.int64]
+    slots: tuple[NDArray[np.generic], ...]
+    arrays: tuple[NDArray[np.float64], ...]
+    arriving: NDArray[np.uint8]
 
 
-def order_of(machine: ir.Machine, given: tuple[str, ...]) -> list[str]:
-    """Which of the given columns feeds each slot.
+def fit(
+    machine: ir.Machine, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]
+) -> Columns:
+    """The columns as engines take them.
 
-    Raises `ColumnError` if one is missing or fits no slot, or if the machine reads arrays.
+    Raises `ColumnError` if a column is missing or nothing reads it, if its shape is not that of the
+    instants or its values are of a wrong type, or if the instants are not int64 or out of range.
     """
-    if machine.arrays:
-        raise ColumnError("a machine that reads arrays cannot run over columns")
-    chosen = []
-    for names in ir.field_names(machine)[0]:
-        fitting = [name for name in given if name in names]
-        if len(fitting) != 1:
-            wanted = " or ".join(sorted(names, key=len)) or "a scalar with no name of its own"
-            raise ColumnError(f"{len(fitting) or 'no'} columns for {wanted}")
-        chosen += fitting
-    if unknown := sorted(set(given) - set(chosen)):
+    instants = _instants(np.asarray(times_ns))
+    given = {name: np.asarray(column) for name, column in columns.items()}
+    for name, column in given.items():
+        if column.shape[:1] != instants.shape:
+            raise ColumnError(
+                f"column {name} has shape {column.shape}, the instants {instants.shape}"
+            )
+    slot_names, array_names = (_chosen(given, names) for names in ir.field_names(machine))
+    arrivals = ir.arrival_names(machine)
+    if unknown := sorted(given.keys() - {*slot_names, *array_names, *arrivals}):
         raise ColumnError(f"nothing reads the column {unknown[0]}")
+    return Columns(
+        instants,
+        tuple(
+            _scalars(machine, name, slot.kind, given[name])
+            for name, slot in zip(slot_names, machine.slots, strict=True)
+        ),
+        tuple(_elements(name, given[name]) for name in array_names),
+        _arriving(machine, {arrivals[name] for name in given.keys() & arrivals.keys()}),
+    )
+
+
+def _chosen(
+    given: Mapping[str, NDArray[np.generic]], fields: tuple[frozenset[str], ...]
+) -> list[str]:
+    """Which of the given columns feeds each field."""
+    chosen = []
+    for names in fields:
+        fitting = sorted(names & given.keys())
+        if len(fitting) != 1:
+            wanted = " or ".join(sorted(names, key=lambda name: (len(name), name)))
+            raise ColumnError(
+                f"{len(fitting) or 'no'} columns for {wanted or 'a field with no name of its own'}"
+            )
+        chosen += fitting
     return chosen
 
 
-def as_instants(times_ns: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Instants as C reads them; raises `ColumnError` if they are no integers."""
+def _arriving(machine: ir.Machine, named: set[int]) -> NDArray[np.uint8]:
+    """A channel with fields has messages, as their columns were given; another one if named."""
+    read = {slot.input for slot in machine.slots} | {array.input for array in machine.arrays}
+    arriving = np.zeros(max(1, len(machine.channels)), np.uint8)
+    arriving[sorted(named.union(machine.inputs[index].channel for index in read))] = 1
+    return arriving
+
+
+# --- values ----------------------------------------------------------------------------------
+
+
+def _instants(times_ns: NDArray[np.generic]) -> NDArray[np.int64]:
     if times_ns.dtype != np.int64 or times_ns.ndim != 1:
-        raise ColumnError("instants are one column of int64 nanoseconds")
-    return np.ascontiguousarray(times_ns)
+        raise ColumnError(
+            "instants are one column of int64 nanoseconds, "
+            f"not of {times_ns.dtype} and shape {times_ns.shape}"
+        )
+    instants = np.ascontiguousarray(times_ns, np.int64)
+    earliest, latest = ir.EARLIEST_NS + 1, ir.LATEST_NS - 1
+    if instants.size and not earliest <= instants.min() <= instants.max() <= latest:
+        outside = (instants < earliest) | (instants > latest)
+        raise ColumnError(f"the instant of row {outside.argmax()} is out of range")
+    return instants
 
 
-def as_column(
-    name: str, kind: ir.Kind, column: NDArray[np.generic], rows: int
+def _scalars(
+    machine: ir.Machine, name: str, kind: ir.Kind, column: NDArray[np.generic]
 ) -> NDArray[np.generic]:
-    """A column as C reads it; raises `ColumnError` if it has another length."""
-    if column.shape != (rows,):
-        raise ColumnError(f"column {name} has shape {column.shape}, the instants ({rows},)")
-    if kind is ir.Kind.FLAG:
-        is_ready = column.dtype == np.uint8 and column.flags.c_contiguous
-        return column if is_ready else np.ascontiguousarray(column, np.bool_).view(np.uint8)
-    return np.ascontiguousarray(column, np.float64)
+    if column.ndim != 1:
+        raise ColumnError(f"column {name} has shape {column.shape}, but holds one scalar a row")
+    if kind is ir.Kind.TEXT:
+        return _strings(machine, name, column)
+    if column.dtype.kind not in _NUMBERS:
+        raise ColumnError(f"column {name} holds {column.dtype}, not {_WANTED[kind]}")
+    return _flags(column) if kind is ir.Kind.FLAG else _aligned(column, np.float64)
+
+
+def _strings(machine: ir.Machine, name: str, column: NDArray[np.generic]) -> NDArray[np.generic]:
+    """A string as its index among the strings of the machine; -1 if it is another one."""
+    values = column.tolist()
+    if not all(isinstance(value, str) for value in values):
+        raise ColumnError(f"column {name} holds {column.dtype}, not only strings")
+    indexes = {text: float(index) for index, text in enumerate(machine.texts)}
+    return np.array([indexes.get(value, -1.0) for value in values], np.float64)
+
+
+def _flags(column: NDArray[np.generic]) -> NDArray[np.uint8]:
+    """Always a copy: a byte that came from outside could lead beyond the table in C."""
+    if column.dtype == np.bool_:
+        column = column.view(np.uint8)
+    flags = (column != 0).view(np.uint8)
+    if column.dtype.kind == "f":
+        flags[~np.isfinite(column.astype(np.float64, copy=False))] = _UNKNOWN_FLAG
+    return _aligned(flags, np.uint8)
+
+
+def _elements(name: str, column: NDArray[np.generic]) -> NDArray[np.float64]:
+    if column.ndim != 2 or column.dtype.kind not in _NUMBERS:
+        raise ColumnError(
+            f"column {name} is an array: numbers of shape (rows, elements), "
+            f"not {column.dtype} of shape {column.shape}"
+        )
+    return _aligned(column, np.float64)
+
+
+def _aligned(column: NDArray[np.generic], kind: type[_Number]) -> NDArray[_Number]:
+    """As C reads it; numbers that float64 cannot hold become infinite, which is unknown."""
+    with np.errstate(over="ignore"):
+        return np.ascontiguousarray(column, kind)

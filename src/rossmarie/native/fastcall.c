@@ -22,6 +22,7 @@ static PyObject *fastcall(PyObject *self, PyObject *const *arguments, Py_ssize_t
     const target *to = (const target *)PyCapsule_GetPointer(self, NULL);
     double values[MOST_FIELDS];
     long long t_ns;
+    int events;
     if (count != to->fields + 1)
         return PyErr_Format(PyExc_TypeError, "wanted an instant and %d number(s)", to->fields);
     t_ns = PyLong_AsLongLong(arguments[0]);
@@ -32,7 +33,10 @@ static PyObject *fastcall(PyObject *self, PyObject *const *arguments, Py_ssize_t
         if (values[i] == -1.0 && PyErr_Occurred())
             return NULL;
     }
-    return PyLong_FromLong(host_packed(to->machine, to->channel, t_ns, values));
+    events = host_packed(to->machine, to->channel, t_ns, values);
+    if (host_failed(to->machine))
+        return PyErr_NoMemory();
+    return PyLong_FromLong(events);
 }
 
 static PyMethodDef definition = {
@@ -70,12 +74,11 @@ PyObject *host_python_function(void *machine, int channel, int fields, PyObject 
 
 /* --- rows of columns ----------------------------------------------------------------------- */
 
-typedef struct table {
+typedef struct rows {
     host *machine;
-    PyObject *owner; /* keeps the machine and the columns alive */
-    const int64_t *times;
-    const void *const *columns;
-} table;
+    PyObject *owner; /* keeps the machine and the table alive */
+    const host_table *table;
+} rows;
 
 /* The events behind the first `before`, which stay in the log, as bytes. */
 static PyObject *new_events(host *h, size_t before)
@@ -91,7 +94,7 @@ static PyObject *new_events(host *h, size_t before)
 /* (start, stop, room for active bits or None) -> the bytes of the events of these rows. */
 static PyObject *fastrows(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
 {
-    const table *of = (const table *)PyCapsule_GetPointer(self, NULL);
+    const rows *of = (const rows *)PyCapsule_GetPointer(self, NULL);
     const size_t before = of->machine->count;
     Py_buffer room = {0};
     size_t start, stop, done;
@@ -103,7 +106,7 @@ static PyObject *fastrows(PyObject *self, PyObject *const *arguments, Py_ssize_t
         return NULL;
     if (arguments[2] != Py_None && PyObject_GetBuffer(arguments[2], &room, PyBUF_WRITABLE) != 0)
         return NULL;
-    done = host_run(of->machine, start, stop, of->times, of->columns, (unsigned char *)room.buf);
+    done = host_run(of->machine, start, stop, of->table, (unsigned char *)room.buf);
     if (room.obj)
         PyBuffer_Release(&room);
     if (host_failed(of->machine))
@@ -118,25 +121,24 @@ static PyMethodDef rows_definition = {
     "rows", (PyCFunction)(void (*)(void))fastrows, METH_FASTCALL,
     "Some rows: (start, stop, room for active bits or None) -> the bytes of their events."};
 
-static void forget_table(PyObject *capsule)
+static void forget_rows(PyObject *capsule)
 {
-    table *of = (table *)PyCapsule_GetPointer(capsule, NULL);
+    rows *of = (rows *)PyCapsule_GetPointer(capsule, NULL);
     Py_DECREF(of->owner);
     PyMem_Free(of);
 }
 
-/* The function for columns; NULL with an exception if there is no memory. */
-PyObject *host_python_rows(void *machine, void *times, void *columns, PyObject *owner)
+/* The function for a table; NULL with an exception if there is no memory. */
+PyObject *host_python_rows(void *machine, void *table, PyObject *owner)
 {
     PyObject *capsule, *function;
-    table *of = (table *)PyMem_Malloc(sizeof *of);
+    rows *of = (rows *)PyMem_Malloc(sizeof *of);
     if (!of)
         return PyErr_NoMemory();
     of->machine = (host *)machine;
     of->owner = owner;
-    of->times = (const int64_t *)times;
-    of->columns = (const void *const *)columns;
-    capsule = PyCapsule_New(of, NULL, forget_table);
+    of->table = (const host_table *)table;
+    capsule = PyCapsule_New(of, NULL, forget_rows);
     if (!capsule) {
         PyMem_Free(of);
         return NULL;

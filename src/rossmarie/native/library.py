@@ -68,14 +68,14 @@ class Library:
         )
 
     def rows_function(
-        self, host: Pointer, times: Pointer, columns: Pointer, owner: object
+        self, host: Pointer, table: Pointer, owner: object
     ) -> Callable[..., bytes] | None:
-        """The function of `fastcall.c` for columns; None if the library was built without.
+        """The function of `fastcall.c` for a table; None if the library was built without.
 
-        It keeps `owner` alive, on which host, times and columns rest.
+        It keeps `owner` alive, on which host and table rest.
         """
-        kinds = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.py_object]
-        addresses = map(self._address, (host, times, columns))
+        kinds = [ctypes.c_void_p, ctypes.c_void_p, ctypes.py_object]
+        addresses = map(self._address, (host, table))
         return self._python_function("host_python_rows", kinds, *addresses, owner)
 
     def _python_function(

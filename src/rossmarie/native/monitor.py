@@ -7,7 +7,7 @@ Takes the machine and the C text that a target wrote for it. Of the text only th
 from __future__ import annotations
 
 import sysconfig
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from functools import partial
 from importlib import resources
 from pathlib import Path
@@ -19,14 +19,10 @@ from numpy.typing import NDArray
 from rossmarie import ir
 from rossmarie.ir import ChannelValues, Event
 from rossmarie.native.build import BuildError, build
-from rossmarie.native.columns import (
-    RunResult,
-    as_column,
-    as_instants,
-    order_of,
-)
+from rossmarie.native.columns import Columns, fit
 from rossmarie.native.events import EventReader
 from rossmarie.native.library import Library, Pointer
+from rossmarie.native.result import RunResult
 from rossmarie.native.signatures import declarations, fields_of
 
 _NEVER = 2**63 - 1
@@ -48,8 +44,9 @@ def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
     """
     declared = declarations(fields_of(machine))
     reader = EventReader(machine)
+    built = _built(files)
     try:
-        library = _checked(Library(_built(files), declared), reader)
+        library = _checked(Library(built, declared), reader)
     except OSError:
         library = _checked(Library(_built(files, rebuild=True), declared), reader)
     return NativeMonitor(machine, library, reader)
@@ -88,9 +85,10 @@ class NativeMonitor:
         made = library.function("host_new")()
         if library.is_null(made):
             raise MemoryError
-        self._host = library.owned(made, library.function("host_free"))
+        self.host = library.owned(made, library.function("host_free"))
         self._run = library.function("host_run")
         self._event_count = library.function("host_event_count")
+        self._failed = library.function("host_failed")
         self.active_bytes = (max(1, len(machine.rules)) + 7) // 8
         self._waiting = b""
 
@@ -161,19 +159,24 @@ class NativeMonitor:
         """A function `(at_ns, *slots) -> number of new events` for one message on a channel, with
         its slots in index order, in the units of the message. -1: the instant is out of range.
 
-        The events wait for `take_events`. Raises `ValueError` if the channel carries arrays.
+        The events wait for `take_events`, which raises `MemoryError` if some were lost for lack of
+        memory; the function does so as well where Python's headers are at hand. Raises `ValueError`
+        if the channel carries arrays.
         """
         carried = self._fields[channel]
         if carried.arrays:
             raise ValueError("a channel with arrays has no fast call")
         if len(carried.slots) <= _MOST_FIELDS:
             slots = len(carried.slots)
-            if made := self.library.update_function(self._host, channel, slots, self):
+            if made := self.library.update_function(self.host, channel, slots, self):
                 return made
-        return partial(self.library.function(f"host_update_{channel}"), self._host)
+        return partial(self.library.function(f"host_update_{channel}"), self.host)
 
     def take_events(self) -> list[Event]:
-        """The events of the fast calls since the last time."""
+        """The events of the fast calls since the last time.
+
+        Raises `MemoryError` if events were lost for lack of memory, from then on.
+        """
         log, self._waiting = self._waiting + self._drain(), b""
         return self._reader.read(log)
 
@@ -184,11 +187,10 @@ class NativeMonitor:
         *,
         active: bool = False,
     ) -> RunResult:
-        """Update all channels at every instant of `times_ns` (shape (rows,)) with the scalars of
-        that row, in the units of the messages; columns go by the names of `ir.field_names`.
+        """Update all channels at every instant of `times_ns` (shape (rows,)) with the fields of
+        that row, in the units of the messages; columns are as `fit` describes them.
 
-        Raises `ColumnError` if the columns do not fit, `ValueError` if an instant is out of range:
-        rows before it have been taken in.
+        Raises `ColumnError` if the columns do not fit: nothing has been taken in then.
         """
         return self.bind(times_ns, columns).run(active=active)
 
@@ -199,24 +201,20 @@ class NativeMonitor:
 
         Raises `ColumnError` if they do not fit.
         """
-        instants = as_instants(times_ns)
-        order = order_of(self._machine, tuple(columns))
-        kept = [
-            as_column(name, slot.kind, columns[name], len(instants))
-            for name, slot in zip(order, self._machine.slots, strict=True)
-        ]
-        return BoundColumns(self, instants, kept)
+        return BoundColumns(self, fit(self._machine, times_ns, columns))
 
-    def rows_call(self, times: Pointer, columns: Pointer, kept: object) -> RowsCall:
-        """A function that takes in rows of columns; `kept` is what their memory rests on."""
-        made = self.library.rows_function(self._host, times, columns, (self, kept))
+    def rows_call(self, table: Pointer, kept: object) -> RowsCall:
+        """A function that takes in rows of a table; `kept` is what its memory rests on, which the
+        caller keeps as well.
+        """
+        made = self.library.rows_function(self.host, table, (self, kept))
         if made is not None:
             return made
 
         def rows(start: int, stop: int, room: NDArray[np.uint8] | None) -> bytes:
             bits = self.library.null if room is None else self.library.pointer(_BYTES, room)
             self._waiting += self._drain()
-            done = self._run(self._host, start, stop, times, columns, bits)
+            done = self._run(self.host, start, stop, table, bits)
             if done != stop:
                 raise ValueError(f"the instant of row {done} is out of range")
             return self._drain()
@@ -230,7 +228,7 @@ class NativeMonitor:
     # --- calls -------------------------------------------------------------------------------
 
     def _call(self, name: str, *arguments: Pointer) -> Pointer:
-        return self.library.function(name)(self._host, *arguments)
+        return self.library.function(name)(self.host, *arguments)
 
     def _events_of(self, at_ns: int, name: str, *arguments: Pointer) -> list[Event]:
         if not ir.EARLIEST_NS < at_ns < ir.LATEST_NS:
@@ -241,11 +239,11 @@ class NativeMonitor:
 
     def _drain(self) -> bytes:
         """The bytes of the events that were logged since the last time."""
-        count = self._event_count(self._host)
+        if self._failed(self.host):
+            raise MemoryError("the log of events could not grow: events are lost")
+        count = self._event_count(self.host)
         if not count:
             return b""
-        if self._call("host_failed"):
-            raise MemoryError("the log of events could not grow")
         log = self.library.bytes_at(self._call("host_events"), count * self._reader.size)
         self._call("host_forget_events")
         return log
@@ -254,25 +252,25 @@ class NativeMonitor:
 class BoundColumns:
     """Columns that a monitor has looked at; they must not change while they are used."""
 
-    def __init__(
-        self,
-        monitor: NativeMonitor,
-        times_ns: NDArray[np.int64],
-        columns: Sequence[NDArray[np.generic]],
-    ) -> None:
+    def __init__(self, monitor: NativeMonitor, columns: Columns) -> None:
         self._monitor = monitor
-        self._rows = len(times_ns)
+        self._rows = len(columns.times_ns)
         library = monitor.library
-        times = library.pointer("int64_t[]", times_ns)
-        kept = [library.pointer("char[]", column) for column in columns]
-        pointers = library.new("void *[]", kept or [library.null])
-        self._take_rows = monitor.rows_call(times, pointers, (times, kept, pointers))
+        fields = [library.pointer("char[]", x) for x in (*columns.slots, *columns.arrays)]
+        members = {
+            "times": library.pointer("int64_t[]", columns.times_ns),
+            "columns": library.new("void *[]", fields or [library.null]),
+            "widths": library.new("size_t[]", [array.shape[1] for array in columns.arrays] or [0]),
+            "arriving": library.pointer(_BYTES, columns.arriving),
+        }
+        table = library.new("host_table *", members)
+        self._memory = (fields, members, table)
+        self._take_rows = monitor.rows_call(table, self._memory)
 
     def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> RunResult:
         """Take in the rows from `start` up to `stop`, or to the end.
 
-        Raises `IndexError` if there are no such rows, `ValueError` if an instant is out of range:
-        rows before it have been taken in.
+        Raises `IndexError` if there are no such rows, `MemoryError` if events were lost.
         """
         end = self._rows if stop is None else stop
         if not 0 <= start <= end <= self._rows:

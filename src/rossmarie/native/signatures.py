@@ -12,6 +12,12 @@ from rossmarie import ir
 
 _FIXED = """
 typedef struct host host;
+typedef struct host_table {
+    int64_t *times;
+    void **columns;
+    size_t *widths;
+    unsigned char *arriving;
+} host_table;
 host *host_new(void);
 void host_free(host *);
 size_t host_event_size(void);
@@ -24,7 +30,7 @@ int host_advance(host *, int64_t);
 int host_reset(host *, int64_t, int);
 int64_t host_next_wake(host *);
 int host_step(host *, int64_t, unsigned char *, double *, double **, size_t *);
-size_t host_run(host *, size_t, size_t, int64_t *, void **, unsigned char *);
+size_t host_run(host *, size_t, size_t, host_table *, unsigned char *);
 """
 
 

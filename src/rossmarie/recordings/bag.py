@@ -1,11 +1,12 @@
 """Recordings of messages: .bag, .db3, .mcap and bag directories.
 
 Messages are decoded only if a rule reads their topic. Where a file turns out to be damaged in the
-middle, what can be salvaged behind the damage is read on.
+middle, what can be salvaged after the damage is read on.
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,11 +14,12 @@ from pathlib import Path
 from rosbags.serde import SerdeError
 
 from dslkit.diagnostics import Collector, Diagnostic
-from rossmarie.ir import EARLIEST_NS, LATEST_NS, Machine
+from rossmarie.ir import EARLIEST_NS, LATEST_NS, ChannelValues, Machine
 from rossmarie.recordings.definitions import UndefinedTypeError, full_type, typestore_for
 from rossmarie.recordings.errors import (
     DefinitionMissing,
     FieldNotRecorded,
+    MessagesPassedOver,
     RecordingDamaged,
     RecordingError,
     at_file,
@@ -45,14 +47,20 @@ DECODE_FAILURES: tuple[type[Exception], ...] = (
 )
 """What decoding raises on content that does not match its definition."""
 
+_UNKNOWN = ChannelValues({}, {})
+
 
 @dataclass(frozen=True)
 class _Reading:
-    """How the messages of one topic are decoded, and who reads them."""
+    """How the messages of one topic are decoded, and who reads them.
+
+    `unfit` counts the messages that are passed over, by the reason.
+    """
 
     decode: Callable[[bytes], Message]
     extractors: Mapping[int, Extractor]
     unreadable: Unreadable
+    unfit: Counter[str]
 
 
 class BagRecording:
@@ -101,7 +109,8 @@ class BagRecording:
         Damage that shows up on the way is reported to `collector`.
         """
         for stored in self._stored(topics, collector):
-            yield stored.connection.topic, stored.at_ns, stored.content
+            if self._misfit(stored) is None:
+                yield stored.connection.topic, stored.at_ns, stored.content
 
     def close(self) -> None:
         """Release the file."""
@@ -140,62 +149,85 @@ class BagRecording:
             _report_missing(extractor, connection, machine, collector)
         decode = store.deserialize_ros1 if connection.encoding == "ros1" else store.deserialize_cdr
         spans = [input_span(machine, reader) for match in matches for reader in match.inputs]
-        unreadable = Unreadable(
-            topic, self.topics[topic].count, self.start_ns, "keeps its last value there", spans
-        )
-        return _Reading(lambda content: decode(content, name), extractors, unreadable)
+        total = self.topics[topic].count
+        unreadable = Unreadable(f"messages on `{topic}`", total, self.start_ns, spans)
+        return _Reading(lambda content: decode(content, name), extractors, unreadable, Counter())
 
     def _read(self, readings: Mapping[str, _Reading], collector: Collector) -> Iterator[Update]:
         for stored in self._stored(readings, collector):
             reading = readings[stored.connection.topic]
+            unfit = self._misfit(stored)
+            if unfit is not None:
+                reading.unfit[unfit] += 1
+                continue
             try:
                 message = reading.decode(stored.content)
-                values = {
-                    channel: extractor.read(message)
-                    for channel, extractor in reading.extractors.items()
-                }
             except DECODE_FAILURES as error:
                 reading.unreadable.note(stored.at_ns, str(error) or type(error).__name__)
+                yield Update(stored.at_ns, dict.fromkeys(reading.extractors, _UNKNOWN))
                 continue
+            extractors = reading.extractors.items()
+            values = {channel: extractor.read(message) for channel, extractor in extractors}
             yield Update(stored.at_ns, values)
-        for reading in readings.values():
+        for topic, reading in readings.items():
             reading.unreadable.report(collector)
+            self._report_unfit(topic, reading, collector)
+
+    def _report_unfit(self, topic: str, reading: _Reading, collector: Collector) -> None:
+        total = self.topics[topic].count
+        for reason, count in sorted(reading.unfit.items()):
+            finding = MessagesPassedOver(topic=topic, count=count, total=total, reason=reason)
+            for span in reading.unreadable.spans:
+                collector.add(finding.at(span))
 
     def _stored(self, topics: Collection[str], collector: Collector) -> Iterator[Stored]:
-        """The messages of the first type of each topic; after damage, those behind it."""
+        """The messages on some topics; after damage, those that come after it."""
         kept = 0
-        last_ns = None
+        latest: list[Stored] = []  # those of the last instant
         try:
             for stored in self._storages[0].messages(topics):
-                last_ns = stored.at_ns
-                if self._is_fit(stored):
-                    kept += 1
-                    yield stored
+                if latest and latest[-1].at_ns != stored.at_ns:
+                    latest.clear()
+                latest.append(stored)
+                kept += 1
+                yield stored
             return
         except READER_FAILURES as error:
             reason = f"reading broke off ({error})"
-        for stored in self._messages_behind(topics, last_ns):
+        for stored in self._messages_after(topics, latest):
             kept += 1
             yield stored
         collector.add(at_file(RecordingDamaged(reason=reason, kept=kept), self.path))
 
-    def _messages_behind(self, topics: Collection[str], last_ns: int | None) -> Iterator[Stored]:
-        """What can be salvaged of the messages from behind an instant on."""
+    def _messages_after(
+        self, topics: Collection[str], latest: Sequence[Stored]
+    ) -> Iterator[Stored]:
+        """What can be salvaged after the messages of one instant, and at it besides them."""
         try:
             salvaged = self._salvage()
         except RecordingError:
             return
         self._storages.append(salvaged)
+        last_ns = latest[-1].at_ns if latest else EARLIEST_NS
+        seen = Counter((stored.connection.topic, bytes(stored.content)) for stored in latest)
         for stored in salvaged.messages(topics):
-            if (last_ns is None or stored.at_ns > last_ns) and self._is_fit(stored):
+            if stored.at_ns < last_ns:
+                continue
+            same = (stored.connection.topic, bytes(stored.content))
+            if stored.at_ns == last_ns and seen[same] > 0:
+                seen[same] -= 1
+            else:
                 yield stored
 
-    def _is_fit(self, stored: Stored) -> bool:
-        first = self._connections[stored.connection.topic][0]
-        return (
-            stored.connection.message_type == first.message_type
-            and EARLIEST_NS < stored.at_ns < LATEST_NS
-        )
+    def _misfit(self, stored: Stored) -> str | None:
+        """Why a message is passed over; None if it is not."""
+        expected = self._connections[stored.connection.topic][0].message_type
+        found = stored.connection.message_type
+        if found != expected:
+            return f"their type is {found}; those that are read are of the type {expected}"
+        if not EARLIEST_NS < stored.at_ns < LATEST_NS:
+            return "their stamps are out of range: no clock runs that long"
+        return None
 
 
 def _by_topic(connections: Sequence[Connection]) -> dict[str, list[Connection]]:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import sqlite3
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 
 from dslkit.diagnostics import Diagnostic
+from rossmarie.ir import EARLIEST_NS, LATEST_NS
 from rossmarie.recordings.bag import BagRecording
+from rossmarie.recordings.clock import find_setbacks
 from rossmarie.recordings.errors import (
     RecordingCorrupt,
     RecordingDamaged,
@@ -21,6 +24,8 @@ from rossmarie.recordings.salvage_bag import salvage_bag
 from rossmarie.recordings.salvage_mcap import salvage_mcap
 from rossmarie.recordings.salvage_sqlite import salvage_sqlite
 from rossmarie.recordings.storage import READER_FAILURES, IntactStorage, SalvageableStorage, Storage
+
+_ARRIVAL_FAILURES: tuple[type[Exception], ...] = (*READER_FAILURES, sqlite3.Error)
 
 
 def open_bag(path: Path, files: Sequence[Path], message_folders: Sequence[Path]) -> BagRecording:
@@ -38,11 +43,31 @@ def open_bag(path: Path, files: Sequence[Path], message_folders: Sequence[Path])
         findings = tuple(
             at_file(RecordingDamaged(reason=reason, kept=kept), path) for reason in losses
         )
-    span = storage.span()
+    span = _span(storage)
     if span is None:
         storage.close()
         raise RecordingError(at_file(RecordingEmpty(reason="it holds no message"), path))
+    findings += _setbacks(storage, path)
     return BagRecording(path, storage, span, salvage, message_folders, findings)
+
+
+def _span(storage: Storage) -> tuple[int, int] | None:
+    """The stamps of the first and the last message at an instant that can be; None if there is
+    none.
+    """
+    span = storage.span()
+    if span is None or (span[0] > EARLIEST_NS and span[1] < LATEST_NS):
+        return span
+    stamps = [at_ns for _, at_ns in storage.arrivals() if EARLIEST_NS < at_ns < LATEST_NS]
+    return (min(stamps), max(stamps)) if stamps else None
+
+
+def _setbacks(storage: Storage, path: Path) -> tuple[Diagnostic, ...]:
+    """What is found out about the clock, as long as the file is not damaged there."""
+    try:
+        return find_setbacks(storage.arrivals(), path)
+    except _ARRIVAL_FAILURES:
+        return ()  # told when its messages are read
 
 
 def _intact(path: Path, files: Sequence[Path]) -> Storage:
@@ -61,20 +86,22 @@ def _salvage(path: Path, files: Sequence[Path]) -> tuple[Storage, list[str]]:
     """What is left of some files, and what is missing. Raises `RecordingError` if it is all."""
     parts: list[SalvageableStorage] = []
     losses = []
-    for file in files:
-        try:
-            part = _SALVAGE[file.suffix](file)
-        except ValueError as error:
-            losses.append(str(error))
-            continue
-        parts.append(part)
-        if part.loss is not None:
-            losses.append(part.loss)
-    merged = MergedStorage(parts)
-    if merged.span() is None:
-        merged.close()
-        reason = losses[0] if losses else "it holds no message"
-        raise RecordingError(at_file(RecordingCorrupt(reason=reason), path))
+    with ExitStack() as opened:
+        for file in files:
+            try:
+                part = _SALVAGE[file.suffix](file)
+            except ValueError as error:
+                losses.append(str(error))
+                continue
+            opened.callback(part.close)
+            parts.append(part)
+            if part.loss is not None:
+                losses.append(part.loss)
+        merged = MergedStorage(parts)
+        if merged.span() is None:
+            reason = losses[0] if losses else "it holds no message"
+            raise RecordingError(at_file(RecordingCorrupt(reason=reason), path))
+        opened.pop_all()  # closed with the recording
     return merged, losses
 
 

@@ -5,9 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from difflib import SequenceMatcher
 
 from rossmarie.ir import Array, Machine, Slot
 from rossmarie.recordings.matching import Match
+
+_COMPARED = 200
+_ALIKE = 0.7
+"""How alike two names are, from 0 to 1, for one to be a slip of the other."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +34,45 @@ class Columns:
 
 def column_keys(names: Sequence[str]) -> Mapping[str, int]:
     """The position of each column but the first; indices in names are written `[0]` or `.0`."""
-    return {re.sub(r"\[(\d+)\]", r".\1", name): i for i, name in enumerate(names) if i > 0}
+    return {_key(name): i for i, name in enumerate(names) if i > 0}
+
+
+def duplicate_column(names: Sequence[str]) -> int | None:
+    """The position of the first column whose name, if it has one, stands there before."""
+    seen: set[str] = set()
+    for position, name in enumerate(names[1:], start=1):
+        if name and _key(name) in seen:
+            return position
+        seen.add(_key(name))
+    return None
+
+
+def expected_column(match: Match, field: Slot | Array, machine: Machine) -> str:
+    """The shortest name that a column of a field may have."""
+    *_, name = _names(match, field, machine)
+    return f"{name}[0]" if isinstance(field, Array) else name
+
+
+def similar_column(
+    match: Match, fields: Sequence[Slot | Array], machine: Machine, unread: Sequence[str]
+) -> tuple[str, str] | None:
+    """The one of some columns that is most likely meant for one of some fields, and the name that
+    it should have; None if none is likely. Upper and lower case make no difference.
+    """
+    alike = [
+        (SequenceMatcher(None, name.lower(), column.lower()).ratio(), field, column)
+        for field in fields
+        for name in _names(match, field, machine)
+        for column in unread[:_COMPARED]
+    ]
+    likeness, field, column = max(alike, key=lambda found: found[0], default=(0.0, None, ""))
+    if field is None or likeness < _ALIKE:
+        return None
+    return column, expected_column(match, field, machine)
+
+
+def _key(name: str) -> str:
+    return re.sub(r"\[(\d+)\]", r".\1", name)
 
 
 def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Columns:

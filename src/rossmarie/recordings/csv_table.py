@@ -15,44 +15,49 @@ ROS stamp.
 from __future__ import annotations
 
 import csv
-import math
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from decimal import Decimal, InvalidOperation
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import EARLIEST_NS, LATEST_NS, ChannelValues, Kind, Machine
-from rossmarie.recordings.csv_columns import Columns, column_keys, match_columns
+from rossmarie.ir import Machine
+from rossmarie.recordings.csv_cells import ChannelReader, Clock, clock, unreadable_cells
+from rossmarie.recordings.csv_columns import (
+    Columns,
+    column_keys,
+    duplicate_column,
+    expected_column,
+    match_columns,
+    similar_column,
+)
 from rossmarie.recordings.errors import (
+    ColumnMissing,
+    ColumnRepeated,
     FieldNotRecorded,
+    NothingToReplay,
+    RecordingCorrupt,
     RecordingEmpty,
     RecordingError,
     RowsSkipped,
     TimeColumnMissing,
     TopicNeverSent,
-    TopicNotRecorded,
     at_file,
 )
 from rossmarie.recordings.matching import (
     Match,
-    Unreadable,
     channel_match,
     check_topic_map,
     field_text,
     input_span,
     kind_text,
     listed,
-    nothing_to_replay,
+    with_reasons,
 )
 from rossmarie.recordings.model import Topic, Update
 
-_SECONDS = ("time", "t", "stamp")
-_NANOSECONDS = "time_ns"
-_STAMP_DIGITS = 15
 _DELIMITERS = ",;\t"
-_FLAGS = {"true": 1.0, "false": 0.0}
+_SHOWN = 200
 
 
 class CsvRecording:
@@ -64,10 +69,13 @@ class CsvRecording:
             header = file.readline()
             first = file.readline()
         self._delimiter = max(_DELIMITERS, key=header.count)
-        names = next(csv.reader([header], delimiter=self._delimiter), [])
-        self._names = [name.strip() for name in names]
-        self._keys = column_keys(self._names)
+        self._names = [name.strip() for name in self._cells_of(header)]
         self._to_ns = self._clock(header, first)
+        self._keys = column_keys(self._names)
+        repeated = duplicate_column(self._names)
+        if repeated is not None:
+            span = self._header_span(header, self._names[repeated])
+            raise RecordingError(ColumnRepeated(column=self._names[repeated]).at(span))
         self._survey()
 
     def updates(
@@ -76,15 +84,17 @@ class CsvRecording:
         """See `Recording.updates`."""
         collector.extend(self.findings)
         check_topic_map(machine, topic_map)
-        readers = []
+        found = []
         for number, channel in enumerate(machine.channels):
             match = channel_match(machine, number, topic_map.get(channel.topic, channel.topic))
-            columns = match_columns(match, self._keys, machine)
-            self._report_missing(match, columns, machine, collector)
-            if columns.used():
-                readers.append(_ChannelReader(match, columns, machine, self))
-        if not readers and machine.channels:
-            raise nothing_to_replay(self.topics, machine, self.path, collector)
+            found.append((match, match_columns(match, self._keys, machine)))
+        read = {column for _, columns in found for column in columns.used()}
+        unread = [name for column, name in enumerate(self._names) if column and column not in read]
+        for match, columns in found:
+            self._report_missing(match, columns, unread, machine, collector)
+        if not read and machine.channels:
+            raise self._nothing_to_replay(machine, collector)
+        readers = [self._reader(*pair, machine) for pair in found if pair[1].used()]
         return self._read(readers, collector)
 
     def close(self) -> None:
@@ -97,31 +107,54 @@ class CsvRecording:
     def __exit__(self, *reason: object) -> None:
         """Nothing is held open."""
 
-    def filled(self, column: int) -> int:
-        """In how many rows a column is filled."""
-        return self._filled[column]
+    def _reader(self, match: Match, columns: Columns, machine: Machine) -> ChannelReader:
+        names = [self._names[column] for column in columns.used()]
+        filled = sum(self._filled[column] for column in columns.used())
+        unreadable = unreadable_cells(match, names, filled, self.start_ns, machine)
+        return ChannelReader(match, columns, machine, self._names, unreadable)
 
     def _report_missing(
-        self, match: Match, columns: Columns, machine: Machine, collector: Collector
+        self,
+        match: Match,
+        columns: Columns,
+        unread: Sequence[str],
+        machine: Machine,
+        collector: Collector,
     ) -> None:
-        reason = f"`{self.path.name}` has no column for it"
-        is_blank = bool(columns.used()) and not any(map(self.filled, columns.used()))
+        """Tell which inputs have no column, or not all; `unread` are the columns to choose from."""
+        is_blank = bool(columns.used()) and not any(self._filled[i] for i in columns.used())
         for reader in match.inputs:
             span = input_span(machine, reader)
             read = match.fields_of(reader)
             missing = [field for field in columns.missing if field.input == reader]
+            wanted = [expected_column(match, field, machine) for field in missing]
             if read and len(missing) == len(read):
-                recorded = listed(self._names[1:])
-                collector.add(TopicNotRecorded(topic=match.topic, recorded=recorded).at(span))
+                near = similar_column(match, missing, machine, unread)
+                advice = near and "did you mean `{}`? then name this column `{}`".format(*near)
+                finding = ColumnMissing(
+                    input=machine.inputs[reader].name,
+                    unread=listed(unread, none="no other column"),
+                    expected=listed(wanted),
+                )
+                collector.add(finding.at(span, help=advice))
                 continue
-            for field in missing:
+            for field, name in zip(missing, wanted, strict=True):
                 text, kind = field_text(field.path), kind_text(field)
-                finding = FieldNotRecorded(topic=match.topic, field=text, kind=kind, reason=reason)
-                collector.add(finding.at(span))
+                reason = f"`{self.path.name}` has no column for it"
+                lost = FieldNotRecorded(topic=match.topic, field=text, kind=kind, reason=reason)
+                collector.add(lost.at(span, help=f"add a column `{name}`"))
             if is_blank:
                 collector.add(TopicNeverSent(topic=match.topic).at(span))
 
-    def _read(self, readers: Sequence[_ChannelReader], collector: Collector) -> Iterator[Update]:
+    def _nothing_to_replay(self, machine: Machine, collector: Collector) -> RecordingError:
+        finding = NothingToReplay(
+            expected="the inputs " + listed(declared.name for declared in machine.inputs),
+            recorded="the columns " + listed(self._names[1:], none="(none)"),
+        )
+        advice = "name the columns after the inputs, or after topics: `/topic.field`"
+        return with_reasons(at_file(finding, self.path), collector, help=advice)
+
+    def _read(self, readers: Sequence[ChannelReader], collector: Collector) -> Iterator[Update]:
         for at_ns, cells in self._rows():
             if at_ns is None:
                 continue
@@ -141,39 +174,52 @@ class CsvRecording:
         with self.path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
             lines = (line.replace("\0", "\N{REPLACEMENT CHARACTER}") for line in file)
             rows = csv.reader(lines, delimiter=self._delimiter, skipinitialspace=True)
-            next(rows)
-            for cells in rows:
-                if cells:
-                    yield (self._to_ns(cells[0]) if len(cells) == width else None), cells
+            try:
+                next(rows)
+                for cells in rows:
+                    if cells:
+                        yield (self._to_ns(cells[0]) if len(cells) == width else None), cells
+            except csv.Error as error:
+                raise self._not_csv(rows.line_num, error) from error
 
-    def _clock(self, header: str, first: str) -> Callable[[str], int | None]:
+    def _cells_of(self, line: str) -> list[str]:
+        try:
+            return next(csv.reader([line], delimiter=self._delimiter), [])
+        except csv.Error as error:
+            raise self._not_csv(1, error) from error
+
+    def _not_csv(self, line: int, error: csv.Error) -> RecordingError:
+        reason = f"line {line}: {error}; is there a quotation mark that is not closed?"
+        return RecordingError(at_file(RecordingCorrupt(reason=reason), self.path))
+
+    def _clock(self, header: str, first: str) -> Clock:
         """The conversion of the first column."""
-        name = self._names[0].lower() if self._names else ""
-        if name == _NANOSECONDS:
-            return lambda cell: _nanoseconds(cell, 1)
-        if name not in _SECONDS:
-            end = len(self._names[0]) if self._names else 0
-            source = SourceFile(str(self.path), header[:200].rstrip("\r\n"))
-            raise RecordingError(TimeColumnMissing().at(Span(source, 0, min(end, 200))))
-        start = first.split(self._delimiter, 1)[0].strip()
-        is_stamp = start.isdigit() and len(start) >= _STAMP_DIGITS
-        scale = 1 if is_stamp else 1_000_000_000
-        return lambda cell: _nanoseconds(cell, scale)
+        name = self._names[0] if self._names else ""
+        found = clock(name, first.split(self._delimiter, 1)[0])
+        if found is None:
+            raise RecordingError(TimeColumnMissing().at(self._header_span(header, name)))
+        return found
+
+    def _header_span(self, header: str, name: str) -> Span:
+        """The last place of a name in the first line, as far as that can be shown."""
+        source = SourceFile(str(self.path), header[:_SHOWN].rstrip("\r\n"))
+        start = max(source.text.rfind(name), 0)
+        return Span(source, start, min(start + len(name), len(source.text)))
 
     def _survey(self) -> None:
         """Count the filled cells of each column, and find the first and the last instant."""
         patterns: Counter[tuple[bool, ...]] = Counter()  # most rows fill the same cells as others
-        start_ns, end_ns = LATEST_NS, EARLIEST_NS
+        instants: list[int] = []  # the first and the last, in the order of the file
         skipped: Counter[str] = Counter()
         for number, (at_ns, cells) in enumerate(self._rows(), start=2):
             if at_ns is None:
                 skipped[self._reason_to_skip(number, cells) if not skipped else ""] += 1
                 continue
-            start_ns, end_ns = min(start_ns, at_ns), max(end_ns, at_ns)
+            instants[1:] = [at_ns]
             patterns[tuple(map(bool, cells))] += 1
-        if start_ns > end_ns:
+        if not instants:
             raise RecordingError(at_file(RecordingEmpty(reason="it has no rows"), self.path))
-        self.start_ns, self.end_ns = start_ns, end_ns
+        self.start_ns, self.end_ns = instants[0], instants[-1]
         self._count_filled(patterns)
         count = skipped.total()
         total = count + patterns.total()
@@ -196,68 +242,6 @@ class CsvRecording:
         if len(cells) != len(self._names):
             return f"row {number} has {len(cells)} cells, the header {len(self._names)}"
         return f"row {number} starts with `{cells[0][:40]}`, which is no instant"
-
-
-def _nanoseconds(cell: str, scale: int) -> int | None:
-    try:
-        exact = Decimal(cell.strip()) * scale
-        instant = int(exact) if exact.is_finite() and exact.adjusted() < 20 else LATEST_NS
-    except InvalidOperation:
-        return None
-    return instant if EARLIEST_NS < instant < LATEST_NS else None
-
-
-# --- cells -----------------------------------------------------------------------------------
-
-
-class _ChannelReader:
-    """Reads the cells of one channel."""
-
-    def __init__(
-        self, match: Match, columns: Columns, machine: Machine, recording: CsvRecording
-    ) -> None:
-        self.channel = match.channel
-        spans = [input_span(machine, reader) for reader in match.inputs]
-        self._used = columns.used()
-        filled = sum(recording.filled(column) for column in self._used)
-        self.unreadable = Unreadable(
-            match.topic, filled, recording.start_ns, "is unknown there", spans
-        )
-        kinds = {index: match.slots[index].kind for index in columns.slots}
-        self._numbers = {i: c for i, c in columns.slots.items() if kinds[i] is not Kind.TEXT}
-        self._texts = {i: c for i, c in columns.slots.items() if kinds[i] is Kind.TEXT}
-        self._arrays = columns.arrays
-        self._text_numbers = {text: float(number) for number, text in enumerate(machine.texts)}
-
-    def read(self, at_ns: int, cells: Sequence[str]) -> ChannelValues | None:
-        """What a row says; None if all cells of this channel are blank."""
-        if not any(cells[column] for column in self._used):
-            return None
-        try:
-            slots = {index: float(cells[column]) for index, column in self._numbers.items()}
-        except ValueError:
-            slots = {i: self._number(at_ns, cells[column]) for i, column in self._numbers.items()}
-        for index, column in self._texts.items():
-            text = cells[column].strip()
-            slots[index] = self._text_numbers.get(text, -1.0) if text else math.nan
-        return ChannelValues(slots, self._elements(at_ns, cells))
-
-    def _elements(self, at_ns: int, cells: Sequence[str]) -> dict[int, list[float]]:
-        """The elements of each array, up to the last one that is filled."""
-        arrays = {}
-        for index, columns in self._arrays.items():
-            length = max((i + 1 for i, column in enumerate(columns) if cells[column]), default=0)
-            arrays[index] = [self._number(at_ns, cells[column]) for column in columns[:length]]
-        return arrays
-
-    def _number(self, at_ns: int, cell: str) -> float:
-        try:
-            return float(cell)
-        except ValueError:
-            text = cell.strip()
-            if text and text.lower() not in _FLAGS:
-                self.unreadable.note(at_ns, f"`{text[:40]}` is not a number")
-            return _FLAGS.get(text.lower(), math.nan)
 
 
 def _topic_of(name: str) -> str:

@@ -65,7 +65,7 @@ def typestore_for(connection: Connection, message_folders: Sequence[Path]) -> Ty
         own = own or _types_in_folders(name, message_folders)
         if own:
             return _store_of(own, connection.encoding)
-    except (TypesysError, ValueError, AssertionError) as error:
+    except (TypesysError, ValueError, AssertionError, OSError) as error:
         reason = f"its definition cannot be understood ({_first_line(error)})"
     for standard in _STANDARD[connection.encoding]:
         if name in _store(standard).fielddefs:

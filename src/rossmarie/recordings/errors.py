@@ -41,8 +41,11 @@ class TopicNotRecorded(Warning, code="ROSS601", name="topic-not-recorded"):
     title = "`{topic}` is not in the recording"
     label = "stays unknown in this replay"
     note = "the recording holds {recorded}"
-    help = "replay a recording of this topic, or name the recorded one: `--topic-map {topic}=NAME`"
+    help = (
+        "replay a recording of this topic, or name the recorded one: `--topic-map {read_as}=NAME`"
+    )
     topic: str
+    read_as: str
     recorded: str
 
 
@@ -84,18 +87,17 @@ class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
 
 @dataclass(frozen=True, kw_only=True)
 class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
-    """Messages of a topic that do not match their definition."""
+    """Messages of a topic, or cells of a CSV file, that are not what they should be."""
 
-    title = "{count} of {total} values on `{topic}` cannot be read"
-    label = "{effect}"
+    title = "{count} of {total} {what} cannot be read"
+    label = "is unknown there"
     note = "the first one, {seconds:.3f} s into the recording: {reason}"
     help = "check the recording, and that its type definitions are those it was recorded with"
-    topic: str
+    what: str
     count: int
     total: int
     seconds: float
     reason: str
-    effect: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -108,6 +110,20 @@ class DefinitionMissing(Warning, code="ROSS606", name="definition-missing"):
     help = "name the folder that holds {type_name} as a .msg file: `--messages DIR`"
     type_name: str
     topic: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MessagesPassedOver(Warning, code="ROSS608", name="messages-passed-over"):
+    """Messages of a topic that are not for the rules, or at no instant that can be."""
+
+    title = "{count} of {total} messages on `{topic}` are passed over"
+    label = "does not see them"
+    note = "{reason}"
+    help = "check what else was sent on `{topic}` while this was recorded"
+    topic: str
+    count: int
+    total: int
     reason: str
 
 
@@ -206,6 +222,21 @@ class RecordingUntyped(Error, code="ROSS617", name="recording-untyped"):
     help = "write the system model from a .bag, .db3 or .mcap, or by hand"
 
 
+@dataclass(frozen=True, kw_only=True)
+class ClockSetBack(Warning, code="ROSS618", name="clock-set-back"):
+    """A recording whose stamps go back, in the order in which its messages were stored."""
+
+    title = "the stamps go back {often}, by up to {length}"
+    label = "the clock was set back while this was recorded"
+    note = (
+        "messages are replayed in the order of their stamps, so that those from before and after "
+        "are mixed: verdicts around there are not those of the robot"
+    )
+    help = "record again, or replay the parts before and after one by one"
+    often: str
+    length: str
+
+
 # --- CSV -------------------------------------------------------------------------------------
 
 
@@ -230,6 +261,29 @@ class RowsSkipped(Warning, code="ROSS621", name="rows-skipped"):
     reason: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class ColumnRepeated(Error, code="ROSS622", name="column-repeated"):
+    """Two columns of one name."""
+
+    title = "there are two columns `{column}`"
+    label = "this name stands there before"
+    help = "give each column a name of its own, or remove one of them"
+    column: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ColumnMissing(Warning, code="ROSS623", name="column-missing"):
+    """An input that no column of a CSV file is named after."""
+
+    title = "no column is named after the input `{input}`"
+    label = "stays unknown in this replay"
+    note = "columns that no input reads: {unread}"
+    help = "add {expected}, or rename the column that holds it"
+    input: str
+    unread: str
+    expected: str
+
+
 ALL: tuple[type[Template], ...] = (
     TopicNotRecorded,
     TopicOfAnotherType,
@@ -237,6 +291,7 @@ ALL: tuple[type[Template], ...] = (
     FieldNotRecorded,
     MessagesUnreadable,
     DefinitionMissing,
+    MessagesPassedOver,
     TopicMapUnused,
     RecordingNotFound,
     RecordingUnreadable,
@@ -246,6 +301,9 @@ ALL: tuple[type[Template], ...] = (
     RecordingDamaged,
     NothingToReplay,
     RecordingUntyped,
+    ClockSetBack,
     TimeColumnMissing,
     RowsSkipped,
+    ColumnRepeated,
+    ColumnMissing,
 )

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from dslkit.diagnostics import Collector, Template
+from dslkit.diagnostics import Collector, Diagnostic, Template
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import Array, Kind, Machine, Slot
+from rossmarie.ir import Array, Channel, Kind, Machine, Slot
 from rossmarie.recordings.errors import (
     MessagesUnreadable,
     NothingToReplay,
@@ -43,13 +43,16 @@ class Match:
 
 @dataclass
 class Unreadable:
-    """Counts what cannot be read of one topic, and remembers the first case."""
+    """Counts what cannot be read of one topic, and remembers the first case.
 
-    topic: str
+    `what` is counted, such as "messages on `/odom`"; `advice` replaces the usual help.
+    """
+
+    what: str
     total: int
     start_ns: int
-    effect: str
     spans: Sequence[Span]
+    advice: str | None = None
     count: int = 0
     first: tuple[int, str] | None = None
 
@@ -64,15 +67,14 @@ class Unreadable:
             return
         at_ns, reason = self.first
         finding = MessagesUnreadable(
-            topic=self.topic,
+            what=self.what,
             count=self.count,
             total=self.total,
             seconds=(at_ns - self.start_ns) / 1e9,
             reason=reason,
-            effect=self.effect,
         )
         for span in self.spans:
-            collector.add(finding.at(span))
+            collector.add(finding.at(span, help=self.advice))
 
 
 def channel_match(machine: Machine, channel: int, topic: str) -> Match:
@@ -98,7 +100,7 @@ def match_topics(
     matches = []
     for number, channel in enumerate(machine.channels):
         match = channel_match(machine, number, topic_map.get(channel.topic, channel.topic))
-        finding, advice = _trouble(topics, match.topic, channel.message_type)
+        finding, advice = _trouble(topics, channel, match.topic)
         if finding is None:
             matches.append(match)
         else:
@@ -115,8 +117,16 @@ def nothing_to_replay(
     """That no channel of a machine can be read, and what has been found out about each."""
     expected = listed(channel.topic for channel in machine.channels)
     finding = at_file(NothingToReplay(expected=expected, recorded=listed(topics)), path)
-    reasons = {f"{found.title}; {found.help}" for found in collector.sorted()}
-    return RecordingError(replace(finding, notes=(*finding.notes, *sorted(reasons))))
+    return with_reasons(finding, collector)
+
+
+def with_reasons(
+    finding: Diagnostic, collector: Collector, help: str | None = None
+) -> RecordingError:
+    """A finding that ends the reading, with all that has been found out before as its notes."""
+    reasons = sorted({f"{found.title}; {found.help}" for found in collector.sorted()})
+    notes = (*finding.notes, *reasons)
+    return RecordingError(replace(finding, notes=notes, help=help or finding.help))
 
 
 def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
@@ -132,17 +142,23 @@ def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
 
 
 def _trouble(
-    topics: Mapping[str, Topic], name: str, message_type: str
+    topics: Mapping[str, Topic], channel: Channel, name: str
 ) -> tuple[Template | None, str | None]:
-    """What keeps a topic from being read, with a better help than the usual one if there is."""
+    """What keeps a channel from reading the recorded topic `name`, with a better help than the
+    usual one if there is.
+    """
+    wanted = channel.message_type
     topic = topics.get(name)
     if topic is None:
-        finding = TopicNotRecorded(topic=name, recorded=listed(topics))
-        near = _alternative(topics, name, message_type)
-        return finding, near and f"did you mean `{near}`? then add `--topic-map {name}={near}`"
-    if topic.message_type not in (None, message_type):
+        finding = TopicNotRecorded(topic=name, read_as=channel.topic, recorded=listed(topics))
+        near = _alternative(topics, name, wanted)
+        return (
+            finding,
+            near and f"did you mean `{near}`? then say `--topic-map {channel.topic}={near}`",
+        )
+    if topic.message_type not in (None, wanted):
         recorded = topic.message_type or "?"
-        return TopicOfAnotherType(topic=name, recorded=recorded, expected=message_type), None
+        return TopicOfAnotherType(topic=name, recorded=recorded, expected=wanted), None
     return (TopicNeverSent(topic=name), None) if topic.count == 0 else (None, None)
 
 
@@ -174,9 +190,9 @@ def kind_text(wanted: Slot | Array) -> str:
     return "a text" if wanted.kind is Kind.TEXT else "a number"
 
 
-def listed(names: Iterable[str]) -> str:
-    """Names for a sentence, cut short if there are many."""
+def listed(names: Iterable[str], none: str = "no topic") -> str:
+    """Names for a sentence, cut short if there are many; `none` if there is none."""
     found = sorted(names)
     shown = ", ".join(f"`{name}`" for name in found[:_LISTED])
     more = len(found) - _LISTED
-    return f"{shown} and {more} more" if more > 0 else shown or "no topic"
+    return f"{shown} and {more} more" if more > 0 else shown or none

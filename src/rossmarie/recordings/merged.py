@@ -5,6 +5,7 @@ from __future__ import annotations
 import heapq
 from collections.abc import Collection, Iterator, Sequence
 
+from rossmarie.recordings.clock import Arrival
 from rossmarie.recordings.storage import Storage, Stored
 
 
@@ -26,6 +27,11 @@ class MergedStorage:
         """The messages on some topics."""
         streams = [part.messages(topics) for part in self._parts]
         return heapq.merge(*streams, key=lambda stored: stored.at_ns)
+
+    def arrivals(self) -> Iterator[Arrival]:
+        """All messages, in the order in which they were stored."""
+        for part in self._parts:
+            yield from part.arrivals()
 
     def close(self) -> None:
         """Release the files."""

@@ -47,11 +47,11 @@ class Recording(Protocol):
 
     @property
     def start_ns(self) -> int:
-        """The first instant."""
+        """The instant of the first message, or of the first row of a CSV file."""
 
     @property
     def end_ns(self) -> int:
-        """The last instant."""
+        """The instant of the last message, or row: before `start_ns` if a CSV file goes back."""
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
@@ -60,7 +60,8 @@ class Recording(Protocol):
     def updates(
         self, machine: Machine, collector: Collector, topic_map: Mapping[str, str]
     ) -> Iterator[Update]:
-        """What the recording says to a machine, in the order of time.
+        """What the recording says to a machine: messages in the order of their stamps, rows of a
+        CSV file in the order of the file.
 
         `topic_map` leads from topics of the rules to recorded ones. What does not fit is reported
         to `collector` at the call, what cannot be read when the iteration ends. Raises

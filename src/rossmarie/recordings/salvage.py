@@ -14,6 +14,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
+from rossmarie.recordings.clock import Arrival
 from rossmarie.recordings.compression import decompress_prefix
 from rossmarie.recordings.storage import Connection, Stored
 
@@ -68,7 +69,11 @@ class SalvagedStorage:
     def __init__(self, path: Path, scan_file: Callable[[mmap.mmap], Scan]) -> None:
         with path.open("rb") as file:
             self._file = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-        scan = scan_file(self._file)
+        try:
+            scan = scan_file(self._file)
+        except BaseException:
+            self._file.close()
+            raise
         counts = Counter(place.connection for place in scan.places)
         self._by_id = {
             number: replace(connection, count=counts[number])
@@ -77,8 +82,8 @@ class SalvagedStorage:
         self.connections = list(self._by_id.values())
         self.loss = scan.loss
         self._chunks = scan.chunks
-        known = (place for place in scan.places if place.connection in self._by_id)
-        self._places = sorted(known, key=lambda place: place.at_ns)
+        self._stored = [place for place in scan.places if place.connection in self._by_id]
+        self._places = sorted(self._stored, key=lambda place: place.at_ns)
         # Chunks follow each other in time and overlap a little: few are needed at once.
         self._content = lru_cache(maxsize=4)(self._decompress)
 
@@ -93,6 +98,11 @@ class SalvagedStorage:
             if connection.topic in topics:
                 source = self._file if chunk == OUTSIDE else self._content(chunk)
                 yield Stored(connection, at_ns, source[start:end])
+
+    def arrivals(self) -> Iterator[Arrival]:
+        """All messages, in the order in which they were stored."""
+        for place in self._stored:
+            yield self._by_id[place.connection].topic, place.at_ns
 
     def close(self) -> None:
         """Release the file."""

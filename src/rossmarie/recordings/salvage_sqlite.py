@@ -13,6 +13,7 @@ from pathlib import Path
 
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
+from rossmarie.recordings.clock import Arrival
 from rossmarie.recordings.storage import Connection, Stored, plain_type
 
 _FORMATS = {"ros2msg": MessageDefinitionFormat.MSG, "ros2idl": MessageDefinitionFormat.IDL}
@@ -29,7 +30,10 @@ class SalvagedRows:
 
     def __init__(self, path: Path) -> None:
         uri = f"{path.absolute().as_uri()}?mode=ro&immutable=1"
-        self._database = sqlite3.connect(uri, uri=True)
+        try:
+            self._database = sqlite3.connect(uri, uri=True)
+        except sqlite3.Error as error:
+            raise ValueError(f"its database cannot be opened ({error})") from error
         try:
             # Without this, SQLite refuses a file that is shorter than it says itself.
             self._database.execute("PRAGMA writable_schema = ON")
@@ -48,7 +52,7 @@ class SalvagedRows:
         }
         self.connections = list(self._by_id.values())
         known = ((at_ns, row, topic) for row, (at_ns, topic) in rows.items() if topic in found)
-        self._rows = sorted(known)
+        self._rows = sorted(known)  # by their stamps
 
     def span(self) -> tuple[int, int] | None:
         """The stamps of the first and the last message; None if there is none."""
@@ -62,6 +66,11 @@ class SalvagedRows:
                 content = self._content(row)
                 if content is not None:
                     yield Stored(connection, at_ns, content)
+
+    def arrivals(self) -> Iterator[Arrival]:
+        """All messages, in the order in which they were stored."""
+        for at_ns, _, topic in sorted(self._rows, key=lambda row: row[1]):
+            yield self._by_id[topic].topic, at_ns
 
     def close(self) -> None:
         """Release the file."""

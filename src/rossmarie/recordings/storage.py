@@ -16,7 +16,10 @@ import apsw
 from rosbags import rosbag1, rosbag2
 from rosbags.interfaces import Connection as RosbagsConnection
 from rosbags.interfaces import ConnectionExtRosbag2, MessageDefinition
+from rosbags.rosbag2.storage_mcap import McapReader
+from rosbags.rosbag2.storage_sqlite3 import Sqlite3Reader
 
+from rossmarie.recordings.clock import Arrival, indexed_in_order, rows_in_order
 from rossmarie.recordings.compression import DECOMPRESSION_FAILURES
 
 READER_FAILURES: tuple[type[Exception], ...] = (
@@ -76,6 +79,9 @@ class Storage(Protocol):
     def messages(self, topics: Collection[str]) -> Iterator[Stored]:
         """The messages on some topics."""
 
+    def arrivals(self) -> Iterator[Arrival]:
+        """All messages, in the order in which they were stored."""
+
     def close(self) -> None:
         """Release the file."""
 
@@ -103,8 +109,12 @@ class IntactStorage:
         is_ros1 = path.suffix == ".bag" and path.is_file()
         self._reader = rosbag1.Reader(path) if is_ros1 else rosbag2.Reader(path)
         self._reader.open()
-        self._opened = list(self._reader.connections)
-        self.connections = [_connection(opened) for opened in self._opened]
+        try:
+            self._opened = list(self._reader.connections)
+            self.connections = [_connection(opened) for opened in self._opened]
+        except BaseException:
+            self._reader.close()
+            raise
 
     def span(self) -> tuple[int, int] | None:
         """The stamps of the first and the last message; None if there is none."""
@@ -120,6 +130,25 @@ class IntactStorage:
         ours = {opened.id: _connection(opened) for opened in chosen}
         for opened, at_ns, content in self._reader.messages(chosen):
             yield Stored(ours[opened.id], at_ns, content)
+
+    def arrivals(self) -> Iterator[Arrival]:
+        """All messages, in the order in which they were stored."""
+        if isinstance(self._reader, rosbag1.Reader):
+            topics = {opened.id: opened.topic for opened in self._opened}
+            entries = (
+                (entry.chunk_pos, entry.offset, topics[number], entry.time)
+                for number, found in self._reader.indexes.items()
+                for entry in found
+            )
+            yield from ((topic, at_ns) for _, _, topic, at_ns in sorted(entries))
+            return
+        storage = self._reader.storage
+        for part in getattr(storage, "storages", [storage]):
+            if isinstance(part, Sqlite3Reader):
+                yield from rows_in_order(Path(str(part.path)))
+            elif isinstance(part, McapReader):
+                topics = {opened.id: opened.topic for opened in part.connections}
+                yield from indexed_in_order(Path(str(part.path)), topics)
 
     def close(self) -> None:
         """Release the file."""

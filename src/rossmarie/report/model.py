@@ -50,8 +50,9 @@ class Plot:
 class Replay:
     """A rules file run over a recording.
 
-    `start_ns` and `end_ns` are the stamps of the first and last message, `monitor` is `native` or
-    `interpreter`, `notes` are the findings about the recording, one sentence each.
+    `start_ns` and `end_ns` are the stamps of the first and last message (not the least and the
+    greatest: stamps may run backwards), `monitor` is `native` or `interpreter`, `notes` are the
+    findings about the recording, one sentence each.
     """
 
     machine: Machine

@@ -1,7 +1,7 @@
 """A replay -> the data of the timeline page, as JSON that its scripts read.
 
 Everything is bounded, so that the page of a long or noisy recording stays small: signals by
-`_SAMPLES`, causes by `_DETAILED`. Instants are seconds on the axis of the replay.
+`_SAMPLES`, causes by `MOST_DETAILED`. Instants are seconds on the axis of the replay.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from rossmarie.report.spans import ActiveSpan, active_spans
 _SAMPLES = 120_000
 """Samples in a page, shared evenly among its plots: at 11 bytes each, 1.3 MB."""
 
-_DETAILED = 1_000
+MOST_DETAILED = 1_000
 """Verdicts whose cause a page holds; the others are drawn without."""
 
 _TICKS = 2**32 - 1
@@ -84,7 +84,7 @@ def _changes(replay: Replay, placed: list[PlacedEvent]) -> tuple[list[_Data], di
     changes: list[_Data] = []
     places: dict[int, int] = {}
     for index, item in enumerate(placed):
-        if isinstance(item.event, Verdict) and len(changes) < _DETAILED:
+        if isinstance(item.event, Verdict) and len(changes) < MOST_DETAILED:
             places[index] = len(changes)
             changes.append(_change(replay, item.event, item))
     return changes, places

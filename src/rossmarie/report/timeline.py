@@ -13,8 +13,9 @@ from pathlib import PurePath
 import jinja2
 from markupsafe import Markup
 
+from rossmarie.ir import Verdict
 from rossmarie.report.model import Replay
-from rossmarie.report.page import page_data
+from rossmarie.report.page import MOST_DETAILED, page_data
 from rossmarie.report.spans import summarize
 from rossmarie.report.wording import format_length, format_position
 
@@ -44,8 +45,17 @@ def render_timeline(replay: Replay) -> str:
         percent=lambda length_ns: _percent(length_ns, replay.duration_ns),
         style=Markup(_asset("timeline.css")),
         script=Markup("\n".join(_asset(name) for name in _SCRIPTS)),
+        listed=_listed(replay),
         data=Markup(page_data(replay)),
     )
+
+
+def _listed(replay: Replay) -> str:
+    """What the list of changes is: the page does not hold more than the first ones."""
+    count = sum(isinstance(event, Verdict) for event in replay.events)
+    if count <= MOST_DETAILED:
+        return "Every change, in order"
+    return f"The first {MOST_DETAILED} of {count} changes, in order; all are in the verdicts file"
 
 
 def _asset(name: str) -> str:

@@ -13,23 +13,8 @@ from dslkit.diagnostics import Diagnostic, Edit, Fix, Label
 from dslkit.source import Span
 from rossmarie.syntax import ast, errors
 from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.words import FOREIGN
 
-_SPELLINGS = {
-    "&&": "and",
-    "&": "and",
-    "||": "or",
-    "|": "or",
-    "!": "not",
-    "=": "==",
-    "===": "==",
-    "!==": "!=",
-    "<>": "!=",
-    "≠": "!=",
-    "=<": "<=",
-    "≤": "<=",
-    "=>": ">=",
-    "≥": ">=",
-}
 _MOST_DIGITS = 9  # of an index; no message field has more elements
 _LONGEST_ADVICE = 80
 
@@ -45,7 +30,7 @@ class _Trailer(NamedTuple):
     """`.name`, `.name(...)` or `[0]` behind a value; the last part tells which."""
 
     name: ast.Name | None
-    arguments: tuple[ast.Expression, ...] | None
+    arguments: tuple[ast.Expression | _Part, ...] | None
     position: int | None
     span: Span
 
@@ -146,7 +131,7 @@ class ExpressionBuilder:
             elif trailer.arguments is None:
                 value = ast.Member(value, trailer.name, span)
             else:
-                value = ast.Call(trailer.name, (value, *trailer.arguments), True, span)
+                value = self._called(trailer.name, [value, *trailer.arguments], True, span)
         return value
 
     def member(self, parts: list[Any]) -> _Trailer:
@@ -155,7 +140,7 @@ class ExpressionBuilder:
 
     def method(self, parts: list[Any]) -> _Trailer:
         """`.name(arguments)`."""
-        arguments = tuple(self._plain(part) for part in _arguments(parts[3:-1]))
+        arguments = tuple(_arguments(parts[3:-1]))
         return _Trailer(self.name(parts[1]), arguments, None, self._span(parts))
 
     def index(self, parts: list[Any]) -> _Trailer:
@@ -175,12 +160,15 @@ class ExpressionBuilder:
 
     def call(self, parts: list[Any]) -> ast.Expression:
         """`name(arguments)`; `oscillates` has its own shape."""
-        span = self._span(parts)
-        arguments = _arguments(parts[2:-1])
-        if parts[0].text == "oscillates":
-            return self._oscillates(self._at(parts[0]), arguments, span)
+        return self._called(self.name(parts[0]), _arguments(parts[2:-1]), False, self._span(parts))
+
+    def _called(
+        self, name: ast.Name, arguments: list[Any], is_method: bool, span: Span
+    ) -> ast.Expression:
+        if name.text == "oscillates":
+            return self._oscillates(name.span, arguments, span)
         plain = tuple(self._plain(argument) for argument in arguments)
-        return ast.Call(self.name(parts[0]), plain, False, span)
+        return ast.Call(name, plain, is_method, span)
 
     def _oscillates(self, name: Span, arguments: list[Any], span: Span) -> ast.Expression:
         shape = [part.word if isinstance(part, _Part) else "" for part in arguments]
@@ -257,7 +245,7 @@ class ExpressionBuilder:
 
     def _spelling(self, text: str, span: Span) -> str:
         """The operator as this language writes it; another spelling is reported."""
-        meant = _SPELLINGS.get(text)
+        meant = FOREIGN.get(text)
         if meant is None:
             return text
         reason = "this is how other languages write it"
@@ -284,7 +272,7 @@ class ExpressionBuilder:
 
 def _is_monotonic(signs: list[Token | _Comparator]) -> bool:
     """Whether all comparisons of a chain say the same: less, or greater, or equal."""
-    meant = {_SPELLINGS.get(sign.text, sign.text) for sign in signs}
+    meant = {FOREIGN.get(sign.text, sign.text) for sign in signs}
     return meant <= {"<", "<="} or meant <= {">", ">="} or meant == {"=="}
 
 

@@ -6,17 +6,25 @@ begins an item stands first on its line, however many braces are open.
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from rossmarie.syntax.limits import ends_value
 from rossmarie.syntax.scan import Scan, Token
-from rossmarie.syntax.words import ITEM_WORDS, MEANT, MEMBER_WORDS, OPERATOR_WORDS, RESERVED
+from rossmarie.syntax.words import (
+    ITEM_WORDS,
+    MEANT,
+    MEMBER_WORDS,
+    OPERATOR_WORDS,
+    RESERVED,
+    nearest,
+)
 
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset({"when", "until", "timeout", "then", "clear", "latched"})
-_NOT_NAMED = OPERATOR_WORDS | _CONTINUATIONS | ITEM_WORDS.keys()
+# Words that do not make a declaration of the unknown word in front of them, as `imu` does in
+# `entitty imu`: behind a name they carry on, or begin, something else.
+_NEVER_DECLARED = OPERATOR_WORDS | _CONTINUATIONS | ITEM_WORDS.keys()
 
 
 class Piece(NamedTuple):
@@ -134,7 +142,7 @@ class _Cutter:
         token = self._tokens[index]
         if token.kind != "word":
             return token.kind == "text"
-        return token.text not in _NOT_NAMED
+        return token.text not in _NEVER_DECLARED
 
     def _meant(self, index: int) -> str | None:
         """The word that begins an item and is nearest to this one."""
@@ -143,8 +151,7 @@ class _Cutter:
             return None
         if token.text in MEANT:
             return MEANT[token.text]
-        near = difflib.get_close_matches(token.text.lower(), ITEM_WORDS, n=1, cutoff=0.7)
-        return near[0] if near else None
+        return nearest(token.text.lower(), ITEM_WORDS)
 
     def _ends_item(self, index: int) -> bool:
         token = self._tokens[index]

@@ -286,6 +286,29 @@ class BlockComment(Error, code="ROSS025", name="block-comment"):
     help = "begin each of its lines with `//`"
 
 
+@dataclass(frozen=True, kw_only=True)
+class HiddenCharacter(Error, code="ROSS026", name="hidden-character"):
+    """A character that makes a text look other than it is read."""
+
+    title = "{character} hides what the file says"
+    label = "{reason}"
+    note = "what a reviewer sees has to be what the monitor does (CVE-2021-42574)"
+    help = "{advice}"
+    character: str
+    reason: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ForeignForm(Error, code="ROSS027", name="foreign-form"):
+    """Something that is written differently here, out of habit or from another language."""
+
+    title = "`{found}` is not written like this here"
+    label = "{problem}"
+    found: str
+    problem: str
+
+
 ALL: tuple[type[Template], ...] = (
     FileTooLarge,
     UnexpectedCharacter,
@@ -312,4 +335,6 @@ ALL: tuple[type[Template], ...] = (
     MalformedNumber,
     KeywordInCapitals,
     BlockComment,
+    HiddenCharacter,
+    ForeignForm,
 )

@@ -6,7 +6,8 @@ finding, the most specific that fits; for unclosed texts one each.
 
 from __future__ import annotations
 
-import difflib
+import dataclasses
+import re
 import unicodedata
 from collections.abc import Sequence
 
@@ -15,11 +16,12 @@ from dslkit.source import Span
 from rossmarie.syntax import errors
 from rossmarie.syntax.grammar import Failure
 from rossmarie.syntax.scan import Scan, Token
-from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, PART_WORDS, RESERVED
+from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, PART_WORDS, RESERVED, nearest
 
 _PARTNER = {"(": ")", "[": "]", "{": "}", ")": "(", "]": "[", "}": "{"}
 _SIGNS = frozenset("{}()[]:;,.=<>!+-*/&|%°^≤≥≠")
 _VALUE = "$NUMBER"
+_THEN = re.compile(r"\s+then\s*\{")
 _ADVICE = {
     "#": "write comments as `// ...`",
     "'": 'write texts in double quotes, `"..."`',
@@ -35,6 +37,8 @@ def explain(
 ) -> tuple[Diagnostic, ...]:
     """The findings for the tokens from `first` up to, not including, `last`, meant as `kind`."""
     tokens = source.tokens[first:last]
+    if any(token.start in source.reported for token in tokens):
+        return ()
     unclosed = [token for token in tokens if token.kind == "open_text"]
     if unclosed:
         return tuple(unterminated_text(source, token) for token in unclosed)
@@ -43,10 +47,18 @@ def explain(
 
 
 def unterminated_text(source: Scan, token: Token) -> Diagnostic:
-    """A text without closing quotation mark; the fix closes it in front of a final `;`."""
+    """A text without closing quotation mark; the fix closes it in front of `then {` or a final
+    `;`.
+    """
+    text = source.file.text
+    if '\\"' in text[text.rfind("\n", 0, token.start) + 1 : token.start]:
+        advice = "there are no escapes: a string cannot contain a quotation mark"
+        return errors.UnterminatedText().at(source.span(token), help=advice)
     content = token.text.rstrip()
+    then = _THEN.search(content)
     ends = content.endswith(";") and len(content) > 1
-    place = Span(source.file, token.start + len(content) - ends, token.start + len(content) - ends)
+    at = token.start + (then.start() if then else len(content) - ends)
+    place = Span(source.file, at, at)
     fix = Fix('insert `"`', (Edit(place, '"'),))
     return errors.UnterminatedText().at(source.span(token), fix=fix)
 
@@ -101,7 +113,7 @@ def is_name(token: Token) -> bool:
 
 def is_part_word(token: Token) -> bool:
     """Whether a token is, or looks like, a word that carries on an item."""
-    return bool(difflib.get_close_matches(token.text, PART_WORDS, n=1, cutoff=0.7))
+    return nearest(token.text, PART_WORDS) is not None
 
 
 def unexpected_character(source: Scan, token: Token) -> Diagnostic:
@@ -122,6 +134,14 @@ def unexpected_character(source: Scan, token: Token) -> Diagnostic:
     start = token.start + offset
     finding = errors.UnexpectedCharacter(character=_describe(letter), advice=advice)
     return finding.at(Span(source.file, start, start + 1))
+
+
+def hash_comment(source: Scan, token: Token) -> Diagnostic:
+    """A comment `# ...`."""
+    sign = Token("sign", "#", token.start, token.start + 1)
+    finding = unexpected_character(source, sign)
+    fix = Fix("begin it with `//`", (Edit(source.span(sign), "//"),))
+    return dataclasses.replace(finding, fix=fix)
 
 
 def is_foreign(token: Token) -> bool:

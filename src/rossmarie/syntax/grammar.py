@@ -16,7 +16,7 @@ from typing import Any
 from lark import Lark, Transformer, UnexpectedInput
 
 from rossmarie.syntax.scan import Scan, Token
-from rossmarie.syntax.words import RESERVED
+from rossmarie.syntax.words import COMPARISONS, FOREIGN, OPERATOR_WORDS, RESERVED
 
 START_RULES = (
     "import_item",
@@ -40,10 +40,8 @@ _CLASSES = {
     "$TYPE_NAME": re.compile(r"[A-Za-z][A-Za-z0-9_]*/(?:msg/)?[A-Za-z][A-Za-z0-9_]*"),
     "$TOPIC_NAME": re.compile(r"/[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z0-9_]+)*"),
 }
-_COMPARISONS = frozenset(
-    ("==", "!=", "<", "<=", ">", ">=", "=", "===", "!==", "<>", "=<", "=>", "≤", "≥", "≠")
-)
-_ALIASES = {"&&": "and", "&": "and", "||": "or", "|": "or", "!": "not"}
+_COMPARISONS = COMPARISONS | {sign for sign, meant in FOREIGN.items() if meant in COMPARISONS}
+_LOGIC = {sign: meant for sign, meant in FOREIGN.items() if meant in OPERATOR_WORDS}
 
 
 @dataclass(frozen=True)
@@ -162,7 +160,7 @@ class Recognizer:
             return self._join("$TOPIC_NAME", index)
         if text in "%°" and "$UNIT_NAME" in fitting:
             return self._join("$UNIT_NAME", index)
-        return _ALIASES.get(text, text), token, index + 1
+        return _LOGIC.get(text, text), token, index + 1
 
     def _classify_word(
         self, index: int, token: Token, fitting: Collection[str]

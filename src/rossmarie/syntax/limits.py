@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rossmarie.syntax.scan import Token
-from rossmarie.syntax.words import OPERATOR_WORDS
+from rossmarie.syntax.words import FOREIGN, OPERATOR_WORDS
 
 MAXIMUM_FILE_SIZE = 2**20
 """Bytes of UTF-8 in one file."""
@@ -46,7 +46,7 @@ def too_deep(tokens: Sequence[Token], first: int, last: int) -> int | None:
         elif text in _CLOSING:
             level -= levels.pop() if levels else 0
             prefixes = 0
-        elif text in ("not", "!") or (text == "-" and is_prefix(tokens, index, first)):
+        elif FOREIGN.get(text, text) == "not" or (text == "-" and is_prefix(tokens, index, first)):
             prefixes += 1
         else:
             prefixes = 0

@@ -3,6 +3,11 @@
 Accepts any text. Each item, and inside a broken item each part, is parsed by itself: a mistake
 costs no more than the condition it stands in. Time is linear in the length of the text; nesting,
 length and the number of findings are bounded by `limits`.
+
+What does not parse is tried in this order: `respell` corrects capitals and numbers in the whole
+file; if the file still does not parse, `habits` mends what is written as in other languages; `cut`
+separates the items and `grammar` parses each; of an item that fails, `recover` and `recover_rule`
+parse the parts, and `explain` says what is wrong with the rest.
 """
 
 from __future__ import annotations
@@ -18,6 +23,7 @@ from rossmarie.syntax import ast, errors
 from rossmarie.syntax.cut import Piece, cut
 from rossmarie.syntax.explain import (
     explain_token,
+    hash_comment,
     is_name,
     is_part_word,
     unclosed_bracket,
@@ -26,6 +32,8 @@ from rossmarie.syntax.explain import (
 )
 from rossmarie.syntax.findings import Findings
 from rossmarie.syntax.grammar import Failure
+from rossmarie.syntax.habits import mend
+from rossmarie.syntax.hidden import hidden_characters
 from rossmarie.syntax.limits import MAXIMUM_FILE_SIZE, MAXIMUM_TOKENS
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.recover import Stretch, recover
@@ -52,8 +60,16 @@ def parse(file: SourceFile, collector: Collector) -> ast.Module:
     if len(source.tokens) > MAXIMUM_TOKENS:
         findings.add(_too_large(file, len(source.tokens), "words and signs", MAXIMUM_TOKENS))
         return ast.Module(file, (), is_whole=False)
+    for finding in hidden_characters(source):
+        if findings.is_full:
+            break
+        findings.add(finding)
     _report_trivia(source, findings)
-    items = _items(PartParser(respell(source, findings), findings))
+    spelt = respell(source, findings)
+    attempt = Findings(Collector())
+    items = _items(PartParser(spelt, attempt))
+    if attempt.count:
+        items = _items(PartParser(mend(spelt, findings), findings))
     if findings.is_full:
         return ast.Module(file, (), is_whole=False)
     return ast.Module(file, tuple(items))
@@ -67,6 +83,10 @@ def _report_trivia(source: Scan, findings: Findings) -> None:
             findings.add(_unterminated_documentation(source, trivium))
         elif trivium.kind == "block_comment":
             findings.add(_block_comment(source, trivium))
+        elif trivium.kind == "hash_comment":
+            findings.add(hash_comment(source, trivium))
+        elif trivium.kind == "quoted_documentation":
+            findings.add(_quoted_documentation(source, trivium))
 
 
 def _items(part: PartParser) -> list[ast.Item]:
@@ -172,6 +192,15 @@ def _block_comment(source: Scan, token: Token) -> Diagnostic:
     is_last = _REST_OF_LINE.match(source.file.text, token.end) is not None
     fix = Fix("begin it with `//`", (Edit(span, text if is_last else f"{text}\n"),))
     return errors.BlockComment().at(span, fix=fix)
+
+
+def _quoted_documentation(source: Scan, token: Token) -> Diagnostic:
+    span = source.span(token)
+    text = f"'''{token.text[3:-3]}'''"
+    fix = Fix("write `'''...'''`", (Edit(span, text),))
+    problem = "documentation is written `'''...'''`"
+    finding = errors.ForeignForm(found='"""', problem=problem)
+    return finding.at(span, help="put it between `'''` and `'''`", fix=fix)
 
 
 def _misspelt(source: Scan, piece: Piece, meant: str) -> Diagnostic:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
-
 from dslkit.diagnostics import Diagnostic, Edit, Fix
 from dslkit.source import Span
 from rossmarie.syntax import ast, errors
@@ -17,7 +15,7 @@ from rossmarie.syntax.explain import (
 )
 from rossmarie.syntax.limits import ends_value
 from rossmarie.syntax.part import PartParser
-from rossmarie.syntax.words import FORMS, RESERVED
+from rossmarie.syntax.words import FORMS, RESERVED, nearest
 
 _ARROWS = ("->", "=>", "do", ":")
 _CONTRACT_STARTS = {("clear", "when"), ("clear", "for"), ("latched", "until")}
@@ -110,8 +108,8 @@ class _Recovery:
         token = self._tokens[index]
         if token.text in _ARROWS:
             return True
-        is_near = difflib.get_close_matches(token.text, ["then"], cutoff=0.7)
-        return first < index and bool(is_near) and ends_value(self._tokens[index - 1])
+        is_near = nearest(token.text, ["then"]) is not None
+        return first < index and is_near and ends_value(self._tokens[index - 1])
 
     def _report_missing_then(self, end: int) -> None:
         """`end` is the token behind the condition: what stands for `then`, or the brace, or the end

@@ -15,7 +15,7 @@ from itertools import chain
 from dslkit.diagnostics import Diagnostic, Edit, Fix
 from rossmarie.syntax import errors
 from rossmarie.syntax.findings import Findings
-from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.scan import Scan, Token, ends_line
 from rossmarie.syntax.words import ITEM_WORDS, MEMBER_WORDS, PART_WORDS, RESERVED
 
 _KEYWORDS = RESERVED | MEMBER_WORDS.keys() | PART_WORDS
@@ -111,7 +111,7 @@ def _is_keyword(before: Sequence[Token], token: Token, after: Token | None, text
         return False
     last = before[-1] if before else None
     follows = "" if after is None else after.text
-    begins_line = last is None or "\n" in text[last.end : token.start]
+    begins_line = last is None or ends_line(text[last.end : token.start])
     if word in ITEM_WORDS and (begins_line or (last is not None and last.text in (";", "}"))):
         return _goes_on(after) or (word, follows) in (("if", "("), ("rule", "if"))
     if last is None:

@@ -3,7 +3,8 @@
 Any text goes in. What the words mean (keyword, name, unit) depends on their place and is decided
 by `grammar`. A comment `/* ... */` is cut out like any other, for `parse` to report. A `'''` that
 is never closed ends in front of the next line that begins an item, so that it does not swallow the
-rest of the file.
+rest of the file. A carriage return ends a line, so that it hides nothing in a comment; `hidden`
+reports it unless a line feed follows.
 """
 
 from __future__ import annotations
@@ -20,32 +21,39 @@ from rossmarie.syntax.words import ITEM_WORDS
 
 _TOKEN = re.compile(
     r"""
-      (?P<comment>//[^\n]*)
+      (?P<comment>//[^\r\n]*)
+    | (?P<hash_comment>[#][^\r\n]*)
     | (?P<block_comment>/\*)
     | (?P<documentation>'''.*?''')
-    | (?P<text>"[^"\n]*")
+    | (?P<quoted_documentation>"{3}.*?"{3})
+    | (?P<text>"[^"\r\n]*")
     | (?P<open_documentation>''')
-    | (?P<open_text>"[^\n]*)
+    | (?P<open_text>"[^\r\n]*)
     | (?P<word>[^\W\d]\w*)
     | (?P<number>
         (?:
-            (?<!\.)[0-9]+\.(?![0-9])       # a digit is missing behind the point ...
+            (?<!\.)[0-9]+\.(?![0-9.])      # a digit is missing behind the point ...
           | [0-9]+(?:\.[0-9]+)?
           | (?<![\w.)\]])\.[0-9]+         # ... or in front of it: `respell` says so
         )
         (?:[eE][+-]?[0-9]+)?
       )
-    | (?P<sign>===|!==|==|!=|<=|>=|=<|=>|<>|&&|\|\||->|[^\s\ufeff])
+    | (?P<sign>===|!==|==|!=|<=|>=|=<|=>|<>|&&|\|\||->|[^\s\ufeff\u202a-\u202e\u2066-\u2069])
     """,
     re.DOTALL | re.VERBOSE,
 )
-_ITEM_LINE = re.compile(rf"^[ \t]*(?:{'|'.join(ITEM_WORDS)})\b", re.MULTILINE)
-_TRIVIA = frozenset({"comment", "block_comment", "documentation", "open_documentation"})
+_ITEM_LINE = re.compile(rf"(?<![^\r\n])[ \t]*(?:{'|'.join(ITEM_WORDS)})\b")
+_LINE_END = re.compile(r"[\r\n]|\Z")
+_TRIVIA = frozenset(
+    {"comment", "hash_comment", "block_comment", "documentation", "quoted_documentation"}
+    | {"open_documentation"}
+)
 
 
 class Token(NamedTuple):
     """A piece of text: `kind` is `word`, `number`, `sign`, `text` (in quotes), `open_text` (the
-    closing quote is missing), `comment`, `block_comment`, `documentation` or `open_documentation`.
+    closing quote is missing), `comment`, `documentation`, or one of the mistakes among these:
+    `hash_comment`, `block_comment`, `quoted_documentation` and `open_documentation`.
     """
 
     kind: str
@@ -61,6 +69,8 @@ class Scan:
     file: SourceFile
     tokens: tuple[Token, ...]
     trivia: tuple[Token, ...]
+    reported: frozenset[int] = frozenset()
+    """The starts of tokens that cannot be parsed, and have been reported."""
 
     @cached_property
     def documentation(self) -> dict[int, str]:
@@ -68,7 +78,7 @@ class Scan:
         found: dict[int, str] = {}
         index = 0
         for trivium in self.trivia:
-            if trivium.kind == "documentation":
+            if trivium.kind in ("documentation", "quoted_documentation"):
                 while index < len(self.tokens) and self.tokens[index].start < trivium.end:
                     index += 1
                 if index < len(self.tokens):
@@ -82,7 +92,7 @@ class Scan:
     def begins_line(self, index: int) -> bool:
         """Whether no other token stands before this one on its line."""
         before = self.tokens[index - 1].end if index else 0
-        return index == 0 or "\n" in self.file.text[before : self.tokens[index].start]
+        return index == 0 or ends_line(self.file.text[before : self.tokens[index].start])
 
 
 def scan(file: SourceFile) -> Scan:
@@ -91,6 +101,16 @@ def scan(file: SourceFile) -> Scan:
     tokens = tuple(token for token in found if token.kind not in _TRIVIA)
     trivia = tuple(token for token in found if token.kind in _TRIVIA)
     return Scan(file, tokens, trivia)
+
+
+def ends_line(text: str) -> bool:
+    """Whether a line ends in a text between two tokens."""
+    return "\n" in text or "\r" in text
+
+
+def tokens_of(text: str) -> tuple[Token, ...]:
+    """The tokens of a text, without comments and documentation."""
+    return tuple(token for token in _find(text) if token.kind not in _TRIVIA)
 
 
 def documentation_text(literal: str) -> str:
@@ -128,8 +148,8 @@ def _end_of_block(text: str, position: int, last_closing: int) -> int:
     """Where a comment `/* ... */` ends that began in front of `position`; an open one is a line."""
     if position <= last_closing:
         return text.index("*/", position) + len("*/")
-    end = text.find("\n", position)
-    return end if end >= 0 else len(text)
+    end = _LINE_END.search(text, position)
+    return end.start() if end else len(text)
 
 
 def _swallows_item(token: Token) -> bool:

@@ -129,8 +129,11 @@ class Style:
                     self._sign(span.start)
                 case ast.Call(function=function):
                     self.tight_behind.add(function.span.end)
-                case ast.Oscillates(span=span):
-                    self.tight_behind.add(span.start + len("oscillates"))
+                case ast.Oscillates(value=value, span=span):
+                    is_method = value.span.start == span.start
+                    dot = self.index(value.span.end)
+                    start = self.source.tokens[dot + 1].start if is_method else span.start
+                    self.tight_behind.add(start + len("oscillates"))
                 case ast.Index(value=value):
                     self.tight_behind.add(value.span.end)
                 case _:

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import difflib
+from collections.abc import Iterable
+
+_LIKENESS = 0.7  # the share of letters in common from which on a word is meant as another
+
 ITEM_WORDS = {
     "import": "import_item",
     "system": "system",
@@ -35,6 +40,33 @@ OPERATOR_WORDS = frozenset({"and", "or", "not", "in", "for"})
 
 RESERVED = OPERATOR_WORDS | ITEM_WORDS.keys() | {"topic", "then", "true", "false"}
 """Words that never are the name of a constant, input, entity, condition, action or rule."""
+
+FOREIGN = {
+    "&&": "and",
+    "&": "and",
+    "||": "or",
+    "|": "or",
+    "!": "not",
+    "=": "==",
+    "===": "==",
+    "!==": "!=",
+    "<>": "!=",
+    "≠": "!=",
+    "=<": "<=",
+    "≤": "<=",
+    "=>": ">=",
+    "≥": ">=",
+}
+"""Operators as other languages write them, and the operator that is meant."""
+
+COMPARISONS = frozenset({"==", "!=", "<", "<=", ">", ">="})
+
+
+def nearest(word: str, words: Iterable[str]) -> str | None:
+    """The one of `words` that `word` is, but for a slip of the pen; None if it is none of them."""
+    near = difflib.get_close_matches(word, words, n=1, cutoff=_LIKENESS)
+    return near[0] if near else None
+
 
 FORMS = {
     "module": "a file consists of imports, systems, actions, constants, inputs, entities and rules",

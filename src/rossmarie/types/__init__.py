@@ -1,6 +1,7 @@
 """Types of expressions, the table of operators, and the messages of ROS."""
 
 from rossmarie.types.definitions import MessageDefinitionError
+from rossmarie.types.field_units import RATIOS
 from rossmarie.types.model import (
     Array,
     Boolean,
@@ -19,11 +20,11 @@ from rossmarie.types.operators import SIGNATURES, Fault, Operator, Outcome, appl
 from rossmarie.types.ros_messages import (
     MessageCatalog,
     message_value,
-    scalar_paths,
     std_msgs_data,
 )
 
 __all__ = [
+    "RATIOS",
     "SIGNATURES",
     "Array",
     "Boolean",
@@ -44,7 +45,6 @@ __all__ = [
     "Vector",
     "apply",
     "message_value",
-    "scalar_paths",
     "std_msgs_data",
     "unit_faults",
 ]

@@ -83,7 +83,21 @@ def names_in(search_path: Path) -> list[str]:
     """The names of all messages in a folder, whether or not their files can be used."""
     files = [*search_path.glob("*/*.msg"), *search_path.glob("*/msg/*.msg")]
     packages = (file.parents[1] if file.parent.name == "msg" else file.parent for file in files)
-    return [f"{package.name}/{file.stem}" for file, package in zip(files, packages, strict=True)]
+    return [
+        f"{package.name}/{file.stem}"
+        for file, package in zip(files, packages, strict=True)
+        if package != search_path
+    ]
+
+
+def package_among(search_paths: Sequence[Path], name: str) -> Path | None:
+    """The folder that is itself the package of a message, although its parent should be named."""
+    package, _, short = name.partition("/")
+    for folder in search_paths:
+        places = (folder / "msg" / f"{short}.msg", folder / f"{short}.msg")
+        if folder.resolve().name == package and any(place.is_file() for place in places):
+            return folder
+    return None
 
 
 def read_file(path: Path, name: str) -> Definition:

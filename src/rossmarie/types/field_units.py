@@ -91,3 +91,8 @@ FIELD_UNITS: Mapping[str, Mapping[str, str | None]] = {
     "visualization_msgs/UVCoordinate": {"u": "1", "v": "1"},
 }
 """Unit by message and field; None: not stated, although a message inside states one."""
+
+RATIOS = frozenset(
+    ("sensor_msgs/BatteryState.percentage", "sensor_msgs/RelativeHumidity.relative_humidity")
+)
+"""Fields that are documented as shares from 0 to 1: no number above 1 is to be expected there."""

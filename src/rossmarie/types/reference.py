@@ -9,7 +9,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-from rossmarie.types.field_units import FIELD_UNITS
+from rossmarie.types.field_units import FIELD_UNITS, RATIOS
 from rossmarie.units import ALIASES, SYMBOLS, parse_unit
 
 _INTRODUCTION = """\
@@ -77,7 +77,9 @@ def _symbol_row(symbol: str) -> tuple[str, ...]:
 def _field_rows() -> Iterable[tuple[str, ...]]:
     for message, fields in FIELD_UNITS.items():
         for field, symbol in fields.items():
-            yield f"`{message}`", f"`{field}`", _shown(symbol)
+            is_ratio = f"{message}.{field}" in RATIOS
+            shown = "plain number from 0 to 1" if is_ratio else _shown(symbol)
+            yield f"`{message}`", f"`{field}`", shown
 
 
 def _shown(symbol: str | None) -> str:

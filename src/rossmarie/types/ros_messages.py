@@ -22,7 +22,7 @@ from rossmarie.types.model import (
     Unsupported,
     Vector,
 )
-from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
+from rossmarie.units import Unit, parse_unit
 
 FieldPath = tuple[str, ...]
 UnitOverrides = Mapping[tuple[str, FieldPath], Unit]
@@ -73,6 +73,10 @@ class MessageCatalog:
         for folder in self._search_paths:
             names.update(definitions.names_in(folder))
         return sorted(names)
+
+    def package_of(self, name: str) -> Path | None:
+        """The search path that is the package of a message, where its parent should be given."""
+        return definitions.package_among(self._search_paths, definitions.normalized(name) or name)
 
     def _definition(self, name: str) -> definitions.Definition | None:
         if name not in self._definitions:
@@ -161,20 +165,6 @@ def std_msgs_data(type_: Type) -> Type | None:
     if not isinstance(type_, Message) or not type_.name.startswith("std_msgs/"):
         return None
     return type_.fields["data"] if tuple(type_.fields) == ("data",) else None
-
-
-def scalar_paths(type_: Type) -> Iterator[tuple[FieldPath, Quantity | Boolean | Text]]:
-    """The scalars that a value consists of, in the order of the definition; arrays have none."""
-    if isinstance(type_, (Quantity, Boolean, Text)):
-        yield (), type_
-    elif isinstance(type_, Vector):
-        yield from (((axis,), type_.element) for axis in "xyz")
-    elif isinstance(type_, Quaternion):
-        yield from (((axis,), Quantity(DIMENSIONLESS)) for axis in "xyzw")
-    elif isinstance(type_, Message):
-        for name, field in type_.fields.items():
-            for path, scalar in scalar_paths(field):
-                yield (name, *path), scalar
 
 
 def _normalized_overrides(overrides: UnitOverrides) -> UnitOverrides:

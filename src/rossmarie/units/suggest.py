@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from rossmarie.units.table import ALIASES, SPELLED_OUT, SYMBOLS
+from rossmarie.units.table import ALIASES, EVERYDAY, FACTORS, SPELLED_OUT, SYMBOLS
 
 _SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹·", "-0123456789*")
 _MOST_SUGGESTIONS = 3
@@ -14,8 +14,11 @@ _LONGEST = 32
 
 def suggest(text: str, is_unit: Callable[[str], bool]) -> tuple[str, ...]:
     """Known units that resemble the unknown `text`, best first; `is_unit` tells what is known."""
-    if len(text) > _LONGEST:
+    if len(text) > _LONGEST or factor_of(text) is not None:
         return ()
+    everyday = EVERYDAY.get(text.lower())
+    if everyday is not None:
+        return (everyday,)
     respelled = _respell(text)
     parts = re.split(r"([.*/])", respelled)
     choices = [[part] if part in ".*/" else _replacements(part, is_unit) for part in parts]
@@ -27,6 +30,11 @@ def suggest(text: str, is_unit: Callable[[str], bool]) -> tuple[str, ...]:
         for replacement in choice[1:]:
             found["".join([*best[:index], replacement, *best[index + 1 :]])] = None
     return tuple(unit for unit in found if is_unit(unit))[:_MOST_SUGGESTIONS]
+
+
+def factor_of(text: str) -> str | None:
+    """What a unit that there is not is in units that there are: `1 inch is 2.54 cm`."""
+    return FACTORS.get(text.lower())
 
 
 def _respell(text: str) -> str:
@@ -54,6 +62,10 @@ def _replacements(part: str, is_unit: Callable[[str], bool]) -> list[str]:
 
 def _symbols_like(symbol: str) -> list[str]:
     lowered = symbol.lower()
+    if lowered in FACTORS:
+        return []
+    if lowered in EVERYDAY and "/" not in EVERYDAY[lowered]:
+        return [EVERYDAY[lowered]]
     found = [name for word, name in SPELLED_OUT.items() if word.lower() == lowered]
     found += [name for name, row in SYMBOLS.items() if row.meaning in (lowered, lowered[:-1])]
     other_case = [name for name in (*SYMBOLS, *ALIASES) if name.lower() == lowered]

@@ -139,3 +139,46 @@ SPELLED_OUT: Mapping[str, str] = {
     "secs": "s",
 }
 """What to suggest for spellings that are not accepted, beside the meanings of `SYMBOLS`."""
+
+EVERYDAY: Mapping[str, str] = {
+    "mps": "m/s",
+    "kmh": "km/h",
+    "kph": "km/h",
+    "kmph": "km/h",
+    "mps2": "m/s^2",
+    "mins": "min",
+    "hrs": "h",
+    "millis": "ms",
+    "micros": "us",
+    "nanos": "ns",
+    "degs": "deg",
+    "dps": "deg/s",
+    "degps": "deg/s",
+    "rads": "rad",
+    "radps": "rad/s",
+    "rps": "rev/s",
+    "revs": "rev",
+}
+"""Spellings of everyday life, in lower case, and what they mean; looked up before all else."""
+
+FACTORS: Mapping[str, str] = {
+    "mph": "1 mph is 0.44704 m/s, or 1.609344 km/h",
+    "kt": "1 knot is 1.852 km/h",
+    "knot": "1 knot is 1.852 km/h",
+    "knots": "1 knot is 1.852 km/h",
+    "mi": "1 mile is 1.609344 km",
+    "mile": "1 mile is 1.609344 km",
+    "miles": "1 mile is 1.609344 km",
+    "yd": "1 yd is 0.9144 m",
+    "ft": "1 ft is 0.3048 m",
+    "foot": "1 ft is 0.3048 m",
+    "feet": "1 ft is 0.3048 m",
+    "inch": "1 inch is 2.54 cm",
+    "inches": "1 inch is 2.54 cm",
+    "lb": "1 lb is 0.45359237 kg",
+    "lbs": "1 lb is 0.45359237 kg",
+    "lbf": "1 lbf is 4.4482216 N",
+    "psi": "1 psi is 6.894757 kPa",
+    "degf": "X degF are (X - 32) / 1.8 degC",
+}
+"""Units that there are not, in lower case, and what they are in units that there are."""

@@ -77,3 +77,26 @@ def test_what_is_written_instead_means_the_same_wherever_it_stands(
     written: str, meant: str
 ) -> None:
     assert fixed_condition(written) == meant
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ("in // say what arrives in\n  V timeout", "// say what arrives in\n   timeout"),
+        ("// in volt\n in V timeout", "// in volt\n timeout"),
+        ("in V timeout", " timeout"),
+    ],
+)
+def test_leaving_out_a_unit_keeps_the_comments_before_it(written: str, meant: str) -> None:
+    head = "action go;\ninput w = topic /t : geometry_msgs/Twist .linear"
+    text = fixed(f"{head} {written} 1 sec\nif w.x > 1 m/s then {{ go; }};\n")
+    assert meant in text
+    assert " V " not in text
+    assert check_text(text)[1] == ()
+
+
+def test_leaving_out_a_field_keeps_the_comments_before_it() -> None:
+    head = "action go;\ninput level = topic /t : std_msgs/Float32 in V timeout 1 sec\n"
+    text = fixed(head + "if level // its data. in V.\n .data > 1 V then { go; };\n")
+    assert "if level // its data. in V.\n" in text
+    assert check_text(text)[1] == ()

@@ -77,6 +77,32 @@ def test_a_named_system_model_is_used(tmp_path: Path) -> None:
     assert codes(check_file(main, systems=[model])) == []
 
 
+def test_the_main_file_is_last_whatever_imports_it(tmp_path: Path) -> None:
+    """The program is named after it."""
+    main = tmp_path / "main.ross"
+    main.write_text(ACTION + RULE)
+    (tmp_path / "system.ross").write_text('import "main.ross";')
+    robot = tmp_path / "robot.ross"
+    robot.write_text('import "main.ross";')
+    result = check_file(main, systems=[robot])
+    assert [Path(module.file.path).name for module in result.modules] == [
+        "robot.ross",
+        "system.ross",
+        "main.ross",
+    ]
+    assert result.program is not None
+    assert result.program.name == "main"
+
+
+def test_links_that_lead_in_a_circle_cannot_be_read(tmp_path: Path) -> None:
+    (tmp_path / "one.ross").symlink_to("other.ross")
+    (tmp_path / "other.ross").symlink_to("one.ross")
+    assert codes(check_file(tmp_path / "one.ross")) == ["ROSS801"]
+    main = tmp_path / "main.ross"
+    main.write_text(f'import "one.ross";\n{ACTION}{RULE}')
+    assert codes(check_file(main)) == ["ROSS803"]
+
+
 def test_what_is_not_there_cannot_be_read(tmp_path: Path) -> None:
     assert codes(check_file(tmp_path / "none.ross")) == ["ROSS801"]
     assert codes(check_file(tmp_path)) == ["ROSS801"]

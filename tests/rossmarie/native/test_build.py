@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -80,6 +81,43 @@ def test_a_compiler_that_is_named_but_not_there(
 ) -> None:
     monkeypatch.setenv("CC", "no-such-compiler -m64")
     with pytest.raises(NoCompilerError, match="no-such-compiler"):
+        build(files(1), "main.c")
+
+
+def test_a_compiler_with_an_open_quote(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", 'gcc "')
+    with pytest.raises(NoCompilerError, match="No closing quotation"):
+        build(files(1), "main.c")
+
+
+def test_a_compiler_that_speaks_another_encoding(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script = tmp_path / "latin-cc"
+    script.write_bytes(b"#!/bin/sh\necho 'main.c: erreur fatale \xe9' >&2\nexit 1\n")
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    with pytest.raises(BuildError, match="erreur fatale"):
+        build(files(1), "main.c")
+
+
+def test_a_compiler_with_a_name_that_is_not_utf_8(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    script = tmp_path / os.fsdecode(b"cc-\xe9")
+    script.write_text('#!/bin/sh\nexec cc "$@"\n')
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    assert build(files(1), "main.c").is_file()
+
+
+def test_nobody_has_a_home(monkeypatch: pytest.MonkeyPatch) -> None:
+    def homeless() -> Path:
+        raise RuntimeError("Could not determine home directory.")
+
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setattr(Path, "home", homeless)
+    with pytest.raises(OSError, match="home directory"):
         build(files(1), "main.c")
 
 

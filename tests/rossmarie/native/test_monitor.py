@@ -219,6 +219,7 @@ def test_active_is_known_only_if_asked_for() -> None:
         ({"input_0": SPEEDS, "input_1": DOCKED, "speed": SPEEDS}, "nothing reads"),
         ({"input_0": SPEEDS[1:], "input_1": DOCKED}, "shape"),
         ({"input_0": SPEEDS, "input_0.slot_0": SPEEDS, "input_1": DOCKED}, "2 columns"),
+        ({"input_0": SPEEDS * 1j, "input_1": DOCKED}, "not numbers"),
     ],
 )
 def test_columns_that_do_not_fit(given: dict[str, np.ndarray], complaint: str) -> None:
@@ -231,18 +232,25 @@ def test_instants_are_integers() -> None:
         load("thresholds").run(TIMES.astype(float), columns())
 
 
-def test_arrays_do_not_come_in_columns() -> None:
-    with pytest.raises(ColumnError, match="arrays"):
-        load("arrays").run(TIMES, {})
+@pytest.mark.parametrize("elements", [0, 1, 7])
+def test_arrays_come_as_tables(elements: int) -> None:
+    table = np.random.default_rng(elements).random((40, elements)) * 2
+    times = np.arange(40) * TICK
+    interpreter, wanted = Interpreter(CASES["arrays"]()), []
+    for at_ns, row in zip(times.tolist(), table.tolist(), strict=True):
+        wanted += interpreter.update(at_ns, {0: ChannelValues({}, {0: row})})
+    assert bits(load("arrays").run(times, {"input_0": table}).events) == bits(wanted)
 
 
 @pytest.mark.parametrize("make", [load, without_headers])
 def test_a_run_stops_at_an_instant_out_of_range(make: Callable[[str], NativeMonitor]) -> None:
+    """Columns are looked at before, but C relies on nothing: here they change after that."""
     times = TIMES.copy()
-    times[5] = ir.LATEST_NS
     monitor = make("thresholds")
+    bound = monitor.bind(times, columns())
+    times[5] = ir.LATEST_NS
     with pytest.raises(ValueError, match="row 5"):
-        monitor.run(times, columns())
+        bound.run()
     assert monitor.run(TIMES[5:], {k: v[5:] for k, v in columns().items()}).events
 
 
@@ -250,6 +258,40 @@ def test_rows_that_are_not_there() -> None:
     bound = load("thresholds").bind(TIMES, columns())
     with pytest.raises(IndexError):
         bound.run(0, len(TIMES) + 1)
+
+
+# --- lack of memory --------------------------------------------------------------------------
+
+
+def without_memory() -> NativeMonitor:
+    """Its log of events can never grow."""
+    machine = CASES["thresholds"]()
+    files = generate_loadable(machine)
+    start = "#include <stdlib.h>\n"
+    assert start in files["host.c"]
+    starved = files["host.c"].replace(start, f"{start}#define realloc(old, size) NULL\n")
+    return load_native(machine, {**files, "host.c": starved})
+
+
+def test_lost_events_are_told_even_if_none_is_left() -> None:
+    creeping = {0: ChannelValues({0: 0.15, 1: 0.0})}
+    with pytest.raises(MemoryError, match="lost"):
+        without_memory().update(0, creeping)
+    with pytest.raises(MemoryError):
+        without_memory().run(TIMES, columns())
+
+
+def test_lost_events_of_fast_calls_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monitor = without_memory()
+    with pytest.raises(MemoryError):
+        monitor.update_call(0)(0, 0.15, False)
+    with pytest.raises(MemoryError, match="lost"):
+        monitor.take_events()
+    monkeypatch.setattr(native_monitor, "_HEADERS", Path("/nowhere"))
+    monitor = without_memory()
+    monitor.update_call(0)(0, 0.15, False)
+    with pytest.raises(MemoryError, match="lost"):
+        monitor.take_events()
 
 
 # --- the cache -------------------------------------------------------------------------------
@@ -264,3 +306,19 @@ def test_a_corrupt_library_is_built_again(tmp_path: Path, monkeypatch: pytest.Mo
     made.write_bytes(b"\x7fELF and then nothing")
     monitor = load("thresholds")
     assert monitor.run(TIMES, columns()).events
+
+
+def test_what_cannot_be_compiled_is_compiled_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Only a library that cannot be loaded is built again."""
+    calls: list[object] = []
+
+    def refuse(*arguments: object, **_: object) -> Path:
+        calls.append(arguments)
+        raise PermissionError("the cache is not for you")
+
+    monkeypatch.setattr(native_monitor, "build", refuse)
+    with pytest.raises(PermissionError):
+        load("thresholds")
+    assert len(calls) == 1

@@ -62,7 +62,8 @@ def test_names_of_parts(tmp_path: Path, names: str) -> None:
 def test_input_name_alone_must_be_plain(tmp_path: Path) -> None:
     """`speed` has two parts: which one a column `speed` would hold is not clear."""
     _, found = replay(write(tmp_path, "time,speed,battery\n0,1,2\n"), POSE)
-    assert codes(found) == ["ROSS601"]
+    assert codes(found) == ["ROSS623"]
+    assert found[0].help == "did you mean `speed`? then name this column `speed.x`"
 
 
 def test_one_row_is_one_instant(tmp_path: Path) -> None:
@@ -129,7 +130,7 @@ def test_byte_order_mark(tmp_path: Path) -> None:
 def test_topics_and_span(tmp_path: Path) -> None:
     path = write(tmp_path, "time_ns,/a.x,/a.y,/b,c\n7,1,,,1\n3,,2,,1\n9,,,,1\n")
     with open_recording(path) as recording:
-        assert (recording.start_ns, recording.end_ns) == (3, 9)
+        assert (recording.start_ns, recording.end_ns) == (7, 9)  # in the order of the file
         found = [(t.name, t.message_type, t.count) for t in recording.topics.values()]
         assert found == [("/a", None, 2), ("/b", None, 0)]
 
@@ -146,12 +147,16 @@ def test_cells_that_are_no_numbers(tmp_path: Path) -> None:
     updates, found = replay(write(tmp_path, "time,battery\n0,1\n1,low\n2,2\n3,?\n"))
     assert codes(found) == ["ROSS605"]
     assert "2 of 4 values" in found[0].title
-    assert "1.000 s into the recording: `low` is not a number" in found[0].notes[0]
+    assert found[0].title.endswith("values in the column `battery` cannot be read")
+    assert "1.000 s into the recording: `low` in the column" in found[0].notes[0]
+    assert "type definitions" not in (found[0].help or "")
     assert math.isnan(volts(updates)[1])
     assert len(updates) == 4
 
 
-@pytest.mark.parametrize("row", ["soon,1", ",1", "1", "1,2,3", "1e99,1", "nan,1"])
+@pytest.mark.parametrize(
+    "row", ["soon,1", ",1", "1", "1,2,3", "1e99,1", "nan,1", "9e999999,1", "1_0,1"]
+)
 def test_rows_that_do_not_fit(tmp_path: Path, row: str) -> None:
     updates, found = replay(write(tmp_path, f"time,battery\n0,1\n{row}\n2,2\n{row}\n"))
     assert codes(found) == ["ROSS621"]
@@ -175,7 +180,12 @@ def test_column_that_is_never_filled(tmp_path: Path) -> None:
 def test_nothing_that_the_rules_read(tmp_path: Path) -> None:
     with pytest.raises(RecordingError) as caught:
         replay(write(tmp_path, "time,/other.x\n0,1\n"))
-    assert caught.value.diagnostic.code == "ROSS616"
+    found = caught.value.diagnostic
+    assert found.code == "ROSS616"
+    assert found.notes[0] == (
+        "the rules read the inputs `battery`; the recording holds the columns `/other.x`"
+    )
+    assert "--topic-map" not in (found.help or "")
 
 
 @pytest.mark.parametrize("text", ["battery,time\n1,0\n", "1,2\n", "\n", "\0\1\2,\n1,2\n"])
@@ -198,3 +208,65 @@ def test_binary_rubbish_behind_a_header(tmp_path: Path) -> None:
     updates, found = replay(path)
     assert "ROSS621" in codes(found)
     assert volts(updates)[0] == 1.0
+
+
+def test_numbers_are_not_written_as_in_python(tmp_path: Path) -> None:
+    updates, found = replay(write(tmp_path, "time,battery\n0,1_0\n1,2e1\n"))
+    assert codes(found) == ["ROSS605"]
+    assert math.isnan(volts(updates)[0])
+    assert volts(updates)[1] == 20.0
+
+
+@pytest.mark.parametrize("cell", ["yes", "2", "0.5"])
+def test_a_cell_that_is_no_flag(tmp_path: Path, cell: str) -> None:
+    rules = machine(
+        [("/blocked", "std_msgs/Bool")], [("blocked", 0)], [slot(0, "data", kind=Kind.FLAG)]
+    )
+    updates, found = replay(write(tmp_path, f"time,blocked\n0,{cell}\n1,TRUE\n2,1.0\n"), rules)
+    assert codes(found) == ["ROSS605"]
+    assert "is none of `true`, `false`, `1` and `0`" in found[0].notes[0]
+    assert math.isnan(volts(updates)[0])
+    assert volts(updates)[1:] == [1.0, 1.0]
+
+
+@pytest.mark.parametrize("header", ["time,battery,battery", "time,/scan.x[0],b,/scan.x.0"])
+def test_a_column_that_is_there_twice(tmp_path: Path, header: str) -> None:
+    with pytest.raises(RecordingError) as caught:
+        open_recording(write(tmp_path, f"{header}\n0,1,2,3\n"))
+    found = caught.value.diagnostic
+    assert found.code == "ROSS622"
+    assert found.primary.span.text == header.rpartition(",")[2]
+    assert found.primary.span.start == header.rindex(",") + 1
+
+
+def test_columns_without_a_name_are_not_repeated(tmp_path: Path) -> None:
+    assert replay(write(tmp_path, "time,,,battery\n0,1,2,3\n"))[1] == ()
+
+
+@pytest.mark.parametrize("column", ["Battery", "batery", "/Battery.data"])
+def test_a_column_with_nearly_the_right_name(tmp_path: Path, column: str) -> None:
+    path = write(tmp_path, f"time,speed.x,speed.y,{column}\n0,1,2,3\n")
+    _, found = replay(path, POSE)
+    assert codes(found) == ["ROSS623"]
+    assert found[0].primary.span.text == "input battery"
+    assert found[0].notes == (f"columns that no input reads: `{column}`",)
+    assert found[0].help == f"did you mean `{column}`? then name this column `battery`"
+
+
+def test_the_part_that_is_nearly_right_is_named(tmp_path: Path) -> None:
+    _, found = replay(write(tmp_path, "time,battery,sped.y\n0,1,2\n"), POSE)
+    assert found[0].help == "did you mean `sped.y`? then name this column `speed.y`"
+    _, found = replay(write(tmp_path, "time,battery,other\n0,1,2\n"), POSE)
+    assert found[0].help == "add `speed.x`, `speed.y`, or rename the column that holds it"
+
+
+def test_columns_that_nobody_reads_do_no_harm(tmp_path: Path) -> None:
+    assert replay(write(tmp_path, "time,battery,other\n0,1,2\n"))[1] == ()
+
+
+def test_a_quotation_mark_that_is_not_closed(tmp_path: Path) -> None:
+    path = write(tmp_path, 'time,battery\n0,"1\n' + "1,2\n" * 50_000)
+    with pytest.raises(RecordingError) as caught:
+        open_recording(path)
+    assert caught.value.diagnostic.code == "ROSS614"
+    assert "quotation mark" in caught.value.diagnostic.title

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib.util
+import subprocess
+import sys
 from collections import defaultdict
 from pathlib import Path
 
@@ -145,3 +147,10 @@ def test_husky_rules_are_active_now_and_then() -> None:
         "stop_without_position": 2,
     }
     assert starts(found["limit_speed"], Change.ACTIVATED_LOST) == [179.9, 194.5]
+
+
+def test_help_on_the_demo_writes_nothing(tmp_path: Path) -> None:
+    command = [sys.executable, str(ROOT / "examples/demo/record.py"), "--help"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert "usage" in done.stdout
+    assert list(tmp_path.iterdir()) == []

@@ -8,12 +8,13 @@ import pytest
 
 from dslkit.diagnostics import Severity
 from rossmarie.ir import Array, Kind, Machine
-from rossmarie.recordings import ALL, RecordingError
+from rossmarie.recordings import ALL, RecordingError, open_recording
 from support.recordings import (
     BATTERY,
     ROS1,
     ROS2,
     START_NS,
+    battery,
     codes,
     machine,
     readings,
@@ -133,7 +134,8 @@ def test_messages_that_cannot_be_decoded(tmp_path: Path) -> None:
     assert codes(found) == ["ROSS605"]
     assert "2 of 10" in found[0].title
     assert "4.000 s into" in found[0].notes[0]
-    assert len(updates) == 8
+    assert len(updates) == 10
+    assert [index for index in range(10) if not updates[index].channels[0].slots] == [4, 7]
 
 
 def test_nothing_to_replay(tmp_path: Path) -> None:
@@ -154,13 +156,37 @@ def test_topic_map_of_a_topic_that_is_not_read(tmp_path: Path) -> None:
 
 
 def test_topic_with_two_types(tmp_path: Path) -> None:
-    """Messages of the type that came first are read, the others passed over."""
+    """Messages of the type that came first are read, the others passed over and counted."""
     name = "std_msgs/msg/Float64"
     other = [("/battery", START_NS + 5, name, ROS1.types[name](data=99.0))]
     path = write_ros1(tmp_path / "drive.bag", readings(ROS1) + other)
     updates, found = replay(path)
-    assert found == ()
+    assert codes(found) == ["ROSS608"]
+    assert found[0].title == "1 of 11 messages on `/battery` are passed over"
+    assert "std_msgs/Float64" in found[0].notes[0]
     assert volts(updates) == [12.0 + i / 2 for i in range(10)]
+
+
+def test_messages_at_instants_that_cannot_be(tmp_path: Path) -> None:
+    late = [("/battery", 2**62 + 5, *battery(ROS2, 99.0))]
+    path = write_kind(tmp_path, "mcap", readings(ROS2) + late)
+    updates, found = replay(path)
+    assert codes(found) == ["ROSS608"]
+    assert "out of range" in found[0].notes[0]
+    assert volts(updates) == [12.0 + i / 2 for i in range(10)]
+    with open_recording(path) as recording:
+        assert recording.end_ns == START_NS + 910_000_000
+
+
+def test_a_topic_that_is_mapped_to_nothing(tmp_path: Path) -> None:
+    """The help names the topic of the rules: the recorded one cannot stand left of `=`."""
+    rules = battery_and("/odom", "sensor_msgs/LaserScan", "range_min")
+    path = write_ros1(tmp_path / "drive.bag", readings(ROS1))
+    _, found = replay(path, rules, {"/odom": "/nothing"})
+    assert codes(found) == ["ROSS601"]
+    assert "`/nothing` is not in the recording" in found[0].title
+    assert found[0].help == "did you mean `/scan`? then say `--topic-map /odom=/scan`"
+    assert replay(path, rules, {"/odom": "/scan"})[1] == ()
 
 
 def test_placeholders_of_all_findings() -> None:

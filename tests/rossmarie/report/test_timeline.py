@@ -60,6 +60,7 @@ def test_the_table_needs_no_script(drive: Replay) -> None:
     assert "1 min 20 s" in text
     assert "2023-11-14 22:13:20 UTC" in text
     assert drive.notes[0] in text
+    assert "Every change, in order" in text
 
 
 def test_hostile_names_stay_text(drive: Replay) -> None:
@@ -97,7 +98,10 @@ def test_six_minutes_of_ten_signals_stay_below_two_megabytes(drive: Replay) -> N
         for i in range(12_000)
     )  # fmt: skip
     long = replace(drive, end_ns=drive.start_ns + 400_000_000_000, plots=plots, events=verdicts)
-    assert len(render_timeline(long).encode()) < 2_000_000
+    text = render_timeline(long)
+    assert len(text.encode()) < 2_000_000
+    assert len(data_of(text)["changes"]) == 1000
+    assert "The first 1000 of 12000 changes, in order" in text
 
 
 def test_an_empty_replay_has_a_page(drive: Replay) -> None:

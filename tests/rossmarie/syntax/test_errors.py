@@ -97,6 +97,7 @@ FIXABLE = [
     ("input a = Topic /t", "ROSS024", "Topic", "input a = topic /t"),
     ("input a = topic /t TIMEOUT 1 s", "ROSS024", "TIMEOUT", "input a = topic /t timeout 1 s"),
     ("system s { Topic /t : p/T; }", "ROSS024", "Topic", "system s { topic /t : p/T; }"),
+    ("const a = 3 # no", "ROSS002", "#", "const a = 3 // no"),
     (
         "system s { node n { Publishes /t; } }",
         "ROSS024",
@@ -124,12 +125,10 @@ def test_a_mistake_is_found_once_and_its_fix_mends_it(
 
 MISTAKES = [
     ("@", "ROSS002", "@"),
-    ("const a = 3 # no", "ROSS002", "#"),
     ("const a = \0", "ROSS002", "\0"),
     ("const a = \ud800", "ROSS002", "\ud800"),
     ("const größe = 3", "ROSS002", "ö"),
     ("entity e { a : b ^ 2 > 3; }", "ROSS002", "^"),
-    ("entity e { a : 'b'; }", "ROSS002", "'"),
     ("a : b > 3;", "ROSS005", "a"),
     ("topic /t : p/T;", "ROSS005", "topic"),
     ("then { }", "ROSS005", "then"),
@@ -160,14 +159,12 @@ MISTAKES = [
     ("entity e { a : b.(c); }", "ROSS018", "("),
     ("entity e { a : b[c] > 3; }", "ROSS018", "c"),
     ("input a = topic /t : Imu", "ROSS018", "Imu"),
-    ("if a then { } claer for 2 s", "ROSS018", "claer"),
     ("if a then { } else { b; }", "ROSS018", "else"),
     ("const a = 1e999 m", "ROSS019", "1e999"),
     ("entity e { a : b[1.5] > 3; }", "ROSS019", "1.5"),
     ("entity e { a : b[9999999999] > 3; }", "ROSS019", "9999999999"),
     ("action a\nhello;", "ROSS005", "hello"),
     ("if a then { b; }\nelse { c; }", "ROSS005", "else"),
-    ("if a then { b; }\nclaer for 2 s", "ROSS018", "claer"),
     ("entity e { a : not b in c > d; }", "ROSS011", ">"),
     ("entity e { a : b > 1 m/s == c; }", "ROSS011", "=="),
     ("const a = 1,000 m", "ROSS023", "1,000"),
@@ -185,7 +182,7 @@ def test_a_mistake_is_found_once(parsed: Parsed, text: str, code: str, marked: s
 
 def test_every_code_is_tested() -> None:
     tested = {code for _, code, *_ in (*FIXABLE, *MISTAKES)}
-    elsewhere = {"ROSS001", "ROSS013", "ROSS022"}  # test_limits.py
+    elsewhere = {"ROSS001", "ROSS013", "ROSS022", "ROSS026", "ROSS027"}  # limits, hidden, habits
     assert tested | elsewhere == {found.code for found in errors.ALL}
 
 

@@ -39,6 +39,11 @@ action b;
         "const a = -1 + -b * (c - d) / e.f(g, -2)[0];\n"
         "const h = [-1, 2] deg;\nconst i = --3;\nconst j = f();\n",
     ),
+    "oscillates": (
+        "if (a+b) . oscillates ( 3 times,within 1 s )or oscillates (a,3 times,within 1 s) then{c;}",
+        "if (a + b).oscillates(3 times, within 1 s) or oscillates(a, 3 times, within 1 s)"
+        " then { c; };\n",
+    ),
     "an entity": (
         "entity e{a:b for 2 s;\n\n\nc : not d   in[1,2]m ;}if e.a then{x;y;}",
         """\

@@ -81,6 +81,7 @@ def leaf(node: ast.Expression) -> str:
         ("any(scan.ranges < 0.5 m)", "any((< scan.ranges 0.5m))"),
         ("oscillates(x, 3 times, within 0.25 sec)", "Oscillates(x 3 0.25sec)"),
         ("oscillates(x, 3 times, within w, by 5 N)", "Oscillates(x 3 w 5N)"),
+        ("x.oscillates(3 times, within w, by 5 N)", "Oscillates(x 3 w 5N)"),
         ("5 m / t > 3", "(> (/ 5m t) 3)"),
         ("x > 3 m/s^2", "(> x 3m/s^2)"),
         ("x > 3kgm.m", "(> x 3kgm.m)"),

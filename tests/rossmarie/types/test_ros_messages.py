@@ -19,11 +19,10 @@ from rossmarie.types import (
     Unsupported,
     Vector,
     message_value,
-    scalar_paths,
     std_msgs_data,
 )
 from rossmarie.types.definitions import read_stored, stored_texts
-from rossmarie.types.field_units import FIELD_UNITS
+from rossmarie.types.field_units import FIELD_UNITS, RATIOS
 from rossmarie.types.snapshot import render
 from rossmarie.units import DIMENSIONLESS, parse_unit
 
@@ -129,9 +128,6 @@ def test_every_stored_message_resolves() -> None:
     for name in catalog.known_names():
         message = catalog.find(name)
         assert message is not None
-        for path, scalar in scalar_paths(message):
-            assert isinstance(scalar, (Quantity, Boolean, Text))
-            assert all(path)
         assert not any(
             isinstance(field, Unsupported) and "definition" in field.reason
             for field in message.fields.values()
@@ -288,20 +284,6 @@ def test_data_of_std_msgs(name: str, data: Type | None) -> None:
     assert std_msgs_data(Boolean()) is None
 
 
-def test_scalar_paths() -> None:
-    assert dict(scalar_paths(Vector(quantity("m")))) == dict.fromkeys(
-        [("x",), ("y",), ("z",)], quantity("m")
-    )
-    assert [path for path, _ in scalar_paths(Quaternion())] == [("x",), ("y",), ("z",), ("w",)]
-    assert list(scalar_paths(Boolean())) == [((), Boolean())]
-    assert list(scalar_paths(Array(Boolean()))) == []
-    odometry = MessageCatalog().find("nav_msgs/Odometry")
-    assert odometry is not None
-    paths = dict(scalar_paths(odometry))
-    assert paths["twist", "twist", "linear", "x"] == quantity("m/s")
-    assert paths["header", "frame_id"] == Text()
-
-
 def test_every_field_that_the_table_names_exists_and_is_numeric() -> None:
     catalog = MessageCatalog()
     for name, fields in FIELD_UNITS.items():
@@ -334,3 +316,18 @@ def test_common_messages_need_neither_rosbags_nor_numpy() -> None:
         "assert not {'rosbags', 'numpy', 'pint', 'difflib'} & set(sys.modules)"
     )
     subprocess.run([sys.executable, "-c", program], check=True)
+
+
+def test_ratios_are_plain_numbers() -> None:
+    catalog = MessageCatalog()
+    for ratio in RATIOS:
+        name, field = ratio.split(".")
+        assert at(catalog.find(name), field) == Quantity(DIMENSIONLESS)
+
+
+def test_the_folder_of_a_package_is_not_taken_for_the_folder_of_all(folder: Path) -> None:
+    catalog = MessageCatalog([folder / "my_msgs"])
+    assert catalog.find("my_msgs/Wheel") is None
+    assert "my_msgs/Wheel" not in catalog.known_names()
+    assert catalog.package_of("my_msgs/msg/Wheel") == folder / "my_msgs"
+    assert MessageCatalog([folder]).package_of("my_msgs/Wheel") is None

@@ -15,7 +15,8 @@ def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
         "updates": "\n".join(_update(layout, messages, c) for c in _channels(layout)),
         "packed": indented(_packed(layout, messages)),
         "step": indented(_step(layout, messages)),
-        "columns": indented(_columns(layout)),
+        "flag_values": _flag_values(layout.machine),
+        "columns": indented(_columns(layout, messages)),
         "row": indented(_row(layout, messages), 2),
         "active_bytes": (max(1, len(layout.machine.rules)) + 7) // 8,
     }
@@ -65,31 +66,49 @@ def _step(layout: Layout, messages: Messages) -> list[str]:
 # --- columns ---------------------------------------------------------------------------------
 
 
-def _columns(layout: Layout) -> list[str]:
-    lines = [] if layout.machine.slots else ["(void)columns;"]
-    for index in range(len(layout.machine.slots)):
-        kind = _column_type(layout.machine, index)
-        lines.append(f"const {kind} *column_{index} = (const {kind} *)columns[{index}];")
-    if len(layout.channel_names) != 1:
+def _flag_values(machine: ir.Machine) -> str:
+    """The third value is for a flag that a message lacks: NaN, which is unknown."""
+    if not any(slot.kind is ir.Kind.FLAG for slot in machine.slots):
+        return ""
+    return "\nstatic const double flag_values[] = {0.0, 1.0, NAN};\n"
+
+
+def _columns(layout: Layout, messages: Messages) -> list[str]:
+    machine = layout.machine
+    kinds = ["unsigned char" if slot.kind is ir.Kind.FLAG else "double" for slot in machine.slots]
+    lines = [_column(f"column_{index}", kind, index) for index, kind in enumerate(kinds)]
+    for index in range(len(machine.arrays)):
+        lines.append(_column(f"array_{index}", "double", len(kinds) + index))
+        lines.append(f"const size_t width_{index} = table->widths[{index}];")
+    if not _is_single(layout, messages):
         lines.append(f"{layout.name}_values v;")
-        lines += [f"v.has_{name} = true;" for name in layout.channel_names or ["nothing"]]
+        lines += [] if layout.channel_names else ["v.has_nothing = true;"]
+        for channel, name in enumerate(layout.channel_names):
+            arrives = "true" if messages.fields[channel] else f"table->arriving[{channel}] != 0"
+            lines.append(f"v.has_{name} = {arrives};")
     return lines
 
 
-def _column_type(machine: ir.Machine, slot: int) -> str:
-    return "unsigned char" if machine.slots[slot].kind is ir.Kind.FLAG else "double"
+def _column(name: str, kind: str, place: int) -> str:
+    return f"const {kind} *{name} = (const {kind} *)table->columns[{place}];"
+
+
+def _is_single(layout: Layout, messages: Messages) -> bool:
+    """Whether every row is one message on the only channel."""
+    return len(layout.channel_names) == 1 and bool(messages.fields[0])
 
 
 def _cell(machine: ir.Machine, field: types.Field) -> list[str]:
-    """One field of row i. Arrays have no columns: to a monitor with arrays no run is offered."""
+    """One field of row i, as plain arguments."""
     if field.slot is None:
-        return ["NULL", "0"]
+        return [f"array_{field.array} + i * width_{field.array}", f"width_{field.array}"]
+    cell = f"column_{field.slot}[i]"
     is_flag = machine.slots[field.slot].kind is ir.Kind.FLAG
-    return [f"column_{field.slot}[i]{' ? 1.0 : 0.0' if is_flag else ''}"]
+    return [f"flag_values[{cell}]" if is_flag else cell]
 
 
 def _row(layout: Layout, messages: Messages) -> list[str]:
-    if len(layout.channel_names) == 1:
+    if _is_single(layout, messages):
         cells = [cell for field in messages.fields[0] for cell in _cell(layout.machine, field)]
         take = call(f"take_{layout.channel_names[0]}", ["&h->machine", "times[i]", *cells])
         return [f"if ({take} < 0)", "    return i;"]

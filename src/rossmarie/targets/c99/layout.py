@@ -243,9 +243,8 @@ class _Builder:
         return tuple(i for i in self.whole if isinstance(self.machine.truths[i].node, kinds))
 
     def _is_still(self, index: int) -> bool:
-        """Whether a truth asks a constant to oscillate, which it never does."""
-        signals = ir.compared_signals(self.machine.truths[index].node)
-        return all(isinstance(self.machine.signals[s].node, ir.Constant) for s in signals)
+        """Whether an oscillation rests on no input, so that it never swings (S32)."""
+        return not self.supports.truths[index].channels
 
     def _truth_name(self, index: int) -> str:
         truth = self.machine.truths[index]

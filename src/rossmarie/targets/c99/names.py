@@ -34,7 +34,19 @@ _GENERATED = """
     yaw_of
 """
 
+# What the names that the generated C keeps to itself begin with, up to the first underscore; a test
+# collects them.
+_PRIVATE = """
+    age always array at before begins catch change column covered cross dbl due earliest element
+    flag flt forget fp from gain gap guard has held host how index input int32 int64 is late latest
+    leaf limit look lose lost maximum minimum never no node now oldest on opposite or pitch rate
+    receive report roll row rule sampled samples set settle shown since size slot stamp swings t
+    take term text texts topic truth truths turn uint16 uint64 uint8 unknown unknowns value values
+    wake was width yaw
+"""
+
 _RESERVED = frozenset((_LANGUAGE + _GENERATED).split())
+_PRIVATE_WORDS = frozenset(_PRIVATE.split())
 
 
 def identifier(text: str) -> str:
@@ -44,6 +56,14 @@ def identifier(text: str) -> str:
     if not word or word[0].isdigit():
         word = f"n{word}"
     return f"{word}_" if word in _RESERVED else word
+
+
+def public_prefix(program: str) -> str:
+    """What all public names of a monitor begin with: the name of its rules file, unless that makes
+    names that the monitor has inside, as `rule_values` of `rule.ross` would be.
+    """
+    word = identifier(program)
+    return f"ross_{word}" if word.split("_")[0] in _PRIVATE_WORDS else word
 
 
 class Family:

@@ -29,7 +29,7 @@ def parts(layout: Layout) -> set[str]:
         "as_is": layout.guards and not covered_values(layout),
         "held": layout.held,
         "oscillations": layout.oscillations,
-        "follow": any(layout.supports.truths[index].channels for index in layout.oscillations),
+        "follow": layout.oscillations,
         "ages": layout.ages,
         "samples": layout.sampled,
         "earlier": has_timeouts(layout) or layout.held or layout.oscillations or layout.ages,

@@ -1,0 +1,44 @@
+"""What comes back from a run over many rows, worked out when it is asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie import ir
+from rossmarie.ir import Event
+from rossmarie.native.events import EventReader
+
+
+@dataclass(eq=False)
+class RunResult:
+    """What a run over many rows said.
+
+    `packed_active` has a row of bytes for every row of the run, with the bit of rule r at bit
+    `r % 8` of byte `r // 8`; it is None if it was not asked for.
+    """
+
+    machine: ir.Machine
+    reader: EventReader
+    log: bytes
+    packed_active: NDArray[np.uint8] | None
+
+    @cached_property
+    def events(self) -> list[Event]:
+        """All events, in order."""
+        return self.reader.read(self.log)
+
+    @cached_property
+    def active(self) -> NDArray[np.bool_]:
+        """Which rules were active after each row: of shape (rows, rules).
+
+        Raises `ValueError` if the run was not asked for it.
+        """
+        if self.packed_active is None:
+            raise ValueError("run with active=True to learn which rules were active")
+        rules = len(self.machine.rules)
+        bits = np.unpackbits(self.packed_active, axis=1, count=rules, bitorder="little")
+        return bits.view(np.bool_)

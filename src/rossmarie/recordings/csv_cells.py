@@ -1,0 +1,130 @@
+"""The cells of a CSV file, as instants and values.
+
+Numbers are written as in other programs: not as Python may write them (`1_000`). A cell that is not
+what it should be is NaN, and counted.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from decimal import Decimal
+
+from rossmarie.ir import EARLIEST_NS, LATEST_NS, ChannelValues, Kind, Machine
+from rossmarie.recordings.csv_columns import Columns
+from rossmarie.recordings.matching import Match, Unreadable, input_span, listed
+
+_SECONDS = ("time", "t", "stamp")
+_NANOSECONDS = "time_ns"
+_STAMP_DIGITS = 15
+_FLAGS = {"true": 1.0, "false": 0.0, "1": 1.0, "0": 0.0, "1.0": 1.0, "0.0": 0.0}
+_SHOWN = 40
+
+Clock = Callable[[str], int | None]
+"""From a cell of the first column to nanoseconds; None if it is no instant."""
+
+
+def clock(name: str, first: str) -> Clock | None:
+    """The conversion of a first column of this name; None if it is not the time.
+
+    `first` is its first cell: as seconds, 15 digits would be in the far future.
+    """
+    if name.lower() == _NANOSECONDS:
+        return lambda cell: _nanoseconds(cell, 1)
+    if name.lower() not in _SECONDS:
+        return None
+    start = first.strip()
+    is_stamp = start.isdigit() and len(start) >= _STAMP_DIGITS
+    scale = 1 if is_stamp else 1_000_000_000
+    return lambda cell: _nanoseconds(cell, scale)
+
+
+def _nanoseconds(cell: str, scale: int) -> int | None:
+    if "_" in cell:
+        return None
+    try:
+        exact = Decimal(cell.strip()) * scale
+    except ArithmeticError:  # not a number, or one of a size that not even a Decimal holds
+        return None
+    instant = int(exact) if exact.is_finite() and exact.adjusted() < 20 else LATEST_NS
+    return instant if EARLIEST_NS < instant < LATEST_NS else None
+
+
+class ChannelReader:
+    """Reads the cells of one channel; `names` are those of all columns of the file."""
+
+    def __init__(
+        self,
+        match: Match,
+        columns: Columns,
+        machine: Machine,
+        names: Sequence[str],
+        unreadable: Unreadable,
+    ) -> None:
+        self.channel = match.channel
+        self.unreadable = unreadable
+        self._used = columns.used()
+        self._names = names
+        kinds = {index: match.slots[index].kind for index in columns.slots}
+        self._numbers = {i: c for i, c in columns.slots.items() if kinds[i] is Kind.REAL}
+        self._flags = {i: c for i, c in columns.slots.items() if kinds[i] is Kind.FLAG}
+        self._texts = {i: c for i, c in columns.slots.items() if kinds[i] is Kind.TEXT}
+        self._arrays = columns.arrays
+        self._text_numbers = {text: float(number) for number, text in enumerate(machine.texts)}
+
+    def read(self, at_ns: int, cells: Sequence[str]) -> ChannelValues | None:
+        """What a row says; None if all cells of this channel are blank."""
+        if not any(cells[column] for column in self._used):
+            return None
+        slots = {i: self._number(at_ns, cells, column) for i, column in self._numbers.items()}
+        for index, column in self._flags.items():
+            slots[index] = self._flag(at_ns, cells, column)
+        for index, column in self._texts.items():
+            text = cells[column].strip()
+            slots[index] = self._text_numbers.get(text, -1.0) if text else math.nan
+        return ChannelValues(slots, self._elements(at_ns, cells))
+
+    def _elements(self, at_ns: int, cells: Sequence[str]) -> dict[int, list[float]]:
+        """The elements of each array, up to the last one that is filled."""
+        arrays = {}
+        for index, columns in self._arrays.items():
+            length = max((i + 1 for i, column in enumerate(columns) if cells[column]), default=0)
+            arrays[index] = [self._number(at_ns, cells, column) for column in columns[:length]]
+        return arrays
+
+    def _number(self, at_ns: int, cells: Sequence[str], column: int) -> float:
+        cell = cells[column]
+        try:
+            if "_" not in cell:
+                return float(cell)
+        except ValueError:
+            if not cell.strip():
+                return math.nan
+        return self._bad(at_ns, cells, column, "is not a number")
+
+    def _flag(self, at_ns: int, cells: Sequence[str], column: int) -> float:
+        text = cells[column].strip().lower()
+        if not text or text in _FLAGS:
+            return _FLAGS.get(text, math.nan)
+        return self._bad(at_ns, cells, column, "is none of `true`, `false`, `1` and `0`")
+
+    def _bad(self, at_ns: int, cells: Sequence[str], column: int, reason: str) -> float:
+        text = cells[column].strip()[:_SHOWN]
+        self.unreadable.note(at_ns, f"`{text}` in the column `{self._names[column]}` {reason}")
+        return math.nan
+
+
+def unreadable_cells(
+    match: Match, used: Sequence[str], filled: int, start_ns: int, machine: Machine
+) -> Unreadable:
+    """A count of the cells that cannot be read; `used` are the names of the columns of a channel,
+    and `filled` is how many cells they hold.
+    """
+    columns = "column" if len(used) == 1 else "columns"
+    return Unreadable(
+        what=f"values in the {columns} {listed(used)}",
+        total=filled,
+        start_ns=start_ns,
+        spans=[input_span(machine, reader) for reader in match.inputs],
+        advice="correct these cells, or leave them empty: that is not known",
+    )

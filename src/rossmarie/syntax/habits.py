@@ -1,0 +1,190 @@
+"""What people write out of habit, and from other languages -> the tokens that were meant.
+
+Each habit is a pattern over the tokens of a file, written with one space between two tokens (a
+line feed where a line ends between them). Its group `x` is the mistake; what is written instead
+takes its place, so that it costs one finding and nothing around it. Only files that do not parse
+are looked at, so no correct file is ever changed.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from bisect import bisect_left
+from collections.abc import Iterator
+from functools import cache, cached_property
+from typing import NamedTuple
+
+from dslkit.diagnostics import Diagnostic, Edit, Fix
+from dslkit.source import Span
+from rossmarie.syntax import errors
+from rossmarie.syntax.findings import Findings
+from rossmarie.syntax.habit_table import ANY_NAME, HABITS, NEAR_MISSES, PAIRS, Habit
+from rossmarie.syntax.scan import Scan, Token, ends_line, tokens_of
+from rossmarie.syntax.words import MEMBER_WORDS, PART_WORDS, RESERVED, nearest
+
+_KEYWORDS = RESERVED | MEMBER_WORDS.keys() | PART_WORDS
+_PARTNERS = {"(": ")", "[": "]", "{": "}"}
+_LONGEST = 40  # letters of a mistake in the title of its finding
+_NO_WORD = "this is no word of the language"
+
+
+class _Change(NamedTuple):
+    """The tokens from `first` up to, not including, `last` become `tokens`."""
+
+    first: int
+    last: int
+    tokens: tuple[Token, ...]
+
+
+def mend(source: Scan, findings: Findings) -> Scan:
+    """The file as it was meant, as far as its mistakes are habits; each of them is reported."""
+    changes: dict[int, _Change] = {}
+    end = 0
+    for group, finding in sorted(_Search(source).all(), key=lambda one: one[0][0].first):
+        is_taken = group[0].first < end or any(change.first in changes for change in group)
+        if not is_taken:
+            end = group[0].last
+            findings.add(finding)
+            changes.update({change.first: change for change in group})
+    return _changed(source, changes)
+
+
+def _changed(source: Scan, changes: dict[int, _Change]) -> Scan:
+    """The file with its changes, by the number of their first token."""
+    tokens: list[Token] = []
+    reported: set[int] = set()
+    index = 0
+    while index < len(source.tokens):
+        kept = source.tokens[index : index + 1]
+        change = changes.get(index) or _Change(index, index + 1, kept)
+        tokens += change.tokens
+        if index in changes and change.tokens == source.tokens[index : change.last]:
+            reported.update(token.start for token in change.tokens)
+        index = change.last
+    return dataclasses.replace(source, tokens=tuple(tokens), reported=frozenset(reported))
+
+
+class _Search:
+    """Looks for all habits in one file."""
+
+    def __init__(self, source: Scan) -> None:
+        self._source = source
+        self._tokens = source.tokens
+        self._starts: list[int] = []
+        pieces: list[str] = []
+        length = 0
+        end = 0
+        for token in source.tokens:
+            gap = "\n" if ends_line(source.file.text[end : token.start]) else " "
+            shown = '"' if token.kind in ("text", "open_text") else token.text
+            pieces += (gap, shown)
+            self._starts.append(length + 1)
+            length += 1 + len(shown)
+            end = token.end
+        self._text = "".join((*pieces, "\n"))
+
+    def all(self) -> Iterator[tuple[tuple[_Change, ...], Diagnostic]]:
+        """The changes that belong to one mistake, and its finding."""
+        for habit in HABITS:
+            for match in habit.pattern.finditer(self._text):
+                yield self._habit(habit, match)
+        for near in NEAR_MISSES:
+            for match in near.pattern.finditer(self._text):
+                word = match["x"]
+                meant = near.others.get(word)
+                if meant is None and word not in _KEYWORDS:
+                    meant = _nearest(word, near.words)
+                if meant is not None:
+                    advice = f"did you mean `{meant}`?"
+                    yield self._habit(Habit(near.pattern, meant, _NO_WORD, advice), match)
+        for pair in PAIRS:
+            for match in pair.pattern.finditer(self._text):
+                yield self._pair(pair, match)
+
+    def _range(self, match: re.Match[str], group: str) -> tuple[int, int]:
+        start, end = match.span(group)
+        return bisect_left(self._starts, start), bisect_left(self._starts, end)
+
+    def _written(self, match: re.Match[str], group: str) -> str:
+        first, last = self._range(match, group)
+        if first >= last:
+            return ""
+        return self._source.span(self._tokens[first], self._tokens[last - 1]).text
+
+    def _habit(self, habit: Habit, match: re.Match[str]) -> tuple[tuple[_Change, ...], Diagnostic]:
+        first, last = self._range(match, "x")
+        span = self._source.span(self._tokens[first], self._tokens[last - 1])
+        shown = self._written(match, "x").split("\n")[0][:_LONGEST]
+        groups = {name: self._written(match, name) for name in match.groupdict()}
+        groups["name"] = _one_word(groups["x"])
+        groups["digits"] = groups["x"].replace("_", "")
+        groups["text"] = groups["x"][1:-1]
+        meant = None if habit.meant is None else habit.meant.format(**groups)
+        kept = self._tokens[first:last]
+        tokens = kept if meant is None or habit.is_final else _tokens(meant, span)
+        if habit.meant is None and habit.drops:
+            tokens = ()
+        fix = None
+        if meant is not None:
+            title = f"write `{meant}`" if meant else f"remove `{shown}`"
+            fix = Fix(title, (_edit(span, meant),))
+        advice = habit.advice or f"write `{meant}`"
+        finding = errors.ForeignForm(problem=habit.problem.format(**groups), found=shown)
+        change = _Change(first, last, tokens)
+        return (change,), finding.at(span, help=advice, fix=fix)
+
+    def _pair(self, pair: Habit, match: re.Match[str]) -> tuple[tuple[_Change, ...], Diagnostic]:
+        first, _ = self._range(match, "x")
+        closing = self._partners.get(first)
+        places = [first] if closing is None else [first, closing]
+        changes: list[_Change] = []
+        edits: list[Edit] = []
+        for place, sign in zip(places, (pair.meant or "").split(" "), strict=False):
+            span = self._source.span(self._tokens[place])
+            changes.append(_Change(place, place + 1, _tokens(sign, span)))
+            edits.append(_edit(span, sign))
+        finding = errors.ForeignForm(problem=pair.problem, found=self._tokens[first].text)
+        fix = Fix(f"write `{edits[0].replacement}`", tuple(edits)) if closing is not None else None
+        at = self._source.span(self._tokens[first])
+        return tuple(changes), finding.at(at, help=pair.advice, fix=fix)
+
+    @cached_property
+    def _partners(self) -> dict[int, int]:
+        """Of each bracket that is closed, where."""
+        partners: dict[int, int] = {}
+        stack: list[int] = []
+        for index, token in enumerate(self._tokens):
+            if token.text in _PARTNERS:
+                stack.append(index)
+            elif token.text in _PARTNERS.values():
+                if not stack or _PARTNERS[self._tokens[stack[-1]].text] != token.text:
+                    stack.clear()
+                else:
+                    partners[stack.pop()] = index
+        return partners
+
+
+@cache
+def _nearest(word: str, words: tuple[str, ...]) -> str | None:
+    return nearest(word, words) if len(word) <= _LONGEST else None
+
+
+def _edit(span: Span, meant: str) -> Edit:
+    """Write `meant` there; a space too much around what is removed, or before a colon, goes too."""
+    text = span.file.text
+    has_space = span.start > 0 and text[span.start - 1] == " "
+    is_alone = meant == "" and text[span.end : span.end + 1].isspace()
+    start = span.start - (has_space and (is_alone or meant == ":"))
+    return Edit(Span(span.file, start, span.end), meant)
+
+
+def _one_word(text: str) -> str:
+    """A name of several words as one: `slow_down`."""
+    word = re.sub(r"\W+", "_", text).strip("_")
+    return word if re.fullmatch(ANY_NAME, word) else f"name_{word}"
+
+
+def _tokens(text: str, span: Span) -> tuple[Token, ...]:
+    """The tokens of a text that stands for what is written at `span`."""
+    return tuple(Token(token.kind, token.text, span.start, span.end) for token in tokens_of(text))

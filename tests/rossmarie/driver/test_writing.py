@@ -1,0 +1,41 @@
+"""Files are written as a whole, or stay as they are."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from rossmarie.driver.writing import write_whole
+
+
+def test_a_file_is_written(tmp_path: Path) -> None:
+    write_whole(tmp_path / "new", "a\r\nü\n")
+    assert (tmp_path / "new").read_bytes() == "a\r\nü\n".encode()
+    assert [path.name for path in tmp_path.iterdir()] == ["new"]
+
+
+def test_a_full_disk_leaves_the_file_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(descriptor: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    path = tmp_path / "rules.ross"
+    path.write_text("old")
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(OSError, match="No space left"):
+        write_whole(path, "new")
+    assert path.read_text() == "old"
+    assert [path.name for path in tmp_path.iterdir()] == ["rules.ross"]
+
+
+def test_permissions_and_links_stay(tmp_path: Path) -> None:
+    path = tmp_path / "rules.ross"
+    path.write_text("old")
+    path.chmod(0o640)
+    link = tmp_path / "link.ross"
+    link.symlink_to(path)
+    write_whole(link, "new")
+    assert link.is_symlink()
+    assert path.read_text() == "new"
+    assert path.stat().st_mode & 0o777 == 0o640

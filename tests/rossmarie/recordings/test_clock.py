@@ -1,0 +1,82 @@
+"""Recordings whose clock was set back on the way."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from rosbags.rosbag2 import CompressionMode, StoragePlugin
+from rosbags.typesys.store import Typestore
+
+from support.recordings import (
+    KINDS,
+    ROS1,
+    ROS2,
+    START_NS,
+    Reading,
+    battery,
+    codes,
+    readings,
+    replay,
+    store_of,
+    write_kind,
+    write_mcap,
+    write_ros1,
+    write_ros2,
+)
+
+SECOND_NS = 1_000_000_000
+
+
+def at_seconds(ros: Typestore, *seconds: float) -> list[Reading]:
+    """Messages on /battery, stored in this order."""
+    return [
+        ("/battery", START_NS + int(at * SECOND_NS), *battery(ros, float(index)))
+        for index, at in enumerate(seconds)
+    ]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_clock_that_was_set_back_is_told(tmp_path: Path, kind: str) -> None:
+    stored = at_seconds(store_of(kind), 0, 5, 10, 0.5, 5.5, 3.5)
+    updates, found = replay(write_kind(tmp_path, kind, stored))
+    assert codes(found) == ["ROSS618"]
+    assert found[0].title == "the stamps go back 2 times, by up to 9.5 s"
+    assert [update.at_ns for update in updates] == sorted(update.at_ns for update in updates)
+
+
+def test_a_clock_that_was_set_back_is_told_of_compressed_files(tmp_path: Path) -> None:
+    stored = at_seconds(ROS2, 0, 5, 2)
+    folder = write_ros2(tmp_path / "drive", stored, StoragePlugin.SQLITE3, CompressionMode.FILE)
+    assert codes(replay(folder)[1]) == ["ROSS618"]
+
+
+@pytest.mark.parametrize("kind", ["bag", "db3", "mcap"])
+def test_a_message_may_be_stored_late(tmp_path: Path, kind: str) -> None:
+    stored = at_seconds(store_of(kind), 0, 5, 4.1, 6)
+    assert replay(write_kind(tmp_path, kind, stored))[1] == ()
+
+
+@pytest.mark.parametrize("kind", ["bag", "db3", "mcap"])
+def test_topics_may_be_stored_one_after_the_other(tmp_path: Path, kind: str) -> None:
+    stored = sorted(readings(store_of(kind), 100), key=lambda reading: reading[0])
+    assert replay(write_kind(tmp_path, kind, stored))[1] == ()
+
+
+def test_a_clock_that_was_set_back_between_chunks(tmp_path: Path) -> None:
+    stored = at_seconds(ROS1, *range(100), *range(100))
+    _, found = replay(write_ros1(tmp_path / "drive.bag", stored, chunk_size=100))
+    assert found[0].title == "the stamps go back once, by up to 99.0 s"
+
+
+def test_a_clock_that_was_set_back_is_told_of_damaged_files(tmp_path: Path) -> None:
+    content = bytes(ROS2.serialize_cdr(battery(ROS2, 1.0)[1], "std_msgs/msg/Float32"))
+    stamps = [START_NS + second * SECOND_NS for second in (0, 5, 2)]
+    path = write_mcap(
+        tmp_path / "drive.mcap",
+        "ros2",
+        ("std_msgs/msg/Float32", "ros2msg", "float32 data"),
+        ("/battery", "cdr"),
+        [(at_ns, content) for at_ns in stamps],
+    )
+    assert "ROSS618" in codes(replay(path)[1])

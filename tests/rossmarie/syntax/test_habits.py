@@ -1,0 +1,128 @@
+"""What is written out of habit costs one finding, and its fix writes what was meant."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from dslkit.diagnostics import Diagnostic, apply_edits
+from rossmarie.syntax import ast
+
+Parsed = Callable[[str], tuple[ast.Module, tuple[Diagnostic, ...]]]
+
+# Text, marked text, text after the fix.
+MENDED = [
+    ("rule slow down: if a then { b; }", "slow down", "rule slow_down: if a then { b; }"),
+    ("rule slow-down: if a then { b; }", "slow-down", "rule slow_down: if a then { b; }"),
+    ('rule "slow down": if a then { b; }', '"slow down"', "rule slow_down: if a then { b; }"),
+    ("const max-speed = 3 m/s;", "max-speed", "const max_speed = 3 m/s;"),
+    ("const max speed = 3 m/s;", "max speed", "const max_speed = 3 m/s;"),
+    ("input max-speed = topic /t : p/T", "max-speed", "input max_speed = topic /t : p/T"),
+    ("entity slow-down { a : b; }", "slow-down", "entity slow_down { a : b; }"),
+    ("action slow-down;", "slow-down", "action slow_down;"),
+    ("rule a: iff speed > 1 m/s then { b; }", "iff", "rule a: if speed > 1 m/s then { b; }"),
+    ("rule a: when speed > 1 m/s then { b; }", "when", "rule a: if speed > 1 m/s then { b; }"),
+    ("input x = topik /x : p/T", "topik", "input x = topic /x : p/T"),
+    ("input x = topic /x : p/T timout 1 s", "timout", "input x = topic /x : p/T timeout 1 s"),
+    ("input x = topic /x : p/T timeouts 1 s", "timeouts", "input x = topic /x : p/T timeout 1 s"),
+    ("if a then { b; } lached until reset", "lached", "if a then { b; } latched until reset"),
+    ("if a then { b; } claer for 2 s", "claer", "if a then { b; } clear for 2 s"),
+    ("system s { node n { publish /t; } }", "publish", "system s { node n { publishes /t; } }"),
+    ("rule a { if flag then { stop; }; }", "{", "rule a: if flag then { stop; }; "),
+    ("entity d ( p : flag; )", "(", "entity d { p : flag; }"),
+    ("entity d = { p : flag; }", "=", "entity d { p : flag; }"),
+    ("if flag then { stop(); }", "()", "if flag then { stop; }"),
+    ("if flag then stop;", "then stop", "if flag then { stop; };"),
+    ("if flag then stop", "then stop", "if flag then { stop; }"),
+    ("rule a: if flag then stop;", "then stop", "rule a: if flag then { stop; };"),
+    ("if flag -> stop;", "-> stop", "if flag then { stop; };"),
+    ("if flag; then { stop; }", ";", "if flag then { stop; }"),
+    ("if flag then; { stop; }", ";", "if flag then { stop; }"),
+    ("const a = [-10; 10] deg", ";", "const a = [-10, 10] deg"),
+    ("if x in [-10; 10] deg then { stop; }", ";", "if x in [-10, 10] deg then { stop; }"),
+    ("if x in [-10..10] deg then { stop; }", "..", "if x in [-10, 10] deg then { stop; }"),
+    ("entity e { a : x in [-10; 10] deg; }", ";", "entity e { a : x in [-10, 10] deg; }"),
+    ("const float lim = 3", "float", "const lim = 3"),
+    (
+        '"""doc""" rule a: if flag then { stop; }',
+        '"""doc"""',
+        "'''doc''' rule a: if flag then { stop; }",
+    ),
+    ('"doc" rule a: if flag then { stop; }', '"doc"', "'''doc''' rule a: if flag then { stop; }"),
+    (
+        'input x = topic /t timeout 1 sec\n"doc"\nrule a: if flag then { stop; }',
+        '"doc"',
+        "input x = topic /t timeout 1 sec\n'''doc'''\nrule a: if flag then { stop; }",
+    ),
+    (
+        'input x = topic /t timeout 1 sec\n"""doc"""\nrule a: if flag then { stop; }',
+        '"""doc"""',
+        "input x = topic /t timeout 1 sec\n'''doc'''\nrule a: if flag then { stop; }",
+    ),
+    ("entity d { fast : if speed > 1 m/s; }", "if", "entity d { fast : speed > 1 m/s; }"),
+    ("const a = 1 m/s**2", "**", "const a = 1 m/s^2"),
+    ("const a = 1 [m/s]", "[m/s]", "const a = 1 m/s"),
+    ("if speed not [1,2] m/s then { stop; }", "not", "if speed not in [1,2] m/s then { stop; }"),
+    (
+        "if speed between 1 and 2 then { stop; }",
+        "between 1 and 2",
+        "if speed in [1, 2] then { stop; }",
+    ),
+    ("if a is not b then { stop; }", "is not", "if a != b then { stop; }"),
+    ("if a is b then { stop; }", "is", "if a == b then { stop; }"),
+    ("const a = +1", "+", "const a = 1"),
+    ("const a = 1_000", "1_000", "const a = 1000"),
+    ("input x = topic /x : std_msgs::Float64", "::", "input x = topic /x : std_msgs/Float64"),
+    ("input x = topic /x : Float64", "Float64", "input x = topic /x : std_msgs/Float64"),
+    ("if x in (-10, 10) deg then { stop; }", "(", "if x in [-10, 10] deg then { stop; }"),
+    ("if mode == 'auto' then { stop; }", "'auto'", 'if mode == "auto" then { stop; }'),
+    (
+        "if mode == \u201cauto\u201d then { stop; }",
+        "\u201cauto\u201d",
+        'if mode == "auto" then { stop; }',
+    ),
+    ("const a = \u20131 m", "\u2013", "const a = -1 m"),
+    ("const a = b \u2013 c", "\u2013", "const a = b - c"),
+]
+
+# Text, marked text.
+EXPLAINED = [
+    ("input x, y = topic /t : p/T", ", y"),
+    ("latched rule b: if flag then { stop; }", "latched"),
+    ("if a xor b then { stop; }", "xor"),
+    ("if cnt % 2 == 0 then { stop; }", "%"),
+]
+
+
+@pytest.mark.parametrize(("text", "marked", "mended"), MENDED)
+def test_a_habit_is_found_once_and_its_fix_mends_it(
+    parsed: Parsed, text: str, marked: str, mended: str
+) -> None:
+    _, found = parsed(text)
+    assert [(one.code, one.primary.span.text) for one in found] == [("ROSS027", marked)]
+    assert found[0].fix is not None
+    assert apply_edits(text, found[0].fix.edits) == mended
+    assert parsed(mended)[1] == ()
+
+
+@pytest.mark.parametrize(("text", "marked"), EXPLAINED)
+def test_a_habit_without_a_certain_remedy_is_found_once(
+    parsed: Parsed, text: str, marked: str
+) -> None:
+    _, found = parsed(text)
+    assert [(one.code, one.primary.span.text) for one in found] == [("ROSS027", marked)]
+    assert found[0].help
+
+
+def test_an_open_string_is_closed_in_front_of_then(parsed: Parsed) -> None:
+    text = 'if mode == "auto then { stop; };'
+    (found,) = parsed(text)[1]
+    assert found.fix is not None
+    assert apply_edits(text, found.fix.edits) == 'if mode == "auto" then { stop; };'
+
+
+def test_there_are_no_escapes(parsed: Parsed) -> None:
+    (found,) = parsed('if mode == "a\\"b" then { stop; };')[1]
+    assert (found.code, found.fix) == ("ROSS003", None)
+    assert "no escapes" in (found.help or "")
