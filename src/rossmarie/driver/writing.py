@@ -27,9 +27,8 @@ def write_whole(path: Path, text: str) -> None:
         if is_there:
             shutil.copymode(target, temporary)
         temporary.replace(target)
-    except BaseException:
+    finally:
         temporary.unlink(missing_ok=True)
-        raise
 
 
 def reason(error: OSError) -> str:

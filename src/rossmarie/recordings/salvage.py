@@ -9,6 +9,7 @@ from __future__ import annotations
 import mmap
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator
+from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
@@ -69,11 +70,10 @@ class SalvagedStorage:
     def __init__(self, path: Path, scan_file: Callable[[mmap.mmap], Scan]) -> None:
         with path.open("rb") as file:
             self._file = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-        try:
+        with ExitStack() as opened:
+            opened.callback(self._file.close)
             scan = scan_file(self._file)
-        except BaseException:
-            self._file.close()
-            raise
+            opened.pop_all()  # closed by `close`
         counts = Counter(place.connection for place in scan.places)
         self._by_id = {
             number: replace(connection, count=counts[number])

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Collection, Iterator, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple, Protocol
@@ -108,13 +109,12 @@ class IntactStorage:
     def __init__(self, path: Path) -> None:
         is_ros1 = path.suffix == ".bag" and path.is_file()
         self._reader = rosbag1.Reader(path) if is_ros1 else rosbag2.Reader(path)
-        self._reader.open()
-        try:
+        with ExitStack() as opened_files:
+            self._reader.open()
+            opened_files.callback(self._reader.close)
             self._opened = list(self._reader.connections)
             self.connections = [_connection(opened) for opened in self._opened]
-        except BaseException:
-            self._reader.close()
-            raise
+            opened_files.pop_all()  # closed by `close`
 
     def span(self) -> tuple[int, int] | None:
         """The stamps of the first and the last message; None if there is none."""
