@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +13,14 @@ from in_process import Columns, Round, compile_shared, python_rows
 from workload import PERIOD_NS, REALS, rossmarie_rules
 
 from rossmarie.driver import compile_file
-from rossmarie.driver.monitor import Monitor
-from rossmarie.interpreter import Interpreter
-from rossmarie.ir import Change, ChannelValues, Machine, Verdict
+from rossmarie.driver.monitor import Monitor, start_engine
+from rossmarie.driver.python_monitor import PythonMonitor
+from rossmarie.ir import Change, Event, Machine, Verdict
+from rossmarie.native import NativeMonitor
 from rossmarie.targets.c99 import generate
+from rossmarie.targets.python import source
+
+Engine = NativeMonitor | PythonMonitor
 
 DECLARATIONS = """
 void steps(size_t, int64_t *, double *, double *, double *, double *, uint8_t *, uint8_t *,
@@ -137,50 +142,37 @@ def from_python_columns(compiled: Machine, columns: Columns, chunk: int) -> Roun
 
 def from_python_steps(compiled: Machine, columns: Columns, samples: int) -> Round:
     """One call a sample with Python numbers; activity is counted from the events."""
-    rows = python_rows(columns, samples)
+    return _steps(compiled, columns, samples, lambda: start_engine(compiled).engine)
+
+
+def python_steps(compiled: Machine, columns: Columns, samples: int) -> Round:
+    """The same with the generated Python, which runs where there is no C compiler."""
+    text = source(compiled)
+    return _steps(compiled, columns, samples, lambda: PythonMonitor(compiled, text))
+
+
+def _steps(compiled: Machine, columns: Columns, samples: int, start: Callable[[], Engine]) -> Round:
+    names = ("t_ns", *REALS, "contact")
+    order = [0, *(names.index(str(slot.path[0])) for slot in compiled.slots)]
+    rows = [tuple(row[index] for index in order) for row in python_rows(columns, samples)]
     end_ns = samples * PERIOD_NS
 
     def run() -> tuple[float, list[int]]:
-        monitor = Monitor(compiled)
-        step = monitor.update_call("/reading")
-        order = [("t_ns", *REALS, "contact").index(name) for name in monitor.fields("/reading")]
-        ordered = [(row[0], *(row[index] for index in order)) for row in rows]
-        start = time.process_time()
-        for row in ordered:
+        monitor = start()
+        step = monitor.update_call(0)
+        begin = time.process_time()
+        for row in rows:
             step(*row)
-        took = time.process_time() - start
-        return took, _active_samples(monitor, end_ns)
+        took = time.process_time() - begin
+        return took, _active_samples(compiled, monitor.take_events(), end_ns)
 
     return run
 
 
-def interpreted_steps(compiled: Machine, columns: Columns, samples: int) -> Round:
-    """One update a sample of the interpreter, which runs where there is no C compiler."""
-    rows = python_rows(columns, samples)
-    names = ("t_ns", *REALS, "contact")
-    order = [names.index(str(slot.path[0])) for slot in compiled.slots]
-    messages = [
-        (row[0], {0: ChannelValues({slot: float(row[at]) for slot, at in enumerate(order)})})
-        for row in rows
-    ]
-
-    def run() -> tuple[float, list[int]]:
-        monitor = Interpreter(compiled)
-        counts = [0] * len(compiled.rules)
-        start = time.process_time()
-        for at_ns, message in messages:
-            monitor.update(at_ns, message)
-            for rule, is_active in enumerate(monitor.active):
-                counts[rule] += is_active
-        return time.process_time() - start, counts
-
-    return run
-
-
-def _active_samples(monitor: Monitor, end_ns: int) -> list[int]:
+def _active_samples(compiled: Machine, events: Sequence[Event], end_ns: int) -> list[int]:
     """For how many samples each rule was active: rules change at the instants of samples here."""
-    counts = [0] * len(monitor.rules)
-    for event in monitor.take_events():
+    counts = [0] * len(compiled.rules)
+    for event in events:
         if isinstance(event, Verdict):
             left = (end_ns - event.at_ns) // PERIOD_NS
             counts[event.rule] += -left if event.change is Change.CLEARED else left

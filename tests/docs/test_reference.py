@@ -16,6 +16,7 @@ from rossmarie.catalog import DIAGNOSTICS
 from rossmarie.check.functions import MOST_TURNING_POINTS, USAGES
 from rossmarie.cli.main import app
 from rossmarie.driver import check_file
+from rossmarie.ir import MOST_EVALUATIONS
 from rossmarie.syntax import limits
 from rossmarie.syntax.words import RESERVED
 from support.markdown import Block, blocks, replace_block
@@ -86,13 +87,14 @@ def test_the_limits_are_those_of_the_compiler() -> None:
     stated = [
         cell for line in section.split("\n") if line.startswith("| ") for cell in line.split(" | ")
     ]
-    assert stated[7::3][:6] == [
+    assert stated[7::3][:7] == [
         f"{limits.MAXIMUM_FILE_SIZE // 2**20} MiB, {spaced(limits.MAXIMUM_TOKENS)} words and signs",
         f"{limits.MAXIMUM_NESTING} levels",
         f"{limits.MAXIMUM_DEPTH} levels",
         spaced(limits.MAXIMUM_LENGTH),
         str(limits.MAXIMUM_ERRORS),
         str(MOST_TURNING_POINTS),
+        spaced(MOST_EVALUATIONS),
     ]
 
 

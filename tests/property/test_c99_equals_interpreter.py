@@ -7,17 +7,13 @@ sanitizers, which cannot be loaded into Python, with strict warnings on.
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 from hypothesis import Phase, given, settings
-from hypothesis import strategies as st
 
 from rossmarie import ir
-from rossmarie.driver.interpreted import InterpretedColumns
-from rossmarie.driver.monitor import Bound
 from rossmarie.interpreter import Interpreter
 from rossmarie.native import NativeMonitor, build, fit
 from rossmarie.native.events import EventReader
@@ -26,8 +22,8 @@ from rossmarie.native.signatures import declarations, fields_of
 from rossmarie.targets.c99 import generate_loadable
 from support.c_compiler import STRICT, needs_c, run, write
 from support.c_replay import observations, program, table_bytes, trace_bytes
-from support.machines import NAN, Step, exactly, machines, observe, traces
-from support.tables import Table, tables
+from support.machines import exactly, observe
+from support.runs import Case, FastCalls, in_chunks, row_by_row, whole_cases
 
 pytestmark = needs_c
 
@@ -38,22 +34,6 @@ PHASES = tuple(Phase) if EXAMPLES > 1000 else GENERATE_ONLY
 
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 _PACKED = "int host_packed(host *, int, int64_t, double *);"
-
-
-@dataclass(frozen=True)
-class Case:
-    """A machine, and what happens to it: step by step, and as a table in chunks."""
-
-    machine: ir.Machine
-    trace: list[Step]
-    table: Table
-    chunk: int
-
-
-@st.composite
-def whole_cases(draw: st.DrawFn) -> Case:
-    machine = draw(machines())
-    return Case(machine, draw(traces(machine)), draw(tables(machine)), draw(st.integers(1, 17)))
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -72,64 +52,18 @@ def quickly_built(machine: ir.Machine) -> Callable[[], NativeMonitor]:
     return lambda: NativeMonitor(machine, library, EventReader(machine))
 
 
-class FastCalls:
-    """A monitor whose messages come by `update_call` wherever it takes them."""
-
-    def __init__(self, machine: ir.Machine, native: NativeMonitor) -> None:
-        self._machine = machine
-        self._native = native
-        self._fields = fields_of(machine)
-        self.next_wake = native.next_wake
-        self.advance = native.advance
-        self.reset = native.reset
-
-    @property
-    def active(self) -> tuple[bool, ...]:
-        return self._native.active
-
-    def update(self, at_ns: int, messages: Mapping[int, ir.ChannelValues]) -> list[ir.Event]:
-        (channel, *others) = messages
-        if others or self._fields[channel].arrays:
-            return self._native.update(at_ns, messages)
-        values = messages[channel].slots
-        numbers = [values.get(slot, NAN) for slot in self._fields[channel].slots]
-        count = self.call(channel, at_ns, numbers)
-        events = self._native.take_events()
-        assert count == len(events)
-        return events
-
-    def call(self, channel: int, at_ns: int, numbers: list[float]) -> int:
-        return self._native.update_call(channel)(at_ns, *numbers)
-
-
 class PackedCalls(FastCalls):
     """The same by the function that is behind `update_call` where Python's headers are at hand."""
+
+    def __init__(self, machine: ir.Machine, native: NativeMonitor) -> None:
+        super().__init__(machine, native)
+        self._native = native
 
     def call(self, channel: int, at_ns: int, numbers: list[float]) -> int:
         library = self._native.library
         memory = library.new("double[]", numbers or [0.0])
         packed = library.function("host_packed")
         return int(packed(self._native.host, channel, at_ns, memory))
-
-
-def in_chunks(bound: Bound, case: Case) -> Iterator[tuple[list[object], list[list[bool]]]]:
-    """The events of each chunk, and which rules were active after each of its rows."""
-    rows = len(case.table.rows)
-    for start in range(0, rows, case.chunk):
-        run = bound.run(start, min(start + case.chunk, rows), active=True)
-        yield [exactly(event) for event in run.events], run.active.tolist()
-
-
-def row_by_row(case: Case) -> Iterator[tuple[list[object], list[list[bool]]]]:
-    """The same from the interpreter, which gets a message at a time."""
-    interpreter = Interpreter(case.machine)
-    times_ns = case.table.times_ns.tolist()
-    for start in range(0, len(times_ns), case.chunk):
-        events, active = [], []
-        for row in range(start, min(start + case.chunk, len(times_ns))):
-            events += interpreter.update(times_ns[row], case.table.rows[row])
-            active.append(list(interpreter.active))
-        yield [exactly(event) for event in events], active
 
 
 @settings(phases=PHASES, max_examples=max(200, EXAMPLES))
@@ -145,13 +79,6 @@ def test_same_events_wakes_and_states(case: Case) -> None:
     assert list(in_chunks(native().bind(table.times_ns, table.columns), case)) == rows
     run = native().run(table.times_ns, table.columns)
     assert [exactly(event) for event in run.events] == [event for part, _ in rows for event in part]
-
-
-@given(whole_cases())
-def test_interpreted_columns_are_as_one_update_a_row(case: Case) -> None:
-    fitting = fit(case.machine, case.table.times_ns, case.table.columns)
-    bound = InterpretedColumns(case.machine, Interpreter(case.machine), fitting)
-    assert list(in_chunks(bound, case)) == list(row_by_row(case))
 
 
 @settings(phases=PHASES, max_examples=max(40, EXAMPLES // 4))

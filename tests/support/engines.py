@@ -9,7 +9,7 @@ import pytest
 import rossmarie
 from rossmarie import Monitor
 
-ENGINES = ("native", "interpreter")
+ENGINES = ("native", "python")
 
 
 def load(rules: str, engine: str, folder: Path) -> Monitor:

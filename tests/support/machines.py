@@ -80,6 +80,23 @@ def traces(draw: st.DrawFn, machine: ir.Machine, max_steps: int = 24) -> list[St
 
 
 @st.composite
+def calm_traces(draw: st.DrawFn, machine: ir.Machine, max_steps: int = 40) -> list[Step]:
+    """The same with few different messages at short distances: most of them change nothing."""
+    channels = range(len(machine.channels))
+    known = [draw(st.lists(channel_values(machine, c), min_size=1, max_size=3)) for c in channels]
+    steps: list[Step] = []
+    at_ns = 0
+    for _ in range(draw(st.integers(1, max_steps))):
+        at_ns += draw(st.sampled_from((0, 1, 1, 1, 1, 1, 1, 8, 40, -3))) * (TICK // 8)
+        if draw(st.integers(0, 15)) == 0:
+            steps.append(draw(_step(machine, at_ns)))
+        else:
+            channel = draw(st.sampled_from(channels))
+            steps.append(Update(at_ns, {channel: draw(st.sampled_from(known[channel]))}))
+    return steps
+
+
+@st.composite
 def instants(draw: st.DrawFn, most: int) -> list[int]:
     """One or more instants, now and then the same or an earlier one."""
     ticks = st.sampled_from((0, 0, 1, 1, 1, 2, 2, 3, 5, 9, 20, -4))

@@ -7,6 +7,7 @@ The renderers are doors of their own: `dslkit.diagnostics.render_text`, `.render
 from dslkit.diagnostics.collector import Collector
 from dslkit.diagnostics.counting import summary
 from dslkit.diagnostics.edits import apply_edits
+from dslkit.diagnostics.listing import listed
 from dslkit.diagnostics.model import Diagnostic, Edit, Fix, Label, Severity
 from dslkit.diagnostics.template import Error, Template, Warning
 
@@ -21,5 +22,6 @@ __all__ = [
     "Template",
     "Warning",
     "apply_edits",
+    "listed",
     "summary",
 ]

@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Label
-from rossmarie.check.context import ConditionKey, Context, Uses
+from rossmarie.check.context import Context, Uses
 from rossmarie.check.decided import warn_of_decided, warn_of_never_cleared
 from rossmarie.check.declarations import collect
 from rossmarie.check.expressions import infer
 from rossmarie.check.field_units import check_read_units
 from rossmarie.check.inputs import resolve_inputs, resolve_timeouts
-from rossmarie.check.model import CheckedProgram, Symbols, Value
+from rossmarie.check.model import CheckedProgram, ConditionKey, Symbols, Value
 from rossmarie.check.name_errors import CircularCondition, CircularConstant
 from rossmarie.check.names import use_actions
 from rossmarie.check.operands import duration_ns, require_condition, require_constant
@@ -143,7 +143,7 @@ def _check_rule(rule: ast.Rule, context: Context) -> Uses:
             warn_of_never_cleared(rule, contract, context)
         elif isinstance(contract, ast.ClearFor):
             infer(contract.duration, context)
-            duration_ns(contract.duration, "what stands behind `clear for`", context)
+            duration_ns(contract.duration, "what stands after `clear for`", context)
     return uses
 
 

@@ -8,14 +8,12 @@ from functools import cached_property
 from dslkit.diagnostics import Collector
 from dslkit.source import Span
 from rossmarie.check.declarations import Declarations
-from rossmarie.check.model import CheckedInput, Value
+from rossmarie.check.model import CheckedInput, ConditionKey, Value
 from rossmarie.check.suggestions import Suggestions
 from rossmarie.check.trees import stripped
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import walk
 from rossmarie.types import Type, Unknown
-
-ConditionKey = tuple[str, str]
 
 
 @dataclass

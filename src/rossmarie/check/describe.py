@@ -31,7 +31,7 @@ def describe(type_: Type) -> str:
         return f"a message {type_.name}"
     words: dict[type[object], str] = {
         Boolean: "true or false",
-        Text: "a text",
+        Text: "a string",
         Quaternion: "an orientation",
         Interval: "an interval",
         Box: "a box",

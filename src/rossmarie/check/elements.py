@@ -18,7 +18,6 @@ from rossmarie.types import Array, Boolean, Unknown
 
 _QUANTIFIERS = frozenset({"any", "all"})
 _ELEMENTWISE = _QUANTIFIERS | {"count"}
-_JUNCTIONS = frozenset({ast.BinaryOperator.AND, ast.BinaryOperator.OR})
 
 
 def check_elements(fold: ast.Call, context: Context) -> None:
@@ -46,7 +45,7 @@ def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[
     function = fold.function.text
     junction = stripped(fold.arguments[0])
     help = f"`{text_of(truth)}` is one truth for all elements: take it out of `{function}`"
-    if not isinstance(junction, ast.Binary) or junction.operator not in _JUNCTIONS:
+    if not isinstance(junction, ast.Binary) or junction.operator not in ast.JUNCTIONS:
         return help, None
     if function not in _QUANTIFIERS or not (truth is junction.left or truth is junction.right):
         return help, None
@@ -71,7 +70,7 @@ def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
 def report_held_elements(held: ast.Held, fold: ast.Call, context: Context) -> None:
     """Report that `for` stands on the elements of an array, inside `fold`."""
     function = fold.function.text
-    advice = "no single element is watched over time: put `for` behind the whole condition"
+    advice = "no single element is watched over time: put `for` after the whole condition"
     fix = None
     if stripped(fold.arguments[0]) is held and function in _QUANTIFIERS:
         meant = f"{function}({held.condition.span.text}) for {held.duration.span.text}"

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Collector, Edit, Fix
+from dslkit.diagnostics import Collector, Edit, Fix, listed
 from dslkit.source import Span
 from rossmarie.check.gaps import without
 from rossmarie.check.name_errors import UnknownField
-from rossmarie.check.suggestions import listed, near_name, rename
+from rossmarie.check.suggestions import near_name, rename
 from rossmarie.check.type_errors import FieldNotUsable
 from rossmarie.syntax import ast
 from rossmarie.types import (

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from dslkit.diagnostics import listed
 from rossmarie.check.angles import warn_of_rate
 from rossmarie.check.context import Context
 from rossmarie.check.describe import describe
@@ -19,7 +20,7 @@ from rossmarie.check.operands import (
     scalar_operand,
 )
 from rossmarie.check.operators import applied
-from rossmarie.check.suggestions import listed, near_name, rename
+from rossmarie.check.suggestions import near_name, rename
 from rossmarie.check.trees import stripped, text_of
 from rossmarie.check.type_errors import (
     NotAnArray,
@@ -82,7 +83,6 @@ _FIELDS: Mapping[Operator, type[object]] = {
 }
 _MOST_FIELDS = 4
 _QUANTIFIERS = frozenset({Operator.ANY, Operator.ALL, Operator.COUNT})
-_JUNCTIONS = frozenset({ast.BinaryOperator.AND, ast.BinaryOperator.OR})
 _EXTREMES = frozenset({Operator.MIN, Operator.MAX})
 
 
@@ -168,7 +168,7 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
 def _result_of_fold(node: ast.Call, operator: Operator, type_: Type, context: Context) -> Type:
     """What comes out whatever is wrong with the argument; of `any(x) < 1`, one finding will do."""
     around = context.parents.get(id(node))
-    is_compared = isinstance(around, ast.Binary) and around.operator not in _JUNCTIONS
+    is_compared = isinstance(around, ast.Binary) and around.operator not in ast.JUNCTIONS
     if isinstance(type_, Unknown) and is_compared:
         return type_
     if not isinstance(type_, Unknown):
@@ -246,7 +246,7 @@ def type_of_oscillates(node: ast.Oscillates, context: Context) -> Type:
     """`oscillates(x, 3 times, within 0.25 sec, by 5 N)` is one truth."""
     value = scalar_operand(node.value, context)
     _check_turning_points(node.count, context)
-    duration_ns(node.window, "what stands behind `within`", context)
+    duration_ns(node.window, "what stands after `within`", context)
     swing = None if node.swing is None else scalar_operand(node.swing, context)
     if swing is None:
         return Boolean()

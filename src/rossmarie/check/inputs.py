@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 
-from dslkit.diagnostics import Collector, Fix, Label
+from dslkit.diagnostics import Collector, Fix, Label, listed
 from rossmarie.check.context import Context
 from rossmarie.check.expressions import infer
 from rossmarie.check.field_units import FieldKey, check_one_unit
@@ -13,7 +13,7 @@ from rossmarie.check.gaps import without
 from rossmarie.check.model import CheckedInput
 from rossmarie.check.name_errors import TopicTypeConflict, TopicWithoutType
 from rossmarie.check.operands import duration_ns
-from rossmarie.check.suggestions import listed, rename
+from rossmarie.check.suggestions import rename
 from rossmarie.check.system_model import (
     SystemModel,
     Topic,

@@ -30,7 +30,7 @@ class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
         "without a timeout, a rule that lacks this input is never activated by the lack; "
         "with one, it fails closed"
     )
-    help = "write the longest silence you accept behind it: `timeout 0.5 sec`"
+    help = "write the longest silence you accept after it: `timeout 0.5 sec`"
     identifier: str
 
 
@@ -99,7 +99,7 @@ class NeverCleared(Warning, code="ROSS408", name="never-cleared"):
     title = "this rule can never be cleared"
     label = "while this holds, so does the condition of the rule"
     note = (
-        "a rule is cleared once its own condition is false and the one behind `clear when` is true"
+        "a rule is cleared once its own condition is false and the one after `clear when` is true"
     )
     help = "write when it may end, with a margin; or leave the contract out"
 

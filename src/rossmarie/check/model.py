@@ -12,6 +12,9 @@ from dataclasses import dataclass
 from rossmarie.syntax import ast
 from rossmarie.types import Type
 
+ConditionKey = tuple[str, str]
+"""The names of an entity and of a condition in it."""
+
 
 @dataclass(frozen=True)
 class Value:
@@ -43,11 +46,11 @@ class CheckedInput:
 
 @dataclass(frozen=True)
 class Symbols:
-    """What each name stands for. Conditions are keyed `(entity, condition)`."""
+    """What each name stands for."""
 
     constants: Mapping[str, Value]
     inputs: Mapping[str, CheckedInput]
-    conditions: Mapping[tuple[str, str], ast.Condition]
+    conditions: Mapping[ConditionKey, ast.Condition]
     actions: Mapping[str, ast.Action]
 
 

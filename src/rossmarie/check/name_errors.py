@@ -109,7 +109,7 @@ class TopicWithoutType(Error, code="ROSS110", name="topic-without-type"):
     title = "the message type of topic `{topic}` is not known"
     label = "no system model declares this topic"
     note = (
-        "without a type behind the topic (`topic /imu/data : sensor_msgs/Imu`) the type comes "
+        "without a type after the topic (`topic /imu/data : sensor_msgs/Imu`) the type comes "
         "from a system model"
     )
     topic: str

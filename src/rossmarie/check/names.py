@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from dslkit.diagnostics import Edit, Fix, Label
+from dslkit.diagnostics import Edit, Fix, Label, listed
 from rossmarie.check.context import Context
 from rossmarie.check.declarations import ARTICLES, kind_of
 from rossmarie.check.fields import select
@@ -21,7 +21,7 @@ from rossmarie.check.name_errors import (
     WrongKindOfName,
 )
 from rossmarie.check.spaced_units import is_rest_of_unit
-from rossmarie.check.suggestions import listed, near_name, rename
+from rossmarie.check.suggestions import near_name, rename
 from rossmarie.check.trees import text_of
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Type, Unknown
@@ -238,7 +238,7 @@ def _instead(declared: object, expected: str, context: Context) -> str | None:
         return f"choose a condition of it: {listed(meant)}" if meant else "it has no conditions"
     if expected == "an action":
         return f"name one of {listed(tuple(_named(context, ast.Action)))}, or declare an action"
-    return "actions are named behind `then`; conditions are made of inputs"
+    return "actions are named after `then`; conditions are made of inputs"
 
 
 def _named(context: Context, *kinds: type[object]) -> dict[str, ast.Name]:

@@ -87,9 +87,9 @@ def _not_a_number(node: ast.Expression, type_: Type) -> Diagnostic:
     if is_truth(type_):
         help = "a condition is used by itself, or counted over an array: `count(...)`"
     elif isinstance(type_, Text):
-        help = "texts can only be compared with texts, `==` and `!=`"
+        help = "strings can only be compared with strings, `==` and `!=`"
     else:
-        help = "a range can only stand behind `in`"
+        help = "a range can only stand after `in`"
     return NotANumber(found=describe(type_)).at(node.span, help=help)
 
 
@@ -120,7 +120,7 @@ def _not_a_condition(node: ast.Expression, type_: Type) -> Diagnostic:
         return message_as_value(node, type_)
     finding = NotACondition(found=describe(type_), text=text)
     if isinstance(type_, Text):
-        return finding.at(node.span, help=f'compare it with a text, `{text} == "..."`')
+        return finding.at(node.span, help=f'compare it with a string, `{text} == "..."`')
     if isinstance(type_, Quaternion):
         return finding.at(node.span, help=f"compare an angle of it, `{text}.pitch() > ...`")
     if isinstance(type_, Vector):

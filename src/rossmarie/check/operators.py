@@ -23,11 +23,10 @@ from rossmarie.check.operands import (
 )
 from rossmarie.check.ratios import check_ratio
 from rossmarie.check.trees import constant_of, quoted, stripped, text_of
-from rossmarie.check.type_errors import DivisionByZero, Incomparable, TextsCompared, TruthCompared
+from rossmarie.check.type_errors import DivisionByZero, Incomparable, StringsCompared, TruthCompared
 from rossmarie.check.unit_errors import TemperatureArithmetic
 from rossmarie.check.units import Operand, check_fit_of, operand_of
 from rossmarie.syntax import ast
-from rossmarie.syntax.ast import BinaryOperator
 from rossmarie.types import (
     Array,
     Boolean,
@@ -47,7 +46,6 @@ EQUALITY = frozenset({Operator.EQUAL, Operator.NOT_EQUAL})
 ARITHMETIC = frozenset(
     {Operator.ADD, Operator.SUBTRACT, Operator.MULTIPLY, Operator.DIVIDE, Operator.NEGATE}
 )
-_JUNCTIONS = frozenset({BinaryOperator.AND, BinaryOperator.OR})
 PURPOSES: Mapping[Operator, str] = {
     Operator.ADD: "added",
     Operator.SUBTRACT: "subtracted",
@@ -79,7 +77,7 @@ def type_of_unary(node: ast.Unary, context: Context) -> Type:
 
 def type_of_held(node: ast.Held, context: Context) -> Type:
     """`condition for 2 sec` is one truth."""
-    duration_ns(node.duration, "what stands behind `for`", context)
+    duration_ns(node.duration, "what stands after `for`", context)
     type_ = context.type_of(node.condition)
     fold = enclosing_fold(node, context)
     if fold is not None and isinstance(type_, Array | Unknown):
@@ -148,7 +146,7 @@ def _report_temperature(operands: Sequence[ast.Expression], context: Context) ->
 
 
 def _first_operand(node: ast.Expression) -> ast.Expression:
-    while isinstance(node, ast.Binary) and node.operator in _JUNCTIONS:
+    while isinstance(node, ast.Binary) and node.operator in ast.JUNCTIONS:
         node = node.left
     return node
 
@@ -217,7 +215,7 @@ def _text_comparison(node: ast.Binary, context: Context) -> Type:
     """Texts are numbered by the compiler, so that one side has to be known to it."""
     if id(node.left) in context.values or id(node.right) in context.values:
         return Boolean()
-    finding = TextsCompared(left=text_of(node.left), right=text_of(node.right))
+    finding = StringsCompared(left=text_of(node.left), right=text_of(node.right))
     context.collector.add(finding.at(node.span))
     return Unknown()
 
@@ -226,7 +224,7 @@ def _report_incomparable(node: ast.Binary, context: Context) -> Type:
     left, right = (describe(context.type_of(side)) for side in (node.left, node.right))
     finding = Incomparable(left=left, right=right, operator=node.operator.value)
     if left == right:
-        help = "texts have no order; compare them with `==` or `!=`"
+        help = "strings have no order; compare them with `==` or `!=`"
     elif is_truth(context.type_of(node.left)) or is_truth(context.type_of(node.right)):
         help = "use the condition by itself, or `not` and the condition"
     else:
@@ -246,7 +244,7 @@ def _in_one_kind(node: ast.Binary, context: Context) -> str:
             return f"leave the quotes out: `{literal.value}`"
         if isinstance(literal, ast.Number):
             return f'put it in quotes: `"{text_of(literal)}"`'
-    return "a text never equals a number: compare with something of the same kind"
+    return "a string never equals a number: compare with something of the same kind"
 
 
 def _is_number(text: str) -> bool:

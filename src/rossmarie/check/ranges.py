@@ -22,7 +22,7 @@ from rossmarie.check.type_errors import (
     IntervalEndsSwapped,
     RangeMismatch,
     ScalarAsRange,
-    TextsAsRange,
+    StringsAsRange,
 )
 from rossmarie.check.unit_errors import MisplacedUnit
 from rossmarie.check.units import Operand, check_fit, check_fit_of, read_unit
@@ -75,7 +75,7 @@ def _report_texts(node: ast.Bracket, context: Context) -> None:
         value = around.value.span.text
         meant = junction.join(f"{value} {sign} {text.span.text}" for text in node.elements)
         help, fix = f"write `{quoted(meant)}`", rewritten(around, meant, context)
-    context.collector.add(TextsAsRange().at(node.span, help=help, fix=fix))
+    context.collector.add(StringsAsRange().at(node.span, help=help, fix=fix))
 
 
 def _check_ends(
@@ -145,9 +145,9 @@ def _report_unfit(node: ast.Membership, value: Type, container: Type, context: C
     finding = RangeMismatch(value=describe(value), container=describe(container))
     place = Label(node.value.span, f"this is {describe(value)}")
     help = (
-        "write a position before `in`, or an interval, `[low, high]`, behind it"
+        "write a position before `in`, or an interval, `[low, high]`, after it"
         if isinstance(container, Box)
-        else "write an interval, `in [low, high]`, or a box, behind `in`"
+        else "write an interval, `in [low, high]`, or a box, after `in`"
     )
     context.collector.add(finding.at(node.container.span, place, help=help))
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from dslkit.diagnostics import Edit, Fix
 from rossmarie.syntax import ast
 
 NEAR = 0.7
 VERY_NEAR = 0.85
-LISTED = 12
 MOST_COMPARISONS = 50_000
 
 
@@ -42,13 +41,3 @@ def rename(name: ast.Name, near: str) -> Fix | None:
     if likeness < VERY_NEAR:
         return None
     return Fix(f"write `{near}`", (Edit(name.span, near),))
-
-
-def listed(names: Sequence[str]) -> str:
-    """`a`, `b` and `c`; long lists are cut."""
-    quoted = [f"`{name}`" for name in names[:LISTED]]
-    if len(names) > LISTED:
-        return f"{', '.join(quoted)} and {len(names) - LISTED} more"
-    if len(quoted) < 2:
-        return "".join(quoted)
-    return f"{', '.join(quoted[:-1])} and {quoted[-1]}"

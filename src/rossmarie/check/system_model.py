@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Edit, Fix, Label
+from dslkit.source import is_folder
 from rossmarie.check.declarations import Declarations
 from rossmarie.check.fields import has_no_number, select, unit_of
 from rossmarie.check.name_errors import (
@@ -165,7 +166,7 @@ def _folders(members: Sequence[ast.SystemMember], collector: Collector) -> Itera
     for member in members:
         if isinstance(member, ast.MessagesDeclaration):
             folder = Path(member.span.file.path).parent / member.path.value
-            if _is_folder(folder):
+            if is_folder(folder):
                 yield folder
             else:
                 finding = MessageFolderMissing(path=member.path.value, looked_for=str(folder))
@@ -324,11 +325,3 @@ def _check_node(node: ast.NodeDeclaration, model: SystemModel, collector: Collec
             fix = rename(name, near) if near is not None else None
             finding = UndeclaredTopic(topic=full_name(name.text))
             collector.add(finding.at(name.span, help=help, fix=fix))
-
-
-def _is_folder(path: Path) -> bool:
-    """Whether there is such a folder; what no path can be (too long, a NUL in it) is none."""
-    try:
-        return path.is_dir()
-    except (OSError, ValueError):
-        return False

@@ -45,7 +45,7 @@ class Incomparable(Error, code="ROSS204", name="incomparable"):
     """A comparison of things of different kinds."""
 
     title = "{left} cannot be compared with {right}"
-    label = "`{operator}` needs two numbers, or `==` and `!=` two texts"
+    label = "`{operator}` needs two numbers, or `==` and `!=` two strings"
     left: str
     right: str
     operator: str
@@ -168,7 +168,7 @@ class NotConstant(Error, code="ROSS215", name="not-constant"):
     title = "{purpose} has to be constant"
     label = "this is not constant"
     note = "it has to be known before the monitor runs"
-    help = "use numbers, texts, `true`, `false`, other constants and operators on them"
+    help = "use numbers, strings, `true`, `false`, other constants and operators on them"
     purpose: str
 
 
@@ -247,28 +247,28 @@ class TruthCompared(Error, code="ROSS222", name="truth-compared"):
 
 
 @dataclass(frozen=True, kw_only=True)
-class TextsCompared(Error, code="ROSS223", name="texts-compared"):
+class StringsCompared(Error, code="ROSS223", name="strings-compared"):
     """A comparison of two texts that both arrive with messages."""
 
-    title = "a text can only be compared with a text that is written down"
+    title = "a string can only be compared with a string that is written down"
     label = "neither side is known before the monitor runs"
     note = (
-        "a monitor keeps apart only the texts that the rules mention: "
+        "a monitor keeps apart only the strings that the rules mention: "
         "all others are one and the same to it"
     )
-    help = 'compare each with the texts that matter: `{left} == "..." and {right} == "..."`'
+    help = 'compare each with the strings that matter: `{left} == "..." and {right} == "..."`'
     left: str
     right: str
 
 
 @dataclass(frozen=True, kw_only=True)
-class TextsAsRange(Error, code="ROSS224", name="texts-as-range"):
+class StringsAsRange(Error, code="ROSS224", name="strings-as-range"):
     """Texts in brackets, as if `in` looked for one in a list."""
 
-    title = "a bracket is a range of numbers, not a list of texts"
-    label = "these are texts"
-    note = "texts have no order, so nothing is between two of them"
-    help = "compare with each text, `==` or `!=`, and join by `or` or `and`"
+    title = "a bracket is a range of numbers, not a list of strings"
+    label = "these are strings"
+    note = "strings have no order, so nothing is between two of them"
+    help = "compare with each string, `==` or `!=`, and join by `or` or `and`"
 
 
 ALL: tuple[type[Template], ...] = (
@@ -294,6 +294,6 @@ ALL: tuple[type[Template], ...] = (
     OscillationCount,
     NotAnArray,
     TruthCompared,
-    TextsCompared,
-    TextsAsRange,
+    StringsCompared,
+    StringsAsRange,
 )

@@ -56,7 +56,7 @@ class FieldWithoutUnit(Error, code="ROSS304", name="field-without-unit"):
     title = "the unit of this field is not known"
     label = "no unit is known for this"
     note = "it meets a quantity in {other}, and ROS message definitions carry no units"
-    help = "say in which unit it arrives, with `in {other}` behind the input"
+    help = "say in which unit it arrives, with `in {other}` after the input"
     other: str
 
 
@@ -101,7 +101,7 @@ class UnitContradictsField(Error, code="ROSS308", name="unit-contradicts-field")
 
     title = "{field} is in {known}, not in {found}"
     label = "this is of another dimension"
-    note = "the unit behind `in` says in which unit of its dimension a field arrives"
+    note = "the unit after `in` says in which unit of its dimension a field arrives"
     help = (
         "leave `in {found}` out; if the field does carry {found}, say so in the system model: "
         "`unit {field} = {found};`"
@@ -154,7 +154,7 @@ class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
     title = "`{identifier}` is a unit here, not a value"
     label = "`{operator} {identifier}` calculates with something called `{identifier}`"
     note = (
-        "a unit stands directly behind its number and has no white space in itself; "
+        "a unit stands directly after its number and has no white space in itself; "
         "no constant or input is called `{identifier}`"
     )
     help = "write `{corrected}`"

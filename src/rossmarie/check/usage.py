@@ -6,9 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from dslkit.diagnostics import Collector, Label
 from dslkit.source import Span
-from rossmarie.check.context import ConditionKey, Context, Uses
+from rossmarie.check.context import Context, Uses
 from rossmarie.check.declarations import Named, kind_of
 from rossmarie.check.meaning_errors import MissingTimeout, NoRules, UnusedName
+from rossmarie.check.model import ConditionKey
 from rossmarie.check.names import is_value_name
 from rossmarie.syntax import ast
 

@@ -90,6 +90,7 @@ class TargetName(str, enum.Enum):
     """What `build` can generate."""
 
     C99 = "c99"
+    PYTHON = "python"
 
 
 class StageName(str, enum.Enum):
@@ -99,6 +100,13 @@ class StageName(str, enum.Enum):
     CHECK = "check"
     LOWER = "lower"
     GENERATE = "generate"
+
+
+class DumpFormat(str, enum.Enum):
+    """How `dump` writes."""
+
+    TEXT = "text"
+    JSON = "json"
 
 
 @app.command()
@@ -170,17 +178,24 @@ def fmt(
 def dump(
     rules: Rules,
     after: Annotated[StageName, _choice(StageName, "The stage to stop after.")] = StageName.LOWER,
+    format: Annotated[  # noqa: A002
+        DumpFormat, _choice(DumpFormat, "How it is written.")
+    ] = DumpFormat.TEXT,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Show what the compiler holds after a stage."""
     from rossmarie.driver import RulesError
-    from rossmarie.driver.dump import Stage
+    from rossmarie.driver.dump import JSON_STAGES, Stage
     from rossmarie.driver.dump import dump as dump_stage
 
+    stage, as_json = Stage(after.value), format is DumpFormat.JSON
+    if as_json and stage not in JSON_STAGES:
+        those = " or ".join(one.value for one in JSON_STAGES)
+        output.fail(f"--after {stage.value} has no JSON form; {those} has", exit_code=2)
     try:
         text = dump_stage(
-            rules, Stage(after.value), systems=system or (), message_folders=messages or ()
+            rules, stage, as_json=as_json, systems=system or (), message_folders=messages or ()
         )
     except RulesError as error:
         output.reject(error.diagnostics)

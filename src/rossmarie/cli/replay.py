@@ -36,18 +36,8 @@ def run_replay(
     pairs = _topic_pairs(topic_map)
     if out is not None:
         _check_folder(out)
-    console = Console(stderr=True)
-    progress = Progress(
-        TextColumn("replaying"),
-        BarColumn(),
-        TaskProgressColumn(),
-        TimeRemainingColumn(),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )
     try:
-        with progress:
+        with _bar() as progress:
             task = progress.add_task("replay", total=1.0)
             replay, found = replay_file(
                 rules,
@@ -68,6 +58,20 @@ def run_replay(
     write_table(replay, sys.stdout)
     if out is not None:
         _write_reports(replay, out)
+
+
+def _bar() -> Progress:
+    """A progress bar on standard error, if that is a terminal."""
+    console = Console(stderr=True)
+    return Progress(
+        TextColumn("replaying"),
+        BarColumn(),
+        TaskProgressColumn(),
+        TimeRemainingColumn(),
+        console=console,
+        transient=True,
+        disable=not console.is_terminal,
+    )
 
 
 def _topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:

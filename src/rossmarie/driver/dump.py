@@ -1,9 +1,10 @@
-"""What the compiler holds after each of its stages, as readable text."""
+"""What the compiler holds after each of its stages, as readable text or as JSON."""
 
 from __future__ import annotations
 
 import dataclasses
 import enum
+import json
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from dslkit.source import SourceFile, Span
 from rossmarie.check import CheckedProgram
 from rossmarie.driver.build import generate
 from rossmarie.driver.pipeline import RulesError, check_file, compile_checked
-from rossmarie.ir import dump_text
+from rossmarie.ir import dump_text, machine_to_json
 
 
 class Stage(str, enum.Enum):
@@ -23,15 +24,28 @@ class Stage(str, enum.Enum):
     GENERATE = "generate"
 
 
+JSON_STAGES = (Stage.PARSE, Stage.LOWER)
+"""The stages whose product has a JSON form."""
+
+
 def dump(
-    rules: Path, after: Stage, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
+    rules: Path,
+    after: Stage,
+    *,
+    as_json: bool = False,
+    systems: Sequence[Path] = (),
+    message_folders: Sequence[Path] = (),
 ) -> str:
-    """The product of stage `after` for a rules file.
+    """The product of stage `after` for a rules file; JSON for one of `JSON_STAGES` only.
 
     After `parse` the text is there even if the file has errors; otherwise raises `RulesError`.
     """
+    assert after in JSON_STAGES or not as_json
     result = check_file(rules, systems=systems, message_folders=message_folders)
     if after is Stage.PARSE:
+        if as_json:
+            files = [{"path": module.file.path, "items": module.items} for module in result.modules]
+            return json.dumps({"files": files}, indent=1, default=_json) + "\n"
         trees = [tree for module in result.modules for tree in (module.file.path, *module.items)]
         return "\n".join(line for tree in trees for line in _tree(tree)) + "\n"
     if result.program is None:
@@ -40,7 +54,7 @@ def dump(
         return "\n".join(_symbols(result.program)) + "\n"
     machine = compile_checked(result, message_folders).machine
     if after is Stage.LOWER:
-        return dump_text(machine)
+        return machine_to_json(machine) if as_json else dump_text(machine)
     return "\n".join(generate(machine, "c99").values())
 
 
@@ -66,6 +80,15 @@ def _one_line(value: object) -> str:
     element = getattr(value, "element", None)
     detail = unit if unit is not None else element and _one_line(element)
     return f"{name}[{detail}]" if detail else name
+
+
+def _json(node: object) -> object:
+    """A node of a syntax tree as an object; a span as the offsets of its start and end."""
+    if isinstance(node, Span):
+        return [node.start, node.end]
+    assert dataclasses.is_dataclass(node)
+    members = {field.name: getattr(node, field.name) for field in dataclasses.fields(node)}
+    return {"class": type(node).__name__, **members}
 
 
 def _tree(node: object, indent: str = "", label: str = "") -> Iterator[str]:

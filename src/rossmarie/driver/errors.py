@@ -1,10 +1,10 @@
-"""ROSS8xx: files that cannot be read or found."""
+"""ROSS8xx: files that cannot be read or found, or say too much."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from dslkit.diagnostics import Error, Template
+from dslkit.diagnostics import Error, Template, Warning
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,4 +41,14 @@ class ImportNotFound(Error, code="ROSS803", name="import-not-found"):
     looked_for: str
 
 
-ALL: tuple[type[Template], ...] = (FileUnreadable, NotUtf8, ImportNotFound)
+@dataclass(frozen=True, kw_only=True)
+class TooManyWarnings(Warning, code="ROSS804", name="too-many-warnings"):
+    """The point from which on the warnings of a file are no longer shown."""
+
+    title = "there are more than {limit} warnings in this file"
+    label = "none is shown from here on"
+    help = "mend what the warnings above say; many of the others usually have the same cause"
+    limit: int
+
+
+ALL: tuple[type[Template], ...] = (FileUnreadable, NotUtf8, ImportNotFound, TooManyWarnings)

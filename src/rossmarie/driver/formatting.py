@@ -7,6 +7,7 @@ from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import SourceFile
+from rossmarie.driver.shortened import shortened
 from rossmarie.driver.workspace import read_source
 from rossmarie.syntax import format_module, parse
 
@@ -37,6 +38,6 @@ def format_file(path: Path) -> Formatted | tuple[Diagnostic, ...]:
         return collector.sorted()
     module = parse(source, collector)
     if collector.has_errors:
-        return collector.sorted()
+        return shortened(collector.sorted())
     text = format_module(module)
     return Formatted(text, text != source.text)

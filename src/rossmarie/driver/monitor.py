@@ -1,4 +1,4 @@
-"""A rules file as a running monitor: native where there is a C compiler, interpreted elsewhere."""
+"""A rules file as a running monitor: native where there is a C compiler, in Python elsewhere."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from typing import Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.driver.interpreted import InterpretedColumns
 from rossmarie.driver.pipeline import compile_file
-from rossmarie.interpreter import Interpreter
+from rossmarie.driver.python_columns import PythonColumns
+from rossmarie.driver.python_monitor import PythonMonitor
 from rossmarie.ir import (
     ChannelValues,
     Event,
@@ -35,13 +35,13 @@ from rossmarie.native import (
     fit,
     load_native,
 )
-from rossmarie.targets import c99
+from rossmarie.targets import c99, python
 
 _WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
 _NUMBERS = (int, float, np.integer, np.floating, np.bool_)
 
 NATIVE = "native"
-INTERPRETER = "interpreter"
+PYTHON = "python"
 
 Value: TypeAlias = float | bool | str | Sequence[float]
 """What a message field holds: a number, a flag, a string, or the elements of an array."""
@@ -74,9 +74,9 @@ class Bound(Protocol):
 
 @dataclass(frozen=True)
 class Started:
-    """An engine, its kind (`NATIVE` or `INTERPRETER`), and why it is not native."""
+    """An engine, its kind (`NATIVE` or `PYTHON`), and why it is not native."""
 
-    engine: Interpreter | NativeMonitor
+    engine: NativeMonitor | PythonMonitor
     kind: str
     reason: str | None
 
@@ -85,16 +85,16 @@ def start_engine(machine: Machine) -> Started:
     """An engine in its initial state; its verdicts are the same whatever its kind."""
     refused = next(iter(c99.unsupported(machine)), None)
     if refused is not None:
-        return _interpreted(machine, refused.title)
+        return _in_python(machine, refused.title)
     try:
         return Started(load_native(machine, c99.generate_loadable(machine)), NATIVE, None)
     except (NoCompilerError, BuildError, OSError) as error:
-        return _interpreted(machine, str(error).partition("\n")[0])
+        return _in_python(machine, str(error).partition("\n")[0])
 
 
-def _interpreted(machine: Machine, why: str) -> Started:
-    reason = f"the monitor is interpreted, which is slower: {why}"
-    return Started(Interpreter(machine), INTERPRETER, reason)
+def _in_python(machine: Machine, why: str) -> Started:
+    reason = f"the monitor runs in Python, which is slower: {why}"
+    return Started(PythonMonitor(machine, python.source(machine)), PYTHON, reason)
 
 
 class Monitor:
@@ -187,18 +187,17 @@ class Monitor:
         """The fastest call for one topic: `(at_ns, *scalars) -> number of events, or -1`.
 
         The scalars are those that rules read, in the order of `fields(topic)`; -1 is an instant out
-        of range. Events wait for `take_events`. Raises `ValueError` for an unknown topic, for one
-        whose arrays are read, and for an interpreted monitor.
+        of range. Numbers are Python's own. Events wait for `take_events`. Raises `ValueError` for
+        an unknown topic, and for one whose arrays are read.
         """
-        return self._native("update_call").update_call(self._topic(topic))
+        return self._engine.update_call(self._topic(topic))
 
     def take_events(self) -> list[Event]:
         """The events of the calls that `update_call` gave, since the last time.
 
-        Raises `MemoryError` if events were lost for lack of memory, `ValueError` for an interpreted
-        monitor.
+        Raises `MemoryError` if events were lost for lack of memory.
         """
-        return self._native("take_events").take_events()
+        return self._engine.take_events()
 
     def fields(self, topic: str) -> tuple[str, ...]:
         """The scalars of a topic that rules read, in the order of `update_call`; arrays are not
@@ -235,14 +234,9 @@ class Monitor:
         if isinstance(self._engine, NativeMonitor):
             return self._engine.bind(times_ns, columns)
         fitting = fit(self.machine, times_ns, columns)
-        return InterpretedColumns(self.machine, self._engine, fitting)
+        return PythonColumns(self.machine, self._engine, fitting)
 
     # --- names -------------------------------------------------------------------------------
-
-    def _native(self, call: str) -> NativeMonitor:
-        if not isinstance(self._engine, NativeMonitor):
-            raise ValueError(f"{call} needs a native monitor: {self.reason}")
-        return self._engine
 
     def _channel(self, used: int) -> int:
         return self.machine.inputs[used].channel
@@ -290,7 +284,7 @@ def load(
 ) -> Monitor:
     """The monitor of a rules file. Raises `RulesError`, which holds all that is wrong with it.
 
-    Gives a `RuntimeWarning` with the reason if the monitor is interpreted.
+    Gives a `RuntimeWarning` with the reason if the monitor is not native.
     """
     compiled = compile_file(Path(rules), systems=systems, message_folders=message_folders)
     monitor = Monitor(compiled.machine)

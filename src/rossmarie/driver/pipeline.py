@@ -12,15 +12,17 @@ from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic, Severity
 from rossmarie.check import CheckedProgram, CheckOptions, check
+from rossmarie.driver.shortened import shortened
 from rossmarie.driver.workspace import load_modules
 from rossmarie.ir import Machine, verify
 from rossmarie.lowering import lower
 from rossmarie.syntax import ast
+from rossmarie.targets.unsupported import unsupported
 
 
 @dataclass(frozen=True)
 class CheckResult:
-    """The findings on one rules file; `program` is None if there are errors."""
+    """The findings on one rules file that are shown; `program` is None if there are errors."""
 
     modules: Sequence[ast.Module]
     program: CheckedProgram | None
@@ -28,7 +30,7 @@ class CheckResult:
 
 
 class RulesError(Exception):
-    """A rules file has errors; `diagnostics` holds all of them, and the warnings."""
+    """A rules file has errors; `diagnostics` holds those that are shown, and the warnings."""
 
     def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
         self.diagnostics = diagnostics
@@ -49,7 +51,7 @@ def check_file(
     modules = load_modules(rules, systems, collector)
     options = CheckOptions(message_folders=tuple(message_folders))
     program = check(modules, options, collector)
-    return CheckResult(modules, program, collector.sorted())
+    return CheckResult(modules, program, shortened(collector.sorted()))
 
 
 @dataclass(frozen=True)
@@ -72,11 +74,15 @@ def compile_file(
 
 
 def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -> Compiled:
-    """Lower what `check_file` has made, with the same folders. Raises `RulesError`."""
+    """Lower what `check_file` has made, with the same folders. Raises `RulesError` for errors, and
+    for what no target can do.
+    """
     if result.program is None:
         raise RulesError(result.diagnostics)
     machine = lower(result.program)
     verify(machine)
+    if refused := tuple(unsupported(machine)):
+        raise RulesError((*result.diagnostics, *refused))
     folders = (*message_folders, *_declared_folders(result.modules))
     return Compiled(machine, result.diagnostics, folders)
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
-from dslkit.source import SourceFile, Span
+from dslkit.source import SourceFile, Span, is_file, is_folder
 from rossmarie.driver.errors import FileUnreadable, ImportNotFound, NotUtf8
 from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, parse
 
@@ -27,7 +27,7 @@ def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> l
     """
     loader = _Loader(collector)
     beside = main.parent / SYSTEM_MODEL
-    for path in (*systems, *([beside] if _is_file(beside) else []), main):
+    for path in (*systems, *([beside] if is_file(beside) else []), main):
         loader.load(path)
     return loader.with_last(main)
 
@@ -64,7 +64,7 @@ class _Loader:
         imported_at: Span | None,
         stack: list[tuple[ast.Module, list[tuple[Path, Span]]]],
     ) -> None:
-        if imported_at is not None and not _is_file(path):
+        if imported_at is not None and not is_file(path):
             self.collector.add(_import_not_found(path, imported_at))
             self.modules.append(_unread(path))
             return
@@ -87,21 +87,6 @@ def _identity(path: Path) -> Path:
         return Path(os.path.realpath(path))
     except (OSError, ValueError):
         return path.absolute()
-
-
-def _is_folder(path: Path) -> bool:
-    try:
-        return path.is_dir()
-    except (OSError, ValueError):
-        return False
-
-
-def _is_file(path: Path) -> bool:
-    """Whether there is such a file; what no path can be (too long, a NUL in it) is none."""
-    try:
-        return path.is_file()
-    except (OSError, ValueError):
-        return False
 
 
 def read_source(path: Path, collector: Collector) -> SourceFile | None:
@@ -147,7 +132,7 @@ def _imports(module: ast.Module, folder: Path) -> list[tuple[Path, Span]]:
 
 def _import_not_found(path: Path, span: Span) -> Diagnostic:
     folder = path.parent
-    present = [found.stem for found in folder.glob("*.ross")] if _is_folder(folder) else []
+    present = [found.stem for found in folder.glob("*.ross")] if is_folder(folder) else []
     near = difflib.get_close_matches(path.stem, present, n=1)
     help = f"did you mean `{near[0]}.ross`?" if near else "check the path"
     finding = ImportNotFound(path=span.text.strip('"'), looked_for=f"`{path}`")

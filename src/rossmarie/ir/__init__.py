@@ -1,7 +1,8 @@
 """The monitor machine: its model, what it says, and the questions that every target asks of it."""
 
+from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, explain
-from rossmarie.ir.limits import EARLIEST_NS, LATEST_NS, LONGEST_NS
+from rossmarie.ir.limits import EARLIEST_NS, LATEST_NS, LONGEST_NS, MOST_EVALUATIONS
 from rossmarie.ir.message import ChannelValues
 from rossmarie.ir.model import (
     AgeReaches,
@@ -64,6 +65,7 @@ __all__ = [
     "EARLIEST_NS",
     "LATEST_NS",
     "LONGEST_NS",
+    "MOST_EVALUATIONS",
     "AgeReaches",
     "And",
     "Apply",
@@ -124,6 +126,7 @@ __all__ = [
     "leaf_truths",
     "machine_from_json",
     "machine_to_json",
+    "most_evaluations",
     "near_name",
     "reachable_truths",
     "rule_signals",
@@ -132,4 +135,5 @@ __all__ = [
     "supports",
     "truth_operands",
     "verify",
+    "wakes",
 ]

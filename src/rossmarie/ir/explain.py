@@ -259,7 +259,7 @@ class _Snapshot:
                 return str(value != 0.0).lower()
             case ir.Read(slot=slot) if self._machine.slots[slot].kind is ir.Kind.TEXT:
                 texts = self._machine.texts
-                return f'"{texts[int(value)]}"' if value >= 0.0 else "another text"
+                return f'"{texts[int(value)]}"' if value >= 0.0 else "another string"
         return f"{value:.6g} {signal.unit}".rstrip()
 
     def _value(self, truth: int) -> TruthValue:

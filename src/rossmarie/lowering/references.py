@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.check.model import Symbols
+from rossmarie.check.model import ConditionKey, Symbols
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import children
-
-ConditionKey = tuple[str, str]
 
 
 def referred_condition(

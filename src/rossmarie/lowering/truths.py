@@ -7,11 +7,11 @@ once, before whatever refers to them.
 from __future__ import annotations
 
 from rossmarie import ir
-from rossmarie.check.model import CheckedProgram, Value
+from rossmarie.check.model import CheckedProgram, ConditionKey, Value
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.numbers import Numbers
-from rossmarie.lowering.references import ConditionKey, conditions_in, referred_condition
+from rossmarie.lowering.references import conditions_in, referred_condition
 from rossmarie.lowering.wording import words
 from rossmarie.syntax import ast
 from rossmarie.types import Box, Text

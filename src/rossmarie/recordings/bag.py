@@ -183,40 +183,40 @@ class BagRecording:
     def _stored(self, topics: Collection[str], collector: Collector) -> Iterator[Stored]:
         """The messages on some topics; after damage, those that come after it."""
         kept = 0
-        latest: list[Stored] = []  # those of the last instant
+        last_ns = EARLIEST_NS
+        latest: Counter[str] = Counter()  # how many messages of each topic there are at `last_ns`
         try:
             for stored in self._storages[0].messages(topics):
-                if latest and latest[-1].at_ns != stored.at_ns:
+                if stored.at_ns != last_ns:
+                    last_ns = stored.at_ns
                     latest.clear()
-                latest.append(stored)
+                latest[stored.connection.topic] += 1
                 kept += 1
                 yield stored
             return
         except READER_FAILURES as error:
             reason = f"reading broke off ({error})"
-        for stored in self._messages_after(topics, latest):
+        for stored in self._messages_after(topics, last_ns, latest):
             kept += 1
             yield stored
         collector.add(at_file(RecordingDamaged(reason=reason, kept=kept), self.path))
 
     def _messages_after(
-        self, topics: Collection[str], latest: Sequence[Stored]
+        self, topics: Collection[str], last_ns: int, latest: Counter[str]
     ) -> Iterator[Stored]:
-        """What can be salvaged after the messages of one instant, and at it besides them."""
+        """What can be salvaged behind the first messages at an instant, `latest` of each topic:
+        those of one topic at one instant are stored in one order, however a file is read.
+        """
         try:
             salvaged = self._salvage()
         except RecordingError:
             return
         self._storages.append(salvaged)
-        last_ns = latest[-1].at_ns if latest else EARLIEST_NS
-        seen = Counter((stored.connection.topic, bytes(stored.content)) for stored in latest)
         for stored in salvaged.messages(topics):
-            if stored.at_ns < last_ns:
-                continue
-            same = (stored.connection.topic, bytes(stored.content))
-            if stored.at_ns == last_ns and seen[same] > 0:
-                seen[same] -= 1
-            else:
+            topic = stored.connection.topic
+            if stored.at_ns == last_ns and latest[topic] > 0:
+                latest[topic] -= 1
+            elif stored.at_ns >= last_ns:
                 yield stored
 
     def _misfit(self, stored: Stored) -> str | None:

@@ -19,9 +19,10 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.diagnostics import Collector
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import Machine
+from rossmarie.recordings.clock import SEEN_BY_THE_MONITOR, Setbacks
 from rossmarie.recordings.csv_cells import ChannelReader, Clock, clock, unreadable_cells
 from rossmarie.recordings.csv_columns import (
     Columns,
@@ -207,24 +208,30 @@ class CsvRecording:
         return Span(source, start, min(start + len(name), len(source.text)))
 
     def _survey(self) -> None:
-        """Count the filled cells of each column, and find the first and the last instant."""
+        """Count the filled cells of each column, find the first and the last instant, and whether
+        time goes back.
+        """
         patterns: Counter[tuple[bool, ...]] = Counter()  # most rows fill the same cells as others
         instants: list[int] = []  # the first and the last, in the order of the file
         skipped: Counter[str] = Counter()
+        setbacks = Setbacks(tolerance_ns=0)
         for number, (at_ns, cells) in enumerate(self._rows(), start=2):
             if at_ns is None:
                 skipped[self._reason_to_skip(number, cells) if not skipped else ""] += 1
                 continue
             instants[1:] = [at_ns]
+            setbacks.note("", at_ns)
             patterns[tuple(map(bool, cells))] += 1
         if not instants:
             raise RecordingError(at_file(RecordingEmpty(reason="it has no rows"), self.path))
         self.start_ns, self.end_ns = instants[0], instants[-1]
         self._count_filled(patterns)
-        count = skipped.total()
-        total = count + patterns.total()
-        rows = RowsSkipped(count=count, total=total, reason=next(iter(skipped), ""))
-        self.findings: tuple[Diagnostic, ...] = (at_file(rows, self.path),) if skipped else ()
+        self.findings = setbacks.findings(SEEN_BY_THE_MONITOR, self.path)
+        if skipped:
+            count = skipped.total()
+            total = count + patterns.total()
+            rows = RowsSkipped(count=count, total=total, reason=next(iter(skipped)))
+            self.findings = (at_file(rows, self.path), *self.findings)
 
     def _count_filled(self, patterns: Mapping[tuple[bool, ...], int]) -> None:
         """How often each column is filled, and how many rows say something about each topic."""

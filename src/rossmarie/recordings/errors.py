@@ -228,13 +228,11 @@ class ClockSetBack(Warning, code="ROSS618", name="clock-set-back"):
 
     title = "the stamps go back {often}, by up to {length}"
     label = "the clock was set back while this was recorded"
-    note = (
-        "messages are replayed in the order of their stamps, so that those from before and after "
-        "are mixed: verdicts around there are not those of the robot"
-    )
+    note = "{effect}"
     help = "record again, or replay the parts before and after one by one"
     often: str
     length: str
+    effect: str
 
 
 # --- CSV -------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from dslkit import diagnostics
 from dslkit.diagnostics import Collector, Diagnostic, Template
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import Array, Channel, Kind, Machine, Slot
@@ -21,8 +22,6 @@ from rossmarie.recordings.errors import (
     at_file,
 )
 from rossmarie.recordings.model import Topic
-
-_LISTED = 8
 
 
 @dataclass(frozen=True)
@@ -187,12 +186,9 @@ def kind_text(wanted: Slot | Array) -> str:
     """What is expected of a field, in words."""
     if isinstance(wanted, Array):
         return "an array of numbers"
-    return "a text" if wanted.kind is Kind.TEXT else "a number"
+    return "a string" if wanted.kind is Kind.TEXT else "a number"
 
 
 def listed(names: Iterable[str], none: str = "no topic") -> str:
-    """Names for a sentence, cut short if there are many; `none` if there is none."""
-    found = sorted(names)
-    shown = ", ".join(f"`{name}`" for name in found[:_LISTED])
-    more = len(found) - _LISTED
-    return f"{shown} and {more} more" if more > 0 else shown or none
+    """Names for a sentence, in alphabetical order; `none` if there is none."""
+    return diagnostics.listed(sorted(names)) or none

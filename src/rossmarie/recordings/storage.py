@@ -20,7 +20,8 @@ from rosbags.interfaces import ConnectionExtRosbag2, MessageDefinition
 from rosbags.rosbag2.storage_mcap import McapReader
 from rosbags.rosbag2.storage_sqlite3 import Sqlite3Reader
 
-from rossmarie.recordings.clock import Arrival, indexed_in_order, rows_in_order
+from rossmarie.recordings.arrivals import records_in_order, rows_in_order
+from rossmarie.recordings.clock import Arrival
 from rossmarie.recordings.compression import DECOMPRESSION_FAILURES
 
 READER_FAILURES: tuple[type[Exception], ...] = (
@@ -148,7 +149,7 @@ class IntactStorage:
                 yield from rows_in_order(Path(str(part.path)))
             elif isinstance(part, McapReader):
                 topics = {opened.id: opened.topic for opened in part.connections}
-                yield from indexed_in_order(Path(str(part.path)), topics)
+                yield from records_in_order(Path(str(part.path)), topics)
 
     def close(self) -> None:
         """Release the file."""

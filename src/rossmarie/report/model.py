@@ -51,7 +51,7 @@ class Replay:
     """A rules file run over a recording.
 
     `start_ns` and `end_ns` are the stamps of the first and last message (not the least and the
-    greatest: stamps may run backwards), `monitor` is `native` or `interpreter`, `notes` are the
+    greatest: stamps may run backwards), `monitor` is `native` or `python`, `notes` are the
     findings about the recording, one sentence each.
     """
 

@@ -18,6 +18,7 @@ from rossmarie.report.envelope import envelope
 from rossmarie.report.jsonl import CHANGES, cause_data, json_number
 from rossmarie.report.model import Plot, Replay, Threshold
 from rossmarie.report.spans import ActiveSpan, active_spans
+from rossmarie.report.wording import format_length
 
 _SAMPLES = 120_000
 """Samples in a page, shared evenly among its plots: at 11 bytes each, 1.3 MB."""
@@ -48,7 +49,7 @@ def _page(replay: Replay) -> _Data:
         "rules": [_rule(rule, spans, places) for rule, spans in rows],
         "changes": changes,
         "jumps": [
-            [item.position_ns / 1e9, (item.event.from_ns - item.event.to_ns) / 1e9]
+            [item.position_ns / 1e9, format_length(item.event.from_ns - item.event.to_ns)]
             for item in placed
             if isinstance(item.event, TimeJump)
         ],
@@ -65,6 +66,7 @@ def _rule(rule: Rule, spans: tuple[ActiveSpan, ...], places: dict[int, int]) -> 
         "contract": rule.contract,
         "actions": rule.actions,
         "latched": rule.release is None,
+        "total": format_length(sum(span.end_ns - span.start_ns for span in spans)),
         "spans": [
             [
                 span.start_ns / 1e9,
@@ -73,6 +75,7 @@ def _rule(rule: Rule, spans: tuple[ActiveSpan, ...], places: dict[int, int]) -> 
                 places.get(span.opened),
                 None if span.closed is None else places.get(span.closed),
                 int(span.closed is None),
+                format_length(span.end_ns - span.start_ns),
             ]
             for span in spans
         ],

@@ -55,6 +55,10 @@ class BinaryOperator(enum.Enum):
     DIVIDE = "/"
 
 
+JUNCTIONS = frozenset({BinaryOperator.AND, BinaryOperator.OR})
+"""The operators between conditions."""
+
+
 @dataclass(frozen=True)
 class Number:
     """`4.0 sec`, `-15 N`, `3`."""

@@ -22,7 +22,7 @@ class FileTooLarge(Error, code="ROSS001", name="file-too-large"):
 
 @dataclass(frozen=True, kw_only=True)
 class UnexpectedCharacter(Error, code="ROSS002", name="unexpected-character"):
-    """A character with no meaning outside of texts and comments."""
+    """A character with no meaning outside of strings and comments."""
 
     title = "{character} has no meaning here"
     label = "this character cannot be part of a rules file"
@@ -32,12 +32,12 @@ class UnexpectedCharacter(Error, code="ROSS002", name="unexpected-character"):
 
 
 @dataclass(frozen=True, kw_only=True)
-class UnterminatedText(Error, code="ROSS003", name="unterminated-text"):
+class UnterminatedString(Error, code="ROSS003", name="unterminated-string"):
     """A `"` without its partner."""
 
-    title = "this text is never closed"
-    label = "the text begins here, and its line ends without a closing quotation mark"
-    note = "a text stands on one line"
+    title = "this string is never closed"
+    label = "the string begins here, and its line ends without a closing quotation mark"
+    note = "a string stands on one line"
     help = 'close it with `"`'
 
 
@@ -100,10 +100,9 @@ class MissingThen(Error, code="ROSS009", name="missing-then"):
     """A rule without `then` between its condition and its actions."""
 
     title = "`then` is missing"
-    label = "{label_text}"
+    label = "expected `then` after this"
     note = "a rule is read aloud: if the condition holds, then do this"
     help = "write `then` between the condition and the actions"
-    label_text: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -191,7 +190,7 @@ class Unfinished(Error, code="ROSS017", name="unfinished"):
     """Something that stops in the middle."""
 
     title = "this is not finished"
-    label = "more is expected behind this"
+    label = "more is expected after this"
     help = "{form}"
     form: str
 
@@ -201,7 +200,7 @@ class MisplacedWord(Error, code="ROSS018", name="misplaced-word"):
     """A word or sign that cannot stand where it stands."""
 
     title = "`{found}` cannot stand here"
-    label = "this does not fit behind `{before}`"
+    label = "this does not fit after `{before}`"
     help = "{form}"
     found: str
     before: str
@@ -243,11 +242,11 @@ class MalformedOscillates(Error, code="ROSS021", name="malformed-oscillates"):
 
 @dataclass(frozen=True, kw_only=True)
 class TooManyErrors(Error, code="ROSS022", name="too-many-errors"):
-    """The point at which reading on stops helping."""
+    """The point from which on the errors of a file are no longer shown."""
 
-    title = "there are more than {limit} syntax errors"
-    label = "not read any further than this"
-    note = "of one file the first {limit} syntax errors are shown, and then nothing else about it"
+    title = "there are more than {limit} errors in this file"
+    label = "none is shown from here on"
+    note = "where so many are errors of syntax, the rest of the file is not read"
     help = "correct the errors above first; or is this no rules file at all?"
     limit: int
 
@@ -258,7 +257,7 @@ class MalformedNumber(Error, code="ROSS023", name="malformed-number"):
 
     title = "`{found}` is not how numbers are written"
     label = "{reason}"
-    note = "decimals stand behind a point, with at least one digit on each side of it"
+    note = "decimals stand after a point, with at least one digit on each side of it"
     help = "{advice}"
     found: str
     reason: str
@@ -312,7 +311,7 @@ class ForeignForm(Error, code="ROSS027", name="foreign-form"):
 ALL: tuple[type[Template], ...] = (
     FileTooLarge,
     UnexpectedCharacter,
-    UnterminatedText,
+    UnterminatedString,
     UnterminatedDocumentation,
     UnknownItem,
     MissingSign,

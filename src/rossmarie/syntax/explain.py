@@ -24,8 +24,8 @@ _VALUE = "$NUMBER"
 _THEN = re.compile(r"\s+then\s*\{")
 _ADVICE = {
     "#": "write comments as `// ...`",
-    "'": 'write texts in double quotes, `"..."`',
-    "`": 'write texts in double quotes, `"..."`',
+    "'": 'write strings in double quotes, `"..."`',
+    "`": 'write strings in double quotes, `"..."`',
     "$": "write the name of a constant as it is, without `$`",
     "@": "remove it",
     "^": "powers exist in units only; multiply instead",
@@ -53,14 +53,14 @@ def unterminated_text(source: Scan, token: Token) -> Diagnostic:
     text = source.file.text
     if '\\"' in text[text.rfind("\n", 0, token.start) + 1 : token.start]:
         advice = "there are no escapes: a string cannot contain a quotation mark"
-        return errors.UnterminatedText().at(source.span(token), help=advice)
+        return errors.UnterminatedString().at(source.span(token), help=advice)
     content = token.text.rstrip()
     then = _THEN.search(content)
     ends = content.endswith(";") and len(content) > 1
     at = token.start + (then.start() if then else len(content) - ends)
     place = Span(source.file, at, at)
     fix = Fix('insert `"`', (Edit(place, '"'),))
-    return errors.UnterminatedText().at(source.span(token), fix=fix)
+    return errors.UnterminatedString().at(source.span(token), fix=fix)
 
 
 def missing_sign(
@@ -69,7 +69,7 @@ def missing_sign(
     """A sign that should stand directly behind a token."""
     end = Span(source.file, behind.end, behind.end)
     fix = Fix(f"insert `{sign}`", (Edit(end, inserted or sign),))
-    finding = errors.MissingSign(sign=sign, place="behind", form=FORMS[kind])
+    finding = errors.MissingSign(sign=sign, place="after", form=FORMS[kind])
     return finding.at(source.span(behind), fix=fix)
 
 
@@ -182,7 +182,7 @@ class _Case:
         self._first = first
         self._last = last
         self._kind = kind
-        self._index = min(failure.index, last)
+        self._index = min(first + failure.index, last)
         self._expected = failure.expected
         self._form = FORMS[kind]
         if "$TYPE_NAME" in failure.expected:
@@ -245,7 +245,7 @@ class _Case:
             return reserved_word(self._source, found)
         if _VALUE in self._expected or before is None:
             return None
-        finding = errors.MissingName(place="behind", form=self._form)
+        finding = errors.MissingName(place="after", form=self._form)
         return finding.at(self._source.span(before))
 
     def _value(self) -> Diagnostic | None:
@@ -257,7 +257,7 @@ class _Case:
             return finding.at(self._source.span(self._found))
         if self._found.text == "->":
             return self._misplaced(before)
-        finding = errors.MissingValue(place="behind", sign=before.text, form=self._form)
+        finding = errors.MissingValue(place="after", sign=before.text, form=self._form)
         return finding.at(self._source.span(before))
 
     def _sign(self) -> Diagnostic:
@@ -290,10 +290,10 @@ class _Case:
     def _at_end(self) -> Diagnostic:
         last = self._tokens[self._last - 1]
         if self._operand_is_missing():
-            finding = errors.MissingValue(place="behind", sign=last.text, form=self._form)
+            finding = errors.MissingValue(place="after", sign=last.text, form=self._form)
             return finding.at(self._source.span(last))
         if "$NAME" in self._expected and _VALUE not in self._expected:
-            name = errors.MissingName(place="behind", form=self._form)
+            name = errors.MissingName(place="after", form=self._form)
             return name.at(self._source.span(last))
         return errors.Unfinished(form=self._form).at(self._source.span(last))
 

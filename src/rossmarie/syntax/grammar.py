@@ -90,8 +90,8 @@ class _Terminal(Token):
 
 @dataclass(frozen=True)
 class Failure:
-    """Where parsing stopped: the number of the token that does not fit (the end of the stretch if
-    something is missing there).
+    """Where parsing stopped: the token that does not fit, counted from the first of the stretch
+    (its end if something is missing there).
     """
 
     index: int
@@ -123,14 +123,14 @@ class Recognizer:
             if head is not None and index == first:
                 symbol = head
             if not self._feed(parser, symbol, token):
-                return Failure(index, parser)
+                return Failure(index - first, parser)
             index = after
         if index > last:
-            return Failure(last, parser)
+            return Failure(last - first, parser)
         try:
             return self._assemble.transform(parser.feed_eof())
         except UnexpectedInput:
-            return Failure(last, parser)
+            return Failure(last - first, parser)
 
     def _feed(self, parser: Any, symbol: str, token: Token) -> bool:
         """Whether the token fits as that symbol; the parser has then taken it."""

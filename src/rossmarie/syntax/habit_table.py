@@ -6,13 +6,22 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from rossmarie.syntax.words import ITEM_WORDS, MEANT, MEMBER_WORDS, PART_WORDS, RESERVED
+from rossmarie.syntax.words import (
+    ITEM_WORDS,
+    MEANT,
+    MEMBER_WORDS,
+    OPERATOR_WORDS,
+    PART_WORDS,
+    RESERVED,
+)
 
 ANY_NAME = r"[A-Za-z_][A-Za-z0-9_]*"
 _NAME = rf"(?!(?:{'|'.join(sorted(RESERVED))})\b){ANY_NAME}"
 _PLAIN = rf"(?!(?:{'|'.join(sorted(RESERVED | MEMBER_WORDS.keys() | PART_WORDS))})\b){ANY_NAME}"
 _NUMBER = r"(?:-\s)?\d[\w.+-]*"
 _VALUE = rf"(?:\s{_PLAIN}|\d|[)\]])"
+_NO_VALUE = "|".join(sorted(OPERATOR_WORDS | {"if", "then", "rule"}))
+_CONDITION = rf"\s(?!(?:{_NO_VALUE})\s)\S*[\w)\]\"%°]"  # its last token
 _TYPES = r"float(?:32|64)?|double|u?int(?:8|16|32|64)?|bool|boolean|string|char|auto|var|let"
 _STANDARD = r"Bool|Byte|Char|String|Float(?:32|64)|U?Int(?:8|16|32|64)"
 _ITEM = "|".join(ITEM_WORDS)
@@ -25,7 +34,8 @@ class Habit(NamedTuple):
     `meant` is what to write in the place of the group `x` of `pattern` (of a pair of brackets: of
     both, with a space between), with the groups of the pattern, or None if that is uncertain; what
     to do is then said by `advice`. `is_final`: the tokens stay as they are, and their part of the
-    file is not parsed further. `drops`: the tokens are left out where `meant` is None.
+    file is not parsed further. `drops`: the tokens are left out where `meant` is None. `inside`:
+    the kind of item that the mistake stands in; empty where its pattern tells enough.
     """
 
     pattern: re.Pattern[str]
@@ -34,14 +44,18 @@ class Habit(NamedTuple):
     advice: str = ""
     is_final: bool = False
     drops: bool = False
+    inside: str = ""
 
 
 class NearMiss(NamedTuple):
-    """A place where one of `words` has to stand; `others` are words that mean one of them."""
+    """A place where one of `words` has to stand; `others` are words that mean one of them. `inside`
+    is that of a habit.
+    """
 
     pattern: re.Pattern[str]
     words: tuple[str, ...]
     others: Mapping[str, str] = {}
+    inside: str = ""
 
 
 def _habit(
@@ -52,13 +66,16 @@ def _habit(
     *,
     is_final: bool = False,
     drops: bool = False,
+    inside: str = "",
 ) -> Habit:
-    return Habit(re.compile(pattern), meant, problem, advice, is_final or meant is None, drops)
+    is_final = is_final or meant is None
+    return Habit(re.compile(pattern), meant, problem, advice, is_final, drops, inside)
 
 
 _SEVERAL_WORDS = "a name is one word"
 _NO_TYPE = "values are declared without a type"
 _ACTIONS_IN_BRACES = "the actions of a rule stand in braces"
+_THEN = "the actions of a rule follow `then`"
 _NO_SEMICOLON = "a rule goes on after its condition"
 _DOCUMENTATION = "documentation is written `'''...'''`"
 _CONTRACT = "a resume contract stands after the actions"
@@ -117,10 +134,13 @@ HABITS = (
         _ACTIONS_IN_BRACES,
     ),
     _habit(
-        rf"\bif\s[^;{{}}]{{1,200}}?\s(?P<x>->\s(?P<a>{_NAME}))(?=\s;)",
+        rf"(?P<x>->\s(?P<a>{_NAME}))(?=\s;)",
         "then {{ {a}; }}",
         _ACTIONS_IN_BRACES,
+        inside="rule",
     ),
+    _habit(r"(?<!\bthen\s)(?P<x>[-=]>)(?=\s\{)", "then", _THEN, inside="rule"),
+    _habit(rf"(?<!\brule)(?<!\bthen){_CONDITION}\s(?P<x>:)(?=\s\{{)", "then", _THEN, inside="rule"),
     _habit(r"(?P<x>;)(?=\sthen\s\{)", "", _NO_SEMICOLON, "remove the `;`"),
     _habit(r"\bthen\s(?P<x>;)(?=\s\{)", "", _NO_SEMICOLON, "remove the `;`"),
     _habit(
@@ -203,6 +223,12 @@ _IF = {**{word: "if" for word, meant in MEANT.items() if meant == "if"}, "while"
 
 NEAR_MISSES = (
     NearMiss(re.compile(rf"\brule\s{_NAME} :\s(?P<x>{_NAME})(?=\s[\w(])"), ("if",), _IF),
+    NearMiss(
+        re.compile(rf"{_CONDITION}\s(?P<x>{_NAME})(?=\s\{{)"),
+        ("then",),
+        {"do": "then", "when": "then"},
+        "rule",
+    ),
     NearMiss(re.compile(rf"\binput\s{_NAME} =\s(?P<x>{_NAME})(?=\s[/A-Za-z])"), ("topic",)),
     NearMiss(re.compile(rf"[\w)\]]\s(?P<x>{_NAME})(?=\s\d)"), ("timeout", "for", "within"), {}),
     NearMiss(re.compile(rf"\}}\s(?P<x>{_NAME})(?=\s(?:for|when|until)\b)"), ("clear", "latched")),

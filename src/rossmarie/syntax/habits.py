@@ -2,8 +2,8 @@
 
 Each habit is a pattern over the tokens of a file, written with one space between two tokens (a
 line feed where a line ends between them). Its group `x` is the mistake; what is written instead
-takes its place, so that it costs one finding and nothing around it. Only files that do not parse
-are looked at, so no correct file is ever changed.
+takes its place, so that it costs one finding and nothing around it. Only what does not parse is
+looked at, so nothing that is correct is ever changed.
 """
 
 from __future__ import annotations
@@ -11,20 +11,21 @@ from __future__ import annotations
 import dataclasses
 import re
 from bisect import bisect_left
-from collections.abc import Iterator
-from functools import cache, cached_property
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache, cached_property, partial
 from typing import NamedTuple
 
 from dslkit.diagnostics import Diagnostic, Edit, Fix
 from dslkit.source import Span
 from rossmarie.syntax import errors
 from rossmarie.syntax.findings import Findings
-from rossmarie.syntax.habit_table import ANY_NAME, HABITS, NEAR_MISSES, PAIRS, Habit
+from rossmarie.syntax.habit_table import ANY_NAME, HABITS, NEAR_MISSES, PAIRS, Habit, NearMiss
 from rossmarie.syntax.scan import Scan, Token, ends_line, tokens_of
 from rossmarie.syntax.words import MEMBER_WORDS, PART_WORDS, RESERVED, nearest
 
 _KEYWORDS = RESERVED | MEMBER_WORDS.keys() | PART_WORDS
 _PARTNERS = {"(": ")", "[": "]", "{": "}"}
+_ENDS = (")", "]", "%")  # signs that end a value
 _LONGEST = 40  # letters of a mistake in the title of its finding
 _NO_WORD = "this is no word of the language"
 
@@ -37,17 +38,28 @@ class _Change(NamedTuple):
     tokens: tuple[Token, ...]
 
 
-def mend(source: Scan, findings: Findings) -> Scan:
-    """The file as it was meant, as far as its mistakes are habits; each of them is reported."""
+_Remedy = Callable[[], tuple[tuple[_Change, ...], Diagnostic]]
+
+
+def mend(source: Scan, kinds: Sequence[str | None], findings: Findings) -> Scan:
+    """The file as it was meant, as far as its mistakes are habits; each of them is reported.
+
+    `kinds` has the kind of the item that each token stands in; None where that item parses.
+    """
     changes: dict[int, _Change] = {}
     end = 0
-    for group, finding in sorted(_Search(source).all(), key=lambda one: one[0][0].first):
-        is_taken = group[0].first < end or any(change.first in changes for change in group)
-        if not is_taken:
+    search = _Search(source, kinds)
+    for first, remedy in sorted(search.all(), key=lambda found: found[0]):
+        if findings.is_full:
+            break
+        if first < end or first in changes:
+            continue
+        group, finding = remedy()
+        if not any(change.first in changes for change in group):
             end = group[0].last
             findings.add(finding)
             changes.update({change.first: change for change in group})
-    return _changed(source, changes)
+    return _changed(source, changes) if changes else source
 
 
 def _changed(source: Scan, changes: dict[int, _Change]) -> Scan:
@@ -68,8 +80,9 @@ def _changed(source: Scan, changes: dict[int, _Change]) -> Scan:
 class _Search:
     """Looks for all habits in one file."""
 
-    def __init__(self, source: Scan) -> None:
+    def __init__(self, source: Scan, kinds: Sequence[str | None]) -> None:
         self._source = source
+        self._kinds = kinds
         self._tokens = source.tokens
         self._starts: list[int] = []
         pieces: list[str] = []
@@ -84,23 +97,32 @@ class _Search:
             end = token.end
         self._text = "".join((*pieces, "\n"))
 
-    def all(self) -> Iterator[tuple[tuple[_Change, ...], Diagnostic]]:
-        """The changes that belong to one mistake, and its finding."""
+    def all(self) -> Iterator[tuple[int, _Remedy]]:
+        """The first token of each mistake, and what makes its changes and its finding."""
         for habit in HABITS:
-            for match in habit.pattern.finditer(self._text):
-                yield self._habit(habit, match)
+            for first, match in self._matches(habit):
+                yield first, partial(self._habit, habit, match)
         for near in NEAR_MISSES:
-            for match in near.pattern.finditer(self._text):
+            for first, match in self._matches(near):
                 word = match["x"]
                 meant = near.others.get(word)
                 if meant is None and word not in _KEYWORDS:
                     meant = _nearest(word, near.words)
                 if meant is not None:
                     advice = f"did you mean `{meant}`?"
-                    yield self._habit(Habit(near.pattern, meant, _NO_WORD, advice), match)
+                    habit = Habit(near.pattern, meant, _NO_WORD, advice)
+                    yield first, partial(self._habit, habit, match)
         for pair in PAIRS:
-            for match in pair.pattern.finditer(self._text):
-                yield self._pair(pair, match)
+            for first, _ in self._matches(pair):
+                yield first, partial(self._pair, pair, first)
+
+    def _matches(self, mistake: Habit | NearMiss) -> Iterator[tuple[int, re.Match[str]]]:
+        """Where the pattern of a mistake fits in what does not parse, and the first token of it."""
+        for match in mistake.pattern.finditer(self._text):
+            first, _ = self._range(match, "x")
+            kind = self._kinds[first]
+            if kind is not None and mistake.inside in ("", kind):
+                yield first, match
 
     def _range(self, match: re.Match[str], group: str) -> tuple[int, int]:
         start, end = match.span(group)
@@ -134,8 +156,7 @@ class _Search:
         change = _Change(first, last, tokens)
         return (change,), finding.at(span, help=advice, fix=fix)
 
-    def _pair(self, pair: Habit, match: re.Match[str]) -> tuple[tuple[_Change, ...], Diagnostic]:
-        first, _ = self._range(match, "x")
+    def _pair(self, pair: Habit, first: int) -> tuple[tuple[_Change, ...], Diagnostic]:
         closing = self._partners.get(first)
         places = [first] if closing is None else [first, closing]
         changes: list[_Change] = []
@@ -171,12 +192,16 @@ def _nearest(word: str, words: tuple[str, ...]) -> str | None:
 
 
 def _edit(span: Span, meant: str) -> Edit:
-    """Write `meant` there; a space too much around what is removed, or before a colon, goes too."""
+    """Write `meant` there; a space too much around what is removed, or before a colon, goes too,
+    and a word that would touch another gets one.
+    """
     text = span.file.text
-    has_space = span.start > 0 and text[span.start - 1] == " "
+    before = text[span.start - 1 : span.start]
+    has_space = before == " "
     is_alone = meant == "" and text[span.end : span.end + 1].isspace()
     start = span.start - (has_space and (is_alone or meant == ":"))
-    return Edit(Span(span.file, start, span.end), meant)
+    gap = " " if meant[:1].isalpha() and (before.isalnum() or before in _ENDS) else ""
+    return Edit(Span(span.file, start, span.end), f"{gap}{meant}")
 
 
 def _one_word(text: str) -> str:

@@ -26,7 +26,7 @@ MAXIMUM_LENGTH = 10_000
 """Tokens of one constant, input, condition or rule."""
 
 MAXIMUM_ERRORS = 100
-"""Syntax errors reported for one file."""
+"""Errors reported for one file, and as many warnings; behind so many, a file is not read on."""
 
 _CLOSING = frozenset(")]")
 _RESTART = frozenset(";{}:")

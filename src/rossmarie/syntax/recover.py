@@ -139,7 +139,7 @@ def _recover_system(part: PartParser, item: Stretch, failure: Failure | None) ->
 
 def _start_of_body(part: PartParser, item: Stretch, failure: Failure | None) -> int:
     """The first token behind the `{`; what is wrong in front of it is reported here."""
-    if failure is not None and failure.index <= item.first + 2:
+    if failure is not None and failure.index <= 2:
         part.explain(item.kind, item.first, item.last, failure)
     for index in range(item.first + 1, min(item.first + 5, item.last)):
         if part.source.tokens[index].text == "{":

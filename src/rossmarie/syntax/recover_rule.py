@@ -13,11 +13,9 @@ from rossmarie.syntax.explain import (
     unclosed_bracket,
     wrong_sign,
 )
-from rossmarie.syntax.limits import ends_value
 from rossmarie.syntax.part import PartParser
-from rossmarie.syntax.words import FORMS, RESERVED, nearest
+from rossmarie.syntax.words import FORMS, RESERVED
 
-_ARROWS = ("->", "=>", "do", ":")
 _CONTRACT_STARTS = {("clear", "when"), ("clear", "for"), ("latched", "until")}
 
 
@@ -66,7 +64,7 @@ class _Recovery:
             self._part.findings.add(reserved_word(self._source, self._tokens[self._index]))
             self._index += 1
         else:
-            missing = errors.MissingName(place="behind", form=FORMS["rule"])
+            missing = errors.MissingName(place="after", form=FORMS["rule"])
             behind = self._tokens[self._index - 1]
             self._part.findings.add(missing.at(self._source.span(behind)))
         for sign, insertion in ((":", ":"), ("if", " if")):
@@ -87,45 +85,22 @@ class _Recovery:
         )
         has_then = end < self._last and self._tokens[end].text == "then"
         self._index = end + has_then
-        if not has_then and self._is_meant_as_then(first, end - 1):
-            end -= 1
-        behind = self._source.span(self._tokens[first - 1])
+        before = self._source.span(self._tokens[first - 1])
         if first == end:
             sign = self._tokens[first - 1].text
-            finding = errors.MissingValue(place="behind", sign=sign, form=FORMS["rule"])
-            self._part.findings.add(finding.at(behind))
-        elif not has_then and not self._is_cut_off:
-            self._report_missing_then(end)
-        condition = self._part.parse("expression", first, end) if first < end else None
-        return condition or self._part.broken(first, end, behind)
+            finding = errors.MissingValue(place="after", sign=sign, form=FORMS["rule"])
+            self._part.findings.add(finding.at(before))
+            return self._part.broken(first, end, before)
+        if not has_then and not self._is_cut_off:
+            self._report_missing_then(self._source.span(self._tokens[end - 1]))
+        condition: ast.Expression | None = self._part.parse("expression", first, end)
+        return condition or self._part.broken(first, end, before)
 
-    def _is_meant_as_then(self, first: int, index: int) -> bool:
-        """Whether a condition from `first` on ends in front of this token: an arrow, or `then` with
-        a slip of the pen.
-        """
-        if index < first:
-            return False
-        token = self._tokens[index]
-        if token.text in _ARROWS:
-            return True
-        is_near = nearest(token.text, ["then"]) is not None
-        return first < index and is_near and ends_value(self._tokens[index - 1])
-
-    def _report_missing_then(self, end: int) -> None:
-        """`end` is the token behind the condition: what stands for `then`, or the brace, or the end
-        of the rule.
-        """
-        if end < self._index:
-            arrow = self._source.span(self._tokens[end])
-            fix = Fix("write `then`", (Edit(arrow, "then"),))
-            finding = errors.MissingThen(label_text="expected `then` instead of this")
-            self._part.findings.add(finding.at(arrow, fix=fix))
-            return
-        last = self._source.span(self._tokens[end - 1])
+    def _report_missing_then(self, last: Span) -> None:
+        """`last` is the end of the condition."""
         place = Span(last.file, last.end, last.end)
         fix = Fix("insert `then`", (Edit(place, " then"),))
-        finding = errors.MissingThen(label_text="expected `then` behind this")
-        self._part.findings.add(finding.at(last, fix=fix))
+        self._part.findings.add(errors.MissingThen().at(last, fix=fix))
 
     def _actions(self) -> tuple[ast.Name, ...]:
         """`{ NAME; ... }`."""

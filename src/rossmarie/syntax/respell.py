@@ -48,7 +48,7 @@ def _capitals(source: Scan, token: Token) -> Diagnostic:
 def _bad_number(source: Scan, token: Token) -> Diagnostic:
     span = source.span(token)
     whole, _, rest = token.text.partition(".")
-    reason = f"a digit is missing {'in front of' if span.text[0] == '.' else 'behind'} the point"
+    reason = f"a digit is missing {'in front of' if span.text[0] == '.' else 'after'} the point"
     if "," in span.text:
         reason = "decimals begin with a point, not with a comma"
     if "," in span.text and len(rest) == _THOUSANDS:

@@ -112,8 +112,7 @@ class Style:
         pending = [_peeled(root)]
         while pending:
             node = pending.pop()
-            connects = (ast.BinaryOperator.AND, ast.BinaryOperator.OR)
-            if isinstance(node, ast.Binary) and node.operator in connects:
+            if isinstance(node, ast.Binary) and node.operator in ast.JUNCTIONS:
                 self.breaks[self._start(node.left.span.end)] = _OPERATOR
                 pending += (node.left, node.right)
 

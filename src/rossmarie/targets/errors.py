@@ -1,4 +1,4 @@
-"""ROSS5xx: what a target cannot do."""
+"""ROSS5xx: what a target cannot do, or none can."""
 
 from __future__ import annotations
 
@@ -21,4 +21,24 @@ class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
     most: int
 
 
-ALL: tuple[type[Template], ...] = (MonitorTooLarge,)
+@dataclass(frozen=True, kw_only=True)
+class TooManyEvaluations(Error, code="ROSS502", name="too-many-evaluations"):
+    """Timers that can fall due too often, one after the other, before one message."""
+
+    title = "these rules could take more than {most} evaluations in one call of their monitor"
+    label = "with this timer, which can fall due {often}, there are {found}"
+    note = (
+        "a call first evaluates the rules at each instant at which a timer fell due since the last "
+        "call; that of a `for` does each time that its condition becomes true, so that each `for` "
+        "around others can double the number"
+    )
+    help = (
+        "use fewer `for` inside the conditions of others, or split the rules over several files: "
+        "each becomes a monitor of its own"
+    )
+    often: str
+    found: int
+    most: int
+
+
+ALL: tuple[type[Template], ...] = (MonitorTooLarge, TooManyEvaluations)

@@ -17,7 +17,7 @@ _INTRODUCTION = """\
 
 <!-- Written by `python -m rossmarie.types.reference docs/reference/units.md`; do not edit. -->
 
-A unit stands directly behind a number or a bracket: `0.5 m/s`, `[-10, 10] deg`. It is a product
+A unit stands directly after a number or a bracket: `0.5 m/s`, `[-10, 10] deg`. It is a product
 of the symbols below:
 
 - `*` or `.` multiplies, `/` divides what follows, from left to right: `kg*m^2`, `kgm.m`,

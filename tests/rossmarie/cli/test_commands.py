@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from rossmarie.ir import machine_from_json, machine_to_json
+
 ROOT = Path(__file__).parents[3]
 RULES = """action stop;
 input on = topic /on : std_msgs/Bool timeout 1 sec
@@ -78,6 +80,7 @@ def test_check_for_machines(wrong: Path) -> None:
         ["explain", "ROSS999"],
         ["replay", "rules.ross", "drive.bag", "--topic-map", "nonsense"],
         ["dump", "rules.ross", "--after", "lunch"],
+        ["dump", "rules.ross", "--after", "check", "--format", "json"],
         ["dance"],
     ],
     ids=" ".join,
@@ -132,6 +135,21 @@ def test_dump_stops_after_any_stage(rules: Path, stage: str, shown: str) -> None
     assert shown in done.stdout
 
 
+def test_dump_for_machines(rules: Path) -> None:
+    tree = json.loads(run("dump", rules, "--after", "parse", "--format", "json").stdout)
+    (file,) = tree["files"]
+    action = next(item for item in file["items"] if item["class"] == "Action")
+    start, end = action["name"]["span"]
+    assert rules.read_text()[start:end] == action["name"]["text"] == "stop"
+    text = run("dump", rules, "--format", "json").stdout
+    assert machine_to_json(machine_from_json(text)) == text
+
+
+def test_dump_says_what_has_no_json_form(rules: Path) -> None:
+    done = run("dump", rules, "--after", "check", "--format", "json")
+    assert done.stderr == "rossmarie: --after check has no JSON form; parse or lower has\n"
+
+
 def test_dump_of_rules_with_errors(wrong: Path) -> None:
     assert run("dump", wrong, "--after", "parse").returncode == 0
     done = run("dump", wrong, "--after", "lower")
@@ -148,6 +166,21 @@ def test_build_writes_what_compiles_and_leaves_it_alone(rules: Path, tmp_path: P
     subprocess.run(["cc", "-std=c99", "-c", source, "-o", tmp_path / "monitor.o"], check=True)
     run("build", rules, "--out", out)
     assert {path: path.stat().st_mtime_ns for path in out.iterdir()} == written
+
+
+def test_build_of_a_module_that_runs_by_itself(rules: Path, tmp_path: Path) -> None:
+    out = tmp_path / "generated"
+    done = run("build", rules, "--target", "python", "--out", out)
+    assert done.stdout.endswith(f"wrote {out}/rules_monitor.py\n")
+    program = (
+        f"import sys; sys.path.insert(0, {str(out)!r}); import rules_monitor as m; "
+        "monitor = m.start(); monitor.update_on(0, True); "
+        "print(m.RULES[monitor.take_events()[0].rule].name, monitor.active())"
+    )
+    alone = [sys.executable, "-I", "-S", "-c", program]
+    assert subprocess.run(alone, capture_output=True, text=True, check=True).stdout == (
+        "it (True,)\n"
+    )
 
 
 def test_build_where_nothing_can_be_written(rules: Path) -> None:
@@ -179,9 +212,9 @@ def test_replay_without_a_compiler_says_so_and_finds_the_same(rules: Path, tmp_p
     recording = tmp_path / "drive.csv"
     recording.write_text(DRIVE)
     native = run("replay", rules, recording, "--out", tmp_path / "native")
-    interpreted = run("replay", rules, recording, "--out", tmp_path / "slow", CC="no-such-compiler")
-    assert "no C compiler found" in interpreted.stderr
-    assert interpreted.stdout.replace("slow", "native") == native.stdout
+    in_python = run("replay", rules, recording, "--out", tmp_path / "slow", CC="no-such-compiler")
+    assert "no C compiler found" in in_python.stderr
+    assert in_python.stdout.replace("slow", "native") == native.stdout
     one, other = (
         (tmp_path / kind / "verdicts.jsonl").read_text().splitlines() for kind in ("native", "slow")
     )

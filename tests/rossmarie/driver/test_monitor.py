@@ -1,4 +1,4 @@
-"""`rossmarie.load`: a rules file as a monitor, native and interpreted."""
+"""`rossmarie.load`: a rules file as a monitor, native and in Python."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 import rossmarie
-from rossmarie import Monitor, RulesError
+from rossmarie import Monitor, RulesError, ir
 from rossmarie.ir import Event
 from support.engines import ENGINES, load
 
@@ -81,9 +81,8 @@ rule fast: if speed > 1 m/s for 0.05 sec or blocked then { slow; };
 """
 
 
-def test_the_fast_call(tmp_path: Path) -> None:
-    (tmp_path / "rules.ross").write_text(NUMBERS)
-    monitor = rossmarie.load(tmp_path / "rules.ross")
+def test_the_fast_call(engine: str, tmp_path: Path) -> None:
+    monitor = load(NUMBERS, engine, tmp_path)
     assert monitor.fields("/odom") == ("speed",)
     bumper, odometry = monitor.update_call("/bumper"), monitor.update_call("/odom")
     assert bumper(0, False) == 1  # the speed has not come yet
@@ -167,3 +166,15 @@ def test_mistakes_in_the_rules_are_raised_all_at_once(tmp_path: Path) -> None:
         rossmarie.load(tmp_path / "rules.ross")
     assert [found.code for found in caught.value.diagnostics] == ["ROSS101", "ROSS104"]
     assert "`x` is not declared" in str(caught.value)
+
+
+def test_rules_that_no_target_can_run_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rules = tmp_path / "rules.ross"
+    rules.write_text(RULES, encoding="utf-8")
+    monkeypatch.setattr(ir, "MOST_EVALUATIONS", 3)
+    with pytest.raises(RulesError) as caught:
+        rossmarie.load(rules)
+    *_, found = caught.value.diagnostics  # behind the warnings
+    assert (found.code, found.primary.span.text) == ("ROSS502", "speed > 1 m/s for 0.5 sec")

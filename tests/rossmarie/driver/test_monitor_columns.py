@@ -49,17 +49,17 @@ def random_times(seed: int = 1) -> np.ndarray:
 
 
 def monitors(folder: Path, rules: str = RULES) -> tuple[Monitor, Monitor]:
-    native, interpreted = (load(rules, engine, folder) for engine in ENGINES)
-    return native, interpreted
+    native, in_python = (load(rules, engine, folder) for engine in ENGINES)
+    return native, in_python
 
 
 def test_both_say_the_same(tmp_path: Path) -> None:
     times, table = random_times(), random_table()
-    native, interpreted = (monitor.run(times, table) for monitor in monitors(tmp_path))
+    native, in_python = (monitor.run(times, table) for monitor in monitors(tmp_path))
     assert native.active.shape == (ROWS, 3)
     assert all(0 < native.active[:, rule].sum() < ROWS for rule in range(3))
-    np.testing.assert_array_equal(native.active, interpreted.active)
-    assert repr(native.events) == repr(interpreted.events)
+    np.testing.assert_array_equal(native.active, in_python.active)
+    assert repr(native.events) == repr(in_python.events)
 
 
 def test_both_say_the_same_in_chunks(tmp_path: Path) -> None:

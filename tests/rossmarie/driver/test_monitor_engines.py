@@ -42,17 +42,14 @@ def test_without_a_compiler_the_reason_is_told_once(
 ) -> None:
     monkeypatch.setenv("CC", "no-such-compiler")
     monitor, reason = warned(rules)
-    assert monitor.kind == "interpreter"
+    assert monitor.kind == "python"
     assert "no C compiler found (looked for no-such-compiler)" in reason
-    for take in (monitor.take_events, lambda: monitor.update_call("/odom")):
-        with pytest.raises(ValueError, match="no-such-compiler"):
-            take()
 
 
 def test_a_compiler_that_is_no_command(rules: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CC", 'gcc "')
     monitor, reason = warned(rules)
-    assert monitor.kind == "interpreter"
+    assert monitor.kind == "python"
     assert "No closing quotation" in reason
 
 
@@ -82,4 +79,4 @@ def test_a_cache_that_cannot_be_written(
     (tmp_path / "file").write_text("no folder")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
     monitor, _ = warned(rules)
-    assert monitor.kind == "interpreter"
+    assert monitor.kind == "python"

@@ -115,7 +115,7 @@ def test_flags_and_texts_are_shown_as_such() -> None:
         'mode = "docked", == "docked", true since 1.000 s',
     )
     assert lines_of_rule('mode != "docked"', mode=-1.0) == (
-        'mode = another text, != "docked", true since 1.000 s',
+        'mode = another string, != "docked", true since 1.000 s',
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from pathlib import Path
 
 import pytest
@@ -80,3 +81,42 @@ def test_a_clock_that_was_set_back_is_told_of_damaged_files(tmp_path: Path) -> N
         [(at_ns, content) for at_ns in stamps],
     )
     assert "ROSS618" in codes(replay(path)[1])
+
+
+def test_a_clock_that_was_set_back_is_told_of_csv(tmp_path: Path) -> None:
+    path = tmp_path / "drive.csv"
+    path.write_text("time,battery\n0,1\n5,2\n4.75,3\n4.75,4\n6,5\n5.9999,6\n")
+    updates, found = replay(path)
+    assert codes(found) == ["ROSS618"]
+    assert found[0].title == "the stamps go back 2 times, by up to 0.2 s"
+    assert "in the order of the file" in found[0].notes[0]
+    assert [update.at_ns / SECOND_NS for update in updates] == [0, 5, 4.75, 4.75, 6, 5.9999]
+
+
+def test_a_small_setback_of_csv_is_told_in_milliseconds(tmp_path: Path) -> None:
+    path = tmp_path / "drive.csv"
+    path.write_text("time,battery\n0,1\n1.002,2\n1,3\n2,4\n")
+    assert replay(path)[1][0].title == "the stamps go back once, by up to 2 ms"
+
+
+@pytest.mark.parametrize("kind", ["mcap", "compressed mcap"])
+def test_a_clock_that_was_set_back_is_told_without_message_indexes(
+    tmp_path: Path, kind: str
+) -> None:
+    path = write_kind(tmp_path, kind, at_seconds(ROS2, 0, 5, 2))
+    path.write_bytes(without_message_indexes(path.read_bytes()))
+    updates, found = replay(path)
+    assert len(updates) == 3
+    assert [one.title for one in found] == ["the stamps go back once, by up to 3.0 s"]
+
+
+def without_message_indexes(content: bytes) -> bytes:
+    """An MCAP file whose message indexes are records of a kind that readers pass over."""
+    found = bytearray(content)
+    position = 8
+    while found[position] != 0x0F:
+        if found[position] == 0x07:
+            found[position] = 0x80
+        (length,) = struct.unpack_from("<Q", found, position + 1)
+        position += 9 + length
+    return bytes(found)

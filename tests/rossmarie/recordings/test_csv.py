@@ -257,7 +257,7 @@ def test_the_part_that_is_nearly_right_is_named(tmp_path: Path) -> None:
     _, found = replay(write(tmp_path, "time,battery,sped.y\n0,1,2\n"), POSE)
     assert found[0].help == "did you mean `sped.y`? then name this column `speed.y`"
     _, found = replay(write(tmp_path, "time,battery,other\n0,1,2\n"), POSE)
-    assert found[0].help == "add `speed.x`, `speed.y`, or rename the column that holds it"
+    assert found[0].help == "add `speed.x` and `speed.y`, or rename the column that holds it"
 
 
 def test_columns_that_nobody_reads_do_no_harm(tmp_path: Path) -> None:

@@ -5,23 +5,19 @@ from __future__ import annotations
 import mmap
 import os
 import random
-from collections.abc import Collection, Iterator
 from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
 import pytest
-from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 from rosbags.rosbag1 import Writer as Writer1
 from rosbags.rosbag2 import CompressionMode, StoragePlugin
 from rosbags.typesys.store import Typestore
 
-from dslkit.diagnostics import Collector, Severity
+from dslkit.diagnostics import Severity
 from rossmarie.ir import Machine
-from rossmarie.recordings import RecordingError, bag_opening, open_recording
-from rossmarie.recordings.bag import BagRecording
+from rossmarie.recordings import RecordingError, open_recording
 from rossmarie.recordings.salvage import SalvagedStorage, Scan
-from rossmarie.recordings.storage import Connection, Stored
 from support.recordings import (
     ROS1,
     ROS2,
@@ -329,58 +325,3 @@ def test_a_file_that_is_no_recording_is_closed(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="no"):
         SalvagedStorage(path, refuse)
     assert opened[0].closed
-
-
-class Stub:
-    """A storage of some messages that breaks off after them, if it is told to."""
-
-    loss = None
-
-    def __init__(self, *messages: tuple[int, bytes], breaks: bool = False) -> None:
-        undefined = MessageDefinition(MessageDefinitionFormat.NONE, "")
-        self.connections = [Connection(1, "/a", "std_msgs/Bool", "cdr", undefined, len(messages))]
-        self.is_closed = False
-        self._messages = messages
-        self._breaks = breaks
-
-    def span(self) -> tuple[int, int]:
-        return self._messages[0][0], self._messages[-1][0]
-
-    def messages(self, topics: Collection[str]) -> Iterator[Stored]:
-        for at_ns, content in self._messages:
-            if self.connections[0].topic in topics:
-                yield Stored(self.connections[0], at_ns, content)
-        if self._breaks:
-            raise OSError("broken")
-
-    def arrivals(self) -> Iterator[tuple[str, int]]:
-        return ((self.connections[0].topic, at_ns) for at_ns, _ in self._messages)
-
-    def close(self) -> None:
-        self.is_closed = True
-
-
-def test_messages_at_the_instant_of_the_damage_are_read_once(tmp_path: Path) -> None:
-    broken = Stub((1, b"a"), (2, b"b"), (2, b"c"), breaks=True)
-    whole = Stub((1, b"a"), (2, b"b"), (2, b"c"), (2, b"d"), (2, b"c"), (3, b"e"))
-    recording = BagRecording(tmp_path / "drive.bag", broken, (1, 2), lambda: whole)
-    found = [content for _, _, content in recording.messages(["/a"], Collector())]
-    assert found == [b"a", b"b", b"c", b"d", b"c", b"e"]
-
-
-def test_earlier_parts_are_closed_if_a_later_one_fails(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    first = Stub((1, b"a"))
-
-    def open_part(path: Path) -> Stub:
-        if path.stem == "drive_1":
-            raise MemoryError
-        return first
-
-    monkeypatch.setitem(bag_opening._SALVAGE, ".mcap", open_part)
-    for number in (0, 1):
-        (tmp_path / f"drive_{number}.mcap").write_bytes(b"damaged")
-    with pytest.raises(MemoryError):
-        open_recording(tmp_path)
-    assert first.is_closed

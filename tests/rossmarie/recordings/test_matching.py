@@ -41,7 +41,7 @@ def test_missing_topic(tmp_path: Path) -> None:
     assert codes(found) == ["ROSS601"]
     assert found[0].severity is Severity.WARNING
     assert found[0].primary.span.text == "input speed"
-    assert "`/battery`, `/scan`" in found[0].notes[0]
+    assert "`/battery` and `/scan`" in found[0].notes[0]
     assert "--topic-map /odom=NAME" in (found[0].help or "")
     assert len(updates) == 10
 
@@ -93,7 +93,7 @@ def test_topic_never_sent(tmp_path: Path) -> None:
     [
         (("range_average",), Kind.REAL, "a number"),
         (("header", "frame_id"), Kind.REAL, "a number"),
-        (("range_min",), Kind.TEXT, "a text"),
+        (("range_min",), Kind.TEXT, "a string"),
         (("range_min", 0), Kind.REAL, "a number"),
         (("ranges",), Kind.REAL, "a number"),
         (("header",), Kind.REAL, "a number"),

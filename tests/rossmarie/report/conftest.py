@@ -48,7 +48,7 @@ def replay_of(machine: ir.Machine, messages: list[tuple[int, int, ChannelValues]
         machine=machine,
         rules_file="rules/yard.ross",
         recording="recordings/yard_drive.mcap",
-        monitor="interpreter",
+        monitor="python",
         start_ns=stamps[0],
         end_ns=stamps[-1],
         events=tuple(events),

@@ -71,7 +71,7 @@ def test_every_event_is_one_line_of_strict_json(case: tuple[ir.Machine, list[Ste
     monitor = Interpreter(machine)
     events = tuple(event for step in trace for event in take(monitor, step))
     ends = (trace[0].at_ns, trace[-1].at_ns)
-    replay = Replay(machine, "a\n.ross", "b", "interpreter", *ends, events, (), ())
+    replay = Replay(machine, "a\n.ross", "b", "python", *ends, events, (), ())
     found = list(verdict_lines(replay))
     assert len(found) == 1 + len(events)
     for line in found:

@@ -19,7 +19,7 @@ def run(machine: ir.Machine, trace: list[Step]) -> tuple[Replay, tuple[bool, ...
     monitor = Interpreter(machine)
     events = [event for step in trace for event in take(monitor, step)]
     ends = (trace[0].at_ns, trace[-1].at_ns)
-    replay = Replay(machine, "a.ross", "a.mcap", "interpreter", *ends, tuple(events), (), ())
+    replay = Replay(machine, "a.ross", "a.mcap", "python", *ends, tuple(events), (), ())
     return replay, tuple(monitor.active)
 
 

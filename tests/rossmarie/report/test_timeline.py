@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from rossmarie.ir import Change, InputState, TruthValue, Verdict
-from rossmarie.report import Plot, Replay, render_timeline, summarize
+from rossmarie.report import Plot, Replay, active_spans, render_timeline, summarize
+from rossmarie.report.wording import format_length
 
 HOSTILE = """</script><script>boom()</script>'"&<img src=x onerror=boom()>{{ 7*7 }}<!--"""
 
@@ -49,6 +50,15 @@ def test_the_page_needs_nothing_from_outside(drive: Replay) -> None:
     namespaces = text.replace("http://www.w3.org/2000/svg", "")
     assert not re.search(r"https?:|//[a-z]+\.|@import|url\((?!#)", namespaces)
     assert "default-src 'none'" in text
+
+
+def test_the_page_words_lengths_as_the_table_does(drive: Replay) -> None:
+    rules = data_of(render_timeline(drive))["rules"]
+    assert [rule["total"] for rule in rules] == [
+        format_length(summary.total_ns) for summary in summarize(drive)
+    ]
+    lengths = [format_length(span.end_ns - span.start_ns) for span in active_spans(drive)[0]]
+    assert [span[-1] for span in rules[0]["spans"]] == lengths != []
 
 
 def test_the_table_needs_no_script(drive: Replay) -> None:

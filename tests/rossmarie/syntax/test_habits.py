@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import pytest
 
-from dslkit.diagnostics import Diagnostic, apply_edits
-from rossmarie.syntax import ast
+from dslkit.diagnostics import Collector, Diagnostic, apply_edits
+from dslkit.source import SourceFile
+from rossmarie.syntax import ast, parse
+from rossmarie.syntax.grammar import Recognizer
 
 Parsed = Callable[[str], tuple[ast.Module, tuple[Diagnostic, ...]]]
 
@@ -37,6 +40,13 @@ MENDED = [
     ("if flag then stop", "then stop", "if flag then { stop; }"),
     ("rule a: if flag then stop;", "then stop", "rule a: if flag then { stop; };"),
     ("if flag -> stop;", "-> stop", "if flag then { stop; };"),
+    ("if a -> { b; }", "->", "if a then { b; }"),
+    ("if a => { b; }", "=>", "if a then { b; }"),
+    ("if a do { b; }", "do", "if a then { b; }"),
+    ("if a when { b; }", "when", "if a then { b; }"),
+    ("if a: { b; }", ":", "if a then { b; }"),
+    ("if (a): { b; }", ":", "if (a) then { b; }"),
+    ("rule r: if a\nthe { b; }", "the", "rule r: if a\nthen { b; }"),
     ("if flag; then { stop; }", ";", "if flag then { stop; }"),
     ("if flag then; { stop; }", ";", "if flag then { stop; }"),
     ("const a = [-10; 10] deg", ";", "const a = [-10, 10] deg"),
@@ -113,6 +123,36 @@ def test_a_habit_without_a_certain_remedy_is_found_once(
     _, found = parsed(text)
     assert [(one.code, one.primary.span.text) for one in found] == [("ROSS027", marked)]
     assert found[0].help
+
+
+NAMED_LIKE_THEN = [
+    "entity them { a : b > ; }",
+    "entitty them { a : b; }",
+    "system them { node ten { publishes; } }",
+    "if them then { ten; } clear for",
+    "rule them { a; }",
+]
+
+
+@pytest.mark.parametrize("text", NAMED_LIKE_THEN)
+def test_a_name_that_looks_like_then_is_a_name(parsed: Parsed, text: str) -> None:
+    _, found = parsed(text)
+    assert found
+    assert all(one.code != "ROSS027" for one in found)
+
+
+def test_an_item_that_parses_is_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    read: list[int] = []
+    run = Recognizer.run
+
+    def counted(self: Recognizer, start: str, first: int, *rest: Any) -> Any:
+        read.append(first)
+        return run(self, start, first, *rest)
+
+    monkeypatch.setattr(Recognizer, "run", counted)
+    good = "if a then { b; }\n"
+    parse(SourceFile("rules.ross", f"{good * 20}if a the {{ b; }}\n{good * 20}"), Collector())
+    assert len(read) == 42  # each of the 41 rules, and the broken one again when it is mended
 
 
 def test_an_open_string_is_closed_in_front_of_then(parsed: Parsed) -> None:

@@ -94,7 +94,6 @@ def test_a_file_of_the_largest_size_is_read(parsed: Parsed) -> None:
 def test_the_number_of_findings_is_bounded(parsed: Parsed, text: str) -> None:
     module, found = parsed(text)
     assert len(found) == MAXIMUM_ERRORS + 1
-    assert codes(found).index("ROSS022") == MAXIMUM_ERRORS
     assert module.items == ()  # of names declared further on, nothing is known
 
 
@@ -114,6 +113,8 @@ HUGE = {
     "open entities": "entity e {\n" * (FULL // 11),
     "open actions": "action a {\n" * (FULL // 11),
     "rules": "if a then { b; }\n" * (FULL // 17),
+    "one mistake": "if a then { b; }\n" * 37_000 + "if",
+    "one long mistake": "entity e {" + "a : b > 3;" * 42_000,
     "misspelt": "entitty e {}\n" * (FULL // 13),
     "names": "ab cd\n" * (FULL // 6),
     "quotes": '"' * FULL,

@@ -6,11 +6,13 @@ import sys
 
 import pytest
 
+from rossmarie import ir
 from rossmarie.targets.c99 import TARGET
+from rossmarie.targets.unsupported import unsupported
 from support.drafts import Draft
 
 # The package re-exports a function under the name of the module.
-unsupported = sys.modules["rossmarie.targets.c99.unsupported"]
+unsupported_by_c99 = sys.modules["rossmarie.targets.c99.unsupported"]
 
 
 def test_an_ordinary_machine_is_supported() -> None:
@@ -24,10 +26,26 @@ def test_more_conditions_than_indexes(monkeypatch: pytest.MonkeyPatch) -> None:
     condition = draft.above(draft.read(), 1.0)
     draft.truths += [draft.truths[condition]] * 10
     draft.rule(condition)
-    monkeypatch.setattr(unsupported, "MOST_INDEXES", 12)
+    monkeypatch.setattr(unsupported_by_c99, "MOST_INDEXES", 12)
     (found,) = TARGET.unsupported(draft.machine())
     assert found.code == "ROSS501"
     assert found.primary.span == draft.rules[0].span
     assert "13 conditions and rules" in found.primary.text
-    monkeypatch.setattr(unsupported, "MOST_INDEXES", 13)
+    monkeypatch.setattr(unsupported_by_c99, "MOST_INDEXES", 13)
     assert list(TARGET.unsupported(draft.machine())) == []
+
+
+def test_more_evaluations_in_one_call_than_any_target_may_need(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    draft = Draft()
+    condition = draft.above(draft.read(1), 1.0)
+    for duration_ns in (1, 2):
+        draft.rule(draft.truth(ir.Held(condition, duration_ns), text=f"for {duration_ns}"))
+    machine = draft.machine()
+    monkeypatch.setattr(ir, "MOST_EVALUATIONS", 4)
+    assert list(unsupported(machine)) == []
+    monkeypatch.setattr(ir, "MOST_EVALUATIONS", 3)
+    (found,) = unsupported(machine)
+    assert found.code == "ROSS502"
+    assert found.primary.text == "with this timer, which can fall due once, there are 4"

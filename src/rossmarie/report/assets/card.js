@@ -10,7 +10,7 @@ const STATE_WORDS = {
 
 function spanTimes(span) {
   const until = span.open ? "still active at the end" : "until " + formatPosition(span.to);
-  return `from ${formatPosition(span.from)} ${until}, ${formatLength(span.to - span.from)}`;
+  return `from ${formatPosition(span.from)} ${until}, ${span.length}`;
 }
 
 function conditionRow(condition) {

@@ -3,8 +3,8 @@
 const replay = JSON.parse(document.getElementById("replay").textContent);
 
 for (const rule of replay.rules) {
-  rule.spans = rule.spans.map(([from, to, lost, opened, closed, open]) => ({
-    from, to, opened, closed, open: Boolean(open), kind: lost ? "lost" : "active",
+  rule.spans = rule.spans.map(([from, to, lost, opened, closed, open, length]) => ({
+    from, to, length, opened, closed, open: Boolean(open), kind: lost ? "lost" : "active",
   }));
 }
 for (const plot of replay.plots) decodeSeries(plot, replay.duration);

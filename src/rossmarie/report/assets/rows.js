@@ -36,7 +36,7 @@ class AxisRow extends Row {
     }
     for (const [at, back] of replay.jumps) {
       if (at < view.from || at > view.to) continue;
-      const label = `↶ clock back ${formatLength(back)}`;
+      const label = `↶ clock back ${back}`;
       this.drawing.append(svg("text", { class: "strong halo", x: frame.toX(at) + 4, y: 12 }, label));
     }
   }
@@ -93,10 +93,9 @@ class LaneRow extends Row {
 
   drawTotal(frame) {
     if (frame.narrow) return;
-    const total = this.rule.spans.reduce((sum, span) => sum + span.to - span.from, 0);
     const count = this.rule.spans.length;
     this.drawing.append(svg("text", { x: frame.right + 10, y: LANE / 2 + 4 },
-      ...(count ? [svg("tspan", { class: "strong" }, `${count} ×`), `  ${formatLength(total)}`]
+      ...(count ? [svg("tspan", { class: "strong" }, `${count} ×`), `  ${this.rule.total}`]
         : ["never active"])));
   }
 

@@ -14,15 +14,6 @@ function formatPosition(seconds, decimals = 1) {
   return start + two(Math.floor(whole / 60) % 60) + ":" + two(whole % 60) + fraction;
 }
 
-function formatLength(seconds) {
-  if (seconds === 0) return "0 s";
-  if (seconds < 0.995) return Number(Math.max(seconds, 0.001).toPrecision(2)) + " s";
-  if (seconds < 60) return seconds.toFixed(1) + " s";
-  const rounded = Math.round(seconds);
-  if (seconds < 3600) return Math.floor(rounded / 60) + " min " + String(rounded % 60).padStart(2, "0") + " s";
-  return Math.floor(rounded / 3600) + " h " + Math.round((rounded % 3600) / 60) + " min";
-}
-
 function formatNumber(value) {
   if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
   return String(Number(value.toPrecision(4))).replace("-", "−");

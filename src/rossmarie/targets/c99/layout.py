@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 
 from rossmarie import ir
 from rossmarie.targets.c99 import names
-from rossmarie.targets.c99.limits import Limit, limits_of
+from rossmarie.targets.limits import Limit, limits_of
 
 
 @dataclass(frozen=True)

@@ -73,6 +73,7 @@ class _Writer:
             upper=layout.name.upper(),
             rule_count=len(layout.machine.rules),
             rule_rows=max(1, len(layout.machine.rules)),
+            most_evaluations=ir.most_evaluations(layout.machine),
             texts=describe.text_declaration(layout),
             rule_enum=describe.rule_enumeration(layout),
             max_terms=describe.most(len(rule.terms) for rule in layout.machine.rules),

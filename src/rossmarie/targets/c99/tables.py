@@ -11,10 +11,10 @@ from rossmarie import ir
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Guard, Layout
-from rossmarie.targets.c99.limits import true_below, twins
 from rossmarie.targets.c99.state import has_timeouts, is_small, turns
 from rossmarie.targets.c99.text import enumeration, lists, remarked_table, table
 from rossmarie.targets.c99.types import duration, number
+from rossmarie.targets.limits import true_below, twins
 
 _CONSTANTS = """\
 #define EARLIEST (-(INT64_C(1) << 60) * 2)

@@ -1,4 +1,4 @@
-"""Whole columns, row by row through the interpreter: what `rossmarie.native` does in C."""
+"""Whole columns, row by row through a monitor in Python: what `rossmarie.native` does in C."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.interpreter import Interpreter
+from rossmarie.driver.python_monitor import PythonMonitor
 from rossmarie.ir import ChannelValues, Event, Kind, Machine
 from rossmarie.native import FLAG_VALUES, Columns
 
 
 @dataclass(frozen=True, eq=False)
-class InterpretedRun:
+class PythonRun:
     """What a run over some rows said."""
 
     events: list[Event]
@@ -30,22 +30,21 @@ class InterpretedRun:
         return self.asked_active
 
 
-class InterpretedColumns:
-    """Columns that an interpreter is to run over."""
+class PythonColumns:
+    """Columns that a monitor in Python is to run over."""
 
-    def __init__(self, machine: Machine, interpreter: Interpreter, columns: Columns) -> None:
+    def __init__(self, machine: Machine, monitor: PythonMonitor, columns: Columns) -> None:
         self._machine = machine
-        self._interpreter = interpreter
+        self._monitor = monitor
         self._columns = columns
+        self._arriving: list[int] = np.flatnonzero(columns.arriving).tolist()
         flags = np.array(FLAG_VALUES)
         self._slots = [
             flags[column] if slot.kind is Kind.FLAG else column
             for slot, column in zip(machine.slots, columns.slots, strict=True)
         ]
 
-    def run(
-        self, start: int = 0, stop: int | None = None, *, active: bool = False
-    ) -> InterpretedRun:
+    def run(self, start: int = 0, stop: int | None = None, *, active: bool = False) -> PythonRun:
         """Take in the rows from `start` up to `stop`, or to the end.
 
         Raises `IndexError` if there are no such rows.
@@ -58,18 +57,19 @@ class InterpretedColumns:
         states = np.zeros((end - start, len(self._machine.rules)), np.bool_)
         for row in range(start, end):
             at_ns = int(self._columns.times_ns[row])
-            events += self._interpreter.update(at_ns, self._messages(row))
-            states[row - start] = self._interpreter.active
-        return InterpretedRun(events, states if active else None)
+            events += self._monitor.update(at_ns, self._messages(row))
+            states[row - start] = self._monitor.active
+        return PythonRun(events, states if active else None)
 
     def _messages(self, row: int) -> dict[int, ChannelValues]:
         """The messages of a row, by channel."""
-        arriving = np.flatnonzero(self._columns.arriving).tolist()
-        slots: dict[int, dict[int, float]] = {channel: {} for channel in arriving}
-        arrays: dict[int, dict[int, list[float]]] = {channel: {} for channel in arriving}
+        slots: dict[int, dict[int, float]] = {channel: {} for channel in self._arriving}
+        arrays: dict[int, dict[int, list[float]]] = {channel: {} for channel in self._arriving}
         inputs = self._machine.inputs
         for index, slot in enumerate(self._machine.slots):
             slots[inputs[slot.input].channel][index] = float(self._slots[index][row])
         for index, array in enumerate(self._machine.arrays):
             arrays[inputs[array.input].channel][index] = self._columns.arrays[index][row].tolist()
-        return {channel: ChannelValues(slots[channel], arrays[channel]) for channel in arriving}
+        return {
+            channel: ChannelValues(slots[channel], arrays[channel]) for channel in self._arriving
+        }

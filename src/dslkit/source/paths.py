@@ -1,0 +1,18 @@
+"""Whether a path leads anywhere. Unlike the methods of `Path`, these never raise: what no path can
+be (too long, a NUL in it) leads nowhere.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+
+def is_file(path: Path) -> bool:
+    """Whether there is such a file."""
+    return os.path.isfile(path)  # noqa: PTH113
+
+
+def is_folder(path: Path) -> bool:
+    """Whether there is such a folder."""
+    return os.path.isdir(path)  # noqa: PTH112

@@ -1,0 +1,107 @@
+"""A monitor in Python that was generated for a machine: the same methods and events as `native`'s.
+
+Takes the machine and the text that the Python target wrote for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from rossmarie import ir
+from rossmarie.ir import Change, ChannelValues, Event, InputState, TimeJump, TruthValue, Verdict
+
+_NAN = float("nan")
+
+
+class PythonMonitor:
+    """A monitor. Instants are nanoseconds on one clock, between `ir.EARLIEST_NS` and
+    `ir.LATEST_NS`; every method that takes one raises `ValueError` outside that range.
+    """
+
+    def __init__(self, machine: ir.Machine, source: str) -> None:
+        self._slots = _by_channel(machine, machine.slots)
+        self._arrays = _by_channel(machine, machine.arrays)
+        module: dict[str, Any] = {"__name__": "monitor"}
+        exec(compile(source, "<generated monitor>", "exec"), module)
+        self._jump = module["TimeJump"]
+        self._generated: Any = module["start"]()
+        self._waiting: list[Event] = []
+        self.next_wake: Callable[[], int | None] = self._generated.next_wake
+
+    @property
+    def active(self) -> tuple[bool, ...]:
+        """Which rules are active, by index."""
+        active: tuple[bool, ...] = self._generated.active()
+        return active
+
+    def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
+        """The messages that arrive at one instant, by channel index."""
+        fields = {channel: self._fields(channel, values) for channel, values in messages.items()}
+        return self._events_of(at_ns, self._generated.update, fields)
+
+    def advance(self, at_ns: int) -> list[Event]:
+        """Time passes without a message; timers due at this very instant fire as well."""
+        return self._events_of(at_ns, self._generated.advance)
+
+    def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
+        """An operator resets one latched rule, or all: those with a false condition clear."""
+        return self._events_of(at_ns, self._generated.reset, rule)
+
+    # --- fast --------------------------------------------------------------------------------
+
+    def update_call(self, channel: int) -> Callable[..., int]:
+        """A function `(at_ns, *slots) -> number of new events` for one message on a channel, with
+        its slots in index order, in the units of the message. -1: the instant is out of range.
+
+        Its numbers are Python's own (numpy has some that compare otherwise). The events wait for
+        `take_events`. Raises `ValueError` if the channel carries arrays.
+        """
+        if self._arrays[channel]:
+            raise ValueError("a channel with arrays has no fast call")
+        call: Callable[..., int] = self._generated[channel]
+        return call
+
+    def take_events(self) -> list[Event]:
+        """The events of the fast calls since the last time."""
+        self._keep()
+        taken, self._waiting = self._waiting, []
+        return taken
+
+    # --- calls -------------------------------------------------------------------------------
+
+    def _events_of(self, at_ns: int, call: Callable[..., int], *arguments: object) -> list[Event]:
+        self._keep()
+        if call(at_ns, *arguments) < 0:
+            raise ValueError(f"an instant of {at_ns} ns is out of range")
+        return [self._event(told) for told in self._generated.take_events()]
+
+    def _keep(self) -> None:
+        """The events of fast calls wait."""
+        self._waiting += [self._event(told) for told in self._generated.take_events()]
+
+    def _event(self, told: Any) -> Event:
+        if isinstance(told, self._jump):
+            return TimeJump(*told)
+        return Verdict(
+            rule=told.rule,
+            at_ns=told.at_ns,
+            change=Change(told.change),
+            truths=tuple(map(TruthValue, told.truths)),
+            since_ns=told.since_ns,
+            values=told.values,
+            inputs=tuple(map(InputState, told.inputs)),
+        )
+
+    def _fields(self, channel: int, values: ChannelValues) -> list[object]:
+        """One message: its slots, then its arrays."""
+        slots = [values.slots.get(slot, _NAN) for slot in self._slots[channel]]
+        return [*slots, *(list(values.arrays.get(array, ())) for array in self._arrays[channel])]
+
+
+def _by_channel(machine: ir.Machine, fields: Sequence[ir.Slot | ir.Array]) -> list[list[int]]:
+    """The fields that each channel carries, by index."""
+    carried: list[list[int]] = [[] for _ in machine.channels]
+    for index, field in enumerate(fields):
+        carried[machine.inputs[field.input].channel].append(index)
+    return carried

@@ -1,0 +1,139 @@
+"""How many evaluations one call of a monitor can take, from the structure of its machine alone.
+
+Before an event the wakes that fell due are run (S13), each at an instant of its own at which at
+least one timer is due; after a jump backwards there are none (S17). So there are at most as many as
+timers fall due, and those are counted here, a bit for each. The timer of an age, which is that of a
+timeout too, falls due once, and so does the window of an oscillation: only messages start them
+again. The timer of `C for d` falls due at most once for each stretch in which C is true. The first
+may have begun before; between two of them C both ceases to be true and becomes true. So it is at
+most one more than the lesser of how often C becomes true and how often it ceases to be.
+
+How often that is follows from left to right. Signals change only to NaN, when an input that they
+rest on expires, and a leaf over one is lost from then on (S30). An `and` or `or` becomes or ceases
+to be true or false only together with one of its operands. `C for d` becomes true when its timer
+falls due and ceases to be when C does; it becomes false only when C does, for while C is true and
+it is not, it is what C was before (S33); and it ceases to be false when its timer falls due, or
+when C ceases to be false or to be true.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import reduce
+from operator import or_
+
+from rossmarie.ir import model as ir
+from rossmarie.ir.support import supports, truth_operands
+
+
+def most_evaluations(machine: ir.Machine) -> int:
+    """A bound on the evaluations of one call, that of the event itself included.
+
+    Takes time and memory in proportion to the bound: ask only of machines that `MOST_EVALUATIONS`
+    does not rule out.
+    """
+    return 1 + sum(count for _, count in wakes(machine))
+
+
+def wakes(machine: ir.Machine) -> Iterator[tuple[ir.Input | ir.Truth, int]]:
+    """How many evaluations each input and each truth adds, from left to right: how often its timer
+    falls due in one call, 0 if it has none or shares that of one before it.
+    """
+    counted = _Counted(machine)
+    for declared in machine.inputs:
+        before = counted.total
+        counted.expiry(declared)
+        yield declared, counted.total - before
+    for index, truth in enumerate(machine.truths):
+        before = counted.total
+        counted.add(index)
+        yield truth, counted.total - before
+
+
+@dataclass(frozen=True)
+class _Changes:
+    """The evaluations, as the bits of integers, at which a truth can change."""
+
+    becomes_true: int = 0
+    ceases_true: int = 0
+    becomes_false: int = 0
+    ceases_false: int = 0
+
+    def negated(self) -> _Changes:
+        return _Changes(self.becomes_false, self.ceases_false, self.becomes_true, self.ceases_true)
+
+    def __or__(self, other: _Changes) -> _Changes:
+        return _Changes(
+            self.becomes_true | other.becomes_true,
+            self.ceases_true | other.ceases_true,
+            self.becomes_false | other.becomes_false,
+            self.ceases_false | other.ceases_false,
+        )
+
+
+class _Counted:
+    """The evaluations found so far, and how the truths up to here can change at them."""
+
+    def __init__(self, machine: ir.Machine) -> None:
+        self.total = 0
+        self._machine = machine
+        self._supports = supports(machine).truths
+        self._changes: list[_Changes] = []
+        self._ages: dict[tuple[int, int], int] = {}
+
+    def expiry(self, declared: ir.Input) -> int:
+        """The evaluation at which an input expires; none if it never does."""
+        if declared.timeout_ns is None:
+            return 0
+        return self._age(declared.channel, declared.timeout_ns)
+
+    def add(self, index: int) -> None:
+        """The next truth."""
+        self._changes.append(self._found(index, self._machine.truths[index].node))
+
+    def _found(self, index: int, node: ir.TruthNode) -> _Changes:
+        operands = [self._changes[operand] for operand in truth_operands(node)]
+        match node:
+            case ir.And() | ir.Or():
+                return reduce(or_, operands)
+            case ir.Not():
+                return operands[0].negated()
+            case ir.Held():
+                return self._held(operands[0])
+            case ir.AgeReaches(input=used, age_ns=age_ns):
+                due = self._age(self._machine.inputs[used].channel, age_ns)
+                return _Changes(becomes_true=due, ceases_false=due)
+            case ir.Oscillates():
+                closes = self._new(1)
+                return self._lost(index) | _Changes(ceases_true=closes, becomes_false=closes)
+            case _:
+                return self._lost(index)
+
+    def _held(self, operand: _Changes) -> _Changes:
+        again = min(operand.becomes_true.bit_count(), operand.ceases_true.bit_count())
+        matures = self._new(1 + again)
+        return _Changes(
+            becomes_true=matures,
+            ceases_true=operand.ceases_true,
+            becomes_false=operand.becomes_false,
+            ceases_false=matures | operand.ceases_false | operand.ceases_true,
+        )
+
+    def _lost(self, index: int) -> _Changes:
+        """A leaf is lost when an input that it rests on expires."""
+        inputs = (self._machine.inputs[used] for used in self._supports[index].inputs)
+        expires = reduce(or_, map(self.expiry, inputs), 0)
+        return _Changes(ceases_true=expires, ceases_false=expires)
+
+    def _age(self, channel: int, age_ns: int) -> int:
+        """Inputs of one channel have their messages, and so their ages, at the same instants."""
+        if (channel, age_ns) not in self._ages:
+            self._ages[channel, age_ns] = self._new(1)
+        return self._ages[channel, age_ns]
+
+    def _new(self, count: int) -> int:
+        """So many more evaluations."""
+        new = ((1 << count) - 1) << self.total
+        self.total += count
+        return new

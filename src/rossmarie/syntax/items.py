@@ -1,0 +1,211 @@
+"""The items of a file, each read by itself: a mistake costs no more than the item it stands in.
+
+Every item is read once. If some fail, `habits` mends the file, and what has changed is read again.
+What still fails goes to `recover`; what begins like no item is reported here.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+from dslkit.diagnostics import Diagnostic, Edit, Fix
+from dslkit.source import Span
+from rossmarie.syntax import ast, errors
+from rossmarie.syntax.cut import Piece, cut
+from rossmarie.syntax.explain import (
+    explain_token,
+    is_name,
+    is_part_word,
+    unclosed_bracket,
+    unopened_bracket,
+    unterminated_text,
+)
+from rossmarie.syntax.findings import Findings
+from rossmarie.syntax.grammar import Failure
+from rossmarie.syntax.habits import mend
+from rossmarie.syntax.limits import MAXIMUM_ERRORS
+from rossmarie.syntax.part import PartParser
+from rossmarie.syntax.recover import Stretch, recover
+from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.words import MEMBER_WORDS
+
+
+class _Reading(NamedTuple):
+    """An item as it was read first: where it stands, its tokens, and what came of it."""
+
+    piece: Piece
+    tokens: tuple[Token, ...]
+    result: Any
+
+    @property
+    def is_broken(self) -> bool:
+        """Whether it does not parse, or begins like no item."""
+        return self.result is None or isinstance(self.result, Failure)
+
+
+def read_items(source: Scan, findings: Findings) -> list[ast.Item]:
+    """All items, in order; what is wrong is reported, and as little as possible is missing."""
+    part = PartParser(source, findings)
+    readings, kinds = _first_readings(part)
+    pieces: Iterable[Piece] = (reading.piece for reading in readings.values())
+    if any(reading.is_broken for reading in readings.values()):
+        part = PartParser(mend(source, kinds, findings), findings)
+        pieces = cut(part.source)
+    items: list[ast.Item] = []
+    is_lost = False
+    for piece in pieces:
+        if piece.kind is None:
+            is_brace = part.source.tokens[piece.first].text == "}"
+            if not (is_lost and is_brace):
+                findings.add(_unknown(part.source, piece))
+                items.extend(_undeclared(part, piece))
+            is_lost = not is_brace
+        else:
+            item = _item(part, piece, piece.kind, readings)
+            items.extend(() if item is None else (item,))
+            is_lost = False
+        if findings.is_full:
+            break
+    return items
+
+
+def _first_readings(part: PartParser) -> tuple[dict[int, _Reading], list[str | None]]:
+    """What came of each item, by its start; and what each token's item is meant as, None where
+    that item parses.
+
+    Ends at so many broken items that reporting them will not reach any further.
+    """
+    tokens = part.source.tokens
+    readings: dict[int, _Reading] = {}
+    kinds: list[str | None] = [""] * len(tokens)
+    failures = 0
+    for piece in cut(part.source):
+        inside = tokens[piece.first : piece.last]
+        reading = _Reading(piece, inside, _attempt(part, piece))
+        readings[inside[0].start] = reading
+        kind = piece.kind or "" if reading.is_broken else None
+        kinds[piece.first : piece.last] = [kind] * len(inside)
+        failures += reading.is_broken or piece.head is not None
+        if failures > MAXIMUM_ERRORS or part.findings.is_full:
+            break
+    return readings, kinds
+
+
+def _attempt(part: PartParser, piece: Piece) -> Any:
+    """The item, without a body; or the `Failure`, or None, as of `PartParser.attempt`."""
+    if piece.kind is None:
+        return None
+    brace = _body(part, piece)
+    return part.attempt(piece.kind, piece.first, brace or piece.last, piece.head)
+
+
+def _body(part: PartParser, piece: Piece) -> int | None:
+    """The brace that begins the reserved body of an action, if it has one."""
+    tokens = part.source.tokens
+    brace = piece.first + 2
+    has_body = piece.kind == "action" and brace < piece.last and tokens[brace].text == "{"
+    return brace if has_body and is_name(tokens[brace - 1]) else None
+
+
+def _item(
+    part: PartParser, piece: Piece, kind: str, readings: Mapping[int, _Reading]
+) -> ast.Item | None:
+    source = part.source
+    if piece.head is not None:
+        part.findings.add(_misspelt(source, piece, piece.head))
+    inside = source.tokens[piece.first : piece.last]
+    reading = readings.get(inside[0].start)
+    if reading is None or (reading.piece.kind, reading.tokens) != (kind, inside):
+        reading = _Reading(piece, inside, _attempt(part, piece))
+    node = reading.result
+    brace = _body(part, piece)
+    if isinstance(node, ast.Action) and brace is not None:
+        return _with_body(part, node, brace, piece.last)
+    if isinstance(node, Failure):
+        node = _before_stray(part, piece, kind, node)
+    if node is None or isinstance(node, Failure):
+        stretch = Stretch(kind, piece.first, piece.last, piece.head)
+        return recover(part, stretch, node)
+    return node  # type: ignore[no-any-return]
+
+
+def _undeclared(part: PartParser, piece: Piece) -> Iterator[ast.Constant]:
+    """`NAME = VALUE` is meant as a constant."""
+    tokens = part.source.tokens
+    name, value = piece.first, piece.first + 2
+    if value >= piece.last or tokens[name + 1].text != "=" or not is_name(tokens[name]):
+        return
+    node = part.attempt("expression", value, piece.last)
+    span = part.source.span(tokens[name])
+    if node is None or isinstance(node, Failure):
+        node = part.broken(value, piece.last, span)
+    whole = part.source.span(tokens[name], tokens[piece.last - 1])
+    documentation = part.source.documentation.get(span.start)
+    yield ast.Constant(ast.Name(tokens[name].text, span), node, documentation, whole)
+
+
+def _before_stray(part: PartParser, piece: Piece, kind: str, failure: Failure) -> Any:
+    """The item, if it is complete in front of the word at which it failed and that word begins a
+    line: then the word, which is reported, has nothing to do with it. Otherwise the failure.
+    """
+    source, stray = part.source, piece.first + failure.index
+    if not piece.first < stray < piece.last or not source.begins_line(stray):
+        return failure
+    if not is_name(source.tokens[stray]) or is_part_word(source.tokens[stray]):
+        return failure
+    node = part.attempt(kind, piece.first, stray, piece.head)
+    if node is None or isinstance(node, Failure):
+        return failure
+    part.findings.add(_unknown(source, Piece(None, stray, piece.last, None)))
+    return node
+
+
+def _with_body(part: PartParser, action: ast.Action, brace: int, last: int) -> ast.Action:
+    """The action with its reserved body, which is reported."""
+    tokens = part.source.tokens
+    body = part.source.span(tokens[brace], tokens[last - 1])
+    if tokens[last - 1].text == "}":
+        removal = Edit(Span(body.file, action.span.end, body.end), ";")
+        fix = Fix("remove the body", (removal,))
+        finding = errors.ActionBody(action=action.name.text).at(body, fix=fix)
+    else:
+        finding = unclosed_bracket(part.source, tokens[brace], tokens[last - 1])
+    part.findings.add(finding)
+    return dataclasses.replace(action, body=body, span=action.span.to(body))
+
+
+def _misspelt(source: Scan, piece: Piece, meant: str) -> Diagnostic:
+    found = source.tokens[piece.first]
+    fix = Fix(f"write `{meant}`", (Edit(source.span(found), meant),))
+    finding = errors.UnknownItem(found=found.text, advice=f"did you mean `{meant}`?")
+    return finding.at(source.span(found), fix=fix)
+
+
+def _unknown(source: Scan, piece: Piece) -> Diagnostic:
+    """A stretch at the outermost level that is no item."""
+    found = source.tokens[piece.first]
+    after = source.tokens[piece.first + 1].text if piece.first + 1 < piece.last else ""
+    if found.text in ("}", ")", "]"):
+        return unopened_bracket(source, found)
+    if found.kind == "open_text":
+        return unterminated_text(source, found)
+    if found.kind == "sign":
+        return explain_token(source, piece.first, "module")
+    fix = None
+    if found.text in MEMBER_WORDS and after not in ("=", ":"):
+        advice = "this belongs inside a system: `system NAME { ... }`"
+    elif after == ":":
+        advice = "conditions stand inside an entity: `entity NAME { ... }`"
+    elif after == "=":
+        advice = f"to give a value a name, write `const {found.text} = ...;`"
+        fix = Fix("insert `const`", (Edit(Span(source.file, found.start, found.start), "const "),))
+    elif found.text == "else":
+        advice = "there is no `else`: write another rule, with `not` in front of the condition"
+    elif found.text == "then":
+        advice = "`then` belongs to a rule: `if CONDITION then { ACTION; };`"
+    else:
+        advice = "begin with the word that says what it is, such as `const` or `rule`"
+    text = found.text if len(found.text) <= 40 else f"{found.text[:37]}..."
+    return errors.UnknownItem(found=text, advice=advice).at(source.span(found), fix=fix)

@@ -1,0 +1,21 @@
+"""The Python target: a machine as one module that needs nothing but Python's standard library."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rossmarie import ir
+from rossmarie.targets.base import Target
+from rossmarie.targets.python.module import source
+from rossmarie.targets.python.names import file_name
+
+
+def generate(machine: ir.Machine) -> Mapping[str, str]:
+    """The file of a monitor, by name: NAME_monitor.py."""
+    return {file_name(machine.name): source(machine)}
+
+
+# Whatever `ir.verify` passes can be written in Python.
+TARGET = Target("python", lambda _: (), generate)
+
+__all__ = ["TARGET", "generate", "source"]

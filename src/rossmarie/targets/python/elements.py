@@ -1,0 +1,134 @@
+"""Functions over the elements of an array: one pass for all that is asked of it (S22 to S26).
+
+Takes a layout. What is found stays until the next message or the expiry of its input.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie import ir
+from rossmarie.targets.python import expressions
+from rossmarie.targets.python.function import Function
+from rossmarie.targets.python.layout import Layout, number
+
+_FOLDS = {ir.Folding.MINIMUM: ("minimum", "INF"), ir.Folding.MAXIMUM: ("maximum", "-INF")}
+
+
+def results(layout: Layout, array: int) -> dict[str, str]:
+    """The variables that rest on an array, and what they are without elements."""
+    return {
+        **{f"s{signal}": "NAN" for signal in (*_folds(layout, array), *_counts(layout, array))},
+        **{f"q{truth}": "2" for truth in _quantifiers(layout, array)},
+    }
+
+
+def look(layout: Layout, array: int) -> list[str]:
+    """The function that takes in the elements of an array."""
+    function = Function(f"look_{array}(elements)")
+    if not results(layout, array):
+        return function.text()
+    for variable, unknown in results(layout, array).items():
+        function.assign(variable, unknown)
+    function.line("if not elements:")
+    function.line("return", 1)
+    folds, counted = _folds(layout, array), _counted(layout, array)
+    for signal, node in folds.items():
+        function.line(f"f{signal} = {_FOLDS[node.folding][1]}")
+    for truth in counted:
+        function.line(f"true_{truth} = unknown_{truth} = 0")
+    function.line(f"for e in {_converted(layout.machine.arrays[array])}:")
+    for line in _one_element(layout, array):
+        function.line(line, 1)
+    for signal, node in folds.items():
+        element = _Element(layout).value(node.element)
+        function.line(f"f{signal} = {_FOLDS[node.folding][0]}(f{signal}, {element})", 1)
+    for truth in counted:
+        function.line(f"true_{truth} += {_Element(layout).truth(truth)} == 1", 1)
+        function.line(f"unknown_{truth} += {_Element(layout).truth(truth)} == 2", 1)
+    _finish(layout, array, function)
+    return function.text()
+
+
+def _finish(layout: Layout, array: int, function: Function) -> None:
+    for signal in _folds(layout, array):
+        function.assign(f"s{signal}", f"f{signal}")
+    for signal, truth in _counts(layout, array).items():
+        function.assign(f"s{signal}", f"NAN if unknown_{truth} else float(true_{truth})")
+    for index, node in _quantifiers(layout, array).items():
+        true, unknown = f"true_{node.element}", f"unknown_{node.element}"
+        if node.quantifier is ir.Quantifier.ANY:
+            function.assign(f"q{index}", f"1 if {true} else 2 if {unknown} else 0")
+        else:
+            known = f"{true} + {unknown} < len(elements)"
+            function.assign(f"q{index}", f"0 if {known} else 2 if {unknown} else 1")
+
+
+class _Element:
+    """How the nodes of one element are written."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+
+    def value(self, signal: int) -> str:
+        node = self._layout.machine.signals[signal].node
+        if isinstance(node, ir.Element):
+            return "e"
+        return number(node.value) if isinstance(node, ir.Constant) else f"e{signal}"
+
+    def truth(self, index: int) -> str:
+        return self._layout.truth(index)
+
+
+def _one_element(layout: Layout, array: int) -> Iterator[str]:
+    """The signals and truths of the element at hand, each once."""
+    write = _Element(layout)
+    for index, signal in enumerate(layout.machine.signals):
+        if layout.elements.signals[index] == array and isinstance(signal.node, ir.Apply):
+            yield f"e{index} = {expressions.applied(layout, signal.node, write.value)}"
+    for index, truth in enumerate(layout.machine.truths):
+        if layout.elements.truths[index] != array:
+            continue
+        if isinstance(truth.node, ir.Not | ir.And | ir.Or):
+            yield f"t{index} = {expressions.logic(truth.node, write.truth)}"
+        else:
+            yield f"t{index} = {expressions.compared(layout, truth.node, write.value, '2')}"
+
+
+def _converted(array: ir.Array) -> str:
+    if (array.scale, array.offset) == (1.0, 0.0):
+        return "elements"
+    return f"[e * {number(array.scale)} + {number(array.offset)} for e in elements]"
+
+
+def _folds(layout: Layout, array: int) -> dict[int, ir.Fold]:
+    found = {index: signal.node for index, signal in enumerate(layout.machine.signals)}
+    return {
+        index: node
+        for index, node in found.items()
+        if isinstance(node, ir.Fold) and layout.elements.signals[node.element] == array
+    }
+
+
+def _counts(layout: Layout, array: int) -> dict[int, int]:
+    found = {index: signal.node for index, signal in enumerate(layout.machine.signals)}
+    return {
+        index: node.element
+        for index, node in found.items()
+        if isinstance(node, ir.Count) and layout.elements.truths[node.element] == array
+    }
+
+
+def _quantifiers(layout: Layout, array: int) -> dict[int, ir.Quantified]:
+    found = {index: truth.node for index, truth in enumerate(layout.machine.truths)}
+    return {
+        index: node
+        for index, node in found.items()
+        if isinstance(node, ir.Quantified) and layout.elements.truths[node.element] == array
+    }
+
+
+def _counted(layout: Layout, array: int) -> list[int]:
+    """The elementwise truths whose true and unknown elements are counted."""
+    quantified = [node.element for node in _quantifiers(layout, array).values()]
+    return sorted({*_counts(layout, array).values(), *quantified})

@@ -1,0 +1,267 @@
+"""One evaluation: inputs expire, every signal, every truth, then what the rules do (S11).
+
+Takes a layout. A number that is still inside its guard is passed over, with all comparisons of it.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Iterator, Sequence
+
+from rossmarie import ir
+from rossmarie.targets.python import expressions, names, state
+from rossmarie.targets.python.channels import calm_channels
+from rossmarie.targets.python.function import Function
+from rossmarie.targets.python.layout import Guard, Layout
+
+_MOST_LINES = 2000
+"""Python's compiler takes more than its share of time for functions that are longer by far."""
+
+
+def evaluate(layout: Layout) -> list[str]:
+    """The function that evaluates at an instant; `updated` has a bit for each channel. Before it
+    stand those that do a part of it, if it is long.
+    """
+    function = Function("evaluate(at_ns, updated)")
+    state.expire(layout, function)
+    parts = _parts(layout)
+    if len(parts) == 1:
+        function.take(parts[0])
+    else:
+        for part in parts:
+            function.line(part.head)
+    function.assign("now", "at_ns")
+    state.look_for_timers(layout, function)
+    function.assign("wake", "first")
+    _calm(layout, function)
+    before = parts if len(parts) > 1 else []
+    return [line for each in (*before, function) for line in each.text()]
+
+
+def _parts(layout: Layout) -> list[Function]:
+    """What there is to evaluate, in its order, cut into functions."""
+    parts = [Function("evaluate_0(at_ns, updated)")]
+    for step in _steps(layout):
+        if parts[-1].length + step.length > _MOST_LINES:
+            parts.append(Function(f"evaluate_{len(parts)}(at_ns, updated)"))
+        parts[-1].take(step)
+    return parts
+
+
+def _steps(layout: Layout) -> Iterator[Function]:
+    """The signals, the truths and the rules."""
+    for index in layout.signals:
+        yield _signal(layout, index)
+    for guard in layout.guards:
+        yield _guard(layout, guard)
+    for index in layout.kept:
+        if index not in layout.guarded:
+            yield _truth(layout, index)
+    for number, rule in enumerate(layout.machine.rules):
+        yield _rule(layout, number, rule)
+
+
+def _remark(function: Function, thing: ir.Signal | ir.Truth | ir.Rule, text: str) -> None:
+    function.line(names.comment(f"{names.place(thing.span)}  {text}"))
+
+
+# --- signals ---------------------------------------------------------------------------------
+
+
+def _signal(layout: Layout, index: int) -> Function:
+    function = Function("step()")
+    signal = layout.machine.signals[index]
+    match signal.node:
+        case ir.Apply():
+            text = expressions.applied(layout, signal.node, layout.value)
+        case ir.Rate(signal=sampled) if sampled in layout.sampled:
+            _sample(layout, index, sampled, function)
+            text = f"samples_{sampled}.rate()"
+        case ir.Previous(signal=sampled) if sampled in layout.sampled:
+            _sample(layout, index, sampled, function)
+            text = f"samples_{sampled}.before"
+        case _:
+            return function  # known when compiling, or found when a message arrives
+    _remark(function, signal, signal.text)
+    function.assign(f"s{index}", text)
+    return function
+
+
+def _sample(layout: Layout, index: int, sampled: int, function: Function) -> None:
+    """S18, once for all that look at the samples of a signal."""
+    users = (
+        i
+        for i, signal in enumerate(layout.machine.signals)
+        if isinstance(signal.node, ir.Rate | ir.Previous) and signal.node.signal == sampled
+    )
+    if next(users) == index:
+        function.line(f"if updated & {_bits(layout, sampled)}:")
+        function.line(f"samples_{sampled}.take({layout.value(sampled)}, at_ns)", 1)
+
+
+def _bits(layout: Layout, signal: int) -> int:
+    return sum(1 << channel for channel in layout.supports.signals[signal].channels)
+
+
+# --- truths ----------------------------------------------------------------------------------
+
+
+def _record(layout: Layout, index: int, value: str, function: Function, depth: int = 0) -> None:
+    """A truth, and since when it has its value where a verdict tells that (S34)."""
+    if index not in layout.terms:
+        function.assign(f"t{index}", value, depth)
+        return
+    if value != "v":
+        function.line(f"v = {value}", depth)
+    function.line(f"if v != t{index}:", depth)
+    function.assign(f"t{index}", "v", depth + 1)
+    function.assign(f"d{index}", "at_ns", depth + 1)
+
+
+def _guard(layout: Layout, guard: Guard) -> Function:
+    """A number that has left its guard has its comparisons made, and gets a new guard."""
+    function = Function("step()")
+    value = guard.value
+    for leaf in guard.leaves:
+        truth = layout.machine.truths[leaf]
+        _remark(function, truth, truth.text)
+    function.line(f"if not {guard.low} < {value} <= {guard.high}:")
+    function.line(f"if {value} == {value}:", 1)
+    for leaf in guard.leaves:
+        holds = expressions.holds(layout.machine.truths[leaf].node, layout.value)
+        _record(layout, leaf, f"1 if {holds} else 0", function, 2)
+    _gap(guard, [-math.inf, *guard.cuts, sys.float_info.max], function, 2)
+    function.line("else:", 1)
+    function.assign(guard.low, "INF", 2)
+    function.line(f"v = {expressions.unknown_kind(layout, guard.leaves[0])}", 2)
+    for leaf in guard.leaves:
+        _record(layout, leaf, "v", function, 2)
+    return function
+
+
+def _gap(guard: Guard, cuts: Sequence[float], function: Function, depth: int) -> None:
+    """Find the gap between two of the cuts, all but the outer ones being limits, by halves."""
+    if len(cuts) > 2:
+        middle = len(cuts) // 2
+        function.line(f"if {guard.value} <= {cuts[middle]!r}:", depth)
+        _gap(guard, cuts[: middle + 1], function, depth + 1)
+        function.line("else:", depth)
+        _gap(guard, cuts[middle:], function, depth + 1)
+        return
+    low, high = cuts
+    function.assign(guard.low, "-INF" if low == -math.inf else repr(low), depth)
+    function.assign(guard.high, "MAX" if high == sys.float_info.max else repr(high), depth)
+
+
+def _truth(layout: Layout, index: int) -> Function:
+    function = Function("step()")
+    truth = layout.machine.truths[index]
+    _remark(function, truth, truth.text)
+    match truth.node:
+        case ir.Held():
+            _held(layout, index, truth.node, function)
+        case ir.Oscillates():
+            _oscillates(layout, index, truth.node, function)
+        case _:
+            _record(layout, index, _text(layout, index, truth.node), function)
+    return function
+
+
+def _text(layout: Layout, index: int, node: ir.TruthNode) -> str:
+    match node:
+        case ir.AgeReaches(input=used, age_ns=age_ns):
+            known = f"1 if at_ns - stamp_{layout.channel(used)} >= {age_ns} else 0"
+            is_never = f"{layout.state_of_input[used]} == 0"
+            return f"{expressions.unknown_kind(layout, index)} if {is_never} else {known}"
+        case ir.Quantified():
+            unknown = expressions.unknown_kind(layout, index)
+            return f"q{index}" if unknown == "2" else f"{unknown} if q{index} == 2 else q{index}"
+        case ir.Compare() | ir.Between() | ir.Flag():
+            unknown = expressions.unknown_kind(layout, index)
+            return expressions.compared(layout, node, layout.value, unknown)
+        case _:
+            return expressions.logic(node, layout.truth)
+
+
+def _held(layout: Layout, index: int, node: ir.Held, function: Function) -> None:
+    """S33."""
+    function.line(f"v = {layout.truth(node.operand)}")
+    function.line("if v != 1:")
+    function.assign(f"due_{index}", "NEVER", 1)
+    function.assign(f"before_{index}", "v", 1)
+    function.line("else:")
+    function.line(f"if due_{index} == NEVER:", 1)
+    function.assign(f"due_{index}", f"at_ns + {node.duration_ns}", 2)
+    function.line(f"if at_ns < due_{index}:", 1)
+    function.line(f"v = before_{index}", 2)
+    _record(layout, index, "v", function)
+
+
+def _oscillates(layout: Layout, index: int, node: ir.Oscillates, function: Function) -> None:
+    """S32."""
+    if not layout.supports.signals[node.signal].channels:
+        _record(layout, index, "0", function)
+        return
+    value, swinging = layout.value(node.signal), f"oscillation_{index}"
+    function.line(f"if {value} - {value} == 0.0:")
+    function.line(f"if updated & {_bits(layout, node.signal)}:", 1)
+    function.line(f"{swinging}.take({value}, at_ns)", 2)
+    function.line(f"v = {swinging}.look(at_ns)", 1)
+    function.line("else:")
+    function.line(f"v = {expressions.unknown_kind(layout, index)}", 1)
+    function.line(f"{swinging}.forget(v, None)", 1)
+    _record(layout, index, "v", function)
+
+
+# --- rules -----------------------------------------------------------------------------------
+
+
+def _rule(layout: Layout, number: int, rule: ir.Rule) -> Function:
+    """S35 to S37."""
+    function = Function("step()")
+    condition = layout.truth(rule.condition)
+    _remark(function, rule, f"{rule.name}: {rule.contract}")
+    function.line(f"if not active_{number}:")
+    function.line(f"v = 1 if {condition} == 1 else 2 if {condition} == 3 else -1", 1)
+    function.line("else:")
+    if rule.release is None:
+        function.line("v = -1", 1)
+    else:
+        release = layout.truth(rule.release)
+        is_over = f"{condition} == 0" + ("" if release == "1" else f" and {release} == 1")
+        function.line(f"v = 0 if {is_over} else -1", 1)
+    function.line("if v >= 0:")
+    tell(layout, number, "v", function)
+    return function
+
+
+def tell(layout: Layout, number: int, change: str, function: Function) -> None:
+    """Change a rule and say so, with a snapshot of what it rests on (S41), one level deeper."""
+    rule = layout.machine.rules[number]
+    function.assign(f"active_{number}", "False" if change == "0" else f"{change} > 0", 1)
+    snapshot = [
+        str(number),
+        "at_ns",
+        change,
+        names.tuple_of(layout.truth(term) for term in rule.terms),
+        names.tuple_of(f"d{term}" for term in rule.terms),
+        names.tuple_of(f"float({layout.value(signal)})" for signal in rule.signals),
+        names.tuple_of(layout.state_of_input[used] for used in rule.inputs),
+    ]
+    function.line("events.append(", 1)
+    function.line(f"Verdict({', '.join(snapshot)})", 2)
+    function.line(")", 1)
+
+
+def _calm(layout: Layout, function: Function) -> None:
+    """Until when a message on a channel may find nothing to do."""
+    channels = calm_channels(layout)
+    if not channels:
+        return
+    function.line("calm = first if first < LATEST else LATEST")
+    for channel in channels:
+        fresh = [f"{group.state} == 1" for group in layout.groups if group.channel == channel]
+        young = [f"t{i} == 0" for i, age in layout.ages if layout.channel(age.input) == channel]
+        condition = " and ".join([*fresh, *young]) or "True"
+        function.assign(f"calm_{channel}", f"calm if {condition} else EARLIEST")

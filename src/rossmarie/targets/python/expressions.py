@@ -1,0 +1,148 @@
+"""Numbers, comparisons and logic as Python expressions.
+
+Takes a layout, and how operands are written where the expression stands. Operations come in the
+order of the interpreter, so that the bits are the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from rossmarie import ir
+from rossmarie.ir import Function
+from rossmarie.targets.python.layout import Layout
+
+Write = Callable[[int], str]
+"""How a signal or a truth is written, by its index."""
+
+_INFIX = {Function.ADD: "+", Function.SUBTRACT: "-", Function.MULTIPLY: "*"}
+FINITE_ONLY_OF_FINITE = {
+    Function.ADD,
+    Function.SUBTRACT,
+    Function.MULTIPLY,
+    Function.NEGATE,
+    Function.ABSOLUTE,
+    Function.NORM,
+}
+"""If a result of these is finite, so are the operands."""
+
+_ANGLES = {Function.ROLL, Function.PITCH, Function.YAW}
+# Of finite or unknown numbers these are so, too; of infinite ones, which come from arrays, not.
+_STAYS_FINITE = {Function.NEGATE, Function.ABSOLUTE, Function.MINIMUM, Function.MAXIMUM}
+
+
+def applied(layout: Layout, node: ir.Apply, write: Write) -> str:
+    """A function of signals; NaN if it is not finite (S4)."""
+    text = raw(node, write)
+    if node.function in _ANGLES:
+        return text
+    if node.function in _STAYS_FINITE and not any(
+        may_be_infinite(layout, operand) for operand in node.operands
+    ):
+        return text
+    return f"known({text})"
+
+
+def raw(node: ir.Apply, write: Write) -> str:
+    """The same, but infinite where it is too large."""
+    operands = [write(operand) for operand in node.operands]
+    if node.function in _INFIX:
+        return f"{operands[0]} {_INFIX[node.function]} {operands[1]}"
+    match node.function:
+        case Function.NEGATE:
+            return f"-{operands[0]}"
+        case Function.ABSOLUTE:
+            return f"abs({operands[0]})"
+        case Function.NORM:
+            return f"sqrt({' + '.join(f'{operand} * {operand}' for operand in operands)})"
+        case function:
+            return f"{function.value}({', '.join(operands)})"
+
+
+def may_be_infinite(layout: Layout, signal: int) -> bool:
+    """Whether a signal can be an element of an array that is out of range (S8)."""
+    match layout.machine.signals[signal].node:
+        case ir.Element() | ir.Fold():
+            return True
+        case ir.Previous(signal=sampled):
+            return may_be_infinite(layout, sampled)
+        case _:
+            return False
+
+
+# --- comparisons -----------------------------------------------------------------------------
+
+
+def holds(node: ir.TruthNode, write: Write) -> str:
+    """What a comparison says where nothing is unknown (S27 to S29)."""
+    match node:
+        case ir.Compare(comparison=comparison, left=left, right=right):
+            return f"{write(left)} {comparison.value} {write(right)}"
+        case ir.Between(signal=signal, low=low, high=high):
+            return f"{write(low)} <= {write(signal)} <= {write(high)}"
+        case ir.Flag(signal=signal):
+            return f"{write(signal)} != 0.0"
+        case _:
+            raise AssertionError(f"{type(node).__name__} does not compare")
+
+
+def is_unknown(layout: Layout, node: ir.TruthNode, write: Write) -> str:
+    """Whether a side of a comparison is NaN; empty if none can be."""
+    signals = dict.fromkeys(ir.compared_signals(node))
+    nodes = layout.machine.signals
+    variable = [s for s in signals if not isinstance(nodes[s].node, ir.Constant)]
+    return " or ".join(f"{write(signal)} != {write(signal)}" for signal in variable)
+
+
+def compared(layout: Layout, node: ir.TruthNode, write: Write, unknown: str) -> str:
+    """A comparison as a truth."""
+    condition = is_unknown(layout, node, write)
+    known = f"1 if {holds(node, write)} else 0"
+    return f"{unknown} if {condition} else {known}" if condition else known
+
+
+def unknown_kind(layout: Layout, index: int) -> str:
+    """S30: what an unknown leaf is, 2 or, for lack of an input with a timeout, 3."""
+    support = layout.supports.truths[index]
+    if not layout.is_timed(support.inputs):
+        return "2"
+    if isinstance(layout.machine.truths[index].node, ir.Quantified | ir.AgeReaches):
+        return "3"
+    slots = {f"x{slot}": {layout.machine.slots[slot].input} for slot in sorted(support.slots)}
+    folds = {f"s{fold}": layout.supports.signals[fold].inputs for fold in sorted(support.folds)}
+    samples = [f"s{sample}" for sample in sorted(support.samples)]
+    if not folds and not samples and all(map(layout.is_timed, slots.values())):
+        return "3"
+    lacking = [
+        f"{name} != {name}" for name, used in {**slots, **folds}.items() if layout.is_timed(used)
+    ]
+    measured = " and ".join(f"{name} < INF" for name in [*slots, *folds, *samples])
+    return f"(3 if {' or '.join([*lacking, measured or 'True'])} else 2)"
+
+
+# --- logic -----------------------------------------------------------------------------------
+
+
+def logic(node: ir.TruthNode, write: Write) -> str:
+    """A truth made of others (S2)."""
+    match node:
+        case ir.Literal(value=value):
+            return str(int(value))
+        case ir.Not(operand=operand):
+            text = write(operand)
+            return f"{text} if {text} > 1 else 1 - {text}"
+        case ir.And(operands=operands):
+            parts = [write(operand) for operand in operands]
+            return f"{' and '.join(parts)} and {_greatest(parts)}"
+        case ir.Or(operands=operands):
+            parts = [write(operand) for operand in operands]
+            return f"1 if {' or '.join(f'{part} == 1' for part in parts)} else {_greatest(parts)}"
+        case _:
+            raise AssertionError(f"{type(node).__name__} is no logic")
+
+
+def _greatest(parts: Iterable[str]) -> str:
+    different = list(dict.fromkeys(parts))
+    if len(different) == 2:  # much faster than a call
+        return "({0} if {0} > {1} else {1})".format(*different)
+    return f"max({', '.join(different)})" if len(different) > 2 else different[0]

@@ -1,0 +1,55 @@
+"""A function of the generated module while it is written: its lines, and what it assigns."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable
+
+INDENT = "    "
+
+
+class Function:
+    """One function inside `start`, whose variables it shares. Depths count indentations."""
+
+    def __init__(self, head: str) -> None:
+        self.head = head
+        self._lines: list[str] = []
+        self._shared: dict[str, None] = {}
+
+    def line(self, text: str, depth: int = 0) -> None:
+        """A line as it is."""
+        self._lines.append(INDENT * depth + text)
+
+    def assign(self, variable: str, value: str, depth: int = 0) -> None:
+        """Give a variable of `start` a value."""
+        self._shared[variable] = None
+        self.line(f"{variable} = {value}", depth)
+
+    def shares(self, variables: Iterable[str]) -> None:
+        """The function assigns these, too."""
+        self._shared.update(dict.fromkeys(variables))
+
+    def take(self, other: Function) -> None:
+        """All that is in the other function is in this one, too."""
+        self._lines += other._lines
+        self._shared.update(other._shared)
+
+    @property
+    def length(self) -> int:
+        """How many lines there are."""
+        return len(self._lines)
+
+    def text(self) -> list[str]:
+        """The function as lines, indented once."""
+        shared = [f"nonlocal {names}" for names in _wrapped(self._shared)]
+        body = [*shared, *self._lines] or ["pass"]
+        return [
+            f"{INDENT}def {self.head}:",
+            *(f"{INDENT}{INDENT}{line}" if line else "" for line in body),
+            "",
+        ]
+
+
+def _wrapped(names: Iterable[str]) -> list[str]:
+    lines = textwrap.wrap(", ".join(names), 78)
+    return [line.rstrip(",") for line in lines]

@@ -1,0 +1,206 @@
+"""Where everything of a machine lives in the generated Python.
+
+Takes a machine that `ir.verify` has passed. Everything goes by its index in the machine: slots are
+`x0`, computed signals `s0`, truths `t0` (since `d0`). Inputs of one channel with one timeout share
+a state, for they live and die together. A *guard* is the gap between two limits of a number in
+which no comparison of it with constants changes.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+from rossmarie import ir
+from rossmarie.targets.limits import limits_of
+
+
+@dataclass(frozen=True)
+class Group:
+    """The inputs of a channel that have the same timeout."""
+
+    state: str
+    channel: int
+    timeout_ns: int | None
+    inputs: frozenset[int]
+
+
+@dataclass(frozen=True)
+class Guard:
+    """The limits of a number, from low to high, and the truths that compare it with them."""
+
+    value: str
+    signal: int
+    leaves: tuple[int, ...]
+    cuts: tuple[float, ...]
+
+    @property
+    def low(self) -> str:
+        """The variable of the limit below the number."""
+        return f"low_{self.value}"
+
+    @property
+    def high(self) -> str:
+        """The variable of the limit above it, or at it."""
+        return f"high_{self.value}"
+
+
+class Layout:
+    """Questions about one machine."""
+
+    def __init__(self, machine: ir.Machine) -> None:
+        self.machine = machine
+        self.supports = ir.supports(machine)
+        self.elements = ir.element_arrays(machine)
+        self.signals = [i for i, array in enumerate(self.elements.signals) if array is None]
+        self.truths = [i for i, array in enumerate(self.elements.truths) if array is None]
+        self.terms = {term for rule in machine.rules for term in rule.terms}
+
+    # --- names -------------------------------------------------------------------------------
+
+    def value(self, signal: int) -> str:
+        """A signal: a literal, the slot that it reads, or a variable of its own."""
+        match self.machine.signals[signal].node:
+            case ir.Constant(value=value):
+                return number(value)
+            case ir.Read(slot=slot):
+                return f"x{slot}"
+            case _:
+                return f"s{signal}"
+
+    @cached_property
+    def kept(self) -> list[int]:
+        """The truths that are kept: all but literals of which no verdict tells."""
+        nodes = self.machine.truths
+        return [
+            index
+            for index in self.truths
+            if index in self.terms or not isinstance(nodes[index].node, ir.Literal)
+        ]
+
+    def truth(self, index: int) -> str:
+        """A truth: a literal or a variable."""
+        node = self.machine.truths[index].node
+        return str(int(node.value)) if isinstance(node, ir.Literal) else f"t{index}"
+
+    # --- inputs ------------------------------------------------------------------------------
+
+    @cached_property
+    def groups(self) -> list[Group]:
+        """All groups of inputs."""
+        members: dict[tuple[int, int | None], set[int]] = {}
+        for index, used in enumerate(self.machine.inputs):
+            members.setdefault((used.channel, used.timeout_ns), set()).add(index)
+        return [
+            Group(f"state_{number}", channel, timeout_ns, frozenset(inputs))
+            for number, ((channel, timeout_ns), inputs) in enumerate(members.items())
+        ]
+
+    @cached_property
+    def state_of_input(self) -> dict[int, str]:
+        """The state of each input."""
+        return {used: group.state for group in self.groups for used in group.inputs}
+
+    @cached_property
+    def stamped(self) -> frozenset[int]:
+        """The channels whose last instant is asked: for a timeout or an age."""
+        timed = {group.channel for group in self.groups if group.timeout_ns is not None}
+        return frozenset(timed | {self.channel(node.input) for _, node in self.ages})
+
+    def channel(self, used: int) -> int:
+        """The channel of an input."""
+        return self.machine.inputs[used].channel
+
+    def slots(self, channel: int) -> list[int]:
+        """The slots that a channel carries."""
+        slots = enumerate(self.machine.slots)
+        return [index for index, slot in slots if self.channel(slot.input) == channel]
+
+    def arrays(self, channel: int) -> list[int]:
+        """The arrays that a channel carries."""
+        arrays = enumerate(self.machine.arrays)
+        return [index for index, array in arrays if self.channel(array.input) == channel]
+
+    def is_timed(self, inputs: Iterable[int]) -> bool:
+        """Whether any of the inputs expires."""
+        return any(self.machine.inputs[used].timeout_ns is not None for used in inputs)
+
+    # --- memories ----------------------------------------------------------------------------
+
+    @cached_property
+    def ages(self) -> list[tuple[int, ir.AgeReaches]]:
+        """The truths that ask the age of an input."""
+        nodes = ((index, self.machine.truths[index].node) for index in self.truths)
+        return [(index, node) for index, node in nodes if isinstance(node, ir.AgeReaches)]
+
+    @cached_property
+    def held(self) -> list[tuple[int, ir.Held]]:
+        """The truths that last."""
+        nodes = ((index, self.machine.truths[index].node) for index in self.truths)
+        return [(index, node) for index, node in nodes if isinstance(node, ir.Held)]
+
+    @cached_property
+    def oscillations(self) -> list[tuple[int, ir.Oscillates]]:
+        """The truths that follow a signal which rests on an input; others never swing."""
+        nodes = ((index, self.machine.truths[index].node) for index in self.truths)
+        return [
+            (index, node)
+            for index, node in nodes
+            if isinstance(node, ir.Oscillates) and self.supports.signals[node.signal].channels
+        ]
+
+    @cached_property
+    def sampled(self) -> list[int]:
+        """The signals that rest on an input and whose samples are remembered."""
+        found = {
+            signal.node.signal
+            for signal in self.machine.signals
+            if isinstance(signal.node, ir.Rate | ir.Previous)
+        }
+        return sorted(signal for signal in found if self.supports.signals[signal].channels)
+
+    # --- guards ------------------------------------------------------------------------------
+
+    @cached_property
+    def guards(self) -> list[Guard]:
+        """The guards of all numbers that rest on slots alone: these are never infinite."""
+        leaves: dict[str, list[int]] = {}
+        cuts: dict[str, set[float]] = {}
+        signals: dict[str, int] = {}
+        for index in self.truths:
+            limited = limits_of(self.machine, self.machine.truths[index].node)
+            if limited is None or self._is_remembered(limited.signal):
+                continue
+            value = self.value(limited.signal)
+            signals.setdefault(value, limited.signal)
+            leaves.setdefault(value, []).append(index)
+            cuts.setdefault(value, set()).update(
+                limit.at for limit in limited.limits if -math.inf < limit.at < sys.float_info.max
+            )
+        return [
+            Guard(value, signal, tuple(leaves[value]), tuple(sorted(cuts[value])))
+            for value, signal in signals.items()
+        ]
+
+    @cached_property
+    def guard_of(self) -> dict[str, Guard]:
+        """The guard of each number that has one."""
+        return {guard.value: guard for guard in self.guards}
+
+    @cached_property
+    def guarded(self) -> frozenset[int]:
+        """The truths that belong to a guard."""
+        return frozenset(leaf for guard in self.guards for leaf in guard.leaves)
+
+    def _is_remembered(self, signal: int) -> bool:
+        support = self.supports.signals[signal]
+        return bool(support.folds or support.samples)
+
+
+def number(value: float) -> str:
+    """A finite number as an expression that gives the same bits."""
+    text = repr(value)
+    return f"({text})" if math.copysign(1.0, value) < 0 else text

@@ -1,0 +1,64 @@
+"""All names and literals that the generated Python takes from users.
+
+Takes any text. Only the functions of topics and the file are named after what users wrote;
+everything else goes by its index in the machine, with the user's words in a comment.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable
+from pathlib import PurePath
+
+from dslkit.source import Span
+
+_LONGEST = 40
+
+
+def identifier(text: str) -> str:
+    """The text as a word of small letters, digits and underscores; never empty."""
+    plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode("ascii")
+    return re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")[:_LONGEST].strip("_") or "it"
+
+
+def file_name(program: str) -> str:
+    """The module of a program; importable, whatever the rules file is called."""
+    word = identifier(program)
+    return f"{'n' if word[0].isdigit() else ''}{word}_monitor.py"
+
+
+def different(prefix: str, texts: Iterable[str]) -> list[str]:
+    """For each text an identifier that reminds of it; no two are the same."""
+    found: list[str] = []
+    for text in texts:
+        word = candidate = prefix + identifier(text)
+        number = 1
+        while candidate in found:
+            number += 1
+            candidate = f"{word}_{number}"
+        found.append(candidate)
+    return found
+
+
+def comment(text: str) -> str:
+    """The text as a comment: on one line, with nothing in it that ends or hides it."""
+    joined = " ".join(text.split())
+    visible = "".join("?" if unicodedata.category(x)[0] == "C" else x for x in joined)
+    return f"# {visible}"
+
+
+def place(span: Span) -> str:
+    """`file.ross:12`, without the folders, which differ from machine to machine."""
+    return f"{PurePath(span.file.path).name}:{span.begin.line}"
+
+
+def strings(texts: Iterable[str]) -> str:
+    """A tuple of strings."""
+    return tuple_of(ascii(text) for text in texts)
+
+
+def tuple_of(parts: Iterable[str]) -> str:
+    """A tuple of expressions."""
+    listed = list(parts)
+    return f"({listed[0]},)" if len(listed) == 1 else f"({', '.join(listed)})"

@@ -1,0 +1,188 @@
+"""What a generated module may need, word for word: the generator copies these by their source.
+
+They mean what `docs/explanation/semantics.md` says, with 0 for false, 1 for true, 2 for unknown and
+3 for lost.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from typing import NamedTuple
+
+NAN = math.nan
+
+
+class Verdict(NamedTuple):
+    """A rule changed: 0 cleared, 1 activated, 2 activated for lack of an input with a timeout.
+
+    `truths[i]` is what `RULES[rule].terms[i]` was (0 false, 1 true, 2 unknown, 3 lost) and
+    `since_ns[i]` since when, `values[i]` is `RULES[rule].signals[i]` in SI units (NaN is unknown),
+    `inputs[i]` the state of `RULES[rule].inputs[i]` (0 never received, 1 fresh, 2 expired).
+    """
+
+    rule: int
+    at_ns: int
+    change: int
+    truths: tuple[int, ...]
+    since_ns: tuple[int, ...]
+    values: tuple[float, ...]
+    inputs: tuple[int, ...]
+
+
+class TimeJump(NamedTuple):
+    """Time went backwards: every duration starts again."""
+
+    from_ns: int
+    to_ns: int
+
+
+class Rule(NamedTuple):
+    """What a rule is called, what it asks for, and what its verdicts speak of."""
+
+    name: str
+    actions: tuple[str, ...]
+    terms: tuple[str, ...]
+    signals: tuple[str, ...]
+    inputs: tuple[str, ...]
+
+
+def known(value: float) -> float:
+    """Not finite is not known."""
+    return value if value - value == 0.0 else NAN
+
+
+def minimum(a: float, b: float) -> float:
+    """The lesser of two, NaN if either is; of two equal ones the second."""
+    if a != a or b != b:
+        return NAN
+    if a < b:
+        return a
+    return b
+
+
+def maximum(a: float, b: float) -> float:
+    """The greater of two, NaN if either is; of two equal ones the second."""
+    if a != a or b != b:
+        return NAN
+    if a > b:
+        return a
+    return b
+
+
+def divide(a: float, b: float) -> float:
+    """A quotient; unknown if the divisor is zero."""
+    return NAN if b == 0.0 else a / b
+
+
+def roll(x: float, y: float, z: float, w: float) -> float:
+    """An angle of a quaternion of any length but zero, in radians."""
+    n = ((x * x + y * y) + z * z) + w * w
+    if n == 0.0:
+        return NAN
+    return math.atan2((2.0 * (w * x + y * z)) / n, 1.0 - (2.0 * (x * x + y * y)) / n)
+
+
+def pitch(x: float, y: float, z: float, w: float) -> float:
+    """An angle of a quaternion of any length but zero, in radians."""
+    n = ((x * x + y * y) + z * z) + w * w
+    if n == 0.0:
+        return NAN
+    sine = (2.0 * (w * y - z * x)) / n
+    # Rounding may leave the range of a sine by an ulp, where asin has no value.
+    if sine < -1.0:
+        sine = -1.0
+    elif sine > 1.0:
+        sine = 1.0
+    return math.asin(sine)
+
+
+def yaw(x: float, y: float, z: float, w: float) -> float:
+    """An angle of a quaternion of any length but zero, in radians."""
+    n = ((x * x + y * y) + z * z) + w * w
+    if n == 0.0:
+        return NAN
+    return math.atan2((2.0 * (w * z + x * y)) / n, 1.0 - (2.0 * (y * y + z * z)) / n)
+
+
+class Samples:
+    """The last two samples of a signal."""
+
+    def __init__(self) -> None:
+        self.forget()
+
+    def forget(self) -> None:
+        """There are none."""
+        self.latest = self.before = NAN
+        self.latest_ns: int | None = None
+        self.before_ns: int | None = None
+
+    def take(self, value: float, at_ns: int) -> None:
+        """A sample; at an equal instant it replaces the last one."""
+        if self.latest_ns != at_ns:
+            self.before, self.before_ns = self.latest, self.latest_ns
+        self.latest, self.latest_ns = value, at_ns
+
+    def rate(self) -> float:
+        """The slope per second; NaN unless there are two samples, both finite."""
+        if self.latest_ns is None or self.before_ns is None:
+            return NAN
+        slope = (self.latest - self.before) / ((self.latest_ns - self.before_ns) / 1e9)
+        return slope if slope - slope == 0.0 else NAN
+
+
+class Oscillation:
+    """The turning points of a signal. `direction` is 1 upwards, -1 downwards, 0 not known; `gap` is
+    what the condition was when the signal was last not finite, and `gap_end_ns` when that ended.
+    """
+
+    def __init__(self, count: int, window_ns: int, swing: float) -> None:
+        self.turns: deque[int] = deque(maxlen=count)
+        self.window_ns = window_ns
+        self.swing = swing
+        self.forget(0, 0)
+
+    def forget(self, gap: int, gap_end_ns: int | None) -> None:
+        """Nothing is known of the signal any more."""
+        self.turns.clear()
+        self.direction = 0
+        self.extreme = NAN
+        self.gap = gap
+        self.gap_end_ns = gap_end_ns
+
+    def take(self, x: float, at_ns: int) -> None:
+        """A finite sample."""
+        going = self.direction
+        if self.extreme != self.extreme or going * x > going * self.extreme:
+            self.extreme = x
+        elif going != 1 and x > self.extreme + self.swing:
+            self.turn(1, x, at_ns)
+        elif going != -1 and x < self.extreme - self.swing:
+            self.turn(-1, x, at_ns)
+
+    def turn(self, direction: int, x: float, at_ns: int) -> None:
+        """From now on it goes this way."""
+        if self.direction != 0:
+            self.turns.append(at_ns)
+        self.direction = direction
+        self.extreme = x
+
+    def look(self, at_ns: int) -> int:
+        """Whether enough turning points lie in the window, the signal being finite."""
+        if self.gap_end_ns is None:
+            self.gap_end_ns = at_ns
+        if self.is_swinging() and at_ns - self.turns[0] < self.window_ns:
+            return 1
+        return self.gap if at_ns - self.gap_end_ns < self.window_ns else 0
+
+    def is_swinging(self) -> bool:
+        """Whether there are enough turning points."""
+        return len(self.turns) == self.turns.maxlen
+
+    def wake_ns(self, truth: int, never_ns: int) -> int:
+        """When the condition, which is `truth`, may change by itself."""
+        if truth == 1:
+            return self.turns[0] + self.window_ns
+        if truth < 2 or self.gap_end_ns is None:
+            return never_ns
+        return self.gap_end_ns + self.window_ns

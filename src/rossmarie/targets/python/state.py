@@ -1,0 +1,125 @@
+"""What a monitor remembers, how time changes it, and when (S10, S15, S17).
+
+Takes a layout. Instants and durations are in nanoseconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie import ir
+from rossmarie.targets.python.channels import calm_channels
+from rossmarie.targets.python.elements import results
+from rossmarie.targets.python.function import Function
+from rossmarie.targets.python.layout import Group, Layout
+
+
+def variables(layout: Layout) -> Iterator[tuple[str, str]]:
+    """Each variable and its initial value."""
+    # The first event finds no instant between these two, and so has its own instant looked at.
+    yield from (("now", "EARLIEST"), ("wake", "EARLIEST - 1"))
+    yield from ((group.state, "0") for group in layout.groups)
+    yield from ((f"calm_{channel}", "EARLIEST") for channel in calm_channels(layout))
+    yield from ((f"stamp_{channel}", "0") for channel in sorted(layout.stamped))
+    yield from ((f"x{slot}", "NAN") for slot in range(len(layout.machine.slots)))
+    for index in layout.signals:
+        if not isinstance(layout.machine.signals[index].node, ir.Constant | ir.Read):
+            yield f"s{index}", "NAN"
+    for array in range(len(layout.machine.arrays)):
+        yield from (pair for pair in results(layout, array).items() if pair[0].startswith("q"))
+    yield from ((f"samples_{signal}", "Samples()") for signal in layout.sampled)
+    for index, node in layout.oscillations:
+        settings = f"{node.count}, {node.window_ns}, {node.swing!r}"
+        yield f"oscillation_{index}", f"Oscillation({settings})"
+    for index, _ in layout.held:
+        yield from ((f"due_{index}", "NEVER"), (f"before_{index}", "0"))
+    for guard in layout.guards:
+        yield from ((guard.low, "INF"), (guard.high, "INF"))
+    yield from ((f"t{index}", "-1") for index in layout.kept)
+    yield from ((f"d{index}", "0") for index in sorted(layout.terms))
+    yield from ((f"active_{rule}", "False") for rule in range(len(layout.machine.rules)))
+
+
+# --- inputs that grow old --------------------------------------------------------------------
+
+
+def expire(layout: Layout, function: Function) -> None:
+    """S10: the inputs that reach their timeout; what they brought is forgotten."""
+    for group in layout.groups:
+        if group.timeout_ns is None:
+            continue
+        age = f"at_ns - stamp_{group.channel}"
+        function.line(f"if {group.state} == 1 and {age} >= {group.timeout_ns}:")
+        function.assign(group.state, "2", 1)
+        for index, slot in enumerate(layout.machine.slots):
+            if slot.input in group.inputs:
+                function.assign(f"x{index}", "NAN", 1)
+        for index, array in enumerate(layout.machine.arrays):
+            if array.input in group.inputs:
+                for variable, unknown in results(layout, index).items():
+                    function.assign(variable, unknown, 1)
+        for signal in _sampled(layout, group):
+            function.line(f"samples_{signal}.forget()", 1)
+
+
+def _sampled(layout: Layout, group: Group) -> list[int]:
+    """S21: the signals whose samples do not outlive these inputs."""
+    supports = layout.supports.signals
+    return [signal for signal in layout.sampled if supports[signal].inputs & group.inputs]
+
+
+# --- timers ----------------------------------------------------------------------------------
+
+
+def earliest(layout: Layout) -> list[str]:
+    """The function that says when the next timer is due, exactly (S15)."""
+    function = Function("earliest()")
+    look_for_timers(layout, function)
+    function.line("return first")
+    return function.text()
+
+
+def look_for_timers(layout: Layout, function: Function) -> None:
+    """The same within a function: `first` is when the next timer is due."""
+    function.line("first = NEVER")
+    for group in layout.groups:
+        if group.timeout_ns is not None:
+            due = f"stamp_{group.channel} + {group.timeout_ns}"
+            _sooner(function, f"{group.state} == 1", due)
+    for index, _ in layout.held:
+        function.line(f"if due_{index} < first and t{index} != 1:")
+        function.line(f"first = due_{index}", 1)
+    for index, age in layout.ages:
+        _sooner(function, f"t{index} == 0", f"stamp_{layout.channel(age.input)} + {age.age_ns}")
+    for index, _ in layout.oscillations:
+        function.line(f"first = min(first, oscillation_{index}.wake_ns(t{index}, NEVER))")
+
+
+def _sooner(function: Function, condition: str, due: str) -> None:
+    function.line(f"if {condition} and {due} < first:")
+    function.line(f"first = {due}", 1)
+
+
+# --- time that jumps -------------------------------------------------------------------------
+
+
+def restart(layout: Layout) -> list[str]:
+    """The function that forgets what was measured against the clock (S17)."""
+    function = Function("restart(at_ns)")
+    function.line("events.append(TimeJump(now, at_ns))")
+    for channel in sorted(layout.stamped):
+        # No limit on an age is above LONGEST, so that older inputs count as that old.
+        stamp = f"stamp_{channel}"
+        function.assign(stamp, f"at_ns - min(now - {stamp}, LONGEST)")
+    for signal in layout.sampled:
+        function.line(f"samples_{signal}.forget()")
+    for index, _ in layout.oscillations:
+        function.line(f"oscillation_{index}.forget(2, at_ns)")
+    for index, _ in layout.held:
+        function.assign(f"due_{index}", "NEVER")
+        function.assign(f"before_{index}", "2")
+    for guard in layout.guards:
+        function.assign(guard.low, "INF")
+    for index in layout.kept:
+        function.assign(f"t{index}", "-1")
+    return function.text()

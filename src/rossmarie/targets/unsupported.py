@@ -1,0 +1,21 @@
+"""What no target can do: keep a call short where timers start each other again and again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dslkit.diagnostics import Diagnostic
+from rossmarie import ir
+from rossmarie.targets.errors import TooManyEvaluations
+
+
+def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
+    """A finding for the first timer that is one too many, if any."""
+    found = 1  # that of the event itself
+    for owner, count in ir.wakes(machine):
+        found += count
+        if found > ir.MOST_EVALUATIONS:
+            often = "once" if count == 1 else f"{count} times"
+            large = TooManyEvaluations(often=often, found=found, most=ir.MOST_EVALUATIONS)
+            yield large.at(owner.span)
+            return
