@@ -7,11 +7,12 @@ sanitizers, which cannot be loaded into Python, with strict warnings on.
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
 from hypothesis import Phase, given, settings
+from hypothesis import strategies as st
 
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
@@ -21,7 +22,7 @@ from rossmarie.native.library import Library
 from rossmarie.native.signatures import declarations, fields_of
 from rossmarie.targets.c99 import generate_loadable
 from support.c_compiler import STRICT, needs_c, run, write
-from support.c_replay import observations, program, table_bytes, trace_bytes
+from support.c_replay import knowledge, known, observations, program, table_bytes, trace_bytes
 from support.machines import exactly, observe
 from support.runs import Case, FastCalls, in_chunks, row_by_row, whole_cases
 
@@ -81,9 +82,20 @@ def test_same_events_wakes_and_states(case: Case) -> None:
     assert [exactly(event) for event in run.events] == [event for part, _ in rows for event in part]
 
 
+def restored(machine: ir.Machine, latched: Sequence[int]) -> Interpreter:
+    interpreter = Interpreter(machine)
+    for rule in latched:
+        if 0 <= rule < len(machine.rules):
+            interpreter.latch(rule)
+    return interpreter
+
+
 @settings(phases=PHASES, max_examples=max(40, EXAMPLES // 4))
-@given(whole_cases())
-def test_same_under_sanitizers(case: Case) -> None:
+@given(whole_cases(), st.lists(st.integers(-1, 3), max_size=3))
+def test_same_under_sanitizers(case: Case, latched: list[int]) -> None:
+    """The program says more than the loaded monitor: it restores rules, and tells of inputs and
+    watches.
+    """
     machine, trace, table = case.machine, case.trace, case.table
     columns = fit(machine, table.times_ns, table.columns)
     with tempfile.TemporaryDirectory() as name:
@@ -91,10 +103,15 @@ def test_same_under_sanitizers(case: Case) -> None:
         write({**generate_loadable(machine), "replay.c": program(machine)}, folder)
         command = ["cc", "-std=c99", "-O1", *STRICT, *SANITIZERS, str(folder / "replay.c")]
         run([*command, "-o", folder / "replay", "-lm"])
-        given = trace_bytes(machine, trace) + table_bytes(columns)
+        given = trace_bytes(machine, trace, latched) + table_bytes(columns)
         output = run([folder / "replay"], given=given).stdout
-    *found, of_table = observations(machine, output, len(trace) + 1)
-    assert found == observe(Interpreter(machine), trace)
+    _, *found, of_table = observations(machine, output, len(trace) + 2)
+    interpreter = restored(machine, latched)
+    knows = [known(machine, interpreter)]
+    for step, observation in zip(trace, found, strict=True):
+        assert [observation] == observe(interpreter, [step])
+        knows.append(known(machine, interpreter))
+    assert knowledge(output)[:-1] == knows
     rows = list(row_by_row(case))
     assert list(of_table.events) == [event for part, _ in rows for event in part]
     assert list(of_table.active) == rows[-1][1][-1]

@@ -14,7 +14,7 @@ from rossmarie.interpreter import Interpreter
 from rossmarie.native import fit
 from rossmarie.targets.python import source
 from support.machines import Case as Traced
-from support.machines import Step, calm_traces, machines, observe
+from support.machines import Step, calm_traces, cases, machines, observe
 from support.runs import Case, FastCalls, in_chunks, row_by_row, whole_cases
 
 EXAMPLES = settings().max_examples
@@ -56,6 +56,24 @@ def test_same_events_wakes_and_states(case: Case) -> None:
 @given(calm_cases())
 def test_same_where_most_messages_change_nothing(case: Traced) -> None:
     assert_same(*case)
+
+
+class Restored(PythonMonitor):
+    """A monitor that can be told which latched rules are active."""
+
+    def latch(self, rule: int) -> None:
+        self._generated.latch(rule)
+
+
+@given(cases(), st.sets(st.integers(0, 3)))
+def test_same_after_latched_rules_were_restored(case: Traced, latched: set[int]) -> None:
+    machine, trace = case
+    interpreter, restored = Interpreter(machine), Restored(machine, source(machine))
+    for rule in latched & set(range(len(machine.rules))):
+        interpreter.latch(rule)
+        restored.latch(rule)
+    assert restored.active == interpreter.active
+    assert observe(restored, trace) == observe(interpreter, trace)
 
 
 @given(whole_cases())

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from dslkit.source import SourceFile, Span
 from rossmarie import ir
-from rossmarie.ir import Comparison, Function
+from rossmarie.ir import Comparison, Function, reactions
 from support.drafts import SECOND, Draft
 
 _TEXT = """\
@@ -89,4 +89,70 @@ def memories() -> ir.Machine:
     return draft.machine("memories")
 
 
-CASES = {make.__name__: make for make in (thresholds, timeouts, arrays, memories)}
+_ACTIONS = """\
+action slow_down {
+  limit /cmd_vel { linear.x in [-0.2, 0.5] m/s ramp 0.5 m/s^2; } else { log error "*/ no"; }
+  scale /cmd_vel by 50 %;
+} then { set /planner.speed to 0.2 within 2 sec; }
+action stop {
+  cancel /move_base confirm by standing within 2 sec;
+} otherwise { call /relay/off : std_srvs/Trigger within 1 sec; }
+"""
+_ACTIONS_FILE = SourceFile("rules/actions.ross", _ACTIONS)
+
+
+def _words(words: str) -> Span:
+    start = _ACTIONS.index(words)
+    return Span(_ACTIONS_FILE, start, start + len(words))
+
+
+def reacting() -> ir.Machine:
+    """Two rules that do something: limits, stages, escalations, one resource that both need."""
+    draft = Draft()
+    channel = draft.channel()
+    speed = draft.signal(ir.Read(draft.slot(draft.input(channel, SECOND))), "speed", "m/s")
+    fast, standing = draft.above(speed, 0.5), draft.truth(ir.Not(draft.above(speed, 0.0)))
+    draft.rule(fast)
+    draft.rule(fast, latched=True)
+    return replace(
+        draft.machine("reacting"), watches=(standing,), reactions=_reactions("/cmd_vel", "act")
+    )
+
+
+def _reactions(topic: str, action: str) -> ir.Reactions:
+    fields = tuple(
+        reactions.CommandField((part, axis), False, unit)
+        for part, axis, unit in (("linear", "x", "m/s"), ("angular", "z", "rad/s"))
+    )
+    kind = reactions.Interrupted.RESEND
+    effects = (
+        (reactions.Limit(0, (reactions.Bound(0, -0.2, 0.5, 0.5),)), None, (), "limit /cmd_vel"),
+        (reactions.Scale(0, 0.5, None), None, (), "scale /cmd_vel by 50 %"),
+        (reactions.SetParameter("/planner", "speed", 0.2, 2 * SECOND), 0, (), "set /planner.speed"),
+        (
+            reactions.CancelGoal("/move_base", None, 0, 2 * SECOND, kind),
+            1,
+            (4,),
+            "cancel /move_base",
+        ),
+        (reactions.Call("/relay/off", "std_srvs/Trigger", (), SECOND), 2, (5,), "call /relay/off"),
+        (reactions.Log(reactions.Level.ERROR, "no"), None, (), 'log error "*/ no"'),
+        (reactions.SetParameter("/planner", "speed", 0.0, SECOND), 0, (), "set /planner.speed"),
+    )
+    return ir.Reactions(
+        commands=(reactions.CommandTopic(topic, "geometry_msgs/Twist", fields, _words("limit")),),
+        actions=(reactions.Action(action, None, _words("action slow_down")),),
+        resources=(f"parameter {topic}", "server /move_base", "service /relay/off"),
+        tasks=tuple(
+            reactions.Task(0, effect, resource, otherwise, _words(words))
+            for effect, resource, otherwise, words in effects
+        ),
+        plans=(
+            reactions.Plan(((0, 1), (2,)), (0, 1, 2)),
+            reactions.Plan(((3, 6),), (3, 4, 5, 6)),
+        ),
+        order=(1, 0),
+    )
+
+
+CASES = {make.__name__: make for make in (thresholds, timeouts, arrays, memories, reacting)}

@@ -11,6 +11,7 @@ import struct
 from collections.abc import Sequence
 
 from rossmarie import ir
+from rossmarie.interpreter import Interpreter
 from rossmarie.native import Columns
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.layout import lay_out
@@ -88,6 +89,11 @@ static void print_state(const NAME_monitor *m)
     printf("step %" PRId64, NAME_next_wake(m));
     for (int i = 0; i < NAME_RULES; i++)
         printf(" %d", NAME_is_active(m, i));
+    printf("\\nknown %d", NAME_has_all_inputs(m));
+    for (int i = 0; i < NAME_INPUTS; i++)
+        printf(" %d", NAME_input_state(m, i));
+    for (int i = 0; i < WATCHES; i++)
+        printf(" %d", LOOK);
     printf("\\n");
 }
 
@@ -128,6 +134,9 @@ int main(void)
     NAME_monitor *m = (NAME_monitor *)malloc(sizeof *m);
     (void)read_array; /* not every machine has arrays */
     NAME_init(m, print, NULL);
+    for (int64_t left = read_integer(); left > 0; left--)
+        NAME_latch(m, (int)read_integer());
+    print_state(m);
     for (int64_t left = read_integer(); left > 0; left--) {
         const int64_t kind = read_integer(), t_ns = read_integer();
         if (kind == 1) {
@@ -141,6 +150,7 @@ READ
 TAKE
 FREE
         }
+        NAME_latch(m, 0); /* too late: no effect */
         print_state(m);
     }
     run_table();
@@ -179,6 +189,8 @@ def program(machine: ir.Machine) -> str:
     take.append("                NAME_step(m, t_ns, &v);")
     text = _PROGRAM.replace("READ", "\n".join(read)).replace("FREE", "\n".join(release))
     text = text.replace("TAKE", "\n".join(take))
+    text = text.replace("LOOK", "(int)NAME_watch(m, i)" if machine.watches else "0")
+    text = text.replace("WATCHES", str(len(machine.watches)))
     text = text.replace("COLUMN_COUNT", str(len(machine.slots) + len(machine.arrays)))
     text = text.replace("ARRAY_COUNT", str(len(machine.arrays)))
     text = text.replace("CHANNEL_COUNT", str(max(1, len(machine.channels))))
@@ -199,9 +211,10 @@ def _arguments(machine: ir.Machine, channel: int, prefix: str) -> list[str]:
 # --- in --------------------------------------------------------------------------------------
 
 
-def trace_bytes(machine: ir.Machine, trace: Sequence[Step]) -> bytes:
-    """What the program reads."""
-    parts = [struct.pack("=q", len(trace))]
+def trace_bytes(machine: ir.Machine, trace: Sequence[Step], latched: Sequence[int] = ()) -> bytes:
+    """What the program reads: the rules that are to be latched, then the steps."""
+    parts = [struct.pack(f"={len(latched) + 1}q", len(latched), *latched)]
+    parts.append(struct.pack("=q", len(trace)))
     for step in trace:
         match step:
             case Update(at_ns, messages):
@@ -247,7 +260,7 @@ def _message(machine: ir.Machine, channel: int, values: ir.ChannelValues) -> byt
 
 
 def observations(machine: ir.Machine, output: bytes, steps: int) -> list[Observation]:
-    """What the program printed, as `observe` has it."""
+    """What the program printed, as `observe` has it: before all steps, after each, at the end."""
     found: list[Observation] = []
     events: list[object] = []
     for line in output.decode().splitlines():
@@ -256,13 +269,30 @@ def observations(machine: ir.Machine, output: bytes, steps: int) -> list[Observa
             events.append(ir.TimeJump(int(words[0]), int(words[1])))
         elif kind == "verdict":
             events.append(_verdict(machine, words))
-        else:
+        elif kind == "step":
             wake = None if int(words[0]) == 2**63 - 1 else int(words[0])
             active = tuple(word == "1" for word in words[1:])
             found.append(Observation(tuple(events), wake, active))
             events = []
     assert len(found) == steps, "the program stopped early"
     return found
+
+
+def knowledge(output: bytes) -> list[str]:
+    """What the program printed of inputs and watches, as `known` has it."""
+    lines = output.decode().splitlines()
+    return [line for line in lines if line.startswith("known ")]
+
+
+def known(machine: ir.Machine, monitor: Interpreter) -> str:
+    """Whether all inputs have arrived once, their states, and what the watches are worth."""
+    states = monitor.input_states
+    lacking = [
+        used.timeout_ns is not None and state is ir.InputState.NEVER
+        for used, state in zip(machine.inputs, states, strict=True)
+    ]
+    numbers = (not any(lacking), *states, *monitor.watches)
+    return " ".join(["known", *(str(int(number)) for number in numbers)])
 
 
 def _verdict(machine: ir.Machine, words: list[str]) -> object:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 from hypothesis import strategies as st
@@ -40,7 +40,8 @@ def machines(draw: st.DrawFn, max_nodes: int = 14) -> ir.Machine:
         growing.truth()
     for _ in range(draw(st.integers(1, 3))):
         growing.rule()
-    return growing.draft.machine("random")
+    watches = draw(st.lists(st.sampled_from(growing.truths), max_size=2))
+    return replace(growing.draft.machine("random"), watches=tuple(watches))
 
 
 # --- traces ----------------------------------------------------------------------------------
@@ -97,12 +98,12 @@ def calm_traces(draw: st.DrawFn, machine: ir.Machine, max_steps: int = 40) -> li
 
 
 @st.composite
-def instants(draw: st.DrawFn, most: int) -> list[int]:
+def instants(draw: st.DrawFn, most: int, least: int = 1) -> list[int]:
     """One or more instants, now and then the same or an earlier one."""
     ticks = st.sampled_from((0, 0, 1, 1, 1, 2, 2, 3, 5, 9, 20, -4))
     odd = st.sampled_from((0, 0, 0, 0, 1, -1, TICK // 3))
     found = [draw(st.sampled_from((0, 17, SECOND, -3 * SECOND, 1_700_000_000 * SECOND)))]
-    for _ in range(draw(st.integers(0, most - 1))):
+    for _ in range(draw(st.integers(least - 1, most - 1))):
         found.append(found[-1] + draw(ticks) * TICK + draw(odd))
     return found
 

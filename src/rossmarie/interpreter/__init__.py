@@ -1,5 +1,6 @@
-"""The executable semantics of the monitor machine."""
+"""The executable semantics of the monitor machine, and of reactions."""
 
 from rossmarie.interpreter.machine import Interpreter
+from rossmarie.interpreter.reactor import Reactor, State
 
-__all__ = ["Interpreter"]
+__all__ = ["Interpreter", "Reactor", "State"]

@@ -13,7 +13,15 @@ from rossmarie.interpreter.evaluate import Evaluator
 from rossmarie.interpreter.inputs import Inputs
 from rossmarie.interpreter.memory import fresh_memory
 from rossmarie.interpreter.wake import next_wake
-from rossmarie.ir import Change, ChannelValues, Event, TimeJump, TruthValue, Verdict
+from rossmarie.ir import (
+    Change,
+    ChannelValues,
+    Event,
+    InputState,
+    TimeJump,
+    TruthValue,
+    Verdict,
+)
 
 
 class Interpreter:
@@ -37,6 +45,24 @@ class Interpreter:
     def signals(self) -> tuple[float, ...]:
         """The present value of each signal, by index; NaN is unknown."""
         return tuple(self._memory.signals)
+
+    @property
+    def watches(self) -> tuple[TruthValue, ...]:
+        """What the watched truths are worth, by index; unknown before the first event."""
+        found = (self._memory.truths[truth] for truth in self._machine.watches)
+        return tuple(TruthValue.UNKNOWN if value is None else value for value in found)
+
+    @property
+    def input_states(self) -> tuple[InputState, ...]:
+        """What is known of each input, by index."""
+        return tuple(present.state for present in self._memory.inputs)
+
+    def latch(self, rule: int) -> None:
+        """Before the first event: a latched rule is active, as it was when somebody wrote that
+        down (S42). Afterwards, and on other rules, this has no effect.
+        """
+        if self._memory.now_ns is None and self._machine.rules[rule].release is None:
+            self._active[rule] = True
 
     def next_wake(self) -> int | None:
         """The instant at which `advance` is wanted if no message comes before (S15)."""

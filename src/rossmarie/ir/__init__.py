@@ -1,8 +1,10 @@
 """The monitor machine: its model, what it says, and the questions that every target asks of it."""
 
+from rossmarie.ir import reactions
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, explain
 from rossmarie.ir.limits import EARLIEST_NS, LATEST_NS, LONGEST_NS, MOST_EVALUATIONS
+from rossmarie.ir.malformed import MalformedMachine
 from rossmarie.ir.message import ChannelValues
 from rossmarie.ir.model import (
     AgeReaches,
@@ -41,6 +43,7 @@ from rossmarie.ir.model import (
     TruthNode,
 )
 from rossmarie.ir.naming import arrival_names, field_names, near_name
+from rossmarie.ir.reactions import NO_REACTIONS, FieldBounds, Order, OrderKind, Reactions
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.support import (
     ElementArrays,
@@ -59,13 +62,14 @@ from rossmarie.ir.support import (
 )
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
-from rossmarie.ir.verify import MalformedMachine, verify
+from rossmarie.ir.verify import verify
 
 __all__ = [
     "EARLIEST_NS",
     "LATEST_NS",
     "LONGEST_NS",
     "MOST_EVALUATIONS",
+    "NO_REACTIONS",
     "AgeReaches",
     "And",
     "Apply",
@@ -83,6 +87,7 @@ __all__ = [
     "ElementArrays",
     "Event",
     "Explanation",
+    "FieldBounds",
     "Flag",
     "Fold",
     "Folding",
@@ -97,11 +102,14 @@ __all__ = [
     "MalformedMachine",
     "Not",
     "Or",
+    "Order",
+    "OrderKind",
     "Oscillates",
     "Previous",
     "Quantified",
     "Quantifier",
     "Rate",
+    "Reactions",
     "Read",
     "Reading",
     "Rule",
@@ -129,6 +137,7 @@ __all__ = [
     "most_evaluations",
     "near_name",
     "reachable_truths",
+    "reactions",
     "rule_signals",
     "rule_terms",
     "signal_operands",

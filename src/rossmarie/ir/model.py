@@ -16,6 +16,7 @@ import enum
 from dataclasses import dataclass
 
 from dslkit.source import Span
+from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 
 
 class Kind(enum.Enum):
@@ -332,7 +333,7 @@ class Rule:
 
 @dataclass(frozen=True)
 class Machine:
-    """A whole rules file."""
+    """A whole rules file. `watches` are the truths that the confirmations in `reactions` ask."""
 
     name: str
     channels: tuple[Channel, ...]
@@ -343,3 +344,5 @@ class Machine:
     signals: tuple[Signal, ...]
     truths: tuple[Truth, ...]
     rules: tuple[Rule, ...]
+    watches: tuple[int, ...] = ()
+    reactions: Reactions = NO_REACTIONS

@@ -15,9 +15,10 @@ import typing
 
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import model as ir
+from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 1
+VERSION = 2
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
@@ -68,7 +69,8 @@ def _encode(value: object, files: dict[SourceFile, int]) -> Json:
 
 _NODES: dict[str, type] = {
     node.__name__: node
-    for node in (*typing.get_args(ir.SignalNode), *typing.get_args(ir.TruthNode))
+    for union in (ir.SignalNode, ir.TruthNode, Effect)
+    for node in typing.get_args(union)
 }
 
 
@@ -109,10 +111,12 @@ def _decode_instance(kind: type, data: typing.Any, files: list[SourceFile]) -> o
     return kind(**{name: _decode(hints[name], data[name], files) for name in names})
 
 
-def _choose(hints: tuple[type, ...], data: object) -> type:
+def _choose(hints: tuple[type, ...], data: object) -> object:
     kind = _NODES[data["class"]] if isinstance(data, dict) else type(data)
-    _require(kind in hints, hints, data)
-    return kind
+    chosen = tuple if kind is list else kind
+    found = [hint for hint in hints if (typing.get_origin(hint) or hint) is chosen]
+    _require(bool(found), hints, data)
+    return found[0]
 
 
 def _require(is_so: bool, hint: object, data: object) -> None:

@@ -1,6 +1,7 @@
 """A machine as text for people: one line per part, in the order of the machine.
 
-Signals are written `s0`, truths `t0`; behind the bar stands what the user wrote and where.
+Signals are written `s0`, truths `t0`, tasks `k0`; behind the bar stands what the user wrote and
+where.
 """
 
 from __future__ import annotations
@@ -8,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie.ir import model as ir
+from rossmarie.ir.duration_text import duration_text
+from rossmarie.ir.reactions_text import reaction_sections
 
 _WIDTH = 44
 
@@ -23,15 +26,9 @@ def dump_text(machine: ir.Machine) -> str:
         tuple(_signals(machine)),
         tuple(_truths(machine)),
         tuple(line for rule in machine.rules for line in _rule(rule)),
+        *reaction_sections(machine),
     )
     return "\n\n".join("\n".join(section) for section in sections if section) + "\n"
-
-
-def duration_text(duration_ns: int) -> str:
-    """A duration in seconds without loss, `0.25 s`."""
-    seconds, rest = divmod(duration_ns, 1_000_000_000)
-    fraction = f".{rest:09d}".rstrip("0") if rest else ""
-    return f"{seconds}{fraction} s"
 
 
 def _channels(machine: ir.Machine) -> Iterator[str]:

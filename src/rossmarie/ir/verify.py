@@ -7,12 +7,17 @@ finite, and durations lie between one nanosecond and `LONGEST_NS`.
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Iterable
 
 from rossmarie.ir import model as ir
-from rossmarie.ir.limits import LONGEST_NS
+from rossmarie.ir.malformed import (
+    MalformedMachine,
+    require,
+    require_duration,
+    require_finite,
+    require_index,
+)
 from rossmarie.ir.support import (
     ElementArrays,
     compared_signals,
@@ -24,10 +29,7 @@ from rossmarie.ir.support import (
     supports,
     truth_operands,
 )
-
-
-class MalformedMachine(Exception):
-    """A machine breaks its own rules: a fault of the compiler, never of the user's file."""
+from rossmarie.ir.verify_reactions import verify_reactions
 
 
 def verify(machine: ir.Machine) -> None:
@@ -40,29 +42,13 @@ def verify(machine: ir.Machine) -> None:
     _verify_element_use(machine, arrays)
     _verify_kinds(machine)
     _verify_rules(machine, arrays)
-
-
-def _require(is_so: bool, where: str, what: str) -> None:
-    if not is_so:
-        raise MalformedMachine(f"{where}: {what}")
-
-
-def _require_index(index: int, total: int, where: str, what: str) -> None:
-    _require(0 <= index < total, where, f"there is no {what} {index}")
+    _verify_watches(machine, arrays)
+    verify_reactions(machine)
 
 
 def _require_before(operands: Iterable[int], user: int, where: str) -> None:
     for operand in operands:
-        _require(0 <= operand < user, where, f"operand {operand} does not stand before its user")
-
-
-def _require_duration(duration_ns: int, where: str) -> None:
-    _require(0 < duration_ns < LONGEST_NS, where, f"a duration of {duration_ns} ns")
-
-
-def _require_finite(values: Iterable[float], where: str) -> None:
-    for value in values:
-        _require(math.isfinite(value), where, f"{value} is not finite")
+        require(0 <= operand < user, where, f"operand {operand} does not stand before its user")
 
 
 # --- inputs ----------------------------------------------------------------------------------
@@ -71,19 +57,19 @@ def _require_finite(values: Iterable[float], where: str) -> None:
 def _verify_inputs(machine: ir.Machine) -> None:
     for index, declared in enumerate(machine.inputs):
         where = f"input {index}"
-        _require_index(declared.channel, len(machine.channels), where, "channel")
+        require_index(declared.channel, len(machine.channels), where, "channel")
         if declared.timeout_ns is not None:
-            _require_duration(declared.timeout_ns, where)
+            require_duration(declared.timeout_ns, where)
     for index, slot in enumerate(machine.slots):
         where = f"slot {index}"
-        _require_index(slot.input, len(machine.inputs), where, "input")
-        _require_finite((slot.scale, slot.offset), where)
+        require_index(slot.input, len(machine.inputs), where, "input")
+        require_finite((slot.scale, slot.offset), where)
         is_plain = (slot.scale, slot.offset) == (1.0, 0.0)
-        _require(is_plain or slot.kind is ir.Kind.REAL, where, f"a scaled {slot.kind.value}")
+        require(is_plain or slot.kind is ir.Kind.REAL, where, f"a scaled {slot.kind.value}")
     for index, array in enumerate(machine.arrays):
         where = f"array {index}"
-        _require_index(array.input, len(machine.inputs), where, "input")
-        _require_finite((array.scale, array.offset), where)
+        require_index(array.input, len(machine.inputs), where, "input")
+        require_finite((array.scale, array.offset), where)
 
 
 # --- nodes -----------------------------------------------------------------------------------
@@ -107,19 +93,19 @@ def _verify_signals(machine: ir.Machine) -> None:
     for index, signal in enumerate(machine.signals):
         where = f"signal {index} ({type(signal.node).__name__})"
         _require_before(signal_operands(signal.node), index, where)
-        _require_finite((signal.scale, signal.offset), where)
+        require_finite((signal.scale, signal.offset), where)
         match signal.node:
             case ir.Constant(value=value):
-                _require_finite((value,), where)
+                require_finite((value,), where)
             case ir.Read(slot=slot):
-                _require_index(slot, len(machine.slots), where, "slot")
+                require_index(slot, len(machine.slots), where, "slot")
             case ir.Element(array=array):
-                _require_index(array, len(machine.arrays), where, "array")
+                require_index(array, len(machine.arrays), where, "array")
             case ir.Count(element=element):
-                _require_index(element, len(machine.truths), where, "truth")
+                require_index(element, len(machine.truths), where, "truth")
             case ir.Apply(function=function, operands=operands):
                 is_right = len(operands) == _ARITY.get(function, max(len(operands), 1))
-                _require(is_right, where, f"{function.value} of {len(operands)} operands")
+                require(is_right, where, f"{function.value} of {len(operands)} operands")
 
 
 def _verify_truths(machine: ir.Machine) -> None:
@@ -127,24 +113,24 @@ def _verify_truths(machine: ir.Machine) -> None:
         where = f"truth {index} ({type(truth.node).__name__})"
         _require_before(truth_operands(truth.node), index, where)
         for signal in compared_signals(truth.node):
-            _require_index(signal, len(machine.signals), where, "signal")
+            require_index(signal, len(machine.signals), where, "signal")
         _verify_truth(machine, truth.node, where)
 
 
 def _verify_truth(machine: ir.Machine, node: ir.TruthNode, where: str) -> None:
     match node:
         case ir.And(operands=operands) | ir.Or(operands=operands):
-            _require(len(operands) >= 2, where, f"{len(operands)} operands")
+            require(len(operands) >= 2, where, f"{len(operands)} operands")
         case ir.Held(duration_ns=duration_ns):
-            _require_duration(duration_ns, where)
+            require_duration(duration_ns, where)
         case ir.AgeReaches(input=used, age_ns=age_ns):
-            _require_index(used, len(machine.inputs), where, "input")
-            _require_duration(age_ns, where)
+            require_index(used, len(machine.inputs), where, "input")
+            require_duration(age_ns, where)
         case ir.Oscillates(count=count, window_ns=window_ns, swing=swing):
-            _require(count >= 1, where, f"{count} turning points")
-            _require_duration(window_ns, where)
-            _require_finite((swing,), where)
-            _require(swing >= 0.0, where, f"a swing of {swing}")
+            require(count >= 1, where, f"{count} turning points")
+            require_duration(window_ns, where)
+            require_finite((swing,), where)
+            require(swing >= 0.0, where, f"a swing of {swing}")
 
 
 # --- elements --------------------------------------------------------------------------------
@@ -177,9 +163,9 @@ def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
         operands = signal_operands(signal.node)
         match signal.node:
             case ir.Fold(element=element):
-                _require(arrays.signals[element] is not None, where, "folds no elements")
+                require(arrays.signals[element] is not None, where, "folds no elements")
             case ir.Count(element=element):
-                _require(arrays.truths[element] is not None, where, "counts no elements")
+                require(arrays.truths[element] is not None, where, "counts no elements")
             case ir.Rate() | ir.Previous():
                 _require_whole(operands, arrays.signals, where)
             case _ if arrays.signals[index] is not None:
@@ -188,7 +174,7 @@ def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
         where = f"truth {index} ({type(truth.node).__name__})"
         operands = truth_operands(truth.node)
         if isinstance(truth.node, ir.Quantified):
-            _require(arrays.truths[operands[0]] is not None, where, "quantifies no elements")
+            require(arrays.truths[operands[0]] is not None, where, "quantifies no elements")
         elif arrays.truths[index] is None:
             _require_whole(operands, arrays.truths, where)
             _require_whole(compared_signals(truth.node), arrays.signals, where)
@@ -199,7 +185,7 @@ def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
 
 def _require_whole(operands: Iterable[int], arrays: tuple[int | None, ...], where: str) -> None:
     for operand in operands:
-        _require(arrays[operand] is None, where, f"operand {operand} is elementwise")
+        require(arrays[operand] is None, where, f"operand {operand} is elementwise")
 
 
 def _require_element_signals(
@@ -208,7 +194,7 @@ def _require_element_signals(
     for operand in operands:
         is_constant = isinstance(machine.signals[operand].node, ir.Constant)
         is_element = arrays.signals[operand] is not None
-        _require(is_constant or is_element, where, f"operand {operand} is not elementwise")
+        require(is_constant or is_element, where, f"operand {operand} is not elementwise")
 
 
 def _require_element_truths(
@@ -217,7 +203,7 @@ def _require_element_truths(
     for operand in operands:
         is_constant = isinstance(machine.truths[operand].node, ir.Literal)
         is_element = arrays.truths[operand] is not None
-        _require(is_constant or is_element, where, f"operand {operand} is not elementwise")
+        require(is_constant or is_element, where, f"operand {operand} is not elementwise")
 
 
 # --- kinds -----------------------------------------------------------------------------------
@@ -229,17 +215,17 @@ def _verify_kinds(machine: ir.Machine) -> None:
         where = f"signal {index} ({type(signal.node).__name__})"
         for operand in signal_operands(signal.node):
             kind = _kind(machine, operand)
-            _require(kind is ir.Kind.REAL, where, f"operand {operand} is a {kind.value}")
+            require(kind is ir.Kind.REAL, where, f"operand {operand} is a {kind.value}")
     for index, truth in enumerate(machine.truths):
         where = f"truth {index} ({type(truth.node).__name__})"
         if isinstance(truth.node, ir.Flag):
             kind = _kind(machine, truth.node.signal)
             is_element = isinstance(machine.signals[truth.node.signal].node, ir.Element)
-            _require(kind is ir.Kind.FLAG or is_element, where, f"tests a {kind.value}")
+            require(kind is ir.Kind.FLAG or is_element, where, f"tests a {kind.value}")
         elif not _compares_text(machine, truth.node):
             for operand in compared_signals(truth.node):
                 kind = _kind(machine, operand)
-                _require(kind is ir.Kind.REAL, where, f"operand {operand} is a {kind.value}")
+                require(kind is ir.Kind.REAL, where, f"operand {operand} is a {kind.value}")
 
 
 def _kind(machine: ir.Machine, signal: int) -> ir.Kind:
@@ -268,12 +254,19 @@ def _verify_rules(machine: ir.Machine, arrays: ElementArrays) -> None:
     for index, rule in enumerate(machine.rules):
         where = f"rule {index} ({rule.name})"
         for truth in (rule.condition, *(() if rule.release is None else (rule.release,))):
-            _require_index(truth, len(machine.truths), where, "truth")
-            _require(arrays.truths[truth] is None, where, f"truth {truth} is elementwise")
+            require_index(truth, len(machine.truths), where, "truth")
+            require(arrays.truths[truth] is None, where, f"truth {truth} is elementwise")
         condition = rule.condition
-        _require(rule.terms == rule_terms(machine, condition), where, "wrong terms")
-        _require(rule.signals == rule_signals(machine, condition), where, "wrong signals")
+        require(rule.terms == rule_terms(machine, condition), where, "wrong terms")
+        require(rule.signals == rule_signals(machine, condition), where, "wrong signals")
         inputs = tuple(sorted(rests_on[condition].inputs))
-        _require(rule.inputs == inputs, where, "wrong inputs")
+        require(rule.inputs == inputs, where, "wrong inputs")
     for name, times in Counter(rule.name for rule in machine.rules).items():
-        _require(times == 1, f"rule {name}", f"there are {times} of this name")
+        require(times == 1, f"rule {name}", f"there are {times} of this name")
+
+
+def _verify_watches(machine: ir.Machine, arrays: ElementArrays) -> None:
+    for index, truth in enumerate(machine.watches):
+        where = f"watch {index}"
+        require_index(truth, len(machine.truths), where, "truth")
+        require(arrays.truths[truth] is None, where, f"truth {truth} is elementwise")

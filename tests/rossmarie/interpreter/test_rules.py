@@ -159,3 +159,30 @@ def test_s41_a_verdict_carries_a_snapshot() -> None:
         inputs=(InputState.FRESH, InputState.NEVER),
     )
     assert math.isnan(verdict.values[1])
+
+
+def latching() -> Bench:
+    """A latched rule and one that is not, over one number."""
+    draft = Draft()
+    positive = draft.above(draft.read(), 0.0)
+    draft.rule(positive, latched=True)
+    draft.rule(positive)
+    return Bench(draft)
+
+
+def test_s42_a_latched_rule_is_restored() -> None:
+    bench = latching()
+    bench.monitor.latch(0)
+    bench.monitor.latch(1)
+    assert bench.monitor.active == (True, False)
+    assert told(bench.send(0, c0=1.0)) == [(1, 0.0, Change.ACTIVATED)]
+    assert told(bench.reset(1)) == []  # its condition is true
+    assert told(bench.send(2, c0=-1.0)) == [(1, 2.0, Change.CLEARED)]
+    assert told(bench.reset(3)) == [(0, 3.0, Change.CLEARED)]
+
+
+def test_s42_after_the_first_event_nothing_is_restored() -> None:
+    bench = latching()
+    bench.advance(0)
+    bench.monitor.latch(0)
+    assert bench.monitor.active == (False, False)

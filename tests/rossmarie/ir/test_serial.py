@@ -1,19 +1,25 @@
 """Machines as JSON: nothing is lost, and nothing else is read."""
 
 import json
+from dataclasses import replace
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rossmarie import ir
+from rossmarie.ir import reactions
+from support.c99_cases import reacting
 from support.drafts import Draft
 from support.machines import machines
+from support.plans import call
+from support.reacting import reacting_machines
 
 
 @settings(max_examples=60, deadline=None)
-@given(machines())
+@given(st.one_of(machines(), reacting_machines()))
+@example(reacting())
 def test_round_trip(machine: ir.Machine) -> None:
     text = ir.machine_to_json(machine)
     again = ir.machine_from_json(text)
@@ -40,6 +46,19 @@ def test_spans_keep_their_sources() -> None:
     assert again.truths[0].span.text == "draft"
 
 
+def test_what_is_sent_keeps_its_kind() -> None:
+    values: tuple[reactions.Scalar | tuple[reactions.Scalar, ...], ...] = (
+        True, 1.0, "1", (True, 1.0, "1"), (),
+    )  # fmt: skip
+    assignments = tuple(reactions.Assignment(("a", 0), value) for value in values)
+    found = reacting().reactions
+    task = replace(found.tasks[4], effect=replace(call(), assignments=assignments))
+    tasks = (*found.tasks[:4], task, *found.tasks[5:])
+    machine = replace(reacting(), reactions=replace(found, tasks=tasks))
+    again = ir.machine_from_json(ir.machine_to_json(machine))
+    assert repr(again.reactions.tasks[4].effect) == repr(task.effect)
+
+
 def readable() -> dict[str, Any]:
     draft = Draft()
     draft.rule(draft.above(draft.read(), 1.0))
@@ -48,8 +67,8 @@ def readable() -> dict[str, Any]:
 
 
 def test_other_versions_are_refused() -> None:
-    for member, value in (("version", 2), ("format", "something")):
-        with pytest.raises(ir.UnreadableMachine, match="not version 1 of a rossmarie-machine"):
+    for member, value in (("version", 1), ("format", "something")):
+        with pytest.raises(ir.UnreadableMachine, match="not version 2 of a rossmarie-machine"):
             ir.machine_from_json(json.dumps({**readable(), member: value}))
 
 
@@ -69,6 +88,9 @@ def test_other_versions_are_refused() -> None:
         (("machine", "signals", 1, "node", "value"), "1"),
         (("machine", "texts"), {}),
         (("machine", "rules", 0, "priority"), 1),
+        (("machine", "watches"), [0.5]),
+        (("machine", "rules", 0, "documentation"), []),
+        (("machine", "reactions", "order"), None),
         (("files",), [{}]),
     ],
 )

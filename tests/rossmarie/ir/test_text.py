@@ -3,8 +3,10 @@
 from hypothesis import given, settings
 
 from rossmarie import ir
+from support.c99_cases import reacting
 from support.drafts import SECOND, Draft
 from support.machines import machines
+from support.reacting import reacting_machines
 
 
 def test_dump() -> None:
@@ -44,6 +46,42 @@ def test_dump() -> None:
         "",
     )
     assert ir.dump_text(draft.machine("scanner")).split("\n") == list(expected)
+
+
+REACTIONS = """\
+watch 0 = t2
+
+command 0 = /cmd_vel : geometry_msgs/Twist   | rules/actions.ross:2:3
+  field 0 = linear.x in m/s
+  field 1 = angular.z in rad/s
+
+resource 0 = parameter /cmd_vel
+resource 1 = server /move_base
+resource 2 = service /relay/off
+
+action 0 = act                               | rules/actions.ross:1:1
+
+k0 = limit command 0 to field 0 in [-0.2, 0.5] ramp 0.5 a second, action 0 | rules/actions.ross:2:3
+k1 = scale command 0 by 0.5, action 0        | rules/actions.ross:3:3
+k2 = set /planner.speed to 0.2 within 2 s, action 0, resource 0 | rules/actions.ross:4:10
+"""
+
+
+def test_dump_of_reactions() -> None:
+    text = ir.dump_text(reacting())
+    assert REACTIONS in text
+    assert "k3 = cancel /move_base confirm by watch 0 then resend within 2 s" in text
+    assert ", resource 1, otherwise k4 | rules/actions.ross:6:3\n" in text
+    assert text.endswith(
+        "plan of rule_1 = k0 k1, then k2\nplan of rule_2 = k3 k6\norder rule_2, rule_1\n"
+    )
+
+
+@given(reacting_machines())
+def test_every_task_has_its_line(machine: ir.Machine) -> None:
+    lines = ir.dump_text(machine).splitlines()
+    tasks = [line for line in lines if line.startswith("k")]
+    assert len(tasks) == len(machine.reactions.tasks)
 
 
 @settings(max_examples=40, deadline=None)

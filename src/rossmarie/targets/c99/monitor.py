@@ -12,7 +12,7 @@ from pathlib import PurePath
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
-from rossmarie.targets.c99 import describe, host, state, tables
+from rossmarie.targets.c99 import describe, host, reactor, state, tables
 from rossmarie.targets.c99.layout import lay_out
 from rossmarie.targets.c99.messages import Messages
 from rossmarie.targets.c99.nodes import derive
@@ -28,8 +28,11 @@ _PARTS = (
 
 
 def generate(machine: ir.Machine) -> dict[str, str]:
-    """The files of a monitor, by name: NAME_monitor.h and NAME_monitor.c."""
-    return _Writer(machine).monitor_files()
+    """The files of a machine, by name: NAME_monitor.h and NAME_monitor.c and, if its rules do
+    anything, NAME_reactor.h and NAME_reactor.c.
+    """
+    writer = _Writer(machine)
+    return {**writer.monitor_files(), **writer.reactor_files()}
 
 
 def generate_loadable(machine: ir.Machine) -> dict[str, str]:
@@ -48,12 +51,22 @@ class _Writer:
             loader=PackageLoader("rossmarie.targets.c99"),
             undefined=StrictUndefined,
             autoescape=False,
+            trim_blocks=True,
             keep_trailing_newline=True,
         )
 
     def monitor_files(self) -> dict[str, str]:
         name = self._layout.name
         return {f"{name}_monitor.h": self._header(), f"{name}_monitor.c": self._source()}
+
+    def reactor_files(self) -> dict[str, str]:
+        if not self._layout.machine.reactions.tasks:
+            return {}
+        blanks = reactor.blanks(self._layout)
+        return {
+            f"{self._layout.name}_reactor.h": self._fill("reactor.h.j2", **blanks),
+            f"{self._layout.name}_reactor.c": self._fill("reactor.c.j2", **blanks),
+        }
 
     def host_file(self) -> str:
         return self._fill("host.c.j2", **host.blanks(self._layout, self._messages))
@@ -81,6 +94,8 @@ class _Writer:
             max_inputs=describe.most(len(rule.inputs) for rule in layout.machine.rules),
             members=indented(state.members(layout)),
             declarations=self._messages.declarations(),
+            input_count=len(layout.machine.inputs),
+            watch=self._fill("watch.h.j2") if layout.machine.watches else "",
         )
 
     def _source(self) -> str:
@@ -100,6 +115,8 @@ class _Writer:
             calm=self._part("calm") if layout.channel_names else "",
             channels=messages,
             init=indented([*state.begin(layout), *constants]),
+            has_all_inputs=indented(state.has_all_inputs(layout)),
+            watch=self._part("watch") if layout.machine.watches else "",
             descriptions=describe.descriptions(layout),
         )
         needed = self._messages.expressions.parts | logic | state.parts(layout)

@@ -37,12 +37,13 @@ _GENERATED = """
 # What the names that the generated C keeps to itself begin with, up to the first underscore; a test
 # collects them.
 _PRIVATE = """
-    age always array at before begins catch change column covered cross dbl due earliest element
-    flag flt forget fp from gain gap guard has held host how index input int32 int64 is late latest
-    leaf limit look lose lost maximum minimum never no node now oldest on opposite or pitch rate
-    receive report roll row rule sampled samples set settle shown since size slot stamp swings t
-    take term text texts topic truth truths turn uint16 uint64 uint8 unknown unknowns value values
-    wake was width yaw
+    age always append array at before begins by catch change claiming column command covered cross
+    dbl due earliest element factor failed flag flt forget fp from gain gap give guard has held host
+    how index input int32 int64 is late latest leaf limit look lose lost maximum minimum never no
+    node now oldest on opposite or pass pitch planned rate receive report resource roll row rule
+    sampled samples scale set settle shown since size slot stage staged stamp start started swings t
+    take task term text texts topic truth truths turn uint16 uint64 uint8 unknown unknowns value
+    values wake was watched width yaw
 """
 
 _RESERVED = frozenset((_LANGUAGE + _GENERATED).split())

@@ -147,6 +147,17 @@ def restart(layout: Layout) -> list[str]:
     return lines
 
 
+def has_all_inputs(layout: Layout) -> list[str]:
+    """The search for an input with a timeout that has never arrived."""
+    if not has_timeouts(layout):
+        return ["(void)m;"]
+    return [
+        "for (unsigned i = 0; i != INPUTS; i++)",
+        "    if (m->state[i] == NEVER_RECEIVED && input_timeouts[i] != 0)",
+        "        return false;",
+    ]
+
+
 def tick(layout: Layout) -> list[str]:
     """What is looked at when a timer may be due."""
     lines: list[str] = []

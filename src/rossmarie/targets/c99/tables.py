@@ -59,6 +59,8 @@ def enumerations(layout: Layout) -> str:
         "LATCHED": 0xFFFF,
         "NO_TWIN": 0xFFFF,
     }
+    if machine.watches:
+        sizes["WATCHES"] = len(machine.watches)
     if not is_small(layout):
         sizes["WORDS"] = (layout.truth_count + len(machine.rules) + 63) // 64
     counts = "\n".join(f"    {name} = {size}," for name, size in sizes.items()).rstrip(",")
@@ -95,6 +97,9 @@ def tables(layout: Layout) -> str:
         parts.append(_turn_tables(layout))
     if layout.sampled:
         parts.append(table("index_t", "sampled_values", _sampled_values(layout)))
+    if layout.machine.watches:
+        watched = [layout.truth_names[truth] for truth in layout.machine.watches]
+        parts.append(table("index_t", "watched_truths", watched))
     return "\n\n".join(parts) + "\n"
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from dslkit.diagnostics import Diagnostic
 from rossmarie import ir
+from rossmarie.ir.reactions import Limit
 from rossmarie.targets.c99.layout import lay_out
 from rossmarie.targets.errors import MonitorTooLarge
 
@@ -33,6 +34,8 @@ def _table_sizes(machine: ir.Machine) -> dict[str, int]:
     lost = sum(used in value.support.inputs for value in layout.values for used in inputs)
     blames = sum(len(layout.guard_blames(guard)) for guard in layout.guards)
     supports = (layout.values[guard.value].support for guard in layout.guards)
+    effects = [task.effect for task in machine.reactions.tasks]
+    bounds = sum(len(effect.bounds) for effect in effects if isinstance(effect, Limit))
     excuses = sum(len(layout.excuses(support)) for support in supports)
     return {
         "conditions and rules": layout.truth_count + len(machine.rules),
@@ -45,4 +48,6 @@ def _table_sizes(machine: ir.Machine) -> dict[str, int]:
         "terms of verdicts": sum(len(rule.terms) for rule in machine.rules),
         "numbers of verdicts": sum(len(rule.signals) for rule in machine.rules),
         "inputs of verdicts": sum(len(rule.inputs) for rule in machine.rules),
+        "orders of tasks": 2 * len(effects),
+        "bounds of commands": bounds,
     }

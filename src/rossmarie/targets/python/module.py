@@ -132,6 +132,7 @@ _MEMBERS = """\
     update: Callable[[int, Mapping[int, Sequence[object]]], int]
     advance: Callable[[int], int]  # time passes without a message
     reset: Callable[..., int]  # at_ns, and an index or nothing
+    latch: Callable[[int], None]  # before all else: a latched rule is active, as it was once
     next_wake: Callable[[], int | None]  # when `advance` is wanted if no message comes before
     active: Callable[[], tuple[bool, ...]]  # the rules
     take_events: Callable[[], list[Verdict | TimeJump]]  # since the last time
@@ -180,6 +181,7 @@ def _start(layout: Layout) -> Iterator[str]:
     for channel in channels:
         yield from update(layout, channel)
     yield from _reset(layout)
+    yield from _latch(machine)
     yield from _questions(machine)
 
 
@@ -198,6 +200,16 @@ def _reset(layout: Layout) -> list[str]:
     return function.text()
 
 
+def _latch(machine: ir.Machine) -> list[str]:
+    """S42."""
+    function = Function("latch(rule)")
+    for number, rule in enumerate(machine.rules):
+        if rule.release is None:
+            function.line(f"if rule == {number} and now == EARLIEST:")
+            function.assign(f"active_{number}", "True", 1)
+    return function.text()
+
+
 def _questions(machine: ir.Machine) -> Iterator[str]:
     next_wake = Function("next_wake()")
     next_wake.line("due = earliest()")
@@ -213,5 +225,14 @@ def _questions(machine: ir.Machine) -> Iterator[str]:
     take_events.line("return taken")
     yield from take_events.text()
     updates = [f"update_{channel}" for channel in range(len(machine.channels))]
-    members = [*updates, "update", "advance", "reset", "next_wake", "active", "take_events"]
+    members = [
+        *updates,
+        "update",
+        "advance",
+        "reset",
+        "latch",
+        "next_wake",
+        "active",
+        "take_events",
+    ]
     yield f"{INDENT}return Monitor({', '.join(members)})"

@@ -721,6 +721,25 @@ bool arrays_is_active(const monitor *m, int rule)
     return rule >= 0 && rule < arrays_RULES && is_active(m, (unsigned)rule);
 }
 
+void arrays_latch(monitor *m, int rule)
+{
+    if (!m->started && rule >= 0 && rule < arrays_RULES && rule_release[rule] == LATCHED)
+        m->active[rule / 8] = (unsigned char)(m->active[rule / 8] | 1u << (rule % 8));
+}
+
+int arrays_input_state(const monitor *m, int input)
+{
+    return input >= 0 && input < arrays_INPUTS ? m->state[input] : (int)NEVER_RECEIVED;
+}
+
+bool arrays_has_all_inputs(const monitor *m)
+{
+    for (unsigned i = 0; i != INPUTS; i++)
+        if (m->state[i] == NEVER_RECEIVED && input_timeouts[i] != 0)
+            return false;
+    return true;
+}
+
 static const char *const term_texts[4] = {
     "truth_1",
     "truth_2",

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-enum { arrays_RULES = 1 };
+enum { arrays_RULES = 1, arrays_INPUTS = 1 };
 
 /* What next_wake says when nothing will change by itself. */
 #define ARRAYS_NEVER INT64_MAX
@@ -126,6 +126,17 @@ int arrays_reset(arrays_monitor *m, int64_t t_ns, int rule);
 int64_t arrays_next_wake(const arrays_monitor *m);
 
 bool arrays_is_active(const arrays_monitor *m, int rule);
+
+/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+ * that down. Afterwards, and on other rules, this has no effect.
+ */
+void arrays_latch(arrays_monitor *m, int rule);
+
+/* What is known of an input, counted in the order of the rules file: enum arrays_input_state. */
+int arrays_input_state(const arrays_monitor *m, int input);
+
+/* Whether every input with a timeout has arrived at least once. */
+bool arrays_has_all_inputs(const arrays_monitor *m);
 
 #ifdef __cplusplus
 }

@@ -828,6 +828,25 @@ bool memories_is_active(const monitor *m, int rule)
     return rule >= 0 && rule < memories_RULES && is_active(m, (unsigned)rule);
 }
 
+void memories_latch(monitor *m, int rule)
+{
+    if (!m->started && rule >= 0 && rule < memories_RULES && rule_release[rule] == LATCHED)
+        m->active[rule / 8] = (unsigned char)(m->active[rule / 8] | 1u << (rule % 8));
+}
+
+int memories_input_state(const monitor *m, int input)
+{
+    return input >= 0 && input < memories_INPUTS ? m->state[input] : (int)NEVER_RECEIVED;
+}
+
+bool memories_has_all_inputs(const monitor *m)
+{
+    for (unsigned i = 0; i != INPUTS; i++)
+        if (m->state[i] == NEVER_RECEIVED && input_timeouts[i] != 0)
+            return false;
+    return true;
+}
+
 static const char *const term_texts[3] = {
     "truth_0",
     "truth_2",

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-enum { memories_RULES = 2 };
+enum { memories_RULES = 2, memories_INPUTS = 1 };
 
 /* What next_wake says when nothing will change by itself. */
 #define MEMORIES_NEVER INT64_MAX
@@ -144,6 +144,17 @@ int memories_reset(memories_monitor *m, int64_t t_ns, int rule);
 int64_t memories_next_wake(const memories_monitor *m);
 
 bool memories_is_active(const memories_monitor *m, int rule);
+
+/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+ * that down. Afterwards, and on other rules, this has no effect.
+ */
+void memories_latch(memories_monitor *m, int rule);
+
+/* What is known of an input, counted in the order of the rules file: enum memories_input_state. */
+int memories_input_state(const memories_monitor *m, int input);
+
+/* Whether every input with a timeout has arrived at least once. */
+bool memories_has_all_inputs(const memories_monitor *m);
 
 #ifdef __cplusplus
 }

@@ -663,6 +663,23 @@ bool thresholds_is_active(const monitor *m, int rule)
     return rule >= 0 && rule < thresholds_RULES && is_active(m, (unsigned)rule);
 }
 
+void thresholds_latch(monitor *m, int rule)
+{
+    if (!m->started && rule >= 0 && rule < thresholds_RULES && rule_release[rule] == LATCHED)
+        m->active[rule / 8] = (unsigned char)(m->active[rule / 8] | 1u << (rule % 8));
+}
+
+int thresholds_input_state(const monitor *m, int input)
+{
+    return input >= 0 && input < thresholds_INPUTS ? m->state[input] : (int)NEVER_RECEIVED;
+}
+
+bool thresholds_has_all_inputs(const monitor *m)
+{
+    (void)m;
+    return true;
+}
+
 static const char *const term_texts[4] = {
     "truth_0",
     "drive.fast",

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-enum { thresholds_RULES = 2 };
+enum { thresholds_RULES = 2, thresholds_INPUTS = 2 };
 
 /* What next_wake says when nothing will change by itself. */
 #define THRESHOLDS_NEVER INT64_MAX
@@ -128,6 +128,17 @@ int thresholds_reset(thresholds_monitor *m, int64_t t_ns, int rule);
 int64_t thresholds_next_wake(const thresholds_monitor *m);
 
 bool thresholds_is_active(const thresholds_monitor *m, int rule);
+
+/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+ * that down. Afterwards, and on other rules, this has no effect.
+ */
+void thresholds_latch(thresholds_monitor *m, int rule);
+
+/* What is known of an input, counted in the order of the rules file: enum thresholds_input_state. */
+int thresholds_input_state(const thresholds_monitor *m, int input);
+
+/* Whether every input with a timeout has arrived at least once. */
+bool thresholds_has_all_inputs(const thresholds_monitor *m);
 
 #ifdef __cplusplus
 }

@@ -21,7 +21,7 @@
 extern "C" {
 #endif
 
-enum { timeouts_RULES = 1 };
+enum { timeouts_RULES = 1, timeouts_INPUTS = 2 };
 
 /* What next_wake says when nothing will change by itself. */
 #define TIMEOUTS_NEVER INT64_MAX
@@ -133,6 +133,17 @@ int timeouts_reset(timeouts_monitor *m, int64_t t_ns, int rule);
 int64_t timeouts_next_wake(const timeouts_monitor *m);
 
 bool timeouts_is_active(const timeouts_monitor *m, int rule);
+
+/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+ * that down. Afterwards, and on other rules, this has no effect.
+ */
+void timeouts_latch(timeouts_monitor *m, int rule);
+
+/* What is known of an input, counted in the order of the rules file: enum timeouts_input_state. */
+int timeouts_input_state(const timeouts_monitor *m, int input);
+
+/* Whether every input with a timeout has arrived at least once. */
+bool timeouts_has_all_inputs(const timeouts_monitor *m);
 
 #ifdef __cplusplus
 }

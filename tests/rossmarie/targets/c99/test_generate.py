@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 import shutil
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from rossmarie import ir
+from rossmarie.ir.reactions import CancelGoal, Plan
 from rossmarie.targets import c99
 from rossmarie.targets.c99 import generate, generate_loadable
 from support.c99_cases import CASES
@@ -36,12 +38,17 @@ def test_carries_the_place_and_the_words_of_the_user() -> None:
     assert "rules/" not in source
 
 
+def sources_in(files: Mapping[str, str]) -> list[str]:
+    return [name for name in files if name.endswith(".c")]
+
+
 @needs_c
 @pytest.mark.parametrize("case", sorted(CASES))
 @pytest.mark.parametrize("compiler", C_COMPILERS)
 def test_is_clean_as_c99(case: str, compiler: str, tmp_path: Path) -> None:
-    write(generate_loadable(CASES[case]()), tmp_path)
-    for source in (f"{case}_monitor.c", "host.c"):
+    files = {**generate(CASES[case]()), **generate_loadable(CASES[case]())}
+    write(files, tmp_path)
+    for source in sources_in(files):
         run([compiler, "-std=c99", *STRICT, "-c", tmp_path / source, "-o", tmp_path / "out.o"])
 
 
@@ -49,24 +56,28 @@ def test_is_clean_as_c99(case: str, compiler: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("case", sorted(CASES))
 @pytest.mark.parametrize("compiler", CPP_COMPILERS)
 def test_is_clean_as_cpp17(case: str, compiler: str, tmp_path: Path) -> None:
-    write(generate(CASES[case]()), tmp_path)
-    source = tmp_path / f"{case}_monitor.c"
-    command = [compiler, "-x", "c++", "-std=c++17", *STRICT, "-c", str(source)]
-    run([*command, "-o", tmp_path / "out.o"])
+    files = generate(CASES[case]())
+    write(files, tmp_path)
+    for source in sources_in(files):
+        command = [compiler, "-x", "c++", "-std=c++17", *STRICT, "-c", str(tmp_path / source)]
+        run([*command, "-o", tmp_path / "out.o"])
 
 
 @needs_c
 @pytest.mark.skipif(not shutil.which("nm"), reason="there is no nm on this system")
 @pytest.mark.parametrize("case", sorted(CASES))
 def test_needs_nothing_but_math(case: str, tmp_path: Path) -> None:
-    write(generate(CASES[case]()), tmp_path)
-    built = tmp_path / "monitor.o"
+    files = generate(CASES[case]())
+    write(files, tmp_path)
+    built = tmp_path / "built.o"
     options = ["-std=c99", "-O2", "-fno-builtin-memset"]
-    run([C_COMPILERS[0], *options, "-c", tmp_path / f"{case}_monitor.c", "-o", built])
-    needed = run(["nm", "--undefined-only", "--format=posix", built]).stdout.decode().split("\n")
-    names = {line.split()[0] for line in needed if line} - {"_GLOBAL_OFFSET_TABLE_"}
     # Compilers call memset of their own accord, so a freestanding system has it as well.
-    assert names <= {"asin", "atan2", "fabs", "sqrt", "memset"}
+    known = {"asin", "atan2", "fabs", "sqrt", "memset", f"{case}_is_active", f"{case}_watch"}
+    for source in sources_in(files):
+        run([C_COMPILERS[0], *options, "-c", tmp_path / source, "-o", built])
+        needed = run(["nm", "--undefined-only", "--format=posix", built]).stdout.decode()
+        names = {line.split()[0] for line in needed.split("\n") if line}
+        assert names - {"_GLOBAL_OFFSET_TABLE_"} <= known
 
 
 NASTY = 'int */ "?? \\ // /* while\nπ\u202e'
@@ -83,6 +94,12 @@ def renamed(machine: ir.Machine, name: str, path: str) -> ir.Machine:
         channels=tuple(replace(channel, topic=f"/{path}") for channel in machine.channels),
         slots=tuple(replace(slot, path=(path,)) for slot in machine.slots),
         arrays=tuple(replace(array, path=(path,)) for array in machine.arrays),
+        reactions=replace(
+            machine.reactions,
+            commands=tuple(replace(each, topic=name) for each in machine.reactions.commands),
+            actions=tuple(replace(action, name=name) for action in machine.reactions.actions),
+            resources=(name,) * len(machine.reactions.resources),
+        ),
     )
 
 
@@ -95,22 +112,49 @@ def invented_functions() -> set[str]:
 
 
 @needs_c
-@pytest.mark.parametrize("case", ["arrays", "memories"])
+@pytest.mark.parametrize("case", ["arrays", "memories", "reacting"])
 def test_names_of_users_cannot_break_the_code(case: str, tmp_path: Path) -> None:
     fields = sorted(invented_functions() | {"while", "fabs", "sqrt", "isnan", "m", "value", "i"})
     assert "cross" in fields
     sources = []
     for number, field in enumerate(fields):
         machine = replace(renamed(CASES[case](), NASTY, field), name=f"{case}_{number}")
-        write(generate(machine), tmp_path)
-        sources.append(f'#include "{machine.name}_monitor.h"\n')
+        files = generate(machine)
+        write(files, tmp_path)
+        sources += [f'#include "{header}"\n' for header in files if header.endswith(".h")]
     (tmp_path / "headers.c").write_text("".join(sources), encoding="utf-8")
-    monitors = sorted(tmp_path.glob("*_monitor.c"))
     quick = ["-std=c99", "-fsyntax-only", *STRICT]
-    run([C_COMPILERS[0], *quick, tmp_path / "headers.c", *monitors])
+    run([C_COMPILERS[0], *quick, *sorted(tmp_path.glob("*.c"))])
 
 
 def test_texts_are_told_to_whoever_gives_them() -> None:
     header = generate(CASES["memories"]())["memories_monitor.h"]
     assert "extern const char *const memories_texts[1];" in header
     assert "_texts[" not in generate(CASES["arrays"]())["arrays_monitor.h"]
+
+
+def test_there_is_a_reactor_only_if_there_are_tasks() -> None:
+    assert sorted(generate(CASES["thresholds"]())) == [
+        "thresholds_monitor.c",
+        "thresholds_monitor.h",
+    ]
+    assert sorted(generate(CASES["reacting"]()))[2:] == ["reacting_reactor.c", "reacting_reactor.h"]
+
+
+def test_a_reactor_carries_the_place_and_the_words_of_the_user() -> None:
+    source = generate(CASES["reacting"]())["reacting_reactor.c"]
+    assert "actions.ross:3 act: scale /cmd_vel by 50 %" in source
+    assert "rules/" not in source
+
+
+def test_a_reactor_has_only_what_it_needs() -> None:
+    machine = CASES["reacting"]()
+    found = machine.reactions
+    cancel = found.tasks[3].effect
+    assert isinstance(cancel, CancelGoal)
+    cancel = replace(cancel, confirmation=None)
+    tasks = (replace(found.tasks[3], effect=cancel, otherwise=()),)
+    plain = replace(found, commands=(), tasks=tasks, plans=(Plan(((0,),), (0,)), Plan((), ())))
+    files = generate(replace(machine, reactions=plain, watches=()))
+    assert "math.h>" not in files["reacting_reactor.c"]
+    assert not re.search("_bounds|_watch", "".join(files.values()))

@@ -1,0 +1,86 @@
+"""The bounds of the safety filter (rules R11 and R12)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from rossmarie import ir
+from rossmarie.ir import FieldBounds, Reactions
+from rossmarie.ir.reactions import Bound, Limit, Scale
+
+_UNBOUNDED = FieldBounds(1.0, -math.inf, math.inf)
+_BLOCKED = FieldBounds(1.0, 0.0, 0.0)
+
+
+@dataclass
+class Force:
+    """Whether a limit is in force, and since when it is being lifted if it is not."""
+
+    is_on: bool = False
+    lifted_ns: int | None = None
+
+    def moved(self, ramp: float | None, at_ns: int) -> float:
+        """How far what the limit bounds has moved out of its way."""
+        if self.is_on:
+            return 0.0
+        if self.lifted_ns is None or ramp is None:
+            return math.inf
+        return ramp * (float(max(0, at_ns - self.lifted_ns)) / 1e9)
+
+
+class Filter:
+    """What lies on the command topics: limits in force, and those that are being lifted."""
+
+    def __init__(self, reactions: Reactions) -> None:
+        self._reactions = reactions
+        self._forces = {
+            index: Force()
+            for index, task in enumerate(reactions.tasks)
+            if isinstance(task.effect, Limit | Scale)
+        }
+        self._is_open = False
+
+    def open(self) -> None:
+        """All inputs with a timeout have arrived once, or the grace period is over (R12)."""
+        self._is_open = True
+
+    def start(self, task: int) -> None:
+        """A task is ordered to start; of limits and scales it takes note."""
+        if task in self._forces:
+            self._forces[task] = Force(is_on=True)
+
+    def stop(self, task: int, at_ns: int) -> None:
+        """A task is ordered to stop."""
+        if task in self._forces:
+            self._forces[task] = Force(is_on=False, lifted_ns=at_ns)
+
+    def set_back(self, now_ns: int, at_ns: int) -> None:
+        """R14: from `now_ns` to an earlier instant."""
+        for force in self._forces.values():
+            if force.lifted_ns is not None:
+                force.lifted_ns = at_ns - min(now_ns - force.lifted_ns, ir.LONGEST_NS)
+
+    def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
+        """R11: of each field of a command topic, in the units of the message."""
+        count = len(self._reactions.commands[command].fields)
+        if not self._is_open or not ir.EARLIEST_NS < at_ns < ir.LATEST_NS:
+            return (_BLOCKED,) * count
+        found = [_UNBOUNDED] * count
+        for task, force in self._forces.items():
+            match self._reactions.tasks[task].effect:
+                case Scale(topic=topic, factor=factor, ramp=ramp) if topic == command:
+                    grown = factor + force.moved(ramp, at_ns)
+                    found = [replace(bounds, factor=min(bounds.factor, grown)) for bounds in found]
+                case Limit(topic=topic, bounds=limits) if topic == command:
+                    for bound in limits:
+                        moved = force.moved(bound.ramp, at_ns)
+                        found[bound.field] = _within(found[bound.field], bound, moved)
+                case _:
+                    pass
+        return tuple(found)
+
+
+def _within(bounds: FieldBounds, bound: Bound, moved: float) -> FieldBounds:
+    low, high = bound.low - moved, bound.high + moved
+    return replace(bounds, low=max(bounds.low, low), high=min(bounds.high, high))

@@ -1,0 +1,283 @@
+"""The meaning of reactions, executable: the oracle of the generated reactors.
+
+Takes the reactions of a machine that `ir.verify` has passed. Follows
+`docs/explanation/reactions.md` rule by rule (R1, R2, ... in the comments). It decides and
+remembers; whoever drives it carries its orders out, and reports what came of them.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from rossmarie import ir
+from rossmarie.interpreter.filter import Filter
+from rossmarie.ir import FieldBounds, Order, OrderKind, Reactions, TruthValue, reactions
+
+
+class State(enum.IntEnum):
+    """Where a task stands."""
+
+    IDLE = 0
+    RUNNING = 1  # ordered; its end is awaited
+    HOLDING = 2  # in force, until it is stopped
+    WAITING = 3  # overruled; wanted again when its rule owns the resource
+    DONE = 4
+    FAILED = 5
+
+
+_PASSED = frozenset((State.HOLDING, State.WAITING, State.DONE))
+_IN_FORCE = frozenset((State.RUNNING, State.HOLDING))
+
+
+@dataclass
+class Progress:
+    """What is remembered of a task."""
+
+    state: State = State.IDLE
+    started_ns: int = 0
+    is_reported: bool = False
+
+
+@dataclass
+class Engagement:
+    """What is remembered of an engaged rule: the stage it is at, and its tasks as they started."""
+
+    stage: int = 0
+    started: list[int] = field(default_factory=list)
+
+
+class Reactor:
+    """Turns the activity of rules into orders. Instants are nanoseconds on one clock, between
+    `ir.EARLIEST_NS` and `ir.LATEST_NS`; `react` and `report` raise `ValueError` outside that range.
+
+    `engaged` says of each rule whether it is active and not exempted (R1), `watches` what the
+    confirmations of `cancel` are worth, in the order of `Machine.watches`.
+    """
+
+    def __init__(self, machine_reactions: Reactions) -> None:
+        self._reactions = machine_reactions
+        self._tasks = [Progress() for _ in machine_reactions.tasks]
+        self._engagements: list[Engagement | None] = [None] * len(machine_reactions.plans)
+        self._rules = {
+            task: rule for rule, plan in enumerate(machine_reactions.plans) for task in plan.tasks
+        }
+        self._filter = Filter(machine_reactions)
+        self._now_ns = ir.EARLIEST_NS
+        self._orders: list[Order] = []
+        self._failures: list[int] = []
+
+    @property
+    def states(self) -> tuple[State, ...]:
+        """Where each task stands, by index."""
+        return tuple(progress.state for progress in self._tasks)
+
+    def open(self) -> None:
+        """Commands may pass: every input with a timeout has arrived once, or has had its time
+        (R12).
+        """
+        self._filter.open()
+
+    def react(
+        self, at_ns: int, engaged: Sequence[bool], watches: Sequence[TruthValue]
+    ) -> list[Order]:
+        """The orders that follow from which rules are engaged at an instant."""
+        self._set_clock(at_ns)
+        for rule, is_engaged in enumerate(engaged):
+            if not is_engaged:
+                self._release(rule)
+        starting = [rule for rule in self._reactions.order if engaged[rule] and self._rests(rule)]
+        for rule in starting:
+            self._engagements[rule] = Engagement()
+        self._pass_resources_on()
+        for rule in starting:
+            self._start_stage(rule)
+        return self._settle(watches)
+
+    def report(
+        self, at_ns: int, task: int, success: bool, watches: Sequence[TruthValue]
+    ) -> list[Order]:
+        """The orders that follow from how a task ended; of one that is not running, none (R6)."""
+        self._set_clock(at_ns)
+        if self._tasks[task].state is State.RUNNING:
+            if success:
+                self._tasks[task].is_reported = True
+            else:
+                self._fail(task)
+        return self._settle(watches)
+
+    def next_wake(self) -> int | None:
+        """The earliest instant at which an awaited task runs out of time (R13)."""
+        return min(self._deadlines().values(), default=None)
+
+    def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
+        """What lies on the fields of a command topic at an instant (R11)."""
+        return self._filter.bounds(at_ns, command)
+
+    # --- time --------------------------------------------------------------------------------
+
+    def _set_clock(self, at_ns: int) -> None:
+        """R14: what was a old stays a old when the clock is set back."""
+        if not ir.EARLIEST_NS < at_ns < ir.LATEST_NS:
+            raise ValueError(f"an instant of {at_ns} ns is out of range")
+        if at_ns < self._now_ns:
+            for progress in self._tasks:
+                progress.started_ns -= self._now_ns - at_ns
+            self._filter.set_back(self._now_ns, at_ns)
+        self._now_ns = at_ns
+
+    def _deadlines(self) -> dict[int, int]:
+        """When each running task runs out of time."""
+        return {
+            task: progress.started_ns + timeout_ns
+            for task, progress in enumerate(self._tasks)
+            if progress.state is State.RUNNING
+            and (timeout_ns := reactions.timeout_ns(self._effect(task))) is not None
+        }
+
+    # --- resources ---------------------------------------------------------------------------
+
+    def _overruler(self, task: int) -> int | None:
+        """R2: the engaged rule that has the resource of a task, unless it is the task's own."""
+        resource = self._reactions.tasks[task].resource
+        if resource is None:
+            return None
+        owner = next(rule for rule in self._reactions.order if self._claims(rule, resource))
+        return None if owner == self._rules[task] else owner
+
+    def _claims(self, rule: int, resource: int) -> bool:
+        tasks = self._reactions.plans[rule].tasks
+        needed = (self._reactions.tasks[task].resource for task in tasks)
+        return not self._rests(rule) and resource in needed
+
+    def _pass_resources_on(self) -> None:
+        """R8: first all that is given up, then what follows from that, then what begins again."""
+        overruled = {
+            task: by
+            for task, progress in enumerate(self._tasks)
+            if progress.state in _IN_FORCE and (by := self._overruler(task)) is not None
+        }
+        for task, by in overruled.items():
+            self._order(OrderKind.OVERRULED, task, by)
+            self._give_up(task)
+        self._escalate()
+        for task, progress in enumerate(self._tasks):
+            if progress.state is State.WAITING and self._overruler(task) is None:
+                self._begin(task)
+
+    def _give_up(self, task: int) -> None:
+        progress = self._tasks[task]
+        if reactions.waits(self._effect(task)):
+            progress.state = State.WAITING
+        elif progress.state is State.RUNNING:
+            self._fail(task)
+        else:
+            progress.state = State.DONE
+
+    # --- plans -------------------------------------------------------------------------------
+
+    def _start_stage(self, rule: int) -> None:
+        """R3: the stage that a rule is at, if it is not at the end."""
+        stages = self._reactions.plans[rule].stages
+        stage = self._engagement(rule).stage
+        if stage < len(stages):
+            self._start(stages[stage])
+            self._escalate()
+
+    def _start(self, tasks: Iterable[int]) -> None:
+        """R4, R7: those whose resource another rule has do not begin."""
+        for task in tasks:
+            by = self._overruler(task)
+            if by is None:
+                self._begin(task)
+                continue
+            self._order(OrderKind.OVERRULED, task, by)
+            if reactions.waits(self._effect(task)):
+                self._tasks[task].state = State.WAITING
+            else:
+                self._fail(task)
+
+    def _begin(self, task: int) -> None:
+        effect = self._effect(task)
+        started = self._engagement(self._rules[task]).started
+        if task in started:
+            started.remove(task)
+        started.append(task)
+        is_awaited = reactions.timeout_ns(effect) is not None
+        after = State.HOLDING if reactions.is_lasting(effect) else State.DONE
+        self._tasks[task] = Progress(State.RUNNING if is_awaited else after, self._now_ns)
+        self._order(OrderKind.START, task)
+
+    def _fail(self, task: int) -> None:
+        self._tasks[task].state = State.FAILED
+        self._failures.append(task)
+
+    def _escalate(self) -> None:
+        """R6: what follows from failures, those that follow from these included."""
+        while self._failures:
+            task = self._failures.pop(0)
+            self._order(OrderKind.FAILED, task)
+            self._start(self._reactions.tasks[task].otherwise)
+
+    def _release(self, rule: int) -> None:
+        """R9: what is in force is undone, last started first, and all is forgotten."""
+        if self._rests(rule):
+            return
+        for task in reversed(self._engagement(rule).started):
+            if self._tasks[task].state in _IN_FORCE:
+                self._order(OrderKind.STOP, task)
+        for task in self._reactions.plans[rule].tasks:
+            self._tasks[task] = Progress()
+        self._engagements[rule] = None
+
+    def _settle(self, watches: Sequence[TruthValue]) -> list[Order]:
+        """Ends of tasks (R4), then the stages that follow (R5); gives all orders of the call."""
+        for task, due_ns in self._deadlines().items():
+            is_over = self._tasks[task].is_reported and self._is_confirmed(task, watches)
+            if is_over and self._now_ns <= due_ns:
+                is_lasting = reactions.is_lasting(self._effect(task))
+                self._tasks[task].state = State.HOLDING if is_lasting else State.DONE
+            elif due_ns <= self._now_ns:
+                self._fail(task)
+        self._escalate()
+        for rule in self._reactions.order:
+            while self._is_stage_over(rule):
+                self._engagement(rule).stage += 1
+                self._start_stage(rule)
+        orders, self._orders = self._orders, []
+        return orders
+
+    def _is_stage_over(self, rule: int) -> bool:
+        stages = self._reactions.plans[rule].stages
+        if self._rests(rule) or self._engagement(rule).stage == len(stages):
+            return False
+        tasks = stages[self._engagement(rule).stage]
+        return all(self._tasks[task].state in _PASSED for task in tasks)
+
+    def _is_confirmed(self, task: int, watches: Sequence[TruthValue]) -> bool:
+        effect = self._effect(task)
+        if not isinstance(effect, reactions.CancelGoal) or effect.confirmation is None:
+            return True
+        return watches[effect.confirmation] is TruthValue.TRUE
+
+    # --- orders ------------------------------------------------------------------------------
+
+    def _order(self, kind: OrderKind, task: int, by: int | None = None) -> None:
+        self._orders.append(Order(kind, task, by))
+        if kind is OrderKind.START:
+            self._filter.start(task)
+        elif kind is OrderKind.STOP:
+            self._filter.stop(task, self._now_ns)
+
+    def _effect(self, task: int) -> reactions.Effect:
+        return self._reactions.tasks[task].effect
+
+    def _rests(self, rule: int) -> bool:
+        """Whether a rule is not engaged."""
+        return self._engagements[rule] is None
+
+    def _engagement(self, rule: int) -> Engagement:
+        engagement = self._engagements[rule]
+        assert engagement is not None, "only engaged rules have tasks"
+        return engagement

@@ -1,0 +1,338 @@
+"""Reactions: what active rules do to the robot. A machine of its own, beside the monitor machine.
+
+The monitor machine (`model.py`) says which rules are active. This one says what follows: which
+bounds lie on which command topic, which task runs, and what is undone on release. It decides; the
+node around it performs (publishes, calls, sends goals) and reports what came of it.
+The meaning is written down in `docs/explanation/reactions.md` (R1, R2, ...).
+
+All numbers are in the units of the messages that they go into.
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+from dataclasses import dataclass
+
+from dslkit.source import Span
+
+FieldPath = tuple[str | int, ...]
+
+
+@dataclass(frozen=True)
+class CommandField:
+    """A floating-point number of a command, or with `is_array` the elements of an array of them."""
+
+    path: FieldPath
+    is_array: bool
+    unit: str
+
+
+@dataclass(frozen=True)
+class CommandTopic:
+    """A topic whose messages pass through the safety filter. `fields` are all of its
+    floating-point numbers outside of headers.
+    """
+
+    topic: str
+    message_type: str
+    fields: tuple[CommandField, ...]
+    span: Span
+
+
+# --- effects ---------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Bound:
+    """While in force the field stays in `[low, high]`, which contains 0. After release the ends
+    move apart by `ramp` per second; None: they are lifted at once.
+    """
+
+    field: int
+    low: float
+    high: float
+    ramp: float | None
+
+
+@dataclass(frozen=True)
+class Limit:
+    """`limit /cmd_vel { ... }`; `block` is a limit of every field to `[0, 0]`."""
+
+    topic: int
+    bounds: tuple[Bound, ...]
+
+
+@dataclass(frozen=True)
+class Scale:
+    """`scale /cmd_vel by 50 %`: every field is multiplied by `factor` (0 to 1); after release the
+    factor grows by `ramp` per second, up to 1; None: it is 1 at once.
+    """
+
+    topic: int
+    factor: float
+    ramp: float | None
+
+
+Scalar = bool | float | str
+
+
+@dataclass(frozen=True)
+class Assignment:
+    """A field of a message to be sent, in the unit of the message."""
+
+    path: FieldPath
+    value: Scalar | tuple[Scalar, ...]
+
+
+@dataclass(frozen=True)
+class Publish:
+    """`publish TOPIC : TYPE { ... } at RATE`; once if `period_ns` is None. `command` is the index
+    of the command topic if the topic passes through the filter: then this takes its place.
+    """
+
+    topic: str
+    message_type: str
+    assignments: tuple[Assignment, ...]
+    period_ns: int | None
+    command: int | None
+
+
+@dataclass(frozen=True)
+class Call:
+    """`call SERVICE : TYPE { ... } within D`. Fails if the answer has a field `success` that is
+    false, or does not come in time.
+    """
+
+    service: str
+    service_type: str
+    assignments: tuple[Assignment, ...]
+    timeout_ns: int
+
+
+@dataclass(frozen=True)
+class SetParameter:
+    """`set NODE.PARAMETER to VALUE within D`; the old value comes back on release."""
+
+    node: str
+    parameter: str
+    value: Scalar
+    timeout_ns: int
+
+
+@dataclass(frozen=True)
+class SwitchControllers:
+    """`switch MANAGER { start A; stop B; } within D`; switched back on release."""
+
+    manager: str
+    start: tuple[str, ...]
+    stop: tuple[str, ...]
+    timeout_ns: int
+
+
+class Interrupted(enum.Enum):
+    """What becomes of the goal that was interrupted, on release."""
+
+    DROP = "drop"
+    RESEND = "resend"
+
+
+@dataclass(frozen=True)
+class SendGoal:
+    """`send TYPE { ... } to SERVER within D then resend`: cancels the goal at hand first."""
+
+    server: str
+    action_type: str
+    assignments: tuple[Assignment, ...]
+    timeout_ns: int
+    interrupted: Interrupted
+
+
+@dataclass(frozen=True)
+class CancelGoal:
+    """`cancel SERVER confirm by COND within D then resend`. `confirmation` is an index of
+    `Machine.watches`; None: the server's word is enough.
+    """
+
+    server: str
+    action_type: str | None
+    confirmation: int | None
+    timeout_ns: int
+    interrupted: Interrupted
+
+
+class Level(enum.Enum):
+    """How bad it is."""
+
+    DEBUG = "debug"  # logs only
+    INFORMATION = "info"
+    WARNING = "warning"
+    ERROR = "error"
+
+
+@dataclass(frozen=True)
+class Log:
+    """`log LEVEL TEXT`, once."""
+
+    level: Level
+    text: str
+
+
+@dataclass(frozen=True)
+class Diagnose:
+    """`diagnose LEVEL TEXT`: a status in the diagnostics for as long as it is in force."""
+
+    level: Level
+    text: str
+
+
+@dataclass(frozen=True)
+class Hook:
+    """`hook NAME`: a function of the user's, called at the start and at the end."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class Reset:
+    """`reset`: what an operator's reset of all latched rules does (S38)."""
+
+
+Effect = (
+    Limit | Scale | Publish | Call | SetParameter | SwitchControllers | SendGoal | CancelGoal
+    | Log | Diagnose | Hook | Reset
+)  # fmt: skip
+
+
+# --- plans -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Task:
+    """One effect of one action at one place in the plan of one rule.
+
+    `resource` is the index of what it needs for itself, None if it shares. `otherwise` are the
+    tasks that start when it fails; they belong to no stage and may have an `otherwise` themselves.
+    """
+
+    action: int
+    effect: Effect
+    resource: int | None
+    otherwise: tuple[int, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
+class Action:
+    """A declared action."""
+
+    name: str
+    documentation: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a rule does: stages one after the other; the tasks of a stage side by side.
+
+    `tasks` are all of it in the order in which they stand in the file, escalations included.
+    """
+
+    stages: tuple[tuple[int, ...], ...]
+    tasks: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Reactions:
+    """What the rules of a machine do. `plans` has one entry for each rule; `order` are the rules
+    from the first to the last that gets a resource that several need.
+    """
+
+    commands: tuple[CommandTopic, ...]
+    actions: tuple[Action, ...]
+    resources: tuple[str, ...]
+    tasks: tuple[Task, ...]
+    plans: tuple[Plan, ...]
+    order: tuple[int, ...]
+
+
+NO_REACTIONS = Reactions((), (), (), (), (), ())
+
+
+# --- how effects behave ----------------------------------------------------------------------
+
+
+def timeout_ns(effect: Effect) -> int | None:
+    """How long the end of an effect is awaited; None if nothing is."""
+    match effect:
+        case Call() | SetParameter() | SwitchControllers() | SendGoal() | CancelGoal():
+            return effect.timeout_ns
+        case _:
+            return None
+
+
+def is_lasting(effect: Effect) -> bool:
+    """Whether it stays in force after it is done, so that something is undone on release."""
+    match effect:
+        case Publish(period_ns=period_ns):
+            return period_ns is not None
+        case SendGoal(interrupted=interrupted):
+            return interrupted is Interrupted.RESEND
+        case Call() | Log() | Reset():
+            return False
+        case _:
+            return True
+
+
+def needs_resource(effect: Effect) -> bool:
+    """Whether it needs something for itself; others share (R2)."""
+    return isinstance(effect, Publish) or timeout_ns(effect) is not None
+
+
+def waits(effect: Effect) -> bool:
+    """Whether it waits for its resource while another rule has it; others fail then."""
+    match effect:
+        case Publish(period_ns=period_ns):
+            return period_ns is not None
+        case SetParameter() | SwitchControllers() | CancelGoal():
+            return True
+        case _:
+            return False
+
+
+# --- what the reactor says -------------------------------------------------------------------
+
+
+class OrderKind(enum.Enum):
+    """What is to be done with a task, or has become of it."""
+
+    START = "start"
+    STOP = "stop"  # its rule was released: undo it
+    OVERRULED = "overruled"  # another rule has the resource: give it up, or do not begin
+    FAILED = "failed"  # give it up
+
+
+@dataclass(frozen=True)
+class Order:
+    """What whoever performs has to do, or to know. `by` is the rule that overrules."""
+
+    kind: OrderKind
+    task: int
+    by: int | None = None
+
+
+@dataclass(frozen=True)
+class FieldBounds:
+    """What lies on a field of a command: x becomes `min(max(x * factor, low), high)`, and 0 if it
+    is not finite.
+    """
+
+    factor: float
+    low: float
+    high: float
+
+    def of(self, value: float) -> float:
+        """A number of a command, bounded."""
+        if not math.isfinite(value):
+            return 0.0
+        return min(max(value * self.factor, self.low), self.high)

@@ -1,0 +1,222 @@
+"""What holds of every reactor, whatever the rules do and whatever happens to it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from hypothesis import given, settings
+
+from rossmarie import ir
+from rossmarie.interpreter import Reactor, State
+from rossmarie.ir import OrderKind, reactions
+from support.growing import TICK
+from support.reacting import Look, ReactingCase, look, reacting_cases
+
+EXAMPLES = settings().max_examples
+MANY = settings(max_examples=max(100, EXAMPLES))
+
+PASSED = (State.HOLDING, State.WAITING, State.DONE)
+IN_FORCE = (State.RUNNING, State.HOLDING)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What was seen around one event."""
+
+    event: Look
+    before: tuple[State, ...]
+    orders: Sequence[ir.Order]
+    after: tuple[State, ...]
+    reactor: Reactor
+
+
+def scenes(case: ReactingCase) -> Iterator[Scene]:
+    reactor = Reactor(case.machine.reactions)
+    for number, event in enumerate(case.events):
+        if number == case.opens_before:
+            reactor.open()
+        before = reactor.states
+        orders = look(reactor, event)
+        yield Scene(event, before, orders, reactor.states, reactor)
+
+
+def rules_of_tasks(found: ir.Reactions) -> dict[int, int]:
+    return {task: rule for rule, plan in enumerate(found.plans) for task in plan.tasks}
+
+
+@MANY
+@given(reacting_cases())
+def test_what_is_in_force_on_a_resource_is_of_one_rule(case: ReactingCase) -> None:
+    found = case.machine.reactions
+    rules = rules_of_tasks(found)
+    for scene in scenes(case):
+        for resource in range(len(found.resources)):
+            owners = {
+                rules[task]
+                for task, state in enumerate(scene.after)
+                if state in IN_FORCE and found.tasks[task].resource == resource
+            }
+            assert len(owners) <= 1
+
+
+@MANY
+@given(reacting_cases())
+def test_orders_fit_what_is_in_force(case: ReactingCase) -> None:
+    """Only what was started is stopped or overruled, unless an overruling takes a start's place."""
+    for scene in scenes(case):
+        in_force = {task for task, state in enumerate(scene.before) if state in IN_FORCE}
+        begun = {task for task, state in enumerate(scene.before) if state is not State.IDLE}
+        for order in scene.orders:
+            match order.kind:
+                case OrderKind.START:
+                    assert order.task not in in_force
+                    in_force.add(order.task)
+                case OrderKind.STOP:
+                    assert order.task in in_force
+                    in_force.remove(order.task)
+                case OrderKind.OVERRULED:
+                    assert order.task in in_force or order.task not in begun
+                    in_force.discard(order.task)
+                case OrderKind.FAILED:
+                    assert scene.after[order.task] is State.FAILED
+                    in_force.discard(order.task)
+            assert (order.by is not None) == (order.kind is OrderKind.OVERRULED)
+        left = {task for task, state in enumerate(scene.after) if state in IN_FORCE}
+        assert left == in_force - _done(scene)
+
+
+def _done(scene: Scene) -> set[int]:
+    return {task for task, state in enumerate(scene.after) if state is State.DONE}
+
+
+@MANY
+@given(reacting_cases())
+def test_no_task_gets_more_than_two_orders_in_one_call(case: ReactingCase) -> None:
+    for scene in scenes(case):
+        tasks = [order.task for order in scene.orders]
+        assert max(map(tasks.count, tasks), default=0) <= 2
+
+
+@MANY
+@given(reacting_cases())
+def test_nothing_is_left_of_rules_that_are_released(case: ReactingCase) -> None:
+    found = case.machine.reactions
+    *_, last = scenes(case)
+    released = (False,) * len(found.plans)
+    orders = last.reactor.react(last.event.at_ns, released, last.event.watches)
+    assert {order.kind for order in orders} <= {OrderKind.STOP}
+    in_force = [task for task, state in enumerate(last.after) if state in IN_FORCE]
+    assert sorted(order.task for order in orders) == in_force
+    assert set(last.reactor.states) == {State.IDLE}
+    assert last.reactor.next_wake() is None
+
+
+@MANY
+@given(reacting_cases())
+def test_a_stage_starts_when_all_before_it_has_passed(case: ReactingCase) -> None:
+    """And what has passed never counts as not begun again while the rule is engaged."""
+    found = case.machine.reactions
+    for scene in scenes(case):
+        for plan in found.plans:
+            has_begun = [
+                any(scene.after[task] is not State.IDLE for task in stage) for stage in plan.stages
+            ]
+            for number, stage in enumerate(plan.stages):
+                starts = any(order.task in stage and order.kind is OrderKind.START
+                             and scene.before[order.task] is State.IDLE
+                             for order in scene.orders)  # fmt: skip
+                if starts:
+                    before = [task for part in plan.stages[:number] for task in part]
+                    passed = [scene.after[task] in PASSED for task in before]
+                    waited = [scene.before[task] is State.WAITING for task in before]
+                    assert all(one or other for one, other in zip(passed, waited, strict=True))
+                if has_begun[number]:
+                    assert all(has_begun[k] or not plan.stages[k] for k in range(number))
+
+
+# --- bounds ----------------------------------------------------------------------------------
+
+
+def limits_in_force(found: ir.Reactions, states: Sequence[State]) -> Iterator[reactions.Limit]:
+    for task, state in zip(found.tasks, states, strict=True):
+        if isinstance(task.effect, reactions.Limit) and state in IN_FORCE:
+            yield task.effect
+
+
+@MANY
+@given(reacting_cases())
+def test_bounds_keep_every_limit_in_force(case: ReactingCase) -> None:
+    found = case.machine.reactions
+    for number, scene in enumerate(scenes(case)):
+        for command in range(len(found.commands)):
+            bounds = scene.reactor.bounds(scene.event.at_ns, command)
+            for field in bounds:
+                assert 0.0 <= field.factor <= 1.0
+                assert field.low <= 0.0 <= field.high
+                is_open = number >= case.opens_before
+                assert is_open or (field.low, field.high) == (0.0, 0.0)
+            for limit in limits_in_force(found, scene.after):
+                for bound in limit.bounds if limit.topic == command else ():
+                    assert bound.low <= bounds[bound.field].low
+                    assert bounds[bound.field].high <= bound.high
+
+
+@MANY
+@given(reacting_cases())
+def test_bounds_move_apart_no_faster_than_the_fastest_ramp(case: ReactingCase) -> None:
+    found = case.machine.reactions
+    for scene in scenes(case):
+        for command, topic in enumerate(found.commands):
+            earlier = scene.reactor.bounds(scene.event.at_ns, command)
+            for ticks in (1, 2, 3):
+                at_ns = scene.event.at_ns + ticks * TICK // 2
+                later = scene.reactor.bounds(at_ns, command)
+                for field in range(len(topic.fields)):
+                    ramp = _fastest(found, command, field) * (TICK / 2e9)
+                    assert _grows(earlier[field].high, later[field].high, ramp)
+                    assert _grows(-earlier[field].low, -later[field].low, ramp)
+                    assert _grows(earlier[field].factor, later[field].factor, ramp)
+                earlier = later
+
+
+def _fastest(found: ir.Reactions, command: int, field: int) -> float:
+    ramps = [0.0]
+    for task in found.tasks:
+        match task.effect:
+            case reactions.Limit(topic=topic, bounds=bounds) if topic == command:
+                ramps += [bound.ramp or 0.0 for bound in bounds if bound.field == field]
+            case reactions.Scale(topic=topic, ramp=ramp) if topic == command:
+                ramps.append(ramp or 0.0)
+            case _:
+                pass
+    return max(ramps)
+
+
+def _grows(earlier: float, later: float, most: float) -> bool:
+    """Whether it grows, if at all, and by no more than so much, but for what rounding adds."""
+    return earlier <= later <= earlier + most * 1.001 + abs(later) * 1e-12 + 1e-300
+
+
+# --- time ------------------------------------------------------------------------------------
+
+
+@MANY
+@given(reacting_cases())
+def test_looking_once_more_changes_nothing(case: ReactingCase) -> None:
+    for scene in scenes(case):
+        if scene.event.report is None:
+            assert (
+                scene.reactor.react(scene.event.at_ns, scene.event.engaged, scene.event.watches)
+                == []
+            )
+            assert scene.reactor.states == scene.after
+
+
+@MANY
+@given(reacting_cases())
+def test_a_wake_lies_ahead_and_is_the_end_of_a_task(case: ReactingCase) -> None:
+    for scene in scenes(case):
+        wake_ns = scene.reactor.next_wake()
+        assert (wake_ns is not None) == (State.RUNNING in scene.after)
+        assert wake_ns is None or wake_ns > scene.event.at_ns
