@@ -14,6 +14,7 @@ import rossmarie.syntax
 from dslkit.diagnostics import Template
 from rossmarie.catalog import DIAGNOSTICS
 from rossmarie.check.functions import MOST_TURNING_POINTS, USAGES
+from rossmarie.check.plans import MOST_TASKS
 from rossmarie.cli.main import app
 from rossmarie.driver import check_file
 from rossmarie.ir import MOST_EVALUATIONS
@@ -87,7 +88,7 @@ def test_the_limits_are_those_of_the_compiler() -> None:
     stated = [
         cell for line in section.split("\n") if line.startswith("| ") for cell in line.split(" | ")
     ]
-    assert stated[7::3][:7] == [
+    assert stated[7::3][:8] == [
         f"{limits.MAXIMUM_FILE_SIZE // 2**20} MiB, {spaced(limits.MAXIMUM_TOKENS)} words and signs",
         f"{limits.MAXIMUM_NESTING} levels",
         f"{limits.MAXIMUM_DEPTH} levels",
@@ -95,6 +96,7 @@ def test_the_limits_are_those_of_the_compiler() -> None:
         str(limits.MAXIMUM_ERRORS),
         str(MOST_TURNING_POINTS),
         spaced(MOST_EVALUATIONS),
+        spaced(MOST_TASKS),
     ]
 
 

@@ -6,7 +6,7 @@ whatever rests on something that is wrong is passed over in silence.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,21 +14,27 @@ from dslkit.diagnostics import Collector, Label
 from rossmarie.check.context import Context, Uses
 from rossmarie.check.decided import warn_of_decided, warn_of_never_cleared
 from rossmarie.check.declarations import collect
+from rossmarie.check.effects import EffectChecker
 from rossmarie.check.expressions import infer
 from rossmarie.check.field_units import check_read_units
 from rossmarie.check.inputs import resolve_inputs, resolve_timeouts
-from rossmarie.check.model import CheckedProgram, ConditionKey, Symbols, Value
+from rossmarie.check.model import CheckedEffect, CheckedProgram, ConditionKey, Symbols, Value
 from rossmarie.check.name_errors import CircularCondition, CircularConstant
 from rossmarie.check.names import use_actions
 from rossmarie.check.operands import duration_ns, require_condition, require_constant
 from rossmarie.check.order import in_order
+from rossmarie.check.plans import check_escalations, check_latches, check_size
+from rossmarie.check.priorities import order_of_rules
 from rossmarie.check.system_model import read_system_model
+from rossmarie.check.targets import Targets
 from rossmarie.check.trees import constant_of
 from rossmarie.check.usage import (
+    warn_of_empty_actions,
     warn_of_missing_rules,
     warn_of_missing_timeouts,
     warn_of_unused,
 )
+from rossmarie.ir.reactions import CommandTopic
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import walk
 from rossmarie.types import Unknown
@@ -41,6 +47,16 @@ class CheckOptions:
     """`message_folders` hold .msg files, `PACKAGE/msg/TYPE.msg`, beside those of system models."""
 
     message_folders: Sequence[Path] = ()
+
+
+@dataclass(frozen=True)
+class _Actions:
+    """What there is to know of actions; `confirmations` are what confirmations rest on."""
+
+    effects: Mapping[str, tuple[CheckedEffect, ...]]
+    commands: Mapping[str, CommandTopic]
+    confirmations: tuple[tuple[Label, Uses], ...]
+    order: tuple[int, ...]
 
 
 def check(
@@ -59,14 +75,16 @@ def check(
     _check_constants(context)
     resolve_timeouts(context)
     conditions = _check_conditions(context)
-    rules = [(rule, _check_rule(rule, context)) for rule in declarations.rules]
+    resting = [_check_rule(rule, context) for rule in declarations.rules]
+    actions = _check_actions(Targets(model, context, was_parsed), context)
     _check_circles(conditions, context)
     check_read_units(stated_units, context)
     if was_parsed:
         warn_of_unused(context)
         warn_of_missing_rules(context)
-    warn_of_missing_timeouts(rules, conditions, context)
-    return None if collector.has_errors else _program(context)
+        warn_of_empty_actions(context)
+    warn_of_missing_timeouts((*resting, *actions.confirmations), conditions, context)
+    return None if collector.has_errors else _program(actions, context)
 
 
 def _check_constants(context: Context) -> None:
@@ -133,7 +151,8 @@ def _check_condition(expression: ast.Expression, context: Context) -> None:
     warn_of_decided(expression, context)
 
 
-def _check_rule(rule: ast.Rule, context: Context) -> Uses:
+def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
+    """What the rule rests on, and where it stands."""
     uses = context.enter(None)
     _check_condition(rule.condition, context)
     use_actions(rule, context)
@@ -144,7 +163,23 @@ def _check_rule(rule: ast.Rule, context: Context) -> Uses:
         elif isinstance(contract, ast.ClearFor):
             infer(contract.duration, context)
             duration_ns(contract.duration, "what stands after `clear for`", context)
-    return uses
+    head = rule.condition.span if rule.name is None else rule.name.span
+    return Label(head, "this rule rests on it"), uses
+
+
+def _check_actions(targets: Targets, context: Context) -> _Actions:
+    """The effects of all actions, and what follows from them together."""
+    targets.gather()
+    checker = EffectChecker(targets)
+    effects: dict[str, tuple[CheckedEffect, ...]] = {}
+    for item in context.declarations.items:
+        if isinstance(item, ast.Action):
+            effects.setdefault(item.name.text, checker.check(item))
+    order: tuple[int, ...] = ()
+    if check_escalations(effects, context) and check_size(effects, context):
+        check_latches(effects, context)
+        order = order_of_rules(effects, context)
+    return _Actions(effects, checker.commands, tuple(checker.confirmations), order)
 
 
 def _check_circles(conditions: dict[ConditionKey, Uses], context: Context) -> None:
@@ -158,7 +193,7 @@ def _check_circles(conditions: dict[ConditionKey, Uses], context: Context) -> No
         context.collector.add(finding.at(first, *labels))
 
 
-def _program(context: Context) -> CheckedProgram:
+def _program(found: _Actions, context: Context) -> CheckedProgram:
     declarations = context.declarations
     constants: dict[str, Value] = {}
     actions: dict[str, ast.Action] = {}
@@ -178,4 +213,7 @@ def _program(context: Context) -> CheckedProgram:
         rules=declarations.rules,
         types=context.types,
         values=context.values,
+        effects=found.effects,
+        commands=found.commands,
+        order=found.order,
     )

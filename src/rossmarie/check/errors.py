@@ -3,11 +3,18 @@
 from __future__ import annotations
 
 from dslkit.diagnostics import Template
-from rossmarie.check import meaning_errors, name_errors, type_errors, unit_errors
+from rossmarie.check import (
+    action_errors,
+    meaning_errors,
+    name_errors,
+    type_errors,
+    unit_errors,
+)
 
 ALL: tuple[type[Template], ...] = (
     *name_errors.ALL,
     *type_errors.ALL,
     *unit_errors.ALL,
     *meaning_errors.ALL,
+    *action_errors.ALL,
 )

@@ -64,8 +64,8 @@ class RepeatedAction(Warning, code="ROSS405", name="repeated-action"):
     """An action that one rule names twice."""
 
     title = "action `{identifier}` is named twice in one rule"
-    label = "this one has no effect"
-    note = "the actions of a rule are a set: each is in force while the rule is active"
+    label = "it is in force already"
+    note = "an action is in force from its turn to the release; named again, it only begins again"
     help = "remove it"
     identifier: str
 

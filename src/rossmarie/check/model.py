@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from dslkit.source import Span
+from rossmarie.ir import reactions
 from rossmarie.syntax import ast
 from rossmarie.types import Type
 
@@ -45,6 +47,24 @@ class CheckedInput:
 
 
 @dataclass(frozen=True)
+class CheckedEffect:
+    """An effect, with all numbers in the units of the messages that they go into.
+
+    Its indexes of command topics and watches mean nothing: instead, `command` is the topic that has
+    to pass through the safety filter for it, or None, and `confirmation` the condition that
+    confirms it. `otherwise` is the action that follows if it fails, `resource` what it needs for
+    itself.
+    """
+
+    effect: reactions.Effect
+    command: str | None
+    confirmation: ast.Expression | None
+    resource: str | None
+    otherwise: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
 class Symbols:
     """What each name stands for."""
 
@@ -61,7 +81,9 @@ class CheckedProgram:
     `name` is the stem of the main file. `types` and `values` are keyed by `id(node)` of expression
     nodes reachable from conditions, rules and contracts: `types` holds every one of them, `values`
     those that are constant (literals, constants and operators on them; durations; interval and box
-    literals). `rules` are in file order, imported files first.
+    literals). `rules` are in file order, imported files first; `order` are their numbers, the most
+    important first. `effects` are those of each action, `commands` the topics that may pass through
+    the safety filter.
     """
 
     name: str
@@ -69,3 +91,6 @@ class CheckedProgram:
     rules: tuple[ast.Rule, ...]
     types: Mapping[int, Type]
     values: Mapping[int, Value]
+    effects: Mapping[str, tuple[CheckedEffect, ...]]
+    commands: Mapping[str, reactions.CommandTopic]
+    order: tuple[int, ...]

@@ -90,15 +90,21 @@ def is_value_name(name: str, context: Context) -> bool:
 
 def use_actions(rule: ast.Rule, context: Context) -> None:
     """Look up the actions of a rule."""
-    known = context.declarations.names
-    for name in rule.actions:
-        declared = known.get(name.text)
-        if isinstance(declared, ast.Action):
-            context.used_names.add(name.text)
-        elif declared is not None:
-            _report_wrong_kind(name, declared, "an action", context)
-        elif context.declarations.is_whole:
-            _report_undeclared_action(name, context)
+    for step in rule.steps:
+        use_action(step.action, context)
+        if step.otherwise is not None:
+            use_action(step.otherwise, context)
+
+
+def use_action(name: ast.Name, context: Context) -> None:
+    """Look up an action."""
+    declared = context.declarations.names.get(name.text)
+    if isinstance(declared, ast.Action):
+        context.used_names.add(name.text)
+    elif declared is not None:
+        _report_wrong_kind(name, declared, "an action", context)
+    elif context.declarations.is_whole:
+        _report_undeclared_action(name, context)
 
 
 def _has_condition(entity: str, name: str, context: Context) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from dslkit.diagnostics import Collector, Label
 from dslkit.source import Span
+from rossmarie.check.action_errors import DoesNothing
 from rossmarie.check.context import Context, Uses
 from rossmarie.check.declarations import Named, kind_of
 from rossmarie.check.meaning_errors import MissingTimeout, NoRules, UnusedName
@@ -59,6 +60,15 @@ def warn_of_missing_rules(context: Context) -> None:
         context.collector.add(NoRules(what=what).at(first.name.span))
 
 
+def warn_of_empty_actions(context: Context) -> None:
+    """Warn of every action with braces and nothing in them."""
+    for item in context.declarations.items:
+        if isinstance(item, ast.Action) and item.body is not None and not item.effects:
+            advice = f"say what it does, or write `action {item.name.text};`"
+            finding = DoesNothing(what="action", advice=advice)
+            context.collector.add(finding.at(item.body))
+
+
 def _warn_of_entity(entity: ast.Entity, context: Context) -> None:
     """An entity of which nothing is used is one finding, not one for each condition."""
     unused = [
@@ -81,21 +91,22 @@ def _warn(kind: str, name: ast.Name, collector: Collector) -> None:
 
 
 def warn_of_missing_timeouts(
-    rules: Sequence[tuple[ast.Rule, Uses]],
+    resting: Sequence[tuple[Label, Uses]],
     conditions: Mapping[ConditionKey, Uses],
     context: Context,
 ) -> None:
-    """Warn of every input without a timeout that some rule rests on, directly or not."""
+    """Warn of every input without a timeout that something of `resting` rests on, directly or not;
+    the label says what that is.
+    """
     warned: set[str] = set()
     seen: set[ConditionKey] = set()
-    for rule, uses in rules:
+    for place, uses in resting:
         reached = {name for part in _reached(uses, conditions, seen) for name in part.inputs}
         for name in sorted(reached - warned):
             declaration = context.inputs[name].declaration
             # One that could not be read is reported already; it may well have a timeout.
             if declaration.timeout is None and declaration.topic.text:
                 warned.add(name)
-                place = Label(_head(rule), "this rule rests on it")
                 finding = MissingTimeout(identifier=name)
                 context.collector.add(finding.at(declaration.name.span, place))
 
@@ -111,7 +122,3 @@ def _reached(
         new = [key for key in current.conditions if key not in seen and key in conditions]
         seen.update(new)
         pending.extend(conditions[key] for key in new)
-
-
-def _head(rule: ast.Rule) -> Span:
-    return rule.condition.span if rule.name is None else rule.name.span

@@ -19,6 +19,11 @@ from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, parse
 SYSTEM_MODEL = "system.ross"
 """The system model that is used without being imported: a file of this name beside the rules."""
 
+LIBRARY = Path(__file__).parents[1] / "library"
+"""The files that come with this program, to be imported as `rossmarie/NAME.ross`; such a file
+beside the one that imports takes their place.
+"""
+
 
 def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> list[ast.Module]:
     """The trees of `systems`, of the folder's system model and of all imports, `main` last.
@@ -124,14 +129,24 @@ def _not_utf8(path: Path, content: bytes, error: UnicodeDecodeError) -> Diagnost
 
 def _imports(module: ast.Module, folder: Path) -> list[tuple[Path, Span]]:
     return [
-        (folder / item.path.value, item.path.span)
+        (_imported(item.path.value, folder), item.path.span)
         for item in module.items
         if isinstance(item, ast.Import)
     ]
 
 
+def _imported(written: str, folder: Path) -> Path:
+    """The file that an import in a file of a folder means."""
+    path = folder / written
+    shipped = LIBRARY / path.name
+    is_shipped = written == f"rossmarie/{path.name}" and is_file(shipped) and not is_file(path)
+    return shipped if is_shipped else path
+
+
 def _import_not_found(path: Path, span: Span) -> Diagnostic:
     folder = path.parent
+    if folder.name == "rossmarie" and not is_folder(folder):
+        folder = LIBRARY
     present = [found.stem for found in folder.glob("*.ross")] if is_folder(folder) else []
     near = difflib.get_close_matches(path.stem, present, n=1)
     help = f"did you mean `{near[0]}.ross`?" if near else "check the path"

@@ -11,8 +11,10 @@ from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram
+from rossmarie.check.plans import latch_of
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
+from rossmarie.lowering.reactions import Plans
 from rossmarie.lowering.truths import Truths, duration_ns
 from rossmarie.lowering.wording import words
 from rossmarie.syntax import ast
@@ -23,6 +25,8 @@ def lower(program: CheckedProgram) -> ir.Machine:
     inputs, nodes = Inputs(), Nodes()
     truths = Truths(program, inputs, nodes)
     contracts = [_contract(rule, truths, nodes, program) for rule in program.rules]
+    plans = Plans(program, truths)
+    reactions = plans.lower()
     machine = ir.Machine(
         name=program.name,
         channels=tuple(inputs.channels),
@@ -33,6 +37,8 @@ def lower(program: CheckedProgram) -> ir.Machine:
         signals=tuple(nodes.signals),
         truths=tuple(nodes.truths),
         rules=(),
+        watches=tuple(plans.watches),
+        reactions=reactions,
     )
     return _with_rules(machine, program, contracts)
 
@@ -49,6 +55,8 @@ class _Contract:
 def _contract(rule: ast.Rule, truths: Truths, nodes: Nodes, program: CheckedProgram) -> _Contract:
     condition = truths.lower(rule.condition)
     stated = _stated(rule.condition)
+    if latch_of(rule, program.effects, program.symbols.actions) is not None:
+        return _Contract(condition, None, f"clears on reset while {stated} is false")
     match rule.contracts:
         case (ast.ClearWhen(condition=release),):
             text = f"clears when {stated} is false and {_stated(release)} is true"

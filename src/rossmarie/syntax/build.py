@@ -11,16 +11,21 @@ from typing import Any, NamedTuple
 
 from dslkit.source import Span
 from rossmarie.syntax import ast
-from rossmarie.syntax.build_expression import ExpressionBuilder
+from rossmarie.syntax.build_effect import EffectBuilder
 from rossmarie.syntax.scan import Token
 
 
-class _Actions(NamedTuple):
-    names: tuple[ast.Name, ...]
+class _Body(NamedTuple):
+    effects: tuple[ast.Effect, ...]
     span: Span
 
 
-class Builder(ExpressionBuilder):
+class _Steps(NamedTuple):
+    steps: tuple[ast.Step, ...]
+    span: Span
+
+
+class Builder(EffectBuilder):
     """Builds all nodes of one file."""
 
     # --- items -----------------------------------------------------------------------------------
@@ -30,8 +35,22 @@ class Builder(ExpressionBuilder):
         return ast.Import(self.text([parts[1]]), self._span(parts))
 
     def action(self, parts: list[Any]) -> ast.Action:
-        """`action NAME`."""
-        return ast.Action(self.name(parts[1]), None, self._documentation(parts), self._span(parts))
+        """`action NAME { EFFECT; ... } latched until reset`."""
+        body = next((part for part in parts if isinstance(part, _Body)), None)
+        latch = next((part for part in parts if isinstance(part, ast.LatchedUntilReset)), None)
+        effects = () if body is None else body.effects
+        place = None if body is None else body.span
+        name, documentation, span = (
+            self.name(parts[1]),
+            self._documentation(parts),
+            self._span(parts),
+        )
+        return ast.Action(name, place, effects, latch, documentation, span)
+
+    def body(self, parts: list[Any]) -> _Body:
+        """`{ EFFECT; ... }`."""
+        effects = tuple(part for part in parts if not isinstance(part, Token))
+        return _Body(effects, self._span(parts))
 
     def constant(self, parts: list[Any]) -> ast.Constant:
         """`const NAME = VALUE`."""
@@ -67,17 +86,27 @@ class Builder(ExpressionBuilder):
         return ast.Condition(self.name(parts[0]), parts[2], documentation, self._span(parts))
 
     def rule(self, parts: list[Any]) -> ast.Rule:
-        """`rule NAME: if CONDITION then { ACTION; ... } CONTRACT`."""
+        """`rule NAME: if CONDITION then { STEP; ... } CONTRACT`."""
         is_named = _is(parts, 2, ":")
         name = self.name(parts[1]) if is_named else None
-        condition, _, actions, *contracts = parts[4 if is_named else 1 :]
+        condition, _, steps, *contracts = parts[4 if is_named else 1 :]
         documentation, span = self._documentation(parts), self._span(parts)
-        return ast.Rule(name, condition, actions.names, tuple(contracts), documentation, span)
+        return ast.Rule(name, condition, steps.steps, tuple(contracts), documentation, span)
 
-    def actions(self, parts: list[Any]) -> _Actions:
-        """`{ ACTION; ... }`."""
-        names = tuple(self.name(part) for part in parts if part.kind == "word")
-        return _Actions(names, self._span(parts))
+    def steps(self, parts: list[Any]) -> _Steps:
+        """`{ STEP; ... }`."""
+        steps = tuple(part for part in parts if isinstance(part, ast.Step))
+        return _Steps(steps, self._span(parts))
+
+    def step(self, parts: list[Any]) -> ast.Step:
+        """`also ACTION else ACTION`; `also` alone is a name."""
+        behind = [self.name(part) for part in parts if part.text != "else"]
+        otherwise = behind.pop() if _is(parts, len(parts) - 2, "else") else None
+        return ast.Step(len(behind) > 1, behind[-1], otherwise, self._span(parts))
+
+    def priority(self, parts: list[Any]) -> ast.Priority:
+        """`priority RULE over RULE`."""
+        return ast.Priority(tuple(map(self.name, parts[1::2])), self._span(parts))
 
     def clear_when(self, parts: list[Any]) -> ast.ClearWhen:
         """`clear when CONDITION`."""
@@ -108,6 +137,16 @@ class Builder(ExpressionBuilder):
         topic, message_type = self.name(rest[0]), self._type(rest[2])
         return ast.TopicDeclaration(alias, topic, message_type, unit, self._span(parts))
 
+    def service_declaration(self, parts: list[Any]) -> ast.ServiceDeclaration:
+        """`service SERVICE : TYPE`."""
+        name, kind = self.name(parts[1]), self._type(parts[3])
+        return ast.ServiceDeclaration(name, kind, self._span(parts))
+
+    def server_declaration(self, parts: list[Any]) -> ast.ServerDeclaration:
+        """`server SERVER : TYPE`."""
+        name, kind = self.name(parts[1]), self._type(parts[3])
+        return ast.ServerDeclaration(name, kind, self._span(parts))
+
     def unit_declaration(self, parts: list[Any]) -> ast.UnitDeclaration:
         """`unit TYPE.path = UNIT`."""
         path, index = self._path(parts, 2)
@@ -120,31 +159,11 @@ class Builder(ExpressionBuilder):
 
     def node(self, parts: list[Any]) -> ast.NodeDeclaration:
         """`node NAME { publishes TOPIC, ...; subscribes TOPIC, ...; }`."""
-        topics: dict[str, list[ast.Name]] = {"publishes": [], "subscribes": []}
-        current = topics["publishes"]
-        is_start = True
-        for part in parts[3:-1]:
-            if part.text == ";":
-                is_start = True
-            elif is_start:
-                current = topics[part.text]
-                is_start = False
-            elif part.text != ",":
-                current.append(self.name(part))
-        publishes, subscribes = tuple(topics["publishes"]), tuple(topics["subscribes"])
+        topics = self._listed(parts[3:-1], ("publishes", "subscribes"))
+        publishes, subscribes = topics["publishes"], topics["subscribes"]
         return ast.NodeDeclaration(self.name(parts[1]), publishes, subscribes, self._span(parts))
 
     # --- parts -----------------------------------------------------------------------------------
-
-    def _type(self, token: Token) -> ast.Name:
-        return ast.Name(token.text.replace("/msg/", "/"), self._at(token))
-
-    def _path(self, parts: list[Any], index: int) -> tuple[tuple[ast.Name, ...], int]:
-        names = []
-        while _is(parts, index, "."):
-            names.append(self.name(parts[index + 1]))
-            index += 2
-        return tuple(names), index
 
     def _documentation(self, parts: list[Any]) -> str | None:
         return self._source.documentation.get(parts[0].start)

@@ -30,16 +30,18 @@ class _Trailer(NamedTuple):
     """`.name`, `.name(...)` or `[0]` behind a value; the last part tells which."""
 
     name: ast.Name | None
-    arguments: tuple[ast.Expression | _Part, ...] | None
+    arguments: tuple[ast.Expression | Part, ...] | None
     position: int | None
     span: Span
 
 
-class _Part(NamedTuple):
-    """`3 times`, `within 0.25 sec`, `by 5 N` among the arguments of a call."""
+class Part(NamedTuple):
+    """A word and what stands behind it: `3 times`, `within 0.25 sec`, `by 5 N` among the arguments
+    of a call, `ramp 20 %/s` and `else stop` behind an effect.
+    """
 
     word: str
-    value: ast.Expression
+    value: Any
     span: Span
 
 
@@ -145,13 +147,7 @@ class ExpressionBuilder:
 
     def index(self, parts: list[Any]) -> _Trailer:
         """`[0]`."""
-        digits = parts[1].text
-        if digits.isdecimal() and len(digits) <= _MOST_DIGITS:
-            return _Trailer(None, None, int(digits), self._span(parts))
-        reason = "the elements of an array are counted 0, 1, 2 ..."
-        finding = errors.NumberOutOfRange(reason=reason, advice="a whole number below 1000000000")
-        self._report(finding.at(self._at(parts[1])))
-        return _Trailer(None, None, None, self._span(parts))
+        return _Trailer(None, None, self.position(parts[1]), self._span(parts))
 
     def reference(self, parts: list[Any]) -> ast.Reference:
         """A name used as a value."""
@@ -171,7 +167,7 @@ class ExpressionBuilder:
         return ast.Call(name, plain, is_method, span)
 
     def _oscillates(self, name: Span, arguments: list[Any], span: Span) -> ast.Expression:
-        shape = [part.word if isinstance(part, _Part) else "" for part in arguments]
+        shape = [part.word if isinstance(part, Part) else "" for part in arguments]
         if shape not in (["", "times", "within"], ["", "times", "within", "by"]):
             reason = "a value, how often it turns, and within which time, in this order"
             problem = "`oscillates` needs other parts"
@@ -185,24 +181,24 @@ class ExpressionBuilder:
         return ast.Oscillates(value, count.value, window.value, least, span)
 
     def _plain(self, argument: Any) -> ast.Expression:
-        if not isinstance(argument, _Part):
+        if not isinstance(argument, Part):
             return argument  # type: ignore[no-any-return]
         problem = f"`{argument.word}` belongs into `oscillates`"
         finding = errors.MalformedOscillates(problem=problem, reason="no other function takes it")
         self._report(finding.at(argument.span))
         return ast.Broken(argument.span)
 
-    def times(self, parts: list[Any]) -> _Part:
+    def times(self, parts: list[Any]) -> Part:
         """`3 times`."""
-        return _Part("times", self.number(parts[:1]), self._span(parts))
+        return Part("times", self.number(parts[:1]), self._span(parts))
 
-    def within(self, parts: list[Any]) -> _Part:
+    def within(self, parts: list[Any]) -> Part:
         """`within 0.25 sec`."""
-        return _Part("within", parts[1], self._span(parts))
+        return Part("within", parts[1], self._span(parts))
 
-    def by(self, parts: list[Any]) -> _Part:
+    def by(self, parts: list[Any]) -> Part:
         """`by 5 N`."""
-        return _Part("by", parts[1], self._span(parts))
+        return Part("by", parts[1], self._span(parts))
 
     def parenthesized(self, parts: list[Any]) -> ast.Parenthesized:
         """`(a)`."""
@@ -235,6 +231,16 @@ class ExpressionBuilder:
         return ast.Text(parts[0].text[1:-1], self._at(parts[0]))
 
     # --- parts -----------------------------------------------------------------------------------
+
+    def position(self, token: Token) -> int | None:
+        """The number of an element; None after reporting that there can be no such element."""
+        digits = token.text
+        if digits.isdecimal() and len(digits) <= _MOST_DIGITS:
+            return int(digits)
+        reason = "the elements of an array are counted 0, 1, 2 ..."
+        finding = errors.NumberOutOfRange(reason=reason, advice="a whole number below 1000000000")
+        self._report(finding.at(self._at(token)))
+        return None
 
     def name(self, token: Token) -> ast.Name:
         """A token as a name."""

@@ -1,7 +1,8 @@
 """Tokens -> stretches that are one item each, so that an error costs its own item only.
 
-An item ends at a `;` outside of braces, at the `}` of an entity or system, or where a word that
-begins an item stands first on its line, however many braces are open.
+An item ends at a `;` outside of braces, at the `}` of an entity, system or action (behind which
+`latched until reset` may follow), or where a word that begins an item stands first on its line,
+however many braces are open.
 """
 
 from __future__ import annotations
@@ -10,8 +11,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from rossmarie.syntax.limits import ends_value
-from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.scan import Scan
 from rossmarie.syntax.words import (
+    CONTEXTUAL_ITEM_WORDS,
     ITEM_WORDS,
     MEANT,
     MEMBER_WORDS,
@@ -22,6 +24,8 @@ from rossmarie.syntax.words import (
 
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset({"when", "until", "timeout", "then", "clear", "latched"})
+_LATCH = frozenset({"latched", "until", "reset"})
+_BEHIND_NAME = frozenset({";", ":", "=", ".", "["})
 # Words that do not make a declaration of the unknown word in front of them, as `imu` does in
 # `entitty imu`: behind a name they carry on, or begin, something else.
 _NEVER_DECLARED = OPERATOR_WORDS | _CONTINUATIONS | ITEM_WORDS.keys()
@@ -57,14 +61,12 @@ class _Cutter:
     def __init__(self, source: Scan) -> None:
         self._source = source
         self._tokens = source.tokens
-        self._bodies = _partners(source.tokens)
 
     def piece(self, first: int) -> Piece:
         word = self._tokens[first].text
-        head = None if word in ITEM_WORDS else self._meant(first)
-        kind = ITEM_WORDS.get(head or word)
-        if kind == "action" and self._text(first + 2) == "{" and first + 2 in self._bodies:
-            return Piece(kind, first, self._bodies[first + 2] + 1, head)
+        is_item = word in ITEM_WORDS or word in CONTEXTUAL_ITEM_WORDS
+        head = None if is_item else self._meant(first)
+        kind = ITEM_WORDS.get(head or word) or CONTEXTUAL_ITEM_WORDS.get(word)
         return Piece(kind, first, self._end(first, kind, head or word), head)
 
     def _end(self, first: int, kind: str | None, word: str) -> int:
@@ -89,8 +91,13 @@ class _Cutter:
                 if depth < 0:
                     return index
                 if depth == 0 and kind != "rule":
-                    return index + 1
+                    return self._behind_latch(index + 1) if kind == "action" else index + 1
         return len(self._tokens)
+
+    def _behind_latch(self, index: int) -> int:
+        while self._text(index) in _LATCH:
+            index += 1
+        return index
 
     def _brace_is_missing(self, first: int, kind: str | None) -> bool:
         """Whether an entity or system is written `entity NAME CONDITION : ...`."""
@@ -102,12 +109,14 @@ class _Cutter:
     def _begins_item(self, index: int, depth: int) -> bool:
         token = self._tokens[index]
         before = self._tokens[index - 1]
+        if token.text in CONTEXTUAL_ITEM_WORDS:
+            return self._is_word(index + 1) and self._text(index + 2) == "over"
         if token.text not in ITEM_WORDS:
             return False
         if before.text == "." and not self._is_word(index + 1):
             return False
         if depth:
-            if self._text(index + 1) in (";", ":"):
+            if self._text(index + 1) in _BEHIND_NAME:
                 return False
             return self._source.begins_line(index) or before.text in (";", "}")
         is_head = before.text in ITEM_WORDS and before.text != "if"
@@ -165,15 +174,3 @@ class _Cutter:
 
     def _text(self, index: int) -> str:
         return self._tokens[index].text if index < len(self._tokens) else ""
-
-
-def _partners(tokens: tuple[Token, ...]) -> dict[int, int]:
-    """Of each `{` that is closed, where."""
-    partners: dict[int, int] = {}
-    stack: list[int] = []
-    for index, token in enumerate(tokens):
-        if token.text == "{":
-            stack.append(index)
-        elif token.text == "}" and stack:
-            partners[stack.pop()] = index
-    return partners

@@ -219,17 +219,6 @@ class NumberOutOfRange(Error, code="ROSS019", name="number-out-of-range"):
 
 
 @dataclass(frozen=True, kw_only=True)
-class ActionBody(Error, code="ROSS020", name="action-body"):
-    """An action with a body: reserved, not available yet."""
-
-    title = "the body of an action is not available yet"
-    label = "what an action does to the robot cannot be written here yet"
-    note = "the braces are reserved for what the ROS targets will do when the action is active"
-    help = "write `action {action};`; its name appears in the verdicts"
-    action: str
-
-
-@dataclass(frozen=True, kw_only=True)
 class MalformedOscillates(Error, code="ROSS021", name="malformed-oscillates"):
     """`oscillates` with other parts than it needs, or its parts in another call."""
 
@@ -308,6 +297,21 @@ class ForeignForm(Error, code="ROSS027", name="foreign-form"):
     problem: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class UnknownEffect(Error, code="ROSS028", name="unknown-effect"):
+    """Something in the body of an action that begins like no effect."""
+
+    title = "`{found}` is nothing that an action can do"
+    label = "no effect begins like this"
+    note = (
+        "an action can limit, scale or block a command, publish, call a service, set a parameter, "
+        "switch controllers, send or cancel a goal, log, diagnose, call a hook, and reset"
+    )
+    help = "{advice}"
+    found: str
+    advice: str
+
+
 ALL: tuple[type[Template], ...] = (
     FileTooLarge,
     UnexpectedCharacter,
@@ -328,7 +332,6 @@ ALL: tuple[type[Template], ...] = (
     Unfinished,
     MisplacedWord,
     NumberOutOfRange,
-    ActionBody,
     MalformedOscillates,
     TooManyErrors,
     MalformedNumber,
@@ -336,4 +339,5 @@ ALL: tuple[type[Template], ...] = (
     BlockComment,
     HiddenCharacter,
     ForeignForm,
+    UnknownEffect,
 )

@@ -264,6 +264,8 @@ class _Case:
         found, before = self._found, self._before
         if before is None:
             return explain_token(self._source, self._index, self._kind)
+        if ";" in self._expected and found.text == "}":
+            return missing_sign(self._source, ";", before, self._kind)
         if ":" in self._expected and found.kind == "word" and self._text_behind() == "/":
             return missing_sign(self._source, ":", before, self._kind, " :")
         sign = next((sign for sign in ("=", ":", "{", "if", "topic") if self._is_only(sign)), None)

@@ -1,10 +1,11 @@
 """A module without syntax errors -> its canonical text.
 
 - Four spaces for each level; one statement on a line, broken if it exceeds 100 columns (`layout`).
-- Constants, inputs, actions, imports, conditions and rules end in `;`, entities and systems do not.
+- Items, conditions and effects end in `;`; what ends in a brace of its own does not: entities,
+  systems, and actions with a body.
 - A condition is `name : expression;`, a rule `rule name: if condition then { action; };`.
-- Entities, systems and rules are set apart by an empty line, as are items of different kinds;
-  elsewhere up to one empty line of the author's stays.
+- Entities, systems, rules and actions with a body are set apart by an empty line, as are items of
+  different kinds; elsewhere up to one empty line of the author's stays.
 - Comments stay beside what they precede or trail, documentation strings in front of what they
   document. A documentation string that documents nothing and cannot stay where it is (in front of a
   `;` that moves) becomes a comment.
@@ -18,11 +19,13 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from dslkit.source import Span
 from rossmarie.syntax import ast
 from rossmarie.syntax.layout import Atom, Comment, indented, lay_out
 from rossmarie.syntax.scan import Scan, Token, documentation_text, scan
 from rossmarie.syntax.style import Style, collect_style
 
+_Statement = ast.Item | ast.Condition | ast.SystemMember | ast.Effect
 _EMPTY_LINE = re.compile(r"\n\s*\n")
 
 
@@ -62,7 +65,7 @@ class _Formatter:
 
     def block(
         self,
-        nodes: Sequence[ast.Item | ast.Condition | ast.SystemMember],
+        nodes: Sequence[_Statement],
         end: int,
         indent: int,
     ) -> list[str]:
@@ -165,12 +168,16 @@ class _Formatter:
 
     # --- statements ------------------------------------------------------------------------------
 
-    def _statement(self, node: ast.Item | ast.Condition | ast.SystemMember, indent: int) -> _Entry:
+    def _statement(self, node: _Statement, indent: int) -> _Entry:
         start, end = node.span.start, node.span.end
-        group = type(node).__name__
+        group = "effect" if isinstance(node, ast.Effect) else type(node).__name__
         match node:
             case ast.Entity(conditions=inner) | ast.System(members=inner):
-                return _Entry(self._braced(node, inner, indent), start, end, group, True)
+                lines = self._braced(node, inner, end, indent)
+                return _Entry(lines, start, end, group, True)
+            case ast.Action(body=Span(end=brace_end), effects=effects):
+                lines = self._braced(node, effects, brace_end, indent)
+                return _Entry(lines, start, end, group, True)
             case ast.NodeDeclaration():
                 return _Entry(self._lines(start, end, "", indent), start, end, group)
             case _:
@@ -179,15 +186,18 @@ class _Formatter:
 
     def _braced(
         self,
-        node: ast.Entity | ast.System,
-        inner: Sequence[ast.Condition | ast.SystemMember],
+        node: ast.Entity | ast.System | ast.Action,
+        inner: Sequence[_Statement],
+        end: int,
         indent: int,
     ) -> list[str]:
+        """The lines of an item whose braces end at an offset."""
         brace = self._source.tokens[self._style.index(node.name.span.end)]
         head = _Entry(self._lines(node.span.start, brace.end, "", indent), 0, brace.end, None)
         self._trailing(head)
-        lines = self.block(inner, node.span.end - 1, indent + 1)
-        return [*head.lines, *lines, *indented("}", indent)]
+        lines = self.block(inner, end - 1, indent + 1)
+        closing = ";" if node.span.end > end else ""
+        return [*head.lines, *lines, *self._lines(end - 1, node.span.end, closing, indent)]
 
     def _lines(self, start: int, end: int, closing: str, indent: int) -> list[str]:
         atoms = list(self._atoms(start, end))

@@ -16,7 +16,13 @@ from typing import Any
 from lark import Lark, Transformer, UnexpectedInput
 
 from rossmarie.syntax.scan import Scan, Token
-from rossmarie.syntax.words import COMPARISONS, FOREIGN, OPERATOR_WORDS, RESERVED
+from rossmarie.syntax.words import (
+    COMPARISONS,
+    EFFECT_WORDS,
+    FOREIGN,
+    OPERATOR_WORDS,
+    RESERVED,
+)
 
 START_RULES = (
     "import_item",
@@ -26,18 +32,25 @@ START_RULES = (
     "input",
     "entity",
     "rule",
+    "priority",
     "condition",
     "expression",
     "contract",
+    "step",
     "topic_declaration",
+    "service_declaration",
+    "server_declaration",
     "unit_declaration",
     "messages_declaration",
     "node",
+    *EFFECT_WORDS.values(),
 )
 _UNIT_PART = r"(?:[^\W\d_]|[%°])[\w%°]*(?:\^-?[0-9]+)?"
 _CLASSES = {
     "$UNIT_NAME": re.compile(rf"{_UNIT_PART}(?:[.*/]{_UNIT_PART})*"),
-    "$TYPE_NAME": re.compile(r"[A-Za-z][A-Za-z0-9_]*/(?:msg/)?[A-Za-z][A-Za-z0-9_]*"),
+    "$TYPE_NAME": re.compile(
+        r"[A-Za-z][A-Za-z0-9_]*/(?:(?:msg|srv|action)/)?[A-Za-z][A-Za-z0-9_]*"
+    ),
     "$TOPIC_NAME": re.compile(r"/[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z0-9_]+)*"),
 }
 _COMPARISONS = COMPARISONS | {sign for sign, meant in FOREIGN.items() if meant in COMPARISONS}

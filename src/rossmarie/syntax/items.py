@@ -6,7 +6,6 @@ What still fails goes to `recover`; what begins like no item is reported here.
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
@@ -18,7 +17,6 @@ from rossmarie.syntax.explain import (
     explain_token,
     is_name,
     is_part_word,
-    unclosed_bracket,
     unopened_bracket,
     unterminated_text,
 )
@@ -27,9 +25,10 @@ from rossmarie.syntax.grammar import Failure
 from rossmarie.syntax.habits import mend
 from rossmarie.syntax.limits import MAXIMUM_ERRORS
 from rossmarie.syntax.part import PartParser
-from rossmarie.syntax.recover import Stretch, recover
+from rossmarie.syntax.recover import recover
+from rossmarie.syntax.recover_parts import Stretch
 from rossmarie.syntax.scan import Scan, Token
-from rossmarie.syntax.words import MEMBER_WORDS
+from rossmarie.syntax.words import EFFECT_WORDS, MEMBER_WORDS
 
 
 class _Reading(NamedTuple):
@@ -94,19 +93,10 @@ def _first_readings(part: PartParser) -> tuple[dict[int, _Reading], list[str | N
 
 
 def _attempt(part: PartParser, piece: Piece) -> Any:
-    """The item, without a body; or the `Failure`, or None, as of `PartParser.attempt`."""
+    """The item; or the `Failure`, or None, as of `PartParser.attempt`."""
     if piece.kind is None:
         return None
-    brace = _body(part, piece)
-    return part.attempt(piece.kind, piece.first, brace or piece.last, piece.head)
-
-
-def _body(part: PartParser, piece: Piece) -> int | None:
-    """The brace that begins the reserved body of an action, if it has one."""
-    tokens = part.source.tokens
-    brace = piece.first + 2
-    has_body = piece.kind == "action" and brace < piece.last and tokens[brace].text == "{"
-    return brace if has_body and is_name(tokens[brace - 1]) else None
+    return part.attempt(piece.kind, piece.first, piece.last, piece.head)
 
 
 def _item(
@@ -120,9 +110,6 @@ def _item(
     if reading is None or (reading.piece.kind, reading.tokens) != (kind, inside):
         reading = _Reading(piece, inside, _attempt(part, piece))
     node = reading.result
-    brace = _body(part, piece)
-    if isinstance(node, ast.Action) and brace is not None:
-        return _with_body(part, node, brace, piece.last)
     if isinstance(node, Failure):
         node = _before_stray(part, piece, kind, node)
     if node is None or isinstance(node, Failure):
@@ -162,20 +149,6 @@ def _before_stray(part: PartParser, piece: Piece, kind: str, failure: Failure) -
     return node
 
 
-def _with_body(part: PartParser, action: ast.Action, brace: int, last: int) -> ast.Action:
-    """The action with its reserved body, which is reported."""
-    tokens = part.source.tokens
-    body = part.source.span(tokens[brace], tokens[last - 1])
-    if tokens[last - 1].text == "}":
-        removal = Edit(Span(body.file, action.span.end, body.end), ";")
-        fix = Fix("remove the body", (removal,))
-        finding = errors.ActionBody(action=action.name.text).at(body, fix=fix)
-    else:
-        finding = unclosed_bracket(part.source, tokens[brace], tokens[last - 1])
-    part.findings.add(finding)
-    return dataclasses.replace(action, body=body, span=action.span.to(body))
-
-
 def _misspelt(source: Scan, piece: Piece, meant: str) -> Diagnostic:
     found = source.tokens[piece.first]
     fix = Fix(f"write `{meant}`", (Edit(source.span(found), meant),))
@@ -202,7 +175,9 @@ def _unknown(source: Scan, piece: Piece) -> Diagnostic:
         advice = f"to give a value a name, write `const {found.text} = ...;`"
         fix = Fix("insert `const`", (Edit(Span(source.file, found.start, found.start), "const "),))
     elif found.text == "else":
-        advice = "there is no `else`: write another rule, with `not` in front of the condition"
+        advice = "a rule has no `else`: write another rule, with `not` in front of the condition"
+    elif found.text in EFFECT_WORDS:
+        advice = "this belongs into the body of an action: `action NAME { ... }`"
     elif found.text == "then":
         advice = "`then` belongs to a rule: `if CONDITION then { ACTION; };`"
     else:

@@ -7,36 +7,25 @@ least one finding.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from typing import NamedTuple, TypeVar
+from collections.abc import Iterator, Sequence
 
-from dslkit.diagnostics import Edit, Fix, Label
+from dslkit.diagnostics import Edit, Fix
 from rossmarie.syntax import ast, errors
-from rossmarie.syntax.explain import is_name, missing_sign, unclosed_bracket
+from rossmarie.syntax.explain import is_name
 from rossmarie.syntax.grammar import Failure
 from rossmarie.syntax.part import PartParser
+from rossmarie.syntax.recover_action import recover_action
+from rossmarie.syntax.recover_parts import (
+    Member,
+    Stretch,
+    check_closed,
+    name_of,
+    parse_members,
+    start_of_body,
+)
 from rossmarie.syntax.recover_rule import recover_rule
 from rossmarie.syntax.scan import Token
 from rossmarie.syntax.words import FORMS, MEMBER_WORDS
-
-_Node = TypeVar("_Node")
-
-
-class Stretch(NamedTuple):
-    """The tokens of an item, and its kind; `head` is the word meant where the first is misspelt."""
-
-    kind: str
-    first: int
-    last: int
-    head: str | None
-
-
-class _Member(NamedTuple):
-    """The tokens of a part inside braces, without its `;`."""
-
-    first: int
-    last: int
-    is_closed: bool
 
 
 def recover(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Item | None:
@@ -45,6 +34,8 @@ def recover(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Ite
     saved: ast.Item | None
     if item.kind == "rule":
         saved = recover_rule(part, item.first, item.last, item.head)
+    elif item.kind == "action":
+        saved = recover_action(part, item, failure)
     elif item.kind == "entity":
         saved = _recover_entity(part, item, failure)
     elif item.kind == "system":
@@ -67,12 +58,10 @@ def _recover_simple(part: PartParser, item: Stretch) -> ast.Item | None:
     span = source.span(source.tokens[item.first], source.tokens[item.last - 1])
     if item.kind == "import_item":
         return _recover_import(part, item)
-    name = _name(part, item)
+    name = name_of(part, item)
     if name is None:
         return None
     documentation = source.documentation.get(span.start)
-    if item.kind == "action":
-        return ast.Action(name, None, documentation, span)
     if item.kind == "constant":
         value = part.broken(item.first + 3, item.last, name.span)
         return ast.Constant(name, value, documentation, span)
@@ -106,11 +95,11 @@ def _report_unquoted(part: PartParser, item: Stretch) -> bool:
 
 
 def _recover_entity(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Entity | None:
-    start = _start_of_body(part, item, failure)
+    start = start_of_body(part, item, failure)
     members = _conditions(part, start, item.last)
-    conditions = _parse_members(part, members, lambda _: "condition", _broken_condition)
-    _check_closed(part, item, start)
-    name = _name(part, item)
+    conditions = parse_members(part, members, lambda _: "condition", _broken_condition)
+    check_closed(part, item, start)
+    name = name_of(part, item)
     if name is None:
         return None
     span = part.source.span(part.source.tokens[item.first], part.source.tokens[item.last - 1])
@@ -121,15 +110,15 @@ def _recover_entity(part: PartParser, item: Stretch, failure: Failure | None) ->
 def _recover_system(part: PartParser, item: Stretch, failure: Failure | None) -> ast.System | None:
     tokens = part.source.tokens
 
-    def kind(member: _Member) -> str:
+    def kind(member: Member) -> str:
         return MEMBER_WORDS.get(tokens[member.first].text, "topic_declaration")
 
     before = part.findings.count
-    start = _start_of_body(part, item, failure)
-    members = _parse_members(part, _declarations(part, start, item.last), kind, _broken_topic)
+    start = start_of_body(part, item, failure)
+    members = parse_members(part, _declarations(part, start, item.last), kind, _broken_topic)
     if part.findings.count == before:
-        _check_closed(part, item, start)
-    name = _name(part, item)
+        check_closed(part, item, start)
+    name = name_of(part, item)
     if name is None:
         return None
     span = part.source.span(tokens[item.first], tokens[item.last - 1])
@@ -137,55 +126,7 @@ def _recover_system(part: PartParser, item: Stretch, failure: Failure | None) ->
     return ast.System(name, tuple(members), documentation, span)
 
 
-def _start_of_body(part: PartParser, item: Stretch, failure: Failure | None) -> int:
-    """The first token behind the `{`; what is wrong in front of it is reported here."""
-    if failure is not None and failure.index <= 2:
-        part.explain(item.kind, item.first, item.last, failure)
-    for index in range(item.first + 1, min(item.first + 5, item.last)):
-        if part.source.tokens[index].text == "{":
-            return index + 1
-    return min(item.first + 2, item.last)
-
-
-def _check_closed(part: PartParser, item: Stretch, start: int) -> None:
-    """Report the brace in front of `start` if it is open at the end of the item."""
-    tokens = part.source.tokens
-    inside = tokens[item.first : item.last]
-    balance = sum((token.text == "{") - (token.text == "}") for token in inside)
-    is_cut_off = any(token.kind == "open_text" for token in inside)
-    if balance <= 0 or is_cut_off or tokens[start - 1].text != "{":
-        return
-    labels: tuple[Label, ...] = ()
-    if item.last < len(tokens):
-        next_item = part.source.span(tokens[item.last])
-        labels = (Label(next_item, "the next item begins here"),)
-    brace = tokens[start - 1]
-    part.findings.add(unclosed_bracket(part.source, brace, tokens[item.last - 1], *labels))
-
-
-def _parse_members(
-    part: PartParser,
-    members: Iterator[_Member],
-    kind: Callable[[_Member], str],
-    rescue: Callable[[PartParser, _Member], _Node | None],
-) -> list[_Node]:
-    """The nodes of all members; of a broken one what `rescue` makes of it."""
-    nodes = []
-    for member in members:
-        if part.findings.is_full:
-            break
-        node = part.parse(kind(member), member.first, member.last)
-        if node is None:
-            node = rescue(part, member)
-        elif not member.is_closed:
-            behind = part.source.tokens[member.last - 1]
-            part.findings.add(missing_sign(part.source, ";", behind, kind(member)))
-        if node is not None:
-            nodes.append(node)
-    return nodes
-
-
-def _conditions(part: PartParser, first: int, last: int) -> Iterator[_Member]:
+def _conditions(part: PartParser, first: int, last: int) -> Iterator[Member]:
     """Cut at `;`, in front of `NAME :`, and at `}`."""
     tokens = part.source.tokens
     start = first
@@ -193,13 +134,13 @@ def _conditions(part: PartParser, first: int, last: int) -> Iterator[_Member]:
         text = tokens[index].text
         if text in (";", "}"):
             if start < index:
-                yield _Member(start, index, text == ";")
+                yield Member(start, index, text == ";")
             start = index + 1
         elif start < index and _begins_condition(tokens, index, last):
-            yield _Member(start, index, False)
+            yield Member(start, index, False)
             start = index
     if start < last:
-        yield _Member(start, last, False)
+        yield Member(start, last, False)
 
 
 def _begins_condition(tokens: Sequence[Token], index: int, last: int) -> bool:
@@ -207,7 +148,7 @@ def _begins_condition(tokens: Sequence[Token], index: int, last: int) -> bool:
     return has_colon and tokens[index].kind == "word"
 
 
-def _declarations(part: PartParser, first: int, last: int) -> Iterator[_Member]:
+def _declarations(part: PartParser, first: int, last: int) -> Iterator[Member]:
     """Cut at `;`, at the `}` of a node, and in front of a word that begins a declaration."""
     tokens = part.source.tokens
     start = first
@@ -215,23 +156,23 @@ def _declarations(part: PartParser, first: int, last: int) -> Iterator[_Member]:
     for index in range(first, last):
         text = tokens[index].text
         if text in MEMBER_WORDS and start < index and part.source.begins_line(index):
-            yield _Member(start, index, False)
+            yield Member(start, index, False)
             start, is_node = index, False
         if start == index:
             is_node = text == "node"
         if text == "}":
             if start < index:
-                yield _Member(start, index + is_node, is_node)
+                yield Member(start, index + is_node, is_node)
             start, is_node = index + 1, False
         elif text == ";" and not is_node:
             if start < index:
-                yield _Member(start, index, True)
+                yield Member(start, index, True)
             start = index + 1
     if start < last:
-        yield _Member(start, last, False)
+        yield Member(start, last, False)
 
 
-def _broken_condition(part: PartParser, member: _Member) -> ast.Condition | None:
+def _broken_condition(part: PartParser, member: Member) -> ast.Condition | None:
     token = part.source.tokens[member.first]
     if not is_name(token):
         return None
@@ -241,7 +182,7 @@ def _broken_condition(part: PartParser, member: _Member) -> ast.Condition | None
     return ast.Condition(name, value, part.source.documentation.get(token.start), span)
 
 
-def _broken_topic(part: PartParser, member: _Member) -> ast.TopicDeclaration | None:
+def _broken_topic(part: PartParser, member: Member) -> ast.TopicDeclaration | None:
     """`topic /imu/data : ...` and `topic Wrench = ...`: declared, but of no known type."""
     tokens = part.source.tokens
     if tokens[member.first].text != "topic" or member.last - member.first < 2:
@@ -253,11 +194,3 @@ def _broken_topic(part: PartParser, member: _Member) -> ast.TopicDeclaration | N
     topic = ast.Name(name.text, name)
     span = part.source.span(tokens[member.first], tokens[member.last - 1])
     return ast.TopicDeclaration(None, topic, ast.Name("", name), None, span)
-
-
-def _name(part: PartParser, item: Stretch) -> ast.Name | None:
-    """The name behind the first word of an item."""
-    if item.last - item.first < 2:
-        return None
-    token = part.source.tokens[item.first + 1]
-    return ast.Name(token.text, part.source.span(token)) if is_name(token) else None

@@ -1,4 +1,4 @@
-"""A rule that does not parse as a whole -> its condition, actions and contracts, each by itself."""
+"""A rule that does not parse as a whole -> its condition, steps and contracts, each by itself."""
 
 from __future__ import annotations
 
@@ -43,11 +43,11 @@ class _Recovery:
         self._index += 1
         name = self._name() if head == "rule" else None
         condition = self._condition()
-        actions = self._actions()
+        steps = self._steps()
         contracts = self._contracts()
         span = self._source.span(self._tokens[self._first], self._tokens[self._last - 1])
         documentation = self._source.documentation.get(span.start)
-        return ast.Rule(name, condition, actions, contracts, documentation, span)
+        return ast.Rule(name, condition, steps, contracts, documentation, span)
 
     def _text(self, offset: int = 0) -> str:
         index = self._index + offset
@@ -102,8 +102,8 @@ class _Recovery:
         fix = Fix("insert `then`", (Edit(place, " then"),))
         self._part.findings.add(errors.MissingThen().at(last, fix=fix))
 
-    def _actions(self) -> tuple[ast.Name, ...]:
-        """`{ NAME; ... }`."""
+    def _steps(self) -> tuple[ast.Step, ...]:
+        """`{ STEP; ... }`."""
         if self._index >= self._last:
             if self._tokens[self._last - 1].text == "then":
                 self._part.findings.add(self._missing_brace())
@@ -113,33 +113,54 @@ class _Recovery:
             self._index += 1
         else:
             self._part.findings.add(self._missing_brace())
-        names = []
+        steps = []
         while self._goes_on() and self._text() != "}" and not self._begins_contract():
-            name = self._action()
-            if name is not None:
-                names.append(name)
+            step = self._step()
+            if step is not None:
+                steps.append(step)
         if self._text() == "}":
             self._index += 1
         elif brace.text == "{" and not self._is_cut_off:
             behind = self._tokens[self._index - 1]
             self._part.findings.add(unclosed_bracket(self._source, brace, behind, inserted=" }"))
-        return tuple(names)
+        return tuple(steps)
 
     def _missing_brace(self) -> Diagnostic:
         return missing_sign(self._source, "{", self._tokens[self._index - 1], "rule", " {")
 
-    def _action(self) -> ast.Name | None:
-        """One `NAME ;`; anything else is reported and skipped up to the next `;`."""
-        token = self._tokens[self._index]
-        if token.text == ";":
+    def _step(self) -> ast.Step | None:
+        """One `also NAME else NAME ;`; anything else is reported and skipped up to the next `;`."""
+        first = self._index
+        if self._text() == ";":
             self._index += 1
             return None
-        if not is_name(token):
+        is_beside = self._text() == "also" and self._is_name(1)
+        self._index += is_beside
+        action = self._word()
+        if action is None:
             self._part.findings.add(explain_token(self._source, self._index, "actions"))
             while self._index < self._last and self._text() not in (";", "}"):
                 self._index += 1
             return None
+        otherwise = self._otherwise() if self._text() == "else" else None
+        self._end_step()
+        span = self._source.span(self._tokens[first], self._tokens[first + is_beside])
+        if otherwise is not None:
+            span = span.to(otherwise.span)
+        return ast.Step(is_beside, action, otherwise, span)
+
+    def _otherwise(self) -> ast.Name | None:
+        """`else NAME`."""
+        behind = self._tokens[self._index]
         self._index += 1
+        name = self._word()
+        if name is None:
+            missing = errors.MissingName(place="after", form=FORMS["step"])
+            self._part.findings.add(missing.at(self._source.span(behind)))
+        return name
+
+    def _end_step(self) -> None:
+        """The `;` behind a step."""
         if self._text() == ";":
             self._index += 1
         elif self._text() == ",":
@@ -147,7 +168,19 @@ class _Recovery:
             self._part.findings.add(wrong_sign(self._source, ";", comma, "actions"))
             self._index += 1
         elif not self._is_cut_off:
-            self._part.findings.add(missing_sign(self._source, ";", token, "actions"))
+            behind = self._tokens[self._index - 1]
+            self._part.findings.add(missing_sign(self._source, ";", behind, "actions"))
+
+    def _is_name(self, offset: int = 0) -> bool:
+        index = self._index + offset
+        return index < self._last and is_name(self._tokens[index])
+
+    def _word(self) -> ast.Name | None:
+        """The name at hand, if there is one."""
+        if not self._is_name():
+            return None
+        token = self._tokens[self._index]
+        self._index += 1
         return ast.Name(token.text, self._source.span(token))
 
     def _contracts(self) -> tuple[ast.ResumeContract, ...]:

@@ -7,7 +7,7 @@ all by offsets into the text.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 from rossmarie.syntax import ast
@@ -56,6 +56,9 @@ class Style:
                     self._operators(condition.expression)
             case ast.Rule():
                 self._rule(item)
+            case ast.Action(effects=effects):
+                for effect in effects:
+                    self._effect(effect)
             case _:
                 pass
         for root in expressions(item):
@@ -78,11 +81,48 @@ class Style:
                 self._word(topic, message_type, unit)
             case ast.UnitDeclaration(message_type=message_type, unit=unit):
                 self._word(message_type, unit)
+            case ast.ServiceDeclaration(name=name, service_type=kind):
+                self._word(name, kind)
+            case ast.ServerDeclaration(name=name, action_type=kind):
+                self._word(name, kind)
             case ast.NodeDeclaration():
                 self._word(*member.publishes, *member.subscribes)
                 self._node(member)
             case _:
                 pass
+
+    def _effect(self, effect: ast.Effect) -> None:
+        match effect:
+            case ast.Limit(target=target) | ast.Scale(target=target) | ast.Block(target=target):
+                self._word(target.name, target.type)
+            case ast.Publish(target=target) | ast.CallService(target=target):
+                self._word(target.name, target.type)
+            case ast.SendGoal(target=target):
+                self._word(target.name, target.type)
+            case ast.SetParameter(node=name, unit=unit):
+                self._word(name, unit)
+            case ast.SwitchControllers(manager=name) | ast.CancelGoal(server=name):
+                self._word(name)
+        match effect:
+            case ast.Limit(bounds=inner):
+                self._fields(inner)
+            case ast.Publish(assignments=inner) | ast.CallService(assignments=inner):
+                self._fields(inner)
+            case ast.SendGoal(assignments=inner):
+                self._fields(inner)
+
+    def _fields(self, inner: Sequence[ast.FieldBound | ast.FieldAssignment]) -> None:
+        """The lines in the braces of an effect, broken in front of each."""
+        for part in inner:
+            self.breaks[part.span.start] = _PART
+            self.tight_behind.update(
+                before.span.end
+                for before, step in zip(part.path.steps, part.path.steps[1:], strict=False)
+                if isinstance(step, ast.Position)
+            )
+        if inner:
+            semicolon = self.index(inner[-1].span.end)
+            self.breaks[self.source.tokens[semicolon + 1].start] = Break(1, 0)
 
     def _node(self, node: ast.NodeDeclaration) -> None:
         tokens = self.source.tokens
@@ -97,10 +137,10 @@ class Style:
             self.tight.add(self._start(rule.name.span.end))
         self._operators(rule.condition)
         self.breaks[self._start(rule.condition.span.end)] = _PART
-        for action in rule.actions:
-            self.breaks[action.span.start] = _ACTION
-        if rule.actions:
-            semicolon = self.index(rule.actions[-1].span.end)
+        for step in rule.steps:
+            self.breaks[step.span.start] = _ACTION
+        if rule.steps:
+            semicolon = self.index(rule.steps[-1].span.end)
             self.breaks[self.source.tokens[semicolon + 1].start] = Break(2, 1)
         for contract in rule.contracts:
             self.breaks[contract.span.start] = _PART

@@ -50,8 +50,10 @@ def depth(expression: ast.Expression) -> int:
     return deepest
 
 
-def expressions(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
-    """The outermost expressions of an item or condition, in the order in which they are written."""
+def expressions(item: ast.Item | ast.Condition | ast.Effect) -> Iterator[ast.Expression]:
+    """The outermost expressions of an item or a part of one, in the order in which they are
+    written.
+    """
     match item:
         case ast.Constant(value=value):
             yield value
@@ -65,6 +67,36 @@ def expressions(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield condition
             for contract in contracts:
                 yield from _of_contract(contract)
+        case ast.Action(effects=effects):
+            for effect in effects:
+                yield from _of_effect(effect)
+        case _:
+            if isinstance(item, ast.Effect):
+                yield from _of_effect(item)
+
+
+def _of_effect(effect: ast.Effect) -> Iterator[ast.Expression]:
+    found: tuple[ast.Expression | None, ...] = ()
+    match effect:
+        case ast.Limit(bounds=bounds, ramps=ramps):
+            found = (*(bound.range for bound in bounds), *ramps)
+        case ast.Scale(factor=factor, ramps=ramps):
+            found = (factor, *ramps)
+        case ast.Block(ramps=ramps):
+            found = ramps
+        case ast.Publish(assignments=assignments, rate=last):
+            found = (*(each.value for each in assignments), last)
+        case ast.CallService(assignments=assignments, timeout=last):
+            found = (*(each.value for each in assignments), last)
+        case ast.SendGoal(assignments=assignments, timeout=last):
+            found = (*(each.value for each in assignments), last)
+        case ast.SetParameter(value=value, timeout=last):
+            found = (value, last)
+        case ast.SwitchControllers(timeout=last):
+            found = (last,)
+        case ast.CancelGoal(confirmation=confirmation, timeout=last):
+            found = (confirmation, last)
+    yield from (expression for expression in found if expression is not None)
 
 
 def _of_contract(contract: ast.ResumeContract) -> Iterator[ast.Expression]:

@@ -19,8 +19,30 @@ ITEM_WORDS = {
 }
 """The words that begin an item, and the grammar's rule for that item."""
 
+CONTEXTUAL_ITEM_WORDS = {"priority": "priority"}
+"""Likewise, but free as names elsewhere."""
+
+EFFECT_WORDS = {
+    "limit": "limit",
+    "scale": "scale",
+    "block": "block",
+    "publish": "publish",
+    "call": "call_service",
+    "set": "set_parameter",
+    "switch": "switch_controllers",
+    "send": "send_goal",
+    "cancel": "cancel_goal",
+    "log": "log",
+    "diagnose": "diagnose",
+    "hook": "hook",
+    "reset": "reset_rules",
+}
+"""The words that begin an effect in the body of an action, and the grammar's rule for it."""
+
 MEMBER_WORDS = {
     "topic": "topic_declaration",
+    "service": "service_declaration",
+    "server": "server_declaration",
     "unit": "unit_declaration",
     "messages": "messages_declaration",
     "node": "node",
@@ -71,9 +93,10 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
 FORMS = {
     "module": "a file consists of imports, systems, actions, constants, inputs, entities and rules",
     "actions": "actions are written `{ ACTION; ACTION; }`",
+    "step": "actions are written `{ ACTION; also ACTION else ACTION; }`",
     "import_item": 'an import is written `import "FILE.ross";`',
     "system": "a system is written `system NAME { topic /TOPIC : PACKAGE/TYPE; }`",
-    "action": "an action is written `action NAME;`",
+    "action": "an action is written `action NAME;` or `action NAME { EFFECT; EFFECT; }`",
     "constant": "a constant is written `const NAME = 0.5 m/s;`",
     "input": "an input is written "
     "`input NAME = topic /TOPIC : PACKAGE/TYPE .FIELD timeout 0.2 sec;`",
@@ -85,8 +108,30 @@ FORMS = {
     "expression": "a condition is built of names, comparisons, `and`, `or`, `not` and "
     "`for DURATION`",
     "topic_declaration": "a topic is declared as `topic /TOPIC : PACKAGE/TYPE;`",
+    "service_declaration": "a service is declared as `service /SERVICE : PACKAGE/TYPE;`",
+    "server_declaration": "an action server is declared as `server /SERVER : PACKAGE/TYPE;`",
     "unit_declaration": "the unit of a field is declared as `unit PACKAGE/TYPE.FIELD = rad/s;`",
     "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
+    "priority": "the order of rules is written `priority RULE over RULE;`",
+    "effect": "an effect begins with the word that says what it does, such as `limit`",
+    "limit": "a limit is written `limit /TOPIC { FIELD in [-0.2, 0.2] m/s; } ramp 0.3 m/s^2;`",
+    "scale": "a command is scaled by `scale /TOPIC by 50 % ramp 20 %/s;`",
+    "block": "a command is held at zero by `block /TOPIC;`",
+    "publish": "a message is published by "
+    "`publish /TOPIC : PACKAGE/TYPE { FIELD = VALUE; } at 2 Hz;`",
+    "call_service": "a service is called by "
+    "`call /SERVICE : PACKAGE/TYPE { FIELD = VALUE; } within 1 sec else ACTION;`",
+    "set_parameter": "a parameter is set by `set /NODE.PARAMETER to VALUE;`",
+    "switch_controllers": "controllers are switched by "
+    "`switch /controller_manager { stop NAME; start NAME; };`",
+    "send_goal": "a goal is sent by "
+    "`send PACKAGE/TYPE { FIELD = VALUE; } to /SERVER within 10 sec then resend;`",
+    "cancel_goal": "a goal is cancelled by "
+    "`cancel /SERVER confirm by CONDITION within 0.5 sec then drop else ACTION;`",
+    "log": 'a line is logged by `log warning "TEXT";`',
+    "diagnose": 'a diagnostic status is given by `diagnose error "TEXT";`',
+    "hook": "a function of your own is called by `hook NAME;`",
+    "reset_rules": "all latched rules are reset by `reset;`",
 }
 """How each part of a file is written, for messages."""

@@ -1,6 +1,6 @@
 """Types of expressions, the table of operators, and the messages of ROS."""
 
-from rossmarie.types.definitions import MessageDefinitionError
+from rossmarie.types.definitions import Kind, MessageDefinitionError
 from rossmarie.types.field_units import RATIOS
 from rossmarie.types.model import (
     Array,
@@ -18,6 +18,7 @@ from rossmarie.types.model import (
 )
 from rossmarie.types.operators import SIGNATURES, Fault, Operator, Outcome, apply, unit_faults
 from rossmarie.types.ros_messages import (
+    Leaf,
     MessageCatalog,
     message_value,
     std_msgs_data,
@@ -31,6 +32,8 @@ __all__ = [
     "Box",
     "Fault",
     "Interval",
+    "Kind",
+    "Leaf",
     "Message",
     "MessageCatalog",
     "MessageDefinitionError",

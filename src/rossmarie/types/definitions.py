@@ -1,22 +1,27 @@
 """Message definitions as written: the names of fields and of their types, nothing resolved.
 
 The common messages are read from `messages.msg` (see `snapshot`), others from folders of .msg
-files. Message names are in the short form, `sensor_msgs/Imu`.
+files. Of services and actions only what is sent counts, the request and the goal: the part of their
+file in front of the first `---`; those of the common services are in `services.msg`. Names are in
+the short form, `sensor_msgs/Imu`.
 """
 
 from __future__ import annotations
 
+import enum
 import re
 from collections.abc import Mapping, Sequence
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
 STORED = Path(__file__).with_name("messages.msg")
+STORED_SERVICES = Path(__file__).with_name("services.msg")
 SEPARATOR = "=" * 80 + "\nMSG: "
 """Between two messages in concatenated .msg text, as in the headers of ROS 1 bags."""
 
-_NAME = re.compile(r"([A-Za-z]\w*)/(?:msg/)?([A-Za-z]\w*)", re.ASCII)
+_NAME = re.compile(r"([A-Za-z]\w*)/(?:(?:msg|srv|action)/)?([A-Za-z]\w*)", re.ASCII)
+_END_OF_SENT = "---"
 # What rosbags puts into messages without fields, as the IDL of ROS 2 does.
 _PADDING = "structure_needs_at_least_one_member"
 _LARGEST_FILE = 64 * 1024
@@ -35,8 +40,16 @@ class Field(NamedTuple):
 Definition = Mapping[str, Field]
 
 
+class Kind(enum.Enum):
+    """What a file defines; the value is its suffix, and the folder of the package it is in."""
+
+    MESSAGE = "msg"
+    SERVICE = "srv"
+    ACTION = "action"
+
+
 class MessageDefinitionError(Exception):
-    """A .msg file that cannot be used: which, at what line (None: as a whole), and why."""
+    """A definition that cannot be used: its file, at what line (None: as a whole), and why."""
 
     def __init__(self, path: Path, line: int | None, reason: str) -> None:
         place = f"{path}:{line}" if line is not None else str(path)
@@ -47,42 +60,46 @@ class MessageDefinitionError(Exception):
 
 
 def normalized(name: str) -> str | None:
-    """`sensor_msgs/Imu` for `sensor_msgs/msg/Imu`; None if this cannot be the name of a message."""
+    """`sensor_msgs/Imu` for `sensor_msgs/msg/Imu`; None if this can be no name of a definition."""
     match = _NAME.fullmatch(name)
     return f"{match[1]}/{match[2]}" if match else None
 
 
-@lru_cache(maxsize=1)
-def stored_texts() -> Mapping[str, str]:
-    """The text of each common message, by name; `read_stored` makes sense of it."""
-    blocks = STORED.read_text(encoding="utf-8").split(SEPARATOR)[1:]
+@cache
+def stored_texts(kind: Kind = Kind.MESSAGE) -> Mapping[str, str]:
+    """The text of each common definition, by name; `read_stored` makes sense of it."""
+    if kind is Kind.ACTION:
+        return {}
+    stored = STORED if kind is Kind.MESSAGE else STORED_SERVICES
+    blocks = stored.read_text(encoding="utf-8").split(SEPARATOR)[1:]
     return dict(block.split("\n", 1) for block in blocks)
 
 
-def read_stored(name: str) -> Definition | None:
-    """The definition of a common message, None if it is not one."""
-    text = stored_texts().get(name)
+def read_stored(name: str, kind: Kind = Kind.MESSAGE) -> Definition | None:
+    """The definition of a common message or service, None if it is not one."""
+    text = stored_texts(kind).get(name)
     if text is None:
         return None
     fields = (line.split(" ") for line in text.splitlines())
     return {field: Field(base.removesuffix("[]"), base.endswith("[]")) for base, field in fields}
 
 
-def find_file(name: str, search_paths: Sequence[Path]) -> Path | None:
-    """The .msg file of a message, in the first folder that has it."""
+def find_file(name: str, search_paths: Sequence[Path], kind: Kind = Kind.MESSAGE) -> Path | None:
+    """The file of a definition, in the first folder that has it."""
     package, _, short = name.partition("/")
     for folder in search_paths:
-        for parts in ((package, "msg"), (package,)):
-            path = folder.joinpath(*parts, f"{short}.msg")
+        for parts in ((package, kind.value), (package,)):
+            path = folder.joinpath(*parts, f"{short}.{kind.value}")
             if path.is_file():
                 return path
     return None
 
 
-def names_in(search_path: Path) -> list[str]:
-    """The names of all messages in a folder, whether or not their files can be used."""
-    files = [*search_path.glob("*/*.msg"), *search_path.glob("*/msg/*.msg")]
-    packages = (file.parents[1] if file.parent.name == "msg" else file.parent for file in files)
+def names_in(search_path: Path, kind: Kind = Kind.MESSAGE) -> list[str]:
+    """The names of all definitions in a folder, whether or not their files can be used."""
+    folder, pattern = kind.value, f"*.{kind.value}"
+    files = [*search_path.glob(f"*/{pattern}"), *search_path.glob(f"*/{folder}/{pattern}")]
+    packages = (file.parents[1] if file.parent.name == folder else file.parent for file in files)
     return [
         f"{package.name}/{file.stem}"
         for file, package in zip(files, packages, strict=True)
@@ -101,9 +118,13 @@ def package_among(search_paths: Sequence[Path], name: str) -> Path | None:
 
 
 def read_file(path: Path, name: str) -> Definition:
-    """The definition in a .msg file. Raises `MessageDefinitionError` if there is none."""
+    """The definition in a .msg file, or what is sent of one of the others. Raises
+    `MessageDefinitionError` if there is none.
+    """
     definition: dict[str, Field] = {}
     for number, line in enumerate(_read_text(path).splitlines(), start=1):
+        if line.strip() == _END_OF_SENT and path.suffix != ".msg":
+            break
         for field, type_ in _read_line(path, number, line, name).items():
             if field in definition:
                 raise MessageDefinitionError(path, number, f"a second field named {field!r}")

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 from rossmarie.types import definitions
-from rossmarie.types.definitions import Field, MessageDefinitionError
+from rossmarie.types.definitions import Field, Kind, MessageDefinitionError
 from rossmarie.types.field_units import FIELD_UNITS
 from rossmarie.types.model import (
     Array,
@@ -37,6 +38,14 @@ _MOST_LEVELS = 32
 _TEXTS = frozenset(("string", "wstring"))
 
 
+class Leaf(NamedTuple):
+    """A field that is no message: `base` is `float64`, `bool`, `string` or the like."""
+
+    path: FieldPath
+    base: str
+    is_array: bool
+
+
 class MessageCatalog:
     """All messages that are known: those on the search paths, then the common ones of ROS.
 
@@ -52,6 +61,7 @@ class MessageCatalog:
         self._overrides = _normalized_overrides(unit_overrides or {})
         self._found: dict[str, Message | None] = {}
         self._definitions: dict[str, definitions.Definition | None] = {}
+        self._leaves: dict[str, tuple[Leaf, ...]] = {}
         self._fields_left = _MOST_FIELDS
 
     def find(self, name: str) -> Message | None:
@@ -67,11 +77,55 @@ class MessageCatalog:
             self._found[short] = self._message(short, ((short, ()),))
         return self._found[short]
 
-    def known_names(self) -> Sequence[str]:
-        """The names of all messages, sorted."""
-        names = set(definitions.stored_texts())
+    def find_sent(self, name: str, kind: Kind) -> Message | None:
+        """What is sent to a service (its request) or to an action server (its goal); None if it is
+        unknown. The goals of ROS 1 are also known as messages, `PACKAGE/NAMEGoal`.
+
+        Raises `MessageDefinitionError` like `find`.
+        """
+        short = definitions.normalized(name)
+        if short is None:
+            return None
+        key = f"{short} ({kind.value})"
+        if key not in self._found:
+            path = definitions.find_file(short, self._search_paths, kind)
+            self._definitions[key] = (
+                definitions.read_file(path, short) if path else definitions.read_stored(short, kind)
+            )
+            self._fields_left = _MOST_FIELDS
+            self._found[key] = self._message(key, ((short, ()),))
+        found = self._found[key]
+        is_action = kind is Kind.ACTION
+        return self.find(f"{short}Goal") if found is None and is_action else found
+
+    def leaves(self, message: Message) -> tuple[Leaf, ...]:
+        """All fields of a message that are no messages themselves, in order; arrays of messages are
+        left out, for their elements cannot be told in advance.
+        """
+        if message.name not in self._leaves:
+            self._leaves[message.name] = tuple(self._find_leaves(message))
+        return self._leaves[message.name]
+
+    def _find_leaves(self, message: Message) -> Iterator[Leaf]:
+        pending: list[tuple[FieldPath, Field, tuple[str, ...]]]
+        pending = [((name,), each, (message.name,)) for name, each in self._fields_of(message.name)]
+        while pending:
+            path, field, around = pending.pop(0)
+            if "/" not in field.base:
+                yield Leaf(path, field.base, field.is_array)
+            elif not field.is_array and field.base not in (*around, *INSTANTS):
+                inside = (*around, field.base)
+                inner = self._fields_of(field.base)
+                pending[:0] = [((*path, name), each, inside) for name, each in inner]
+
+    def _fields_of(self, name: str) -> list[tuple[str, Field]]:
+        return list((self._definition(name) or {}).items())
+
+    def known_names(self, kind: Kind = Kind.MESSAGE) -> Sequence[str]:
+        """The names of all messages, services or actions, sorted."""
+        names = set(definitions.stored_texts(kind))
         for folder in self._search_paths:
-            names.update(definitions.names_in(folder))
+            names.update(definitions.names_in(folder, kind))
         return sorted(names)
 
     def package_of(self, name: str) -> Path | None:

@@ -7,6 +7,8 @@ from pathlib import Path
 import pytest
 
 from rossmarie.driver import CheckResult, check_file
+from rossmarie.driver.workspace import LIBRARY
+from rossmarie.syntax import format_module
 
 ACTION = "action stop;\n"
 RULE = "input on = topic /on : std_msgs/Bool timeout 1 sec\nrule it: if on then { stop; };\n"
@@ -146,3 +148,35 @@ def test_a_huge_file_is_refused_by_its_size(tmp_path: Path) -> None:
     assert len(result.diagnostics) == 1
     assert result.program is None
     assert len(result.modules[-1].file.text) < 2_000_000
+
+
+def test_the_library_is_found_anywhere(tmp_path: Path) -> None:
+    main = tmp_path / "main.ross"
+    main.write_text(f'import "rossmarie/deros.ross";\n{RULE}')
+    result = check_file(main)
+    assert codes(result) == []
+    assert Path(result.modules[0].file.path) == LIBRARY / "deros.ross"
+
+
+def test_a_file_of_ones_own_takes_the_place_of_the_library(tmp_path: Path) -> None:
+    (tmp_path / "rossmarie").mkdir()
+    own = tmp_path / "rossmarie" / "deros.ross"
+    own.write_text(ACTION)
+    main = tmp_path / "main.ross"
+    main.write_text(f'import "rossmarie/deros.ross";\n{RULE}')
+    result = check_file(main)
+    assert codes(result) == []
+    assert Path(result.modules[0].file.path) == own
+
+
+def test_nothing_beside_the_library_is_found_by_its_name(tmp_path: Path) -> None:
+    main = tmp_path / "main.ross"
+    main.write_text('import "rossmarie/../rossmarie/deros.ross";\nimport "rossmarie/derso.ross";\n')
+    result = check_file(main)
+    assert codes(result)[:2] == ["ROSS803", "ROSS803"]
+    assert result.diagnostics[1].help == "did you mean `deros.ross`?"
+
+
+@pytest.mark.parametrize("path", sorted(LIBRARY.glob("*.ross")), ids=lambda path: path.name)
+def test_the_library_is_in_the_one_layout(path: Path) -> None:
+    assert format_module(check_file(path).modules[-1]) == path.read_text(encoding="utf-8")

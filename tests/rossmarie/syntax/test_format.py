@@ -44,6 +44,46 @@ action b;
         "if (a + b).oscillates(3 times, within 1 s) or oscillates(a, 3 times, within 1 s)"
         " then { c; };\n",
     ),
+    "the body of an action": (
+        """action a{// head
+limit /c:p/T{x . y in[-1,1]m;z[0] in r;}ramp 1 m/s,-2 Hz;// trailing
+// own line
+publish t{a=[1,2]m;b . c="d";}at 2Hz;set n . p . q in m/s to-1 m/s within 1s else b;
+
+
+switch /m{stop a,b;start c;};cancel/s confirm by x<1 within 1s then drop else b;
+call s;reset;}latched until reset""",
+        """\
+action a {  // head
+    limit /c : p/T { x.y in [-1, 1] m; z[0] in r; } ramp 1 m/s, -2 Hz;  // trailing
+    // own line
+    publish t { a = [1, 2] m; b.c = "d"; } at 2 Hz;
+    set n.p.q in m/s to -1 m/s within 1 s else b;
+
+    switch /m { stop a, b; start c; };
+    cancel /s confirm by x < 1 within 1 s then drop else b;
+    call s;
+    reset;
+} latched until reset;
+""",
+    ),
+    "a long effect": (
+        "action a { send p/Goal { first_field = 1; second_field = 2; third_field = 3; } to /server "
+        "within 10 sec then resend else stop; }",
+        """\
+action a {
+    send p/Goal {
+        first_field = 1;
+        second_field = 2;
+        third_field = 3;
+    } to /server within 10 sec then resend else stop;
+}
+""",
+    ),
+    "steps and priorities": (
+        "rule r:if a then{b;also c else d;also;}priority r over s  over t",
+        "rule r: if a then { b; also c else d; also; };\n\npriority r over s over t;\n",
+    ),
     "an entity": (
         "entity e{a:b for 2 s;\n\n\nc : not d   in[1,2]m ;}if e.a then{x;y;}",
         """\

@@ -20,14 +20,18 @@ from rossmarie.syntax.words import RESERVED
 Parsed = Callable[[str], tuple[ast.Module, tuple[Diagnostic, ...]]]
 WithoutSpans = Callable[[ast.Module], Any]
 
-FOLDER = Path(__file__).parents[3] / "examples"
-EXAMPLES = [path.read_text(encoding="utf-8") for path in sorted(FOLDER.rglob("*.ross"))]
+ROOT = Path(__file__).parents[3]
+FOLDERS = (ROOT / "examples", ROOT / "tests" / "fixtures" / "actions", ROOT / "src")
+PATHS = [path for folder in FOLDERS for path in sorted(folder.rglob("*.ross"))]
+EXAMPLES = [path.read_text(encoding="utf-8") for path in PATHS]
 
 WORDS = [
     *sorted(RESERVED),
     *("timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by", "node"),
     *("a", "b.c", "/t", "p/T", "m/s", "deg", "3", "0.5", "1e999", '"text"', "//", "\n", "'''"),
     *"'\";:,.=<!+-*/()[]{}@\0\ud800é°%^",
+    *("action a {", "limit", "publish", "cancel", "log", "ramp", "at", "to"),
+    *("else", "also", "over", "priority"),
     *("==", "&&", "||", "->", "=>", "oscillates", "messages", "unit"),
 ]
 

@@ -68,7 +68,7 @@ def test_a_readable_name_stays_declared(parsed: Parsed, text: str, kind: type[as
     assert len(found) == 1
     (item,) = module.items
     assert isinstance(item, kind)
-    assert not isinstance(item, ast.Import)
+    assert not isinstance(item, ast.Import | ast.Priority)
     assert item.name is not None
     assert (item.name.text, item.documentation) == ("a", "about it")
 
@@ -168,3 +168,43 @@ def test_lines_end_as_the_author_likes(parsed: Parsed) -> None:
     _, unix = parsed(text)
     _, windows = parsed(text.replace("\n", "\r\n"))
     assert [one.title for one in unix] == [one.title for one in windows] != []
+
+
+@pytest.mark.parametrize(
+    "broken",
+    [
+        "limit /c { x in ; }",
+        "fly /c",
+        "limit /c { x in [-1, 1] m/s; y in z }",
+        "publish /c { { }",
+        "cancel",
+        "log warning",
+        "send { a = 1; to /s within 1 sec",
+        "42",
+    ],
+)
+def test_an_effect_that_cannot_be_read_costs_no_other(parsed: Parsed, broken: str) -> None:
+    text = f"action a {{\nblock /c;\n{broken};\nhook b;\n}} latched until reset;\naction c;"
+    module, found = parsed(text)
+    assert len(found) == 1
+    action, last = module.items
+    assert isinstance(action, ast.Action)
+    kinds = {type(effect) for effect in action.effects}
+    assert {ast.Block, ast.Hook} <= kinds <= {ast.Block, ast.Hook, ast.Limit}
+    assert action.latch is not None
+    assert isinstance(last, ast.Action)
+
+
+def test_steps_survive_what_is_wrong_around_them(parsed: Parsed) -> None:
+    module, found = parsed("rule r: if > 3 then { a; also b else c d; also; }")
+    assert [one.code for one in found] == ["ROSS016", "ROSS006"]
+    (rule,) = module.items
+    assert isinstance(rule, ast.Rule)
+    steps = [(one.is_beside, one.action.text, one.otherwise) for one in rule.steps]
+    assert [step[:2] for step in steps] == [
+        (False, "a"),
+        (True, "b"),
+        (False, "d"),
+        (False, "also"),
+    ]
+    assert steps[1][2] is not None

@@ -9,6 +9,8 @@ from hypothesis import strategies as st
 from rossmarie.types import (
     Array,
     Boolean,
+    Kind,
+    Leaf,
     Message,
     MessageCatalog,
     MessageDefinitionError,
@@ -331,3 +333,51 @@ def test_the_folder_of_a_package_is_not_taken_for_the_folder_of_all(folder: Path
     assert "my_msgs/Wheel" not in catalog.known_names()
     assert catalog.package_of("my_msgs/msg/Wheel") == folder / "my_msgs"
     assert MessageCatalog([folder]).package_of("my_msgs/Wheel") is None
+
+
+def test_the_common_services_are_known() -> None:
+    catalog = MessageCatalog()
+    assert catalog.known_names(Kind.SERVICE) == [
+        "std_srvs/Empty",
+        "std_srvs/SetBool",
+        "std_srvs/Trigger",
+    ]
+    assert at(catalog.find_sent("std_srvs/srv/SetBool", Kind.SERVICE), "data") == Boolean()
+    assert catalog.find("std_srvs/SetBool") is None
+    assert catalog.find_sent("std_srvs/SetBol", Kind.SERVICE) is None
+
+
+def test_requests_and_goals_end_at_the_first_dashes(tmp_path: Path) -> None:
+    for kind in ("srv", "action"):
+        path = tmp_path / "my_msgs" / kind / f"Grip.{kind}"
+        path.parent.mkdir(parents=True)
+        path.write_text(
+            "float64 force\ngeometry_msgs/Point at\n---\nbool success\n---\nint8 done\n"
+        )
+    catalog = MessageCatalog([tmp_path])
+    for sent in (Kind.SERVICE, Kind.ACTION):
+        found = catalog.find_sent("my_msgs/Grip", sent)
+        assert found is not None
+        assert list(found.fields) == ["force", "at"]
+        assert list(catalog.leaves(found))[-1] == Leaf(("at", "z"), "float64", False)
+        assert "my_msgs/Grip" in catalog.known_names(sent)
+
+
+def test_goals_of_ros_1_are_messages() -> None:
+    goal = MessageCatalog().find_sent("actionlib/TwoInts", Kind.ACTION)
+    assert goal is not None
+    assert list(goal.fields) == ["a", "b"]
+
+
+def test_messages_have_no_dashes(tmp_path: Path) -> None:
+    write(tmp_path, "my_msgs/Grip", "float64 force\n---\n")
+    with pytest.raises(MessageDefinitionError, match="not a field"):
+        MessageCatalog([tmp_path]).find("my_msgs/Grip")
+
+
+def test_leaves_leave_out_arrays_of_messages_and_messages_in_themselves(tmp_path: Path) -> None:
+    write(tmp_path, "my_msgs/Knot", "Knot left\nKnot right\nfloat32[] values\nKnot[] more\n")
+    catalog = MessageCatalog([tmp_path])
+    knot = catalog.find("my_msgs/Knot")
+    assert knot is not None
+    assert list(catalog.leaves(knot)) == [Leaf(("values",), "float32", True)]

@@ -1,0 +1,378 @@
+"""ROSS1xx to ROSS4xx: what actions do, and in which order."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnknownSentType(Error, code="ROSS118", name="unknown-sent-type"):
+    """The type of a service or of an action server of which there is no definition."""
+
+    title = "there is no {kind} type `{identifier}`"
+    label = "no definition is known"
+    help = 'name the folder of its definition in a system model: `messages "msg";`'
+    kind: str
+    identifier: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UntypedTarget(Error, code="ROSS119", name="untyped-target"):
+    """A topic, service or action server of which nobody says what is sent to it."""
+
+    title = "the type of {kind} `{identifier}` is not known"
+    label = "nothing says what is sent to this"
+    help = "{advice}"
+    kind: str
+    identifier: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UndeclaredRule(Error, code="ROSS120", name="undeclared-rule"):
+    """An order of rules that names a rule that does not exist."""
+
+    title = "there is no rule `{identifier}`"
+    label = "no rule has this name"
+    help = "name the rule that is meant: `rule {identifier}: if ...`"
+    identifier: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnknownLevel(Error, code="ROSS121", name="unknown-level"):
+    """A level of a log or a diagnosis that does not exist."""
+
+    title = "`{identifier}` is not a level"
+    label = "how bad is it?"
+    help = "write one of {known}"
+    identifier: str
+    known: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class CircularEscalation(Error, code="ROSS122", name="circular-escalation"):
+    """Actions each of which is what happens when the other one fails."""
+
+    title = "action `{identifier}` is the escalation of its own failure"
+    label = "this leads back: {cycle}"
+    note = "each escalation has to lead to something stronger, and that has to end somewhere"
+    help = "let the last action of the chain have no `else`"
+    identifier: str
+    cycle: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class CircularPriority(Error, code="ROSS123", name="circular-priority"):
+    """Rules of which each is more important than the next, in a circle."""
+
+    title = "rule `{identifier}` is put over itself"
+    label = "this leads back: {cycle}"
+    help = "remove one of the orders"
+    identifier: str
+    cycle: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldGivenTwice(Error, code="ROSS124", name="field-given-twice"):
+    """A field that one effect bounds or sets twice."""
+
+    title = "field `{field}` is given twice"
+    label = "the second time"
+    help = "keep one of the two"
+    field: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReservedHook(Error, code="ROSS125", name="reserved-hook"):
+    """A hook that cannot be the name of a function."""
+
+    title = "`{identifier}` cannot be the name of a C++ function"
+    label = "a word of C++"
+    help = "choose another name, such as `{identifier}_hook`"
+    identifier: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NothingToBound(Error, code="ROSS225", name="nothing-to-bound"):
+    """A command without any floating-point number."""
+
+    title = "`{type}` has no numbers that can be bounded"
+    label = "this carries `{type}`"
+    note = (
+        "the safety filter works on the floating-point numbers of a message, outside of headers "
+        "and of arrays of messages"
+    )
+    help = "name a topic of commands, such as one of `geometry_msgs/Twist`"
+    type: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldNotBounded(Error, code="ROSS226", name="field-not-bounded"):
+    """A field that a limit cannot bound."""
+
+    title = "`{field}` cannot be bounded"
+    label = "{reason}"
+    help = "{advice}"
+    field: str
+    reason: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotAnInterval(Error, code="ROSS227", name="not-an-interval"):
+    """Something else than an interval behind the `in` of a limit."""
+
+    title = "a limit needs an interval, and this is {found}"
+    label = "between which numbers may the field be?"
+    help = "write `[-0.2, 0.2] m/s`"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ValueMismatch(Error, code="ROSS228", name="value-mismatch"):
+    """A value of another type than the field that it is for."""
+
+    title = "`{field}` is {expected}, and this is {found}"
+    label = "{found}"
+    help = "write a value of the type of the field"
+    field: str
+    expected: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldNotAssignable(Error, code="ROSS229", name="field-not-assignable"):
+    """A field that an action cannot set."""
+
+    title = "`{field}` cannot be set here"
+    label = "{reason}"
+    help = "{advice}"
+    field: str
+    reason: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class IntegerMismatch(Error, code="ROSS230", name="integer-mismatch"):
+    """A number that a field of whole numbers cannot hold."""
+
+    title = "`{field}` cannot hold this number"
+    label = "{reason}"
+    help = "write a whole number from {low} to {high}"
+    field: str
+    reason: str
+    low: int
+    high: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldUnitMismatch(Error, code="ROSS315", name="field-unit-mismatch"):
+    """A number whose unit is not that of the field that it is for."""
+
+    title = "{found} does not fit `{field}`"
+    label = "`{field}` is {expected}"
+    help = "{advice}"
+    field: str
+    found: str
+    expected: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RampMismatch(Error, code="ROSS316", name="ramp-mismatch"):
+    """A ramp that is the rate of change of nothing that the effect bounds."""
+
+    title = "this ramp belongs to nothing that is bounded here"
+    label = "{found}"
+    note = "a ramp says how fast a bound is lifted: per second, by how much of its field"
+    help = "{advice}"
+    found: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RepeatedRamp(Error, code="ROSS317", name="repeated-ramp"):
+    """Two ramps for the same fields."""
+
+    title = "there are two ramps for the same fields"
+    label = "the second one"
+    help = "keep one of the two"
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotPositive(Error, code="ROSS318", name="not-positive"):
+    """A ramp or a rate that is zero or less, or faster than possible."""
+
+    title = "{what} is {bound}"
+    label = "this is {found}"
+    help = "{advice}"
+    what: str
+    bound: str
+    found: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotAFrequency(Error, code="ROSS319", name="not-a-frequency"):
+    """Something else than a frequency behind `at`."""
+
+    title = "`at` needs how often it is published, and this is {found}"
+    label = "how often a second?"
+    help = "write it in Hz, as in `at 2 Hz`"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class BoundWithoutZero(Error, code="ROSS410", name="bound-without-zero"):
+    """A limit under which a robot could not stand still."""
+
+    title = "a limit must let the robot stand still"
+    label = "zero is outside of this"
+    note = "a command below the limit would be raised to it: the limit would move the robot"
+    help = "let the interval contain 0"
+
+
+@dataclass(frozen=True, kw_only=True)
+class ZeroIsAPose(Error, code="ROSS411", name="zero-is-a-pose"):
+    """A command of positions that is to be scaled or held at zero."""
+
+    title = "zero is a place for `{field}`, not rest"
+    label = "this would send the robot to zero"
+    note = "`{field}` is in {unit}"
+    help = "cancel the goal, or block a topic of velocities"
+    field: str
+    unit: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class FactorOutOfRange(Error, code="ROSS412", name="factor-out-of-range"):
+    """A factor of a command that is no share."""
+
+    title = "a command can be scaled by 0 to 100 %"
+    label = "this is {found}"
+    help = "write a share, as in `by 50 %`"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class PartlyRamped(Warning, code="ROSS413", name="partly-ramped"):
+    """A bound that is lifted at once, where others are lifted gently."""
+
+    title = "the bound of `{field}` is lifted at once"
+    label = "no ramp here is for this field"
+    note = "the others follow a ramp; this one jumps"
+    help = "add a ramp: `ramp ..., {example}`"
+    field: str
+    example: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
+    """An action or effect that is written down and has nothing in it."""
+
+    title = "this {what} does nothing"
+    label = "nothing in here"
+    help = "{advice}"
+    what: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MissingTimeLimit(Error, code="ROSS415", name="missing-time-limit"):
+    """A goal that may take for ever."""
+
+    title = "how long may this goal take?"
+    label = "nothing says when it has failed"
+    note = "how long a goal takes depends on the goal; nobody else can know"
+    help = "write it behind the action server: `within 30 sec`"
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnguardedConfirmation(Warning, code="ROSS416", name="unguarded-confirmation"):
+    """A confirmation that may fail, with nothing that follows."""
+
+    title = "if this is not confirmed, nobody acts"
+    label = "cancelled, and perhaps not stopped"
+    note = "the confirmation is there because the server's word is not enough"
+    help = "say what follows then: `else ACTION`"
+
+
+@dataclass(frozen=True, kw_only=True)
+class LatchConflict(Error, code="ROSS417", name="latch-conflict"):
+    """A rule with a contract of its own that uses a latched action."""
+
+    title = "action `{identifier}` is latched, and this rule clears by itself"
+    label = "a contract other than that of the action"
+    help = "leave this contract out, or use an action that is not latched"
+    identifier: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnorderedRules(Warning, code="ROSS418", name="unordered-rules"):
+    """Two rules that need the same thing for themselves, with no order between them."""
+
+    title = "rules `{first}` and `{second}` both need {resource}"
+    label = "which one gets it if both are active?"
+    note = "without an order, the rule that stands first in the file gets it: `{first}`"
+    help = "{advice}"
+    first: str
+    second: str
+    resource: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ControllerConflict(Error, code="ROSS419", name="controller-conflict"):
+    """A controller that is to be started and stopped at once."""
+
+    title = "controller `{identifier}` is both started and stopped"
+    label = "the second time"
+    help = "keep one of the two"
+    identifier: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class PlanTooLarge(Error, code="ROSS420", name="plan-too-large"):
+    """A rule whose actions and escalations are more than a reactor can hold."""
+
+    title = "this rule would do more than {most} things"
+    label = "its actions and all that follows when they fail"
+    note = "an escalation that several effects have in common counts for each of them"
+    help = "use fewer `else`, or actions with fewer effects"
+    most: int
+
+
+ALL: tuple[type[Template], ...] = (
+    UnknownSentType,
+    UntypedTarget,
+    UndeclaredRule,
+    UnknownLevel,
+    CircularEscalation,
+    CircularPriority,
+    FieldGivenTwice,
+    ReservedHook,
+    NothingToBound,
+    FieldNotBounded,
+    NotAnInterval,
+    ValueMismatch,
+    FieldNotAssignable,
+    IntegerMismatch,
+    FieldUnitMismatch,
+    RampMismatch,
+    RepeatedRamp,
+    NotPositive,
+    NotAFrequency,
+    BoundWithoutZero,
+    ZeroIsAPose,
+    FactorOutOfRange,
+    PartlyRamped,
+    DoesNothing,
+    MissingTimeLimit,
+    UnguardedConfirmation,
+    LatchConflict,
+    UnorderedRules,
+    ControllerConflict,
+    PlanTooLarge,
+)

@@ -1,0 +1,221 @@
+"""What an action does: the effects in its body. Times are expressions, not yet known to be times.
+
+`topic` is a topic as written, or its alias; services, action servers, controller managers and nodes
+are named in the same way.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.source import Span
+from rossmarie.syntax.ast.expressions import Expression, Name, Text, Unit
+
+
+@dataclass(frozen=True)
+class Position:
+    """`[0]` in a path."""
+
+    index: int
+    span: Span
+
+
+@dataclass(frozen=True)
+class FieldPath:
+    """`linear.x`, `poses[0].position.x`: a field of a message."""
+
+    steps: tuple[Name | Position, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
+class Target:
+    """`/cmd_vel : geometry_msgs/Twist`; without a type, it is known from elsewhere."""
+
+    name: Name
+    type: Name | None
+    span: Span
+
+
+# --- commands that pass through the safety filter --------------------------------------------
+
+
+@dataclass(frozen=True)
+class FieldBound:
+    """`linear.x in [-0.2, 0.2] m/s`."""
+
+    path: FieldPath
+    range: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
+class Limit:
+    """`limit /cmd_vel { linear.x in [-0.2, 0.2] m/s; } ramp 0.3 m/s^2`."""
+
+    target: Target
+    bounds: tuple[FieldBound, ...]
+    ramps: tuple[Expression, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
+class Scale:
+    """`scale /cmd_vel by 50 % ramp 20 %/s`."""
+
+    target: Target
+    factor: Expression
+    ramps: tuple[Expression, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
+class Block:
+    """`block /cmd_vel ramp 0.3 m/s^2`."""
+
+    target: Target
+    ramps: tuple[Expression, ...]
+    span: Span
+
+
+# --- messages --------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class FieldAssignment:
+    """`data = true`; a list of values is a `Bracket`."""
+
+    path: FieldPath
+    value: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
+class Publish:
+    """`publish /alarm : std_msgs/Bool { data = true; } at 2 Hz`; without a rate, once."""
+
+    target: Target
+    assignments: tuple[FieldAssignment, ...]
+    rate: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class CallService:
+    """`call /arm/lock : std_srvs/SetBool { data = true; } within 1 sec else stop`."""
+
+    target: Target
+    assignments: tuple[FieldAssignment, ...]
+    timeout: Expression | None
+    otherwise: Name | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class SetParameter:
+    """`set /planner.max_vel_x in m/s to 0.2 m/s within 1 sec else stop`."""
+
+    node: Name
+    parameter: tuple[Name, ...]
+    unit: Unit | None
+    value: Expression
+    timeout: Expression | None
+    otherwise: Name | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class SwitchControllers:
+    """`switch /controller_manager { stop effort; start position; } within 1 sec else stop`."""
+
+    manager: Name
+    start: tuple[Name, ...]
+    stop: tuple[Name, ...]
+    timeout: Expression | None
+    otherwise: Name | None
+    span: Span
+
+
+# --- goals of action servers -----------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class SendGoal:
+    """`send my_msgs/Retract { ... } to /arm within 5 sec then resend else stop`; `interrupted` is
+    the word behind `then`.
+    """
+
+    target: Target
+    assignments: tuple[FieldAssignment, ...]
+    timeout: Expression | None
+    interrupted: Name | None
+    otherwise: Name | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class CancelGoal:
+    """`cancel /arm confirm by CONDITION within 0.5 sec then drop else stop`."""
+
+    server: Name
+    confirmation: Expression | None
+    timeout: Expression | None
+    interrupted: Name | None
+    otherwise: Name | None
+    span: Span
+
+
+# --- words to people, and the rest -----------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Log:
+    """`log warning "slow on the slope"`."""
+
+    level: Name
+    text: Text
+    span: Span
+
+
+@dataclass(frozen=True)
+class Diagnose:
+    """`diagnose error "too steep"`."""
+
+    level: Name
+    text: Text
+    span: Span
+
+
+@dataclass(frozen=True)
+class Hook:
+    """`hook retract_arm`."""
+
+    name: Name
+    span: Span
+
+
+@dataclass(frozen=True)
+class Reset:
+    """`reset`."""
+
+    span: Span
+
+
+Effect = (
+    Limit
+    | Scale
+    | Block
+    | Publish
+    | CallService
+    | SetParameter
+    | SwitchControllers
+    | SendGoal
+    | CancelGoal
+    | Log
+    | Diagnose
+    | Hook
+    | Reset
+)
+
+Awaited = CallService | SetParameter | SwitchControllers | SendGoal | CancelGoal
+"""The effects whose end is awaited, and that may fail."""

@@ -1,0 +1,205 @@
+"""Names, units and expressions."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+
+from dslkit.source import Span
+
+
+@dataclass(frozen=True)
+class Name:
+    """A name as written: an identifier, a topic (`/imu/data`) or a type (`sensor_msgs/Imu`)."""
+
+    text: str
+    span: Span
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit as written behind a number, `m/s`; not yet known to exist."""
+
+    text: str
+    span: Span
+
+
+class UnaryOperator(enum.Enum):
+    """The prefix operators."""
+
+    NOT = "not"
+    NEGATE = "-"
+
+
+class BinaryOperator(enum.Enum):
+    """The infix operators; the value is the spelling."""
+
+    OR = "or"
+    AND = "and"
+    EQUAL = "=="
+    NOT_EQUAL = "!="
+    LESS = "<"
+    LESS_OR_EQUAL = "<="
+    GREATER = ">"
+    GREATER_OR_EQUAL = ">="
+    ADD = "+"
+    SUBTRACT = "-"
+    MULTIPLY = "*"
+    DIVIDE = "/"
+
+
+JUNCTIONS = frozenset({BinaryOperator.AND, BinaryOperator.OR})
+"""The operators between conditions."""
+
+
+@dataclass(frozen=True)
+class Number:
+    """`4.0 sec`, `-15 N`, `3`."""
+
+    value: float
+    unit: Unit | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Boolean:
+    """`true` or `false`."""
+
+    value: bool
+    span: Span
+
+
+@dataclass(frozen=True)
+class Text:
+    """`"docked"`."""
+
+    value: str
+    span: Span
+
+
+@dataclass(frozen=True)
+class Bracket:
+    """`[-10, 10] deg`: an interval (2 numbers) or a box (6: min and max per axis)."""
+
+    elements: tuple[Expression, ...]
+    unit: Unit | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Reference:
+    """A name used as a value."""
+
+    name: Name
+    span: Span
+
+
+@dataclass(frozen=True)
+class Member:
+    """`force.z`, `imu.steep`."""
+
+    value: Expression
+    member: Name
+    span: Span
+
+
+@dataclass(frozen=True)
+class Index:
+    """`pose.covariance[0]`."""
+
+    value: Expression
+    index: int
+    span: Span
+
+
+@dataclass(frozen=True)
+class Call:
+    """`norm(v)` or `orientation.pitch()`; the receiver of a method call is its first argument."""
+
+    function: Name
+    arguments: tuple[Expression, ...]
+    is_method: bool
+    span: Span
+
+
+@dataclass(frozen=True)
+class Oscillates:
+    """`oscillates(x, 3 times, within 0.25 sec, by 5 N)`; `swing` is the part behind `by`."""
+
+    value: Expression
+    count: Number
+    window: Expression
+    swing: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Unary:
+    """A prefix operator and its operand."""
+
+    operator: UnaryOperator
+    operand: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
+class Binary:
+    """An infix operator and its operands."""
+
+    operator: BinaryOperator
+    left: Expression
+    right: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
+class Membership:
+    """`x in range`, `x not in range`."""
+
+    value: Expression
+    container: Expression
+    is_negated: bool
+    span: Span
+
+
+@dataclass(frozen=True)
+class Held:
+    """`condition for 4.0 sec`."""
+
+    condition: Expression
+    duration: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
+class Parenthesized:
+    """`(x)`; kept so that the formatter can keep it."""
+
+    inner: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
+class Broken:
+    """Text that could not be parsed; already reported."""
+
+    span: Span
+
+
+Expression = (
+    Number
+    | Boolean
+    | Text
+    | Bracket
+    | Reference
+    | Member
+    | Index
+    | Call
+    | Oscillates
+    | Unary
+    | Binary
+    | Membership
+    | Held
+    | Parenthesized
+    | Broken
+)

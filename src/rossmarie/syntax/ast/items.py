@@ -1,0 +1,239 @@
+"""The items of a file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.source import SourceFile, Span
+from rossmarie.syntax.ast.effects import Effect
+from rossmarie.syntax.ast.expressions import Expression, Name, Text, Unit
+
+
+@dataclass(frozen=True)
+class Import:
+    """`import "husky_system.ross";` -- the path is relative to the importing file."""
+
+    path: Text
+    span: Span
+
+
+@dataclass(frozen=True)
+class TopicDeclaration:
+    """`topic Wrench = /ft/wrench : geometry_msgs/Wrench;` -- alias and unit are optional."""
+
+    alias: Name | None
+    topic: Name
+    message_type: Name
+    unit: Unit | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class ServiceDeclaration:
+    """`service /arm/lock : std_srvs/SetBool;`."""
+
+    name: Name
+    service_type: Name
+    span: Span
+
+
+@dataclass(frozen=True)
+class ServerDeclaration:
+    """`server /move_base : move_base_msgs/MoveBase;` -- an action server."""
+
+    name: Name
+    action_type: Name
+    span: Span
+
+
+@dataclass(frozen=True)
+class NodeDeclaration:
+    """`node planner { publishes /cmd_vel; subscribes /odom; }`."""
+
+    name: Name
+    publishes: tuple[Name, ...]
+    subscribes: tuple[Name, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
+class UnitDeclaration:
+    """`unit my_msgs/Wheel.speed = rad/s;` -- the unit of a message field."""
+
+    message_type: Name
+    path: tuple[Name, ...]
+    unit: Unit
+    span: Span
+
+
+@dataclass(frozen=True)
+class MessagesDeclaration:
+    """`messages "msg";` -- a folder of .msg, .srv and .action files, relative to the declaring
+    file.
+    """
+
+    path: Text
+    span: Span
+
+
+SystemMember = (
+    TopicDeclaration
+    | ServiceDeclaration
+    | ServerDeclaration
+    | NodeDeclaration
+    | UnitDeclaration
+    | MessagesDeclaration
+)
+
+
+@dataclass(frozen=True)
+class System:
+    """`system husky { ... }` -- a system model: what topics there are, and of what type."""
+
+    name: Name
+    members: tuple[SystemMember, ...]
+    documentation: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class LatchedUntilReset:
+    """`latched until reset`: released by an operator, while the rule's condition is false."""
+
+    span: Span
+
+
+@dataclass(frozen=True)
+class Action:
+    """`action lowSpeed;`, `action stop { block /cmd_vel; } latched until reset`.
+
+    `body` is the span of `{ ... }`, if there is one.
+    """
+
+    name: Name
+    body: Span | None
+    effects: tuple[Effect, ...]
+    latch: LatchedUntilReset | None
+    documentation: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Constant:
+    """`const maxSpeed = 0.5 m/s`."""
+
+    name: Name
+    value: Expression
+    documentation: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Input:
+    """`input pitch = topic /imu/data : sensor_msgs/Imu .orientation in rad timeout 0.2 sec`.
+
+    In the printed form `topic Wrench.force` the topic is a plain name and `message_type` is None:
+    a system model knows it.
+    """
+
+    name: Name
+    topic: Name
+    message_type: Name | None
+    path: tuple[Name, ...]
+    unit: Unit | None
+    timeout: Expression | None
+    documentation: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Condition:
+    """`steep : pitch not in [-20, 20] deg for 4.0 sec;` inside an entity."""
+
+    name: Name
+    expression: Expression
+    documentation: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Entity:
+    """`entity imu { ... }`: named conditions that belong together."""
+
+    name: Name
+    conditions: tuple[Condition, ...]
+    documentation: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class ClearWhen:
+    """`clear when COND`: released once the rule's condition is false and COND is true."""
+
+    condition: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
+class ClearFor:
+    """`clear for 2.0 sec`: released once the rule's condition has been false for that long."""
+
+    duration: Expression
+    span: Span
+
+
+ResumeContract = ClearWhen | ClearFor | LatchedUntilReset
+
+
+@dataclass(frozen=True)
+class Step:
+    """`ACTION`, or `also ACTION else ACTION`: `also` puts it beside the step before it, `otherwise`
+    is what follows if it fails.
+    """
+
+    is_beside: bool
+    action: Name
+    otherwise: Name | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Rule:
+    """`rule NAME: if COND then { STEP; ... } CONTRACT;` -- name and contracts are optional.
+
+    More than one contract is reported by the checker.
+    """
+
+    name: Name | None
+    condition: Expression
+    steps: tuple[Step, ...]
+    contracts: tuple[ResumeContract, ...]
+    documentation: str | None
+    span: Span
+
+    @property
+    def actions(self) -> tuple[Name, ...]:
+        """The actions of the steps."""
+        return tuple(step.action for step in self.steps)
+
+
+@dataclass(frozen=True)
+class Priority:
+    """`priority stop_here over slow_down over go_home;` -- rules, the most important first."""
+
+    rules: tuple[Name, ...]
+    span: Span
+
+
+Item = Import | System | Action | Constant | Input | Entity | Rule | Priority
+
+
+@dataclass(frozen=True)
+class Module:
+    """One parsed file. `is_whole` is False if it could not be read to its end: then nobody knows
+    what it declares.
+    """
+
+    file: SourceFile
+    items: tuple[Item, ...]
+    is_whole: bool = True

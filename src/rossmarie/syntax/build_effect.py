@@ -1,0 +1,184 @@
+"""What the grammar recognised of the body of an action -> its effects.
+
+One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rossmarie.syntax import ast
+from rossmarie.syntax.build_expression import ExpressionBuilder, Part
+from rossmarie.syntax.scan import Token
+
+
+class EffectBuilder(ExpressionBuilder):
+    """Builds the effects of one file."""
+
+    # --- commands --------------------------------------------------------------------------------
+
+    def limit(self, parts: list[Any]) -> ast.Limit:
+        """`limit TARGET { BOUND; ... } ramp RAMP`."""
+        bounds = tuple(part for part in parts if isinstance(part, ast.FieldBound))
+        return ast.Limit(parts[1], bounds, clause(parts, "ramp") or (), self._span(parts))
+
+    def scale(self, parts: list[Any]) -> ast.Scale:
+        """`scale TARGET by FACTOR ramp RAMP`."""
+        return ast.Scale(parts[1], parts[3], clause(parts, "ramp") or (), self._span(parts))
+
+    def block(self, parts: list[Any]) -> ast.Block:
+        """`block TARGET ramp RAMP`."""
+        return ast.Block(parts[1], clause(parts, "ramp") or (), self._span(parts))
+
+    def target(self, parts: list[Any]) -> ast.Target:
+        """`TOPIC : TYPE`."""
+        kind = self._type(parts[2]) if len(parts) > 1 else None
+        return ast.Target(self.name(parts[0]), kind, self._span(parts))
+
+    def field_bound(self, parts: list[Any]) -> ast.FieldBound:
+        """`PATH in RANGE`."""
+        return ast.FieldBound(parts[0], parts[2], self._span(parts))
+
+    def ramps(self, parts: list[Any]) -> Part:
+        """`ramp RAMP, ...`."""
+        return Part("ramp", tuple(parts[1::2]), self._span(parts))
+
+    # --- messages --------------------------------------------------------------------------------
+
+    def publish(self, parts: list[Any]) -> ast.Publish:
+        """`publish TARGET MESSAGE at RATE`."""
+        rate = parts[4] if len(parts) > 3 else None
+        return ast.Publish(parts[1], parts[2].value, rate, self._span(parts))
+
+    def call_service(self, parts: list[Any]) -> ast.CallService:
+        """`call TARGET MESSAGE within TIME else ACTION`."""
+        assignments = clause(parts, "{") or ()
+        timeout, otherwise = clause(parts, "within"), clause(parts, "else")
+        return ast.CallService(parts[1], assignments, timeout, otherwise, self._span(parts))
+
+    def set_parameter(self, parts: list[Any]) -> ast.SetParameter:
+        """`set NODE.PARAMETER in UNIT to VALUE within TIME else ACTION`."""
+        path, index = self._path(parts, 2)
+        unit = None
+        if parts[index].text == "in":
+            unit = self._unit(parts[index + 1])
+            index += 2
+        timeout, otherwise = clause(parts, "within"), clause(parts, "else")
+        node, value, span = self.name(parts[1]), parts[index + 1], self._span(parts)
+        return ast.SetParameter(node, path, unit, value, timeout, otherwise, span)
+
+    def switch_controllers(self, parts: list[Any]) -> ast.SwitchControllers:
+        """`switch MANAGER { start NAME, ...; stop NAME, ...; } within TIME else ACTION`."""
+        inside = [part for part in parts[3:] if isinstance(part, Token)]
+        named = self._listed(inside, ("start", "stop"))
+        timeout, otherwise = clause(parts, "within"), clause(parts, "else")
+        manager, span = self.name(parts[1]), self._span(parts)
+        return ast.SwitchControllers(
+            manager, named["start"], named["stop"], timeout, otherwise, span
+        )
+
+    def message(self, parts: list[Any]) -> Part:
+        """`{ PATH = VALUE; ... }`."""
+        assignments = tuple(part for part in parts if not isinstance(part, Token))
+        return Part("{", assignments, self._span(parts))
+
+    def field_assignment(self, parts: list[Any]) -> ast.FieldAssignment:
+        """`PATH = VALUE`."""
+        return ast.FieldAssignment(parts[0], parts[2], self._span(parts))
+
+    def field_path(self, parts: list[Any]) -> ast.FieldPath:
+        """`WORD.WORD[0]`."""
+        steps: list[ast.Name | ast.Position] = []
+        for part in parts:
+            if part.kind == "word":
+                steps.append(self.name(part))
+            elif part.kind == "number":
+                steps.append(ast.Position(self.position(part) or 0, self._at(part)))
+        return ast.FieldPath(tuple(steps), self._span(parts))
+
+    # --- goals -----------------------------------------------------------------------------------
+
+    def send_goal(self, parts: list[Any]) -> ast.SendGoal:
+        """`send TYPE MESSAGE to SERVER within TIME then WORD else ACTION`."""
+        kind = self._type(parts[1]) if isinstance(parts[1], Token) else None
+        assignments = clause(parts, "{")
+        to = next(at for at, part in enumerate(parts) if isinstance(part, Token) and at > 1)
+        server = self.name(parts[to + 1])
+        target = ast.Target(server, kind, server.span)
+        timeout, otherwise = clause(parts, "within"), clause(parts, "else")
+        interrupted, span = clause(parts, "then"), self._span(parts)
+        return ast.SendGoal(target, assignments, timeout, interrupted, otherwise, span)
+
+    def cancel_goal(self, parts: list[Any]) -> ast.CancelGoal:
+        """`cancel SERVER confirm by CONDITION within TIME then WORD else ACTION`."""
+        confirmation, timeout = clause(parts, "confirm"), clause(parts, "within")
+        interrupted, otherwise = clause(parts, "then"), clause(parts, "else")
+        server, span = self.name(parts[1]), self._span(parts)
+        return ast.CancelGoal(server, confirmation, timeout, interrupted, otherwise, span)
+
+    def confirmation(self, parts: list[Any]) -> Part:
+        """`confirm by CONDITION`."""
+        return Part("confirm", parts[2], self._span(parts))
+
+    def interrupted(self, parts: list[Any]) -> Part:
+        """`then resend`, `then drop`."""
+        return Part("then", self.name(parts[1]), self._span(parts))
+
+    def otherwise(self, parts: list[Any]) -> Part:
+        """`else ACTION`."""
+        return Part("else", self.name(parts[1]), self._span(parts))
+
+    # --- the rest --------------------------------------------------------------------------------
+
+    def log(self, parts: list[Any]) -> ast.Log:
+        """`log LEVEL TEXT`."""
+        return ast.Log(self.name(parts[1]), self.text(parts[2:]), self._span(parts))
+
+    def diagnose(self, parts: list[Any]) -> ast.Diagnose:
+        """`diagnose LEVEL TEXT`."""
+        return ast.Diagnose(self.name(parts[1]), self.text(parts[2:]), self._span(parts))
+
+    def hook(self, parts: list[Any]) -> ast.Hook:
+        """`hook NAME`."""
+        return ast.Hook(self.name(parts[1]), self._span(parts))
+
+    def reset_rules(self, parts: list[Any]) -> ast.Reset:
+        """`reset`."""
+        return ast.Reset(self._span(parts))
+
+    # --- parts -----------------------------------------------------------------------------------
+
+    def _type(self, token: Token) -> ast.Name:
+        return ast.Name(token.text.replace("/msg/", "/"), self._at(token))
+
+    def _path(self, parts: list[Any], index: int) -> tuple[tuple[ast.Name, ...], int]:
+        """The words behind dots from an index on, and the index behind them."""
+        names = []
+        while index < len(parts) and isinstance(parts[index], Token) and parts[index].text == ".":
+            names.append(self.name(parts[index + 1]))
+            index += 2
+        return tuple(names), index
+
+    def _listed(
+        self, parts: list[Token], words: tuple[str, str]
+    ) -> dict[str, tuple[ast.Name, ...]]:
+        """The names behind each of two words, in `WORD NAME, NAME; ...`."""
+        found: dict[str, tuple[ast.Name, ...]] = dict.fromkeys(words, ())
+        current = words[0]
+        is_start = True
+        for part in parts:
+            if part.text == ";":
+                is_start = True
+            elif is_start:
+                is_start = False
+                current = part.text
+            elif part.kind == "word":
+                found[current] += (self.name(part),)
+        return found
+
+
+def clause(parts: list[Any], word: str) -> Any:
+    """What stands behind a word among the parts of an effect; None if it is not there."""
+    return next(
+        (part.value for part in parts if isinstance(part, Part) and part.word == word), None
+    )

@@ -1,0 +1,87 @@
+"""What the recoveries of items in braces share: where the body is, and its parts one by one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import NamedTuple, TypeVar
+
+from dslkit.diagnostics import Label
+from rossmarie.syntax import ast
+from rossmarie.syntax.explain import is_name, missing_sign, unclosed_bracket
+from rossmarie.syntax.grammar import Failure
+from rossmarie.syntax.part import PartParser
+
+_Node = TypeVar("_Node")
+
+
+class Stretch(NamedTuple):
+    """The tokens of an item, and its kind; `head` is the word meant where the first is misspelt."""
+
+    kind: str
+    first: int
+    last: int
+    head: str | None
+
+
+class Member(NamedTuple):
+    """The tokens of a part inside braces, without its `;`."""
+
+    first: int
+    last: int
+    is_closed: bool
+
+
+def start_of_body(part: PartParser, item: Stretch, failure: Failure | None) -> int:
+    """The first token behind the `{`; what is wrong in front of it is reported here."""
+    if failure is not None and failure.index <= 2:
+        part.explain(item.kind, item.first, item.last, failure)
+    for index in range(item.first + 1, min(item.first + 5, item.last)):
+        if part.source.tokens[index].text == "{":
+            return index + 1
+    return min(item.first + 2, item.last)
+
+
+def check_closed(part: PartParser, item: Stretch, start: int) -> None:
+    """Report the brace in front of `start` if it is open at the end of the item."""
+    tokens = part.source.tokens
+    inside = tokens[item.first : item.last]
+    balance = sum((token.text == "{") - (token.text == "}") for token in inside)
+    is_cut_off = any(token.kind == "open_text" for token in inside)
+    if balance <= 0 or is_cut_off or tokens[start - 1].text != "{":
+        return
+    labels: tuple[Label, ...] = ()
+    if item.last < len(tokens):
+        next_item = part.source.span(tokens[item.last])
+        labels = (Label(next_item, "the next item begins here"),)
+    brace = tokens[start - 1]
+    part.findings.add(unclosed_bracket(part.source, brace, tokens[item.last - 1], *labels))
+
+
+def parse_members(
+    part: PartParser,
+    members: Iterator[Member],
+    kind: Callable[[Member], str],
+    rescue: Callable[[PartParser, Member], _Node | None],
+) -> list[_Node]:
+    """The nodes of all members; of a broken one what `rescue` makes of it."""
+    nodes = []
+    for member in members:
+        if part.findings.is_full:
+            break
+        node = part.parse(kind(member), member.first, member.last)
+        if node is None:
+            node = rescue(part, member)
+        elif not member.is_closed:
+            behind = part.source.tokens[member.last - 1]
+            part.findings.add(missing_sign(part.source, ";", behind, kind(member)))
+        if node is not None:
+            nodes.append(node)
+    return nodes
+
+
+def name_of(part: PartParser, item: Stretch) -> ast.Name | None:
+    """The name behind the first word of an item."""
+    if item.last - item.first < 2:
+        return None
+    token = part.source.tokens[item.first + 1]
+    return ast.Name(token.text, part.source.span(token)) if is_name(token) else None
