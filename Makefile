@@ -6,7 +6,7 @@ READY := .venv/.ready
 RUN := .venv/bin
 HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 
-.PHONY: help demo test check bench fmt fuzz clean browser compiler
+.PHONY: help demo test check bench fmt fuzz clean browser compiler ros1
 
 help:
 	@echo "make demo    a rules file, checked, compiled and run over a recording"
@@ -29,6 +29,11 @@ browser:
 	@command -v chromium >/dev/null || command -v chromium-browser >/dev/null || \
 	command -v google-chrome >/dev/null || tools/setup_debian.sh chromium
 
+# Generated nodes are run; without ROS 1 these tests are skipped, and say so. Only Debian has it.
+ros1:
+	@command -v rosmaster >/dev/null && command -v catkin_make >/dev/null || \
+	! command -v apt-get >/dev/null || tools/setup_ros1.sh
+
 demo: $(READY) compiler
 	$(RUN)/python examples/demo/record.py build/demo
 	$(RUN)/rossmarie check examples/demo/demo.ross
@@ -39,10 +44,10 @@ ifneq ($(wildcard $(HUSKY_RECORDING)),)
 endif
 	@echo "the timeline:    open $(CURDIR)/build/demo/report/timeline.html in a browser"
 
-test: $(READY) compiler browser
+test: $(READY) compiler browser ros1
 	$(RUN)/pytest
 
-check: $(READY) compiler browser
+check: $(READY) compiler browser ros1
 	$(RUN)/ruff format --check
 	$(RUN)/ruff check
 	$(RUN)/mypy

@@ -19,9 +19,10 @@ needs_c = pytest.mark.skipif(not C_COMPILERS, reason="there is no C compiler on 
 
 def write(files: Mapping[str, str], folder: Path) -> None:
     """Put generated files into a folder."""
-    folder.mkdir(parents=True, exist_ok=True)
     for name, text in files.items():
-        (folder / name).write_text(text, encoding="utf-8")
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
 
 
 def run(command: Sequence[str | Path], given: bytes = b"") -> subprocess.CompletedProcess[bytes]:

@@ -91,6 +91,7 @@ class TargetName(str, enum.Enum):
 
     C99 = "c99"
     PYTHON = "python"
+    ROS1 = "ros1"
 
 
 class StageName(str, enum.Enum):

@@ -16,9 +16,11 @@ from rossmarie import ir
 @dataclass(frozen=True)
 class Target:
     """`unsupported` gives a finding for everything in a machine that the target cannot do; only if
-    there is none, `generate` gives the files of the machine by name.
+    there is none, `generate` gives the files of the machine by name. Those that are `owned_by_user`
+    are written once: a file that is there is left alone.
     """
 
     name: str
     unsupported: Callable[[ir.Machine], Iterable[Diagnostic]]
     generate: Callable[[ir.Machine], Mapping[str, str]]
+    owned_by_user: frozenset[str] = frozenset()

@@ -41,4 +41,32 @@ class TooManyEvaluations(Error, code="ROSS502", name="too-many-evaluations"):
     most: int
 
 
-ALL: tuple[type[Template], ...] = (MonitorTooLarge, TooManyEvaluations)
+@dataclass(frozen=True, kw_only=True)
+class UnsupportedEffect(Error, code="ROSS503", name="unsupported-effect"):
+    """An effect of an action that a target cannot carry out."""
+
+    title = "the target {target} cannot do `{effect}`"
+    label = "this effect"
+    note = "a node that left it out would do less than these rules say"
+    help = "do it in a `hook` of your own, or leave the action without a body for this target"
+    target: str
+    effect: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NothingToDo(Error, code="ROSS504", name="nothing-to-do"):
+    """Rules whose actions all have no body."""
+
+    title = "a node of the target {target} would have nothing to do"
+    label = "neither the actions of this rule nor those of others have a body"
+    note = "a node carries out what stands in the bodies of actions; the monitor alone is `c99`"
+    help = "say what an action does: `action stop {{ block /cmd_vel; }}`, or at least `log`"
+    target: str
+
+
+ALL: tuple[type[Template], ...] = (
+    MonitorTooLarge,
+    TooManyEvaluations,
+    UnsupportedEffect,
+    NothingToDo,
+)

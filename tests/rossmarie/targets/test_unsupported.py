@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 
 import pytest
 
 from rossmarie import ir
+from rossmarie.ir import reactions
 from rossmarie.targets.c99 import TARGET
 from rossmarie.targets.unsupported import unsupported
+from support.c99_cases import reacting
 from support.drafts import Draft
 
 # The package re-exports a function under the name of the module.
@@ -33,6 +36,23 @@ def test_more_conditions_than_indexes(monkeypatch: pytest.MonkeyPatch) -> None:
     assert "13 conditions and rules" in found.primary.text
     monkeypatch.setattr(unsupported_by_c99, "MOST_INDEXES", 13)
     assert list(TARGET.unsupported(draft.machine())) == []
+
+
+@pytest.mark.parametrize(
+    ("bounds", "most", "said"),
+    [(1, 13, "14 orders of tasks"), (20, 19, "20 bounds of commands")],
+)
+def test_more_that_rules_do_than_indexes(
+    bounds: int, most: int, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = reacting().reactions
+    limit = reactions.Limit(0, (reactions.Bound(0, 0.0, 0.0, None),) * bounds)
+    tasks = (replace(found.tasks[0], effect=limit), *found.tasks[1:])
+    machine = replace(reacting(), reactions=replace(found, tasks=tasks))
+    assert list(TARGET.unsupported(machine)) == []
+    monkeypatch.setattr(unsupported_by_c99, "MOST_INDEXES", most)
+    (finding,) = TARGET.unsupported(machine)
+    assert said in finding.primary.text
 
 
 def test_more_evaluations_in_one_call_than_any_target_may_need(

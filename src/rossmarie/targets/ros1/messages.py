@@ -1,0 +1,124 @@
+"""How messages come into the monitor, and which numbers of commands are bounded, as C++."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie import ir
+from rossmarie.ir import reactions
+from rossmarie.targets.c99 import types
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.text import indented
+from rossmarie.targets.ros1 import names
+
+_TEXT_INDEX = """
+// The index of a text among those that the rules know, -1 for any other.
+inline double text_index(const std::string &text)
+{{
+    for (int index = 0; index < {count}; index++)
+        if (text == {name}_texts[index])
+            return index;
+    return -1.0;
+}}
+"""
+
+
+def includes(machine: ir.Machine) -> str:
+    """The headers of all messages that come in or go through the filter."""
+    used = {channel.message_type for channel in machine.channels}
+    used |= {command.message_type for command in machine.reactions.commands}
+    return "\n".join([*map(names.header, sorted(used)), ""])
+
+
+def text_index(layout: Layout) -> str:
+    """The function that looks texts up, if rules compare texts."""
+    count = len(layout.machine.texts)
+    return _TEXT_INDEX.format(count=count, name=layout.name) if count else ""
+
+
+def fills(layout: Layout) -> str:
+    """A function for each input topic that takes the fields of a message over."""
+    return "\n".join(_fill(layout, channel) for channel in range(len(layout.channel_names)))
+
+
+def arrays(layout: Layout) -> str:
+    """The members of the struct that keeps arrays while the monitor looks at them."""
+    machine = layout.machine
+    kept = (
+        f"std::vector<double> {layout.channel_names[channel]}_{field.name};"
+        for channel in range(len(layout.channel_names))
+        for field in types.fields_of(machine, channel)
+        if field.array is not None
+    )
+    return indented(kept)
+
+
+def _fill(layout: Layout, channel: int) -> str:
+    topic, name = layout.machine.channels[channel], layout.channel_names[channel]
+    fields = types.fields_of(layout.machine, channel)
+    lines = [line for field in fields for line in _field(layout, name, field)]
+    has_array = any(field.array is not None for field in fields)
+    head = f"inline void fill_{name}("
+    parameters = [
+        f"{layout.name}_values &values",
+        "Arrays &arrays" if has_array else "Arrays &",
+        f"const {names.cpp_type(topic.message_type)} &{'message' if fields else ''}",
+    ]
+    return (
+        f"// {topic.topic}: {topic.message_type}\n"
+        f"{head}{(',' + chr(10) + ' ' * len(head)).join(parameters)})\n{{\n"
+        f"{indented([f'values.has_{name} = true;', *lines])}\n}}\n"
+    )
+
+
+def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
+    """The lines that take one field of `message` over."""
+    target = f"values.{channel}.{field.name}"
+    if field.slot is not None:
+        yield f"{target} = {_scalar(layout.machine.slots[field.slot])};"
+        return
+    assert field.array is not None, "a field is a slot or an array"
+    whole = names.member(layout.machine.arrays[field.array].path)
+    kept = f"arrays.{channel}_{field.name}"
+    yield f"{kept} = numbers(message{whole});"
+    yield f"{target} = {kept}.data();"
+    yield f"{target}_count = {kept}.size();"
+
+
+def _scalar(slot: ir.Slot) -> str:
+    """A field as a double."""
+    if slot.path and isinstance(slot.path[-1], int):
+        return f"element(message{names.member(slot.path[:-1])}, {slot.path[-1]})"
+    reader = "text_index" if slot.kind is ir.Kind.TEXT else "number"
+    return f"{reader}(message{names.member(slot.path)})"
+
+
+def commands(machine: ir.Machine) -> str:
+    """A struct for each command topic."""
+    classes = names.command_classes(machine)
+    return "\n".join(_command(machine, index, word) for index, word in enumerate(classes))
+
+
+def _command(machine: ir.Machine, index: int, word: str) -> str:
+    command = machine.reactions.commands[index]
+    visits = [line for place, field in enumerate(command.fields) for line in _visit(place, field)]
+    return (
+        f"// {command.topic}: {command.message_type}\n"
+        f"struct {word} {{\n"
+        f"    using Message = {names.cpp_type(command.message_type)};\n"
+        f"    static constexpr int index = {index};\n"
+        f"    static constexpr std::size_t fields = {len(command.fields)};\n"
+        f'    static const char *filtered() {{ return "{command.topic}"; }}\n'
+        f'    static const char *unfiltered() {{ return "{names.unfiltered(command.topic)}"; }}\n\n'
+        f"    template <class Visit> static void each_number(Message &message, Visit visit)\n"
+        f"    {{\n{indented(visits, 2)}\n    }}\n}};\n"
+    )
+
+
+def _visit(place: int, field: reactions.CommandField) -> Iterator[str]:
+    number = f"message{names.member(field.path)}"
+    if field.is_array:
+        yield f"for (auto &number : {number})"
+        yield f"    visit({place}, number);"
+    else:
+        yield f"visit({place}, {number});"

@@ -1,0 +1,84 @@
+"""All names that the generated package invents, and how ROS names become C++."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+from rossmarie import ir
+from rossmarie.ir import reactions
+from rossmarie.targets.c99 import names
+
+_UNFILTERED = "unfil_"
+
+
+def package(machine: ir.Machine) -> str:
+    """The package and its node. The ending keeps it apart from packages that are called like the
+    rules file, and from the C names.
+    """
+    return f"{names.public_prefix(machine.name).rstrip('_')}_safety"
+
+
+def unfiltered(topic: str) -> str:
+    """Where commands come from that leave on `topic`: `/robot/unfil_cmd_vel`."""
+    head, slash, tail = topic.rpartition("/")
+    return f"{head}{slash}{_UNFILTERED}{tail}"
+
+
+def message_package(ros_type: str) -> str:
+    """The package of `sensor_msgs/Imu`."""
+    return ros_type.partition("/")[0]
+
+
+def cpp_type(ros_type: str) -> str:
+    """`sensor_msgs/Imu` as `sensor_msgs::Imu`."""
+    return f"{message_package(ros_type)}::{ros_type.rpartition('/')[2]}"
+
+
+def header(ros_type: str) -> str:
+    """The line that includes a message or service."""
+    return f"#include <{message_package(ros_type)}/{ros_type.rpartition('/')[2]}.h>"
+
+
+def command_members(machine: ir.Machine) -> tuple[str, ...]:
+    """For each command topic what its filter is called: `cmd_vel`."""
+    family = names.Family(taken=("all",))
+    return tuple(family.name(command.topic) for command in machine.reactions.commands)
+
+
+def command_classes(machine: ir.Machine) -> tuple[str, ...]:
+    """For each command topic the struct that describes it: `CmdVelCommand`."""
+    return tuple(f"{_capitalized(member)}Command" for member in command_members(machine))
+
+
+def hooks(machine: ir.Machine) -> dict[str, str]:
+    """For each hook its function."""
+    effects = (task.effect for task in machine.reactions.tasks)
+    used = dict.fromkeys(effect.name for effect in effects if isinstance(effect, reactions.Hook))
+    family = names.Family()
+    return {name: family.name(name) for name in used}
+
+
+def message_makers(machine: ir.Machine, tasks: Sequence[int]) -> dict[int, str]:
+    """For each of the tasks that send something the function that makes it."""
+    family = names.Family("make_")
+    return {
+        task: family.name(machine.reactions.actions[machine.reactions.tasks[task].action].name)
+        for task in tasks
+    }
+
+
+def member(path: Sequence[str | int]) -> str:
+    """A path into a message: `.twist.linear.x`, `.covariance.at(0)`."""
+    return "".join(f".at({step})" if isinstance(step, int) else f".{step}" for step in path)
+
+
+def xml(text: str) -> str:
+    """The text as it may stand in XML, comments included."""
+    return escape(text).replace("--", "- -")
+
+
+def _capitalized(word: str) -> str:
+    """`cmd_vel_2` as `CmdVel_2`: digits keep their line, so that different words stay different."""
+    parts = word.split("_")
+    return "".join(part.capitalize() if part[:1].isalpha() else f"_{part}" for part in parts)

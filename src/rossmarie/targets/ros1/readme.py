@@ -1,0 +1,39 @@
+"""The blanks of the README of a generated package."""
+
+from __future__ import annotations
+
+from rossmarie import ir
+from rossmarie.ir import reactions
+from rossmarie.targets.ros1 import names
+from rossmarie.targets.ros1.words import effect_words
+
+
+def blanks(machine: ir.Machine) -> dict[str, object]:
+    """What the template leaves open."""
+    return {
+        "inputs": "\n".join(_input(machine, used) for used in machine.inputs) or "- none",
+        "commands": "\n".join(map(_command, machine.reactions.commands)) or "- none",
+        "rules": "\n".join(_rule(machine, index) for index in range(len(machine.rules))),
+    }
+
+
+def _input(machine: ir.Machine, used: ir.Input) -> str:
+    channel = machine.channels[used.channel]
+    timeout = "" if used.timeout_ns is None else f", lost after {used.timeout_ns / 1e9:g} s"
+    return f"- `{used.name}`: `{channel.topic}` ({channel.message_type}){timeout}"
+
+
+def _command(command: reactions.CommandTopic) -> str:
+    source = names.unfiltered(command.topic)
+    return f"- `{source}` -> this node -> `{command.topic}` ({command.message_type})"
+
+
+def _rule(machine: ir.Machine, index: int) -> str:
+    rule = machine.rules[index]
+    lines = [f"- `{rule.name}`: {rule.contract}"]
+    plans = machine.reactions.plans
+    for task in plans[index].tasks if plans else ():
+        action = machine.reactions.actions[machine.reactions.tasks[task].action].name
+        effect = effect_words(machine, machine.reactions.tasks[task].effect)
+        lines.append(f"  - `{action}`: {effect}")
+    return "\n".join(lines)

@@ -1,0 +1,26 @@
+"""What the ROS 1 target cannot do, and what its core cannot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dslkit.diagnostics import Diagnostic
+from rossmarie import ir
+from rossmarie.ir import reactions
+from rossmarie.targets import c99
+from rossmarie.targets.errors import NothingToDo, UnsupportedEffect
+from rossmarie.targets.ros1.words import effect_words
+
+
+def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
+    """A finding for everything that the generated node would have to leave out."""
+    yield from c99.unsupported(machine)
+    if machine.rules and not machine.reactions.tasks:
+        yield NothingToDo(target="ros1").at(machine.rules[0].span)
+    for task in machine.reactions.tasks:
+        if isinstance(
+            task.effect,
+            reactions.SetParameter | reactions.SwitchControllers | reactions.SendGoal,
+        ):
+            effect = effect_words(machine, task.effect)
+            yield UnsupportedEffect(target="ros1", effect=effect).at(task.span)

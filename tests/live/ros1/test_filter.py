@@ -1,0 +1,109 @@
+"""Commands are held back by a running node as the rules say."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import pytest
+
+from support.ros1_live import Process, Robot, until
+
+Start = Callable[..., Process]
+
+
+def passes(robot: Robot, speed: float = 1.0) -> None:
+    """Wait until commands come through as the planner sends them."""
+    until(lambda: robot.commands(0.1)[-1:] == [speed], f"{speed} m/s passes")
+
+
+def holds_back(robot: Robot, limit: float) -> None:
+    """Wait until commands are bounded; then all of them are."""
+    until(lambda: robot.commands(0.1)[-1:] == [limit], f"at most {limit} m/s passes")
+    assert set(robot.commands(0.3)) == {limit}
+
+
+def test_a_command_is_limited_on_a_slope_and_comes_back_along_the_ramp(
+    robot: Robot, start: Start
+) -> None:
+    start()
+    passes(robot)
+    robot.set(pitch=15.0)
+    holds_back(robot, 0.2)
+    robot.ask(forget="/cmd_vel")
+    robot.set(pitch=0.0)
+    time.sleep(2.0)
+    told = [(t, x) for t, x in robot.ask(heard="/cmd_vel")]
+    rising = [(t, x) for t, x in told if 0.2 < x < 1.0]
+    (begin, low), (end, high) = rising[0], rising[-1]
+    assert (high - low) / (end - begin) == pytest.approx(0.5, rel=0.2)
+    assert [x for _, x in rising] == sorted(x for _, x in rising)
+    assert told[-1][1] == 1.0
+
+
+def test_a_limit_holds_back_what_was_sent_before(robot: Robot, start: Start) -> None:
+    """The planner sends once and is then silent: the robot must not go on at that speed."""
+    start()
+    passes(robot)
+    robot.set(speed=None)
+    robot.ask(forget="/cmd_vel")
+    robot.set(pitch=15.0)
+    until(lambda: robot.heard("/cmd_vel")[-1:] == [0.2], "the last command is sent again, bounded")
+
+
+def test_a_blocked_topic_carries_zeros_without_any_command(robot: Robot, start: Start) -> None:
+    robot.set(speed=None, pitch=None)
+    start()
+    until(lambda: robot.state() is not None, "the node runs")
+    zeros = robot.commands(1.0)
+    assert set(zeros) == {0.0}
+    assert len(zeros) == pytest.approx(20, abs=5)
+
+
+def test_without_the_node_no_command_passes(robot: Robot, start: Start) -> None:
+    node = start()
+    passes(robot)
+    node.end()
+    time.sleep(0.2)
+    assert robot.commands(0.5) == []
+
+
+def test_a_command_of_a_rule_takes_the_place_of_the_planners(robot: Robot, start: Start) -> None:
+    start()
+    passes(robot)
+    robot.set(near=True)
+    until(lambda: robot.commands(0.2)[-1:] == [-0.05], "half of -0.1 m/s is sent")
+    assert set(robot.commands(0.3)) == {-0.05}
+    robot.set(near=False)
+    passes(robot)
+
+
+def test_what_is_not_finite_becomes_zero(robot: Robot, start: Start) -> None:
+    start()
+    passes(robot)
+    robot.set(speed="nan")
+    holds_back(robot, 0.0)
+    until(lambda: any("not finite" in s["message"] for s in diagnoses(robot)), "it is diagnosed")
+    robot.set(speed=1.0)
+    passes(robot)
+
+
+def test_a_silent_sensor_stops_and_names_itself(robot: Robot, start: Start) -> None:
+    start()
+    passes(robot)
+    robot.set(pitch=None)
+    holds_back(robot, 0.0)
+    assert "input orientation (/imu/data) is older than its timeout" in robot.call("why")["text"]
+
+
+def test_frozen_stamps_are_refused(robot: Robot, start: Start) -> None:
+    start(header_stamps=["/imu/data"])
+    passes(robot)
+    robot.set(frozen=True)
+    holds_back(robot, 0.0)
+    until(lambda: any("were refused" in s["message"] for s in diagnoses(robot)), "it is diagnosed")
+
+
+def diagnoses(robot: Robot) -> list[dict[str, str]]:
+    """The last diagnostics that were told."""
+    return next(iter(reversed(robot.heard("/diagnostics"))), {"status": []})["status"]

@@ -1,0 +1,100 @@
+"""What an operator sees of a running node, and can do."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from support.ros1_live import Process, Robot, until
+
+Start = Callable[..., Process]
+
+
+def passes(robot: Robot) -> None:
+    until(lambda: robot.commands(0.1)[-1:] == [1.0], "1 m/s passes")
+
+
+def is_blocked(robot: Robot) -> None:
+    until(lambda: robot.commands(0.1)[-1:] == [0.0], "nothing but 0 passes")
+
+
+def test_a_reset_is_refused_while_it_is_unsafe(robot: Robot, start: Start) -> None:
+    start()
+    passes(robot)
+    robot.set(pitch=40.0)
+    is_blocked(robot)
+    refused = robot.call("reset", rule="fallen")
+    assert not refused["success"]
+    assert "abs(orientation.pitch()) > 30 deg" in refused["message"]
+    robot.set(pitch=0.0)
+    time.sleep(0.3)
+    assert set(robot.commands(0.3)) == {0.0}
+    assert robot.call("reset", rule="fallen")["success"]
+    passes(robot)
+
+
+def test_a_latched_rule_outlives_the_node(robot: Robot, start: Start) -> None:
+    node = start()
+    passes(robot)
+    robot.set(pitch=40.0)
+    is_blocked(robot)
+    until(lambda: robot.state()["active"] == ["tilted", "fallen"], "the state is told")
+    node.end()
+    robot.set(pitch=0.0)
+    start()
+    until(lambda: robot.commands(0.3)[-1:] == [0.0], "the node is back")
+    time.sleep(1.0)
+    assert set(robot.commands(0.5)) == {0.0}
+    assert "latched before the node started" in robot.call("why")["text"]
+    assert robot.call("reset", rule="")["success"]
+    passes(robot)
+
+
+def test_verdicts_say_why_with_values_and_units(robot: Robot, start: Start) -> None:
+    start()
+    passes(robot)
+    robot.ask(forget="/vehicle_safety/verdicts")
+    robot.set(pitch=15.0)
+    until(lambda: bool(robot.heard("/vehicle_safety/verdicts")), "a verdict is told")
+    verdict = robot.heard("/vehicle_safety/verdicts")[0]
+    assert (verdict["rule"], verdict["change"]) == ("tilted", 1)
+    assert (
+        verdict["cause"] == "abs(orientation.pitch()) = 15 deg; abs(orientation.pitch()) > 10 deg"
+    )
+    (value,) = verdict["values"]
+    assert (value["name"], value["unit"]) == ("abs(orientation.pitch())", "deg")
+    assert abs(value["value"] - 15.0) < 1e-6
+    assert verdict["actions"][0] == "slow: limit /cmd_vel"
+
+
+def test_an_exemption_ends_by_itself(robot: Robot, start: Start) -> None:
+    start()
+    robot.set(pitch=15.0)
+    until(lambda: robot.commands(0.1)[-1:] == [0.2], "at most 0.2 m/s passes")
+    assert not robot.call("exempt", rule="tilted", time=1.0, reason="")["success"]
+    begin = time.monotonic()
+    assert robot.call("exempt", rule="tilted", time=4.0, reason="a test drive")["success"]
+    passes(robot)
+    assert robot.state()["exempted"] == ["tilted"]
+    until(lambda: robot.commands(0.1)[-1:] == [0.2], "the exemption is over")
+    assert 3.5 < time.monotonic() - begin < 5.0
+
+
+def test_actions_publish_call_and_fail(robot: Robot, start: Start) -> None:
+    start()
+    passes(robot)
+    robot.set(pitch=40.0)
+    is_blocked(robot)
+    until(lambda: robot.heard("/lamp") == [True], "the service is called")
+    robot.ask(forget="/horn")
+    time.sleep(1.0)
+    assert 4 <= len(robot.heard("/horn")) <= 6
+    robot.set(pitch=0.0, lamp=False)
+    until(lambda: robot.call("reset", rule="")["success"], "it is safe")
+    robot.set(pitch=40.0)
+    until(lambda: "failed" in states(robot), "a call that is refused has failed")
+
+
+def states(robot: Robot) -> list[str]:
+    state = robot.state()
+    return [task["state"] for task in state["tasks"]] if state else []
