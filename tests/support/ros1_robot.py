@@ -8,6 +8,7 @@ import json
 import math
 import os
 import sys
+import time
 from collections import deque
 
 import actionlib
@@ -104,8 +105,9 @@ class Robot:
         for name, value in request.get("set", {}).items():
             setattr(self, name, value)
         if "goal" in request:
-            self._client.wait_for_server()
-            self._client.send_goal(TestGoal(request["goal"]))
+            self._send_goal(request["goal"])
+        if "goal_senders" in request:
+            return self._arm.action_server.goal_sub.get_num_connections()
         if "heard" in request:
             return list(self.heard.get(request["heard"], ()))
         if "forget" in request:
@@ -113,6 +115,16 @@ class Robot:
         if "call" in request:
             return self._call(request["call"], request["with"])
         return None
+
+    def _send_goal(self, goal):
+        """Waits for the server and for the node: it cannot send again what it has not heard."""
+        self._client.wait_for_server()
+        end = time.monotonic() + 5.0
+        while self._client.action_client.pub_goal.get_num_connections() < 2:
+            if time.monotonic() > end:
+                break
+            time.sleep(0.02)
+        self._client.send_goal(TestGoal(goal))
 
     def _call(self, name, arguments):
         kind = {"reset": Reset, "why": Why, "exempt": Exempt}[name]
