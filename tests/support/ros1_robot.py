@@ -106,8 +106,6 @@ class Robot:
             setattr(self, name, value)
         if "goal" in request:
             self._send_goal(request["goal"])
-        if "goal_senders" in request:
-            return self._arm.action_server.goal_sub.get_num_connections()
         if "heard" in request:
             return list(self.heard.get(request["heard"], ()))
         if "forget" in request:
