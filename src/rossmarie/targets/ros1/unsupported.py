@@ -9,7 +9,7 @@ from rossmarie import ir
 from rossmarie.ir import reactions
 from rossmarie.targets import c99
 from rossmarie.targets.errors import NothingToDo, UnsupportedEffect
-from rossmarie.targets.ros1.words import effect_words
+from rossmarie.targets.ros.words import effect_words
 
 
 def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:

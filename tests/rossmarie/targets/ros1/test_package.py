@@ -13,7 +13,7 @@ from rossmarie import ir
 from rossmarie.driver.build import generate
 from rossmarie.ir import reactions
 from rossmarie.targets import ros1
-from rossmarie.targets.ros1 import names
+from rossmarie.targets.ros import names
 from support.ros1_cases import vehicle
 
 
@@ -37,7 +37,7 @@ def test_the_package_is_complete() -> None:
         "srv/Reset.srv",
         "src/vehicle_monitor.c",
         "src/vehicle_reactor.c",
-        "src/node.cpp",
+        "src/main.cpp",
         "src/hooks.cpp",
     } <= set(files)
 

@@ -9,7 +9,8 @@ from rossmarie.ir import reactions
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.text import indented
-from rossmarie.targets.ros1 import names
+from rossmarie.targets.ros import names
+from rossmarie.targets.ros.dialect import Dialect, Interface
 
 _TEXT_INDEX = """
 // The index of a text among those that the rules know, -1 for any other.
@@ -23,11 +24,16 @@ inline double text_index(const std::string &text)
 """
 
 
-def includes(machine: ir.Machine) -> str:
-    """The headers of all messages that come in or go through the filter."""
+def types_of(machine: ir.Machine) -> list[str]:
+    """The types of all messages that come in or go through the filter, sorted."""
     used = {channel.message_type for channel in machine.channels}
-    used |= {command.message_type for command in machine.reactions.commands}
-    return "\n".join([*map(names.header, sorted(used)), ""])
+    return sorted(used | {command.message_type for command in machine.reactions.commands})
+
+
+def includes(machine: ir.Machine, dialect: Dialect) -> str:
+    """The headers of these messages."""
+    headers = (dialect.header(each, Interface.MESSAGE) for each in types_of(machine))
+    return "\n".join([*(f"#include <{header}>" for header in headers), ""])
 
 
 def text_index(layout: Layout) -> str:
@@ -36,9 +42,11 @@ def text_index(layout: Layout) -> str:
     return _TEXT_INDEX.format(count=count, name=layout.name) if count else ""
 
 
-def fills(layout: Layout) -> str:
+def fills(layout: Layout, dialect: Dialect) -> str:
     """A function for each input topic that takes the fields of a message over."""
-    return "\n".join(_fill(layout, channel) for channel in range(len(layout.channel_names)))
+    return "\n".join(
+        _fill(layout, dialect, channel) for channel in range(len(layout.channel_names))
+    )
 
 
 def arrays(layout: Layout) -> str:
@@ -53,16 +61,17 @@ def arrays(layout: Layout) -> str:
     return indented(kept)
 
 
-def _fill(layout: Layout, channel: int) -> str:
+def _fill(layout: Layout, dialect: Dialect, channel: int) -> str:
     topic, name = layout.machine.channels[channel], layout.channel_names[channel]
     fields = types.fields_of(layout.machine, channel)
     lines = [line for field in fields for line in _field(layout, name, field)]
     has_array = any(field.array is not None for field in fields)
     head = f"inline void fill_{name}("
+    kind = dialect.cpp_type(topic.message_type, Interface.MESSAGE)
     parameters = [
         f"{layout.name}_values &values",
         "Arrays &arrays" if has_array else "Arrays &",
-        f"const {names.cpp_type(topic.message_type)} &{'message' if fields else ''}",
+        f"const {kind} &{'message' if fields else ''}",
     ]
     return (
         f"// {topic.topic}: {topic.message_type}\n"
@@ -93,19 +102,20 @@ def _scalar(slot: ir.Slot) -> str:
     return f"{reader}(message{names.member(slot.path)})"
 
 
-def commands(machine: ir.Machine) -> str:
+def commands(machine: ir.Machine, dialect: Dialect) -> str:
     """A struct for each command topic."""
     classes = names.command_classes(machine)
-    return "\n".join(_command(machine, index, word) for index, word in enumerate(classes))
+    return "\n".join(_command(machine, dialect, index, word) for index, word in enumerate(classes))
 
 
-def _command(machine: ir.Machine, index: int, word: str) -> str:
+def _command(machine: ir.Machine, dialect: Dialect, index: int, word: str) -> str:
     command = machine.reactions.commands[index]
+    kind = dialect.cpp_type(command.message_type, Interface.MESSAGE)
     visits = [line for place, field in enumerate(command.fields) for line in _visit(place, field)]
     return (
         f"// {command.topic}: {command.message_type}\n"
         f"struct {word} {{\n"
-        f"    using Message = {names.cpp_type(command.message_type)};\n"
+        f"    using Message = {kind};\n"
         f"    static constexpr int index = {index};\n"
         f"    static constexpr std::size_t fields = {len(command.fields)};\n"
         f'    static const char *filtered() {{ return "{command.topic}"; }}\n'

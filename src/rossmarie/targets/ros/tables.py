@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from rossmarie import ir
 from rossmarie.targets.c99.names import place, string
 from rossmarie.targets.c99.types import duration, number
-from rossmarie.targets.ros1.words import effect_words
+from rossmarie.targets.ros.words import effect_words
 
 _KINDS = {
     ir.Kind.REAL: "ValueText::NUMBER",

@@ -25,21 +25,6 @@ def unfiltered(topic: str) -> str:
     return f"{head}{slash}{_UNFILTERED}{tail}"
 
 
-def message_package(ros_type: str) -> str:
-    """The package of `sensor_msgs/Imu`."""
-    return ros_type.partition("/")[0]
-
-
-def cpp_type(ros_type: str) -> str:
-    """`sensor_msgs/Imu` as `sensor_msgs::Imu`."""
-    return f"{message_package(ros_type)}::{ros_type.rpartition('/')[2]}"
-
-
-def header(ros_type: str) -> str:
-    """The line that includes a message or service."""
-    return f"#include <{message_package(ros_type)}/{ros_type.rpartition('/')[2]}.h>"
-
-
 def command_members(machine: ir.Machine) -> tuple[str, ...]:
     """For each command topic what its filter is called: `cmd_vel`."""
     family = names.Family(taken=("all",))

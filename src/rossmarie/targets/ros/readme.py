@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.ir import reactions
-from rossmarie.targets.ros1 import names
-from rossmarie.targets.ros1.words import effect_words
+from rossmarie.targets.ros import names
+from rossmarie.targets.ros.words import effect_words
 
 
 def blanks(machine: ir.Machine) -> dict[str, object]:

@@ -1,0 +1,211 @@
+"""What each task does, as C++: an object for each, made by `make_tasks`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from rossmarie import ir
+from rossmarie.ir import reactions
+from rossmarie.targets.c99.names import comment, place, string
+from rossmarie.targets.c99.text import indented
+from rossmarie.targets.c99.types import duration
+from rossmarie.targets.ros import names
+from rossmarie.targets.ros.dialect import Dialect, Interface
+from rossmarie.targets.ros.tables import rule_of_task
+from rossmarie.targets.ros.words import effect_words
+
+_SAY = {
+    reactions.Level.DEBUG: "debug",
+    reactions.Level.INFORMATION: "information",
+    reactions.Level.WARNING: "warning",
+    reactions.Level.ERROR: "error",
+}
+_WIDTH = 92
+_STATUS_LEVELS = {
+    reactions.Level.INFORMATION: "OK",
+    reactions.Level.WARNING: "WARN",
+    reactions.Level.ERROR: "ERROR",
+}
+
+Sending = reactions.Publish | reactions.Call
+Sent = tuple[str, Interface]
+"""The type of what is sent, as in ROS."""
+
+
+def cancels(machine: ir.Machine) -> bool:
+    """Whether goals of action servers are cancelled."""
+    return any(isinstance(task.effect, reactions.CancelGoal) for task in machine.reactions.tasks)
+
+
+def _sent(effect: Sending) -> Sent:
+    match effect:
+        case reactions.Publish(message_type=message_type):
+            return message_type, Interface.MESSAGE
+        case reactions.Call(service_type=service_type):
+            return service_type, Interface.SERVICE
+
+
+def sent_types(machine: ir.Machine) -> list[Sent]:
+    """The types of all that tasks send, sorted."""
+    effects = (task.effect for task in machine.reactions.tasks)
+    found = {_sent(effect) for effect in effects if isinstance(effect, Sending)}
+    return sorted(found, key=lambda each: (each[0], each[1].value))
+
+
+@dataclass(frozen=True)
+class TasksText:
+    """The text of `actions.h` for one machine in one dialect."""
+
+    machine: ir.Machine
+    dialect: Dialect
+
+    def blanks(self) -> dict[str, object]:
+        """What the template leaves open."""
+        machine = self.machine
+        members = names.command_members(machine)
+        pairs = tuple(zip(names.command_classes(machine), members, strict=True))
+        filters = [f"std::unique_ptr<Filter<{word}>> {name};" for word, name in pairs]
+        made = [
+            f"{name} = std::make_unique<Filter<{word}>>(middleware, clock, reactor, settings);"
+            for word, name in pairs
+        ]
+        unused = ["(void)middleware, (void)clock, (void)reactor, (void)settings;"]
+        tasks = range(len(machine.reactions.tasks))
+        return {
+            "includes": "\n".join([*map(self._include, sent_types(machine)), ""]),
+            "filter_header": '#include "command_task.h"\n' if members else "",
+            "cancel_header": '#include "cancel_task.h"\n' if cancels(machine) else "",
+            "members": indented(filters) + "\n",
+            "initializers": indented(made or unused, 2),
+            "handing_over": indented((f"all.push_back(std::move({name}));" for name in members), 2),
+            "messages": "\n".join(self._maker(task) for task in self._makers()),
+            "tasks": indented(line for index in tasks for line in self._task(index)),
+        }
+
+    def _include(self, sent: Sent) -> str:
+        return f"#include <{self.dialect.header(*sent)}>"
+
+    def _makers(self) -> dict[int, str]:
+        """For each task that sends something the function that makes it."""
+        tasks = enumerate(self.machine.reactions.tasks)
+        sending = [index for index, task in tasks if isinstance(task.effect, Sending)]
+        return names.message_makers(self.machine, sending)
+
+    def _message_type(self, effect: Sending) -> str:
+        """The C++ type of what is sent."""
+        kind = self.dialect.cpp_type(*_sent(effect))
+        return f"{kind}::Request" if isinstance(effect, reactions.Call) else kind
+
+    def _maker(self, index: int) -> str:
+        """A function that makes the message of a task."""
+        task = self.machine.reactions.tasks[index]
+        assert isinstance(task.effect, Sending), "only these send something"
+        kind = self._message_type(task.effect)
+        lines = map(_assignment, task.effect.assignments)
+        body = indented([f"{kind} message;", *lines, "return message;"])
+        words = comment(f"{place(task.span)}  {effect_words(self.machine, task.effect)}")
+        return f"// {words}\ninline {kind} {self._makers()[index]}()\n{{\n{body}\n}}\n"
+
+    def _task(self, index: int) -> list[str]:
+        """The lines that make the object of a task."""
+        machine = self.machine
+        task = machine.reactions.tasks[index]
+        rule = machine.rules[rule_of_task(machine)[index]].name
+        action = machine.reactions.actions[task.action].name
+        words = f"{place(task.span)}  rule {rule}, {action}: {effect_words(machine, task.effect)}"
+        kind, arguments = self._object(index)
+        head = f"tasks.push_back(std::make_unique<{kind}>("
+        line = f"{head}{', '.join(arguments)}));"
+        lines = [line] if len(line) <= _WIDTH else _broken(head, arguments)
+        return [f"// {index}: {comment(words)}", *lines]
+
+    def _object(self, index: int) -> tuple[str, list[str]]:
+        """The class of a task, and what it is made of."""
+        effect = self.machine.reactions.tasks[index].effect
+        match effect:
+            case reactions.Publish() | reactions.Call():
+                return self._sender(index, effect)
+            case reactions.CancelGoal(server=server):
+                resend = str(effect.interrupted is reactions.Interrupted.RESEND).lower()
+                return "CancelTask", [_MIDDLEWARE, string(server), resend, _report(index)]
+            case reactions.Limit() | reactions.Scale():
+                return "BoundTask", []
+            case _:
+                return "DoTask", self._doing(index, effect)
+
+    def _sender(self, index: int, effect: Sending) -> tuple[str, list[str]]:
+        message = f"{self._makers()[index]}()"
+        kind = self.dialect.cpp_type(*_sent(effect))
+        match effect:
+            case reactions.Publish(command=None):
+                where = [_MIDDLEWARE, string(effect.topic)]
+                return f"PublishTask<{kind}>", [*where, _period(effect), message]
+            case reactions.Publish(command=int(command)):
+                member = names.command_members(self.machine)[command]
+                word = names.command_classes(self.machine)[command]
+                return f"CommandTask<{word}>", [f"*filters.{member}", _period(effect), message]
+            case reactions.Call(service=service):
+                arguments = [_MIDDLEWARE, string(service), message, _report(index)]
+                return f"CallTask<{kind}>", arguments
+            case _:
+                raise AssertionError(effect)
+
+    def _doing(self, index: int, effect: reactions.Effect) -> list[str]:
+        """What is done at the start, and at the end if anything is."""
+        match effect:
+            case reactions.Log(level=level, text=text):
+                rule = self.machine.rules[rule_of_task(self.machine)[index]].name
+                return [f"[] {{ say::{_SAY[level]}({string(f'rule {rule}: {text}')}); }}"]
+            case reactions.Diagnose(level=level, text=text):
+                said = f"DiagnosticStatus::{_STATUS_LEVELS[level]}, {string(text)}"
+                return [
+                    f"[&host] {{ host.diagnose({index}, {said}); }}",
+                    f"[&host] {{ host.end_diagnosis({index}); }}",
+                ]
+            case reactions.Hook(name=name):
+                function = f"hooks::{names.hooks(self.machine)[name]}"
+                moments = ("START", "END")
+                return [f"[] {{ {function}(hooks::Moment::{moment}); }}" for moment in moments]
+            case reactions.Reset():
+                return ["[&host] { host.reset_all(); }"]
+            case _:
+                raise AssertionError(f"refused by `unsupported`: {effect}")
+
+
+_MIDDLEWARE = "host.middleware()"
+
+
+def _assignment(assignment: reactions.Assignment) -> str:
+    field = f"message{names.member(assignment.path)}"
+    value = assignment.value
+    if isinstance(value, bool):
+        return f"{field} = {str(value).lower()};"
+    if isinstance(value, str):
+        return f"{field} = {string(value)};"
+    if isinstance(value, tuple):
+        return _list_assignment(field, value)
+    return f"assign({field}, {value!r});"
+
+
+def _list_assignment(field: str, values: Sequence[reactions.Scalar]) -> str:
+    texts = [string(value) for value in values if isinstance(value, str)]
+    if texts:
+        return f"{field} = {{{', '.join(texts)}}};"
+    numbers = [repr(value) for value in values if not isinstance(value, str)]
+    return f"assign({field}, {{{', '.join(numbers)}}});"
+
+
+def _broken(head: str, arguments: Sequence[str]) -> list[str]:
+    """A call with an argument on each line."""
+    *first, last = arguments
+    return [head, *(f"    {argument}," for argument in first), f"    {last}));"]
+
+
+def _report(index: int) -> str:
+    """What is to be called when the end of a task is known."""
+    return f"[&host](bool success) {{ host.report({index}, success); }}"
+
+
+def _period(effect: reactions.Publish) -> str:
+    return "0" if effect.period_ns is None else duration(effect.period_ns)

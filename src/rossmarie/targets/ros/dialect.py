@@ -1,0 +1,41 @@
+"""What differs between ROS 1 and ROS 2 in generated C++: how types and their headers are called."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from enum import Enum
+
+
+class Interface(Enum):
+    """What a type is the type of; the value is the folder of its definition."""
+
+    MESSAGE = "msg"
+    SERVICE = "srv"
+    ACTION = "action"
+
+
+@dataclass(frozen=True)
+class Dialect:
+    """One generation of ROS.
+
+    `templates` is the package with the templates that only this generation has, `cpp_type` gives
+    the C++ type of `sensor_msgs/Imu` and `header` the file that declares it. `primitives` are the
+    types of instants and durations in .msg files.
+    """
+
+    name: str
+    templates: str
+    cpp_type: Callable[[str, Interface], str]
+    header: Callable[[str, Interface], str]
+    primitives: Mapping[str, str]
+
+
+def message_package(ros_type: str) -> str:
+    """The package of `sensor_msgs/Imu`."""
+    return ros_type.partition("/")[0]
+
+
+def bare_name(ros_type: str) -> str:
+    """`Imu` of `sensor_msgs/Imu`."""
+    return ros_type.rpartition("/")[2]

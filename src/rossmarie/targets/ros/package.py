@@ -1,0 +1,153 @@
+"""A machine as a package for ROS: the files that ROS 1 and ROS 2 share, and what fills them in.
+
+Takes a machine that `ir.verify` has passed and for which `unsupported` found nothing.
+"""
+
+from __future__ import annotations
+
+from pathlib import PurePath
+
+from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
+
+from rossmarie import ir
+from rossmarie.targets import c99
+from rossmarie.targets.c99.layout import Layout, lay_out
+from rossmarie.targets.ros import actions, messages, names, readme, tables
+from rossmarie.targets.ros.dialect import Dialect, Interface, message_package
+
+OWNED_BY_USER = frozenset(("src/hooks.cpp", "config/parameters.yaml"))
+"""Files that are written once and then left alone."""
+
+PARAMETERS = (
+    "command_timeout", "filter_rate", "patience", "grace_period", "state_file", "header_stamps",
+)  # fmt: skip
+"""The parameters of the node."""
+
+_FIXED = (
+    "src/clock.h", "src/input.h", "src/any_filter.h", "src/task.h", "src/latched_rules.h",
+    "src/host.h", "src/operators.cpp", "src/telling.cpp", "src/settings.h", "src/stamps.h",
+    "src/throttle.h", "src/interfaces.h", "src/middleware.h",
+    "msg/Value.msg", "msg/Verdict.msg", "msg/TaskState.msg", "msg/State.msg",
+    "srv/Reset.srv", "srv/Why.srv", "srv/Exempt.srv",
+)  # fmt: skip
+
+# Only where commands pass.
+_FILTERS = ("src/filter.h", "src/command_task.h")
+
+# Only where goals are cancelled.
+_CANCEL = ("src/cancel_task.h",)
+
+_SHOWN_TEXT = """\
+    if (text.kind == ValueText::TEXT)
+        return value < 0.0 ? "another text" : {name}_texts[static_cast<int>(value)];
+"""
+
+
+class PackageWriter:
+    """Fills in the templates for one machine in one dialect."""
+
+    def __init__(self, machine: ir.Machine, dialect: Dialect) -> None:
+        self._machine = machine
+        self._dialect = dialect
+        self._layout: Layout = lay_out(machine)
+        own, shared = (PackageLoader(each) for each in (dialect.templates, __package__ or ""))
+        self._templates = Environment(
+            loader=ChoiceLoader([own, shared]),
+            undefined=StrictUndefined,
+            autoescape=False,
+            keep_trailing_newline=True,
+        )
+
+    def fill(self, template: str, **blanks: object) -> str:
+        """The text of a template."""
+        known = {
+            "name": self._layout.name,
+            "upper": self._layout.name.upper(),
+            "package": names.package(self._machine),
+            "files": _files(self._machine),
+            "files_in_xml": names.xml(_files(self._machine)),
+            "primitives": self._dialect.primitives,
+        }
+        return self._templates.get_template(f"{template}.j2").render(**known, **blanks)
+
+    def shared_files(self) -> dict[str, str]:
+        """All files but those that say how to build and to start, and what is the node itself."""
+        machine = self._machine
+        core = {f"src/{name}": text for name, text in c99.generate(machine).items()}
+        used = (
+            *_FIXED,
+            *(_FILTERS if machine.reactions.commands else ()),
+            *(_CANCEL if actions.cancels(machine) else ()),
+        )
+        return {path: self.fill(path) for path in used} | self._source_files() | core
+
+    def packages(self) -> set[str]:
+        """The packages of what the node takes and sends, and of what it tells."""
+        used = [*messages.types_of(self._machine)]
+        used += [sent for sent, _ in actions.sent_types(self._machine)]
+        return {message_package(each) for each in used} | {"diagnostic_msgs"}
+
+    def readme(self) -> str:
+        """The README of the package."""
+        return self.fill("README.md", **readme.blanks(self._machine))
+
+    def _source_files(self) -> dict[str, str]:
+        """The sources, as far as they differ from machine to machine."""
+        machine, dialect = self._machine, self._dialect
+        hooks = names.hooks(machine).values()
+        channels = range(len(self._layout.channel_names))
+        texts = _SHOWN_TEXT.format(name=self._layout.name) if machine.texts else ""
+        blanks: dict[str, dict[str, object]] = {
+            "src/guard.h": {
+                "rule_rows": max(1, len(machine.rules)),
+                "channel_rows": max(1, len(machine.channels)),
+            },
+            "src/guard.cpp": {"subscriptions": "\n".join(map(self._subscription, channels))},
+            "src/settings.cpp": {
+                "parameter_count": len(PARAMETERS),
+                "parameter_names": ", ".join(f'"{name}"' for name in PARAMETERS),
+            },
+            "config/parameters.yaml": {},
+            "src/messages.h": {
+                "includes": messages.includes(machine, dialect),
+                "text_index": messages.text_index(self._layout),
+                "arrays": messages.arrays(self._layout),
+                "fills": messages.fills(self._layout, dialect),
+                "commands": messages.commands(machine, dialect),
+            },
+            "src/actions.h": actions.TasksText(machine, dialect).blanks(),
+            "src/descriptions.h": tables.blanks(machine),
+            "src/reports.h": {"shown_text": texts},
+            "src/hooks.h": {
+                "declarations": "".join(f"void {hook}(Moment moment);\n" for hook in hooks)
+            },
+            "src/hooks.cpp": {"definitions": "\n".join(map(_hook_definition, hooks))},
+        }
+        return {path: self.fill(path, **each) for path, each in blanks.items()}
+
+    def _subscription(self, channel: int) -> str:
+        """The lines that subscribe to an input topic."""
+        topic, name = self._machine.channels[channel], self._layout.channel_names[channel]
+        kind = self._dialect.cpp_type(topic.message_type, Interface.MESSAGE)
+        return (
+            f"    inputs_.push_back(std::make_unique<Input<{kind}>>(\n"
+            f'        middleware_, clock_, "{topic.topic}", channel_timeouts_ns[{channel}], '
+            f'by_stamp("{topic.topic}"),\n'
+            f"        [this](const {kind} &message, int64_t at_ns) {{\n"
+            f"            fill_{name}(values_, arrays_, message);\n"
+            f"            take({channel}, at_ns);\n"
+            f"        }}));"
+        )
+
+
+def _hook_definition(hook: str) -> str:
+    return (
+        f"void {hook}(Moment moment)\n{{\n"
+        f"    say::information(moment == Moment::START ?"
+        f' "hook {hook} starts" : "hook {hook} ends");\n}}\n'
+    )
+
+
+def _files(machine: ir.Machine) -> str:
+    found = {PurePath(rule.span.file.path).name for rule in machine.rules}
+    return ", ".join(sorted(found)) or machine.name
