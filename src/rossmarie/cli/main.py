@@ -92,6 +92,7 @@ class TargetName(str, enum.Enum):
     C99 = "c99"
     PYTHON = "python"
     ROS1 = "ros1"
+    ROS2 = "ros2"
 
 
 class StageName(str, enum.Enum):

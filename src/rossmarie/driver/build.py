@@ -10,11 +10,11 @@ from dslkit.diagnostics import Diagnostic
 from rossmarie.driver.pipeline import RulesError, compile_file
 from rossmarie.driver.writing import write_whole
 from rossmarie.ir import Machine
-from rossmarie.targets import c99, python, ros1
+from rossmarie.targets import c99, python, ros1, ros2
 from rossmarie.targets.base import Target
 
 TARGETS: Mapping[str, Target] = {
-    target.name: target for target in (c99.TARGET, python.TARGET, ros1.TARGET)
+    target.name: target for target in (c99.TARGET, python.TARGET, ros1.TARGET, ros2.TARGET)
 }
 
 

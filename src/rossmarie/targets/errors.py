@@ -46,11 +46,13 @@ class UnsupportedEffect(Error, code="ROSS503", name="unsupported-effect"):
     """An effect of an action that a target cannot carry out."""
 
     title = "the target {target} cannot do `{effect}`"
-    label = "this effect"
+    label = "{reason}"
     note = "a node that left it out would do less than these rules say"
-    help = "do it in a `hook` of your own, or leave the action without a body for this target"
+    help = "{way_out}"
     target: str
     effect: str
+    reason: str
+    way_out: str
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -10,7 +10,7 @@ from rossmarie.ir import reactions
 from rossmarie.targets.c99.names import comment, place, string
 from rossmarie.targets.c99.text import indented
 from rossmarie.targets.c99.types import duration
-from rossmarie.targets.ros import names
+from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.dialect import Dialect, Interface
 from rossmarie.targets.ros.tables import rule_of_task
 from rossmarie.targets.ros.words import effect_words
@@ -28,14 +28,9 @@ _STATUS_LEVELS = {
     reactions.Level.ERROR: "ERROR",
 }
 
-Sending = reactions.Publish | reactions.Call
+Sending = reactions.Publish | reactions.Call | reactions.SendGoal
 Sent = tuple[str, Interface]
 """The type of what is sent, as in ROS."""
-
-
-def cancels(machine: ir.Machine) -> bool:
-    """Whether goals of action servers are cancelled."""
-    return any(isinstance(task.effect, reactions.CancelGoal) for task in machine.reactions.tasks)
 
 
 def _sent(effect: Sending) -> Sent:
@@ -44,6 +39,8 @@ def _sent(effect: Sending) -> Sent:
             return message_type, Interface.MESSAGE
         case reactions.Call(service_type=service_type):
             return service_type, Interface.SERVICE
+        case reactions.SendGoal(action_type=action_type):
+            return action_type, Interface.ACTION
 
 
 def sent_types(machine: ir.Machine) -> list[Sent]:
@@ -74,17 +71,32 @@ class TasksText:
         tasks = range(len(machine.reactions.tasks))
         return {
             "includes": "\n".join([*map(self._include, sent_types(machine)), ""]),
-            "filter_header": '#include "command_task.h"\n' if members else "",
-            "cancel_header": '#include "cancel_task.h"\n' if cancels(machine) else "",
+            "headers": self._headers(),
             "members": indented(filters) + "\n",
             "initializers": indented(made or unused, 2),
             "handing_over": indented((f"all.push_back(std::move({name}));" for name in members), 2),
             "messages": "\n".join(self._maker(task) for task in self._makers()),
+            "shared": indented(
+                line
+                for shared in needs.shared_objects(machine, self.dialect)
+                for line in _call(
+                    f"const auto {shared.name} = std::make_shared<{shared.kind}>(",
+                    shared.arguments,
+                    ");",
+                )
+            ),
             "tasks": indented(line for index in tasks for line in self._task(index)),
         }
 
     def _include(self, sent: Sent) -> str:
         return f"#include <{self.dialect.header(*sent)}>"
+
+    def _headers(self) -> str:
+        """The lines that include headers of the package, those of tasks where they are used."""
+        used = ["any_filter.h", "hooks.h", "host.h", "interfaces.h", "messages.h", "task.h"]
+        used += [part.headers[-1] for part in needs.parts(self.machine, self.dialect)]
+        used += ["command_task.h"] if self.machine.reactions.commands else []
+        return "\n".join(f'#include "{header}"' for header in sorted(used))
 
     def _makers(self) -> dict[int, str]:
         """For each task that sends something the function that makes it."""
@@ -95,7 +107,13 @@ class TasksText:
     def _message_type(self, effect: Sending) -> str:
         """The C++ type of what is sent."""
         kind = self.dialect.cpp_type(*_sent(effect))
-        return f"{kind}::Request" if isinstance(effect, reactions.Call) else kind
+        match effect:
+            case reactions.Publish():
+                return kind
+            case reactions.Call():
+                return f"{kind}::Request"
+            case reactions.SendGoal():
+                return f"SendTask<{kind}>::Goal"
 
     def _maker(self, index: int) -> str:
         """A function that makes the message of a task."""
@@ -115,39 +133,48 @@ class TasksText:
         action = machine.reactions.actions[task.action].name
         words = f"{place(task.span)}  rule {rule}, {action}: {effect_words(machine, task.effect)}"
         kind, arguments = self._object(index)
-        head = f"tasks.push_back(std::make_unique<{kind}>("
-        line = f"{head}{', '.join(arguments)}));"
-        lines = [line] if len(line) <= _WIDTH else _broken(head, arguments)
+        lines = _call(f"tasks.push_back(std::make_unique<{kind}>(", arguments, "));")
         return [f"// {index}: {comment(words)}", *lines]
 
     def _object(self, index: int) -> tuple[str, list[str]]:
         """The class of a task, and what it is made of."""
         effect = self.machine.reactions.tasks[index].effect
         match effect:
-            case reactions.Publish() | reactions.Call():
+            case reactions.Publish() | reactions.Call() | reactions.SendGoal():
                 return self._sender(index, effect)
-            case reactions.CancelGoal(server=server):
-                resend = str(effect.interrupted is reactions.Interrupted.RESEND).lower()
-                return "CancelTask", [_MIDDLEWARE, string(server), resend, _report(index)]
+            case reactions.CancelGoal():
+                return "CancelTask", [self._shared(index), _is_resent(effect), _report(index)]
+            case reactions.SetParameter(value=value):
+                return "SetTask", [self._shared(index), _parameter_value(value), _report(index)]
+            case reactions.SwitchControllers():
+                change = f"Controllers::Change{{{_texts(effect.start)}, {_texts(effect.stop)}}}"
+                return "SwitchTask", [self._shared(index), change, _report(index)]
             case reactions.Limit() | reactions.Scale():
                 return "BoundTask", []
             case _:
                 return "DoTask", self._doing(index, effect)
+
+    def _shared(self, index: int) -> str:
+        """The object that a task shares with others."""
+        return names.shared(self.machine)[index]
 
     def _sender(self, index: int, effect: Sending) -> tuple[str, list[str]]:
         message = f"{self._makers()[index]}()"
         kind = self.dialect.cpp_type(*_sent(effect))
         match effect:
             case reactions.Publish(command=None):
-                where = [_MIDDLEWARE, string(effect.topic)]
+                where = [needs.MIDDLEWARE, string(effect.topic)]
                 return f"PublishTask<{kind}>", [*where, _period(effect), message]
             case reactions.Publish(command=int(command)):
                 member = names.command_members(self.machine)[command]
                 word = names.command_classes(self.machine)[command]
                 return f"CommandTask<{word}>", [f"*filters.{member}", _period(effect), message]
             case reactions.Call(service=service):
-                arguments = [_MIDDLEWARE, string(service), message, _report(index)]
+                arguments = [needs.MIDDLEWARE, string(service), message, _report(index)]
                 return f"CallTask<{kind}>", arguments
+            case reactions.SendGoal():
+                arguments = [self._shared(index), message, _is_resent(effect), _report(index)]
+                return f"SendTask<{kind}>", arguments
             case _:
                 raise AssertionError(effect)
 
@@ -173,9 +200,6 @@ class TasksText:
                 raise AssertionError(f"refused by `unsupported`: {effect}")
 
 
-_MIDDLEWARE = "host.middleware()"
-
-
 def _assignment(assignment: reactions.Assignment) -> str:
     field = f"message{names.member(assignment.path)}"
     value = assignment.value
@@ -196,10 +220,28 @@ def _list_assignment(field: str, values: Sequence[reactions.Scalar]) -> str:
     return f"assign({field}, {{{', '.join(numbers)}}});"
 
 
-def _broken(head: str, arguments: Sequence[str]) -> list[str]:
-    """A call with an argument on each line."""
+def _call(head: str, arguments: Sequence[str], tail: str) -> list[str]:
+    """A call on one line, or where that is too long with an argument on each."""
+    line = f"{head}{', '.join(arguments)}{tail}"
+    if len(line) <= _WIDTH:
+        return [line]
     *first, last = arguments
-    return [head, *(f"    {argument}," for argument in first), f"    {last}));"]
+    return [head, *(f"    {argument}," for argument in first), f"    {last}{tail}"]
+
+
+def _is_resent(effect: reactions.SendGoal | reactions.CancelGoal) -> str:
+    """Whether the goal that is interrupted is sent again."""
+    return str(effect.interrupted is reactions.Interrupted.RESEND).lower()
+
+
+def _parameter_value(value: reactions.Scalar) -> str:
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f"std::string({string(value)})" if isinstance(value, str) else repr(value)
+
+
+def _texts(values: Sequence[str]) -> str:
+    return f"{{{', '.join(map(string, values))}}}"
 
 
 def _report(index: int) -> str:

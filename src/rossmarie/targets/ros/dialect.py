@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from enum import Enum
+from typing import NamedTuple
+
+from rossmarie.ir import reactions
 
 
 class Interface(Enum):
@@ -15,20 +18,33 @@ class Interface(Enum):
     ACTION = "action"
 
 
+class Part(NamedTuple):
+    """Headers of the generated package, that of the task last, and packages that these use."""
+
+    headers: tuple[str, ...]
+    packages: tuple[str, ...]
+
+
 @dataclass(frozen=True)
 class Dialect:
     """One generation of ROS.
 
-    `templates` is the package with the templates that only this generation has, `cpp_type` gives
-    the C++ type of `sensor_msgs/Imu` and `header` the file that declares it. `primitives` are the
-    types of instants and durations in .msg files.
+    `generation` is what people call it, `templates` is the package with the templates that only
+    this generation has, `cpp_type` gives the C++ type of `sensor_msgs/Imu` and `header` the file
+    that declares it. `primitives` are the types of instants and durations in .msg files. `parts`
+    are what some effects need, and `relay` is what sending goals again needs where goals cannot be
+    overheard. An action server publishes the status of its goals on its name with `status_topic`
+    behind it.
     """
 
-    name: str
+    generation: str
     templates: str
     cpp_type: Callable[[str, Interface], str]
     header: Callable[[str, Interface], str]
     primitives: Mapping[str, str]
+    parts: Mapping[type[reactions.Effect], Part]
+    status_topic: str
+    relay: Part | None = None
 
 
 def message_package(ros_type: str) -> str:

@@ -10,6 +10,9 @@ from rossmarie.ir import reactions
 from rossmarie.targets.c99 import names
 
 _UNFILTERED = "unfil_"
+_SHARING = (
+    reactions.SetParameter | reactions.SwitchControllers | reactions.SendGoal | reactions.CancelGoal
+)
 
 
 def package(machine: ir.Machine) -> str:
@@ -50,6 +53,17 @@ def message_makers(machine: ir.Machine, tasks: Sequence[int]) -> dict[int, str]:
     return {
         task: family.name(machine.reactions.actions[machine.reactions.tasks[task].action].name)
         for task in tasks
+    }
+
+
+def shared(machine: ir.Machine) -> dict[int, str]:
+    """For each task that shares an object with the others that need its resource, that object."""
+    family = names.Family(taken=("host", "filters", "tasks"))
+    objects = [family.name(resource) for resource in machine.reactions.resources]
+    return {
+        index: objects[task.resource]
+        for index, task in enumerate(machine.reactions.tasks)
+        if isinstance(task.effect, _SHARING) and task.resource is not None
     }
 
 

@@ -12,8 +12,8 @@ from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 from rossmarie import ir
 from rossmarie.targets import c99
 from rossmarie.targets.c99.layout import Layout, lay_out
-from rossmarie.targets.ros import actions, messages, names, readme, tables
-from rossmarie.targets.ros.dialect import Dialect, Interface, message_package
+from rossmarie.targets.ros import actions, messages, names, needs, reaction_test, readme, tables
+from rossmarie.targets.ros.dialect import Dialect, Interface, Part, message_package
 
 OWNED_BY_USER = frozenset(("src/hooks.cpp", "config/parameters.yaml"))
 """Files that are written once and then left alone."""
@@ -26,16 +26,13 @@ PARAMETERS = (
 _FIXED = (
     "src/clock.h", "src/input.h", "src/any_filter.h", "src/task.h", "src/latched_rules.h",
     "src/host.h", "src/operators.cpp", "src/telling.cpp", "src/settings.h", "src/stamps.h",
-    "src/throttle.h", "src/interfaces.h", "src/middleware.h",
+    "src/throttle.h", "src/interfaces.h", "src/middleware.h", "src/need.h",
     "msg/Value.msg", "msg/Verdict.msg", "msg/TaskState.msg", "msg/State.msg",
     "srv/Reset.srv", "srv/Why.srv", "srv/Exempt.srv",
 )  # fmt: skip
 
 # Only where commands pass.
 _FILTERS = ("src/filter.h", "src/command_task.h")
-
-# Only where goals are cancelled.
-_CANCEL = ("src/cancel_task.h",)
 
 _SHOWN_TEXT = """\
     if (text.kind == ValueText::TEXT)
@@ -67,6 +64,7 @@ class PackageWriter:
             "files": _files(self._machine),
             "files_in_xml": names.xml(_files(self._machine)),
             "primitives": self._dialect.primitives,
+            "generation": self._dialect.generation,
         }
         return self._templates.get_template(f"{template}.j2").render(**known, **blanks)
 
@@ -77,7 +75,7 @@ class PackageWriter:
         used = (
             *_FIXED,
             *(_FILTERS if machine.reactions.commands else ()),
-            *(_CANCEL if actions.cancels(machine) else ()),
+            *(f"src/{header}" for part in self._parts() for header in part.headers),
         )
         return {path: self.fill(path) for path in used} | self._source_files() | core
 
@@ -85,11 +83,15 @@ class PackageWriter:
         """The packages of what the node takes and sends, and of what it tells."""
         used = [*messages.types_of(self._machine)]
         used += [sent for sent, _ in actions.sent_types(self._machine)]
-        return {message_package(each) for each in used} | {"diagnostic_msgs"}
+        found = {message_package(each) for each in used} | {"diagnostic_msgs"}
+        return found.union(*(part.packages for part in self._parts()))
 
     def readme(self) -> str:
         """The README of the package."""
-        return self.fill("README.md", **readme.blanks(self._machine))
+        return self.fill("README.md", **readme.blanks(self._machine, self._dialect))
+
+    def _parts(self) -> list[Part]:
+        return needs.parts(self._machine, self._dialect)
 
     def _source_files(self) -> dict[str, str]:
         """The sources, as far as they differ from machine to machine."""
@@ -116,8 +118,9 @@ class PackageWriter:
                 "commands": messages.commands(machine, dialect),
             },
             "src/actions.h": actions.TasksText(machine, dialect).blanks(),
-            "src/descriptions.h": tables.blanks(machine),
+            "src/descriptions.h": tables.blanks(machine, dialect),
             "src/reports.h": {"shown_text": texts},
+            "test/test_reactions.c": reaction_test.blanks(machine, self._layout.name),
             "src/hooks.h": {
                 "declarations": "".join(f"void {hook}(Moment moment);\n" for hook in hooks)
             },

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.ir import reactions
-from rossmarie.targets.ros import names
+from rossmarie.targets.ros import names, needs
+from rossmarie.targets.ros.dialect import Dialect
 from rossmarie.targets.ros.words import effect_words
 
 
-def blanks(machine: ir.Machine) -> dict[str, object]:
+def blanks(machine: ir.Machine, dialect: Dialect) -> dict[str, object]:
     """What the template leaves open."""
     return {
         "inputs": "\n".join(_input(machine, used) for used in machine.inputs) or "- none",
         "commands": "\n".join(map(_command, machine.reactions.commands)) or "- none",
+        "others": "\n".join(map(_other, needs.others(machine, dialect))) or "- none",
         "rules": "\n".join(_rule(machine, index) for index in range(len(machine.rules))),
     }
 
@@ -26,6 +28,11 @@ def _input(machine: ir.Machine, used: ir.Input) -> str:
 def _command(command: reactions.CommandTopic) -> str:
     source = names.unfiltered(command.topic)
     return f"- `{source}` -> this node -> `{command.topic}` ({command.message_type})"
+
+
+def _other(other: needs.Other) -> str:
+    kind = "service" if other.is_service else "topic"
+    return f"- {other.title}: {kind} `{other.name}`"
 
 
 def _rule(machine: ir.Machine, index: int) -> str:

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from rossmarie import ir
 from rossmarie.targets.c99.names import place, string
 from rossmarie.targets.c99.types import duration, number
+from rossmarie.targets.ros import needs
+from rossmarie.targets.ros.dialect import Dialect
 from rossmarie.targets.ros.words import effect_words
 
 _KINDS = {
@@ -16,7 +18,7 @@ _KINDS = {
 }
 
 
-def blanks(machine: ir.Machine) -> dict[str, object]:
+def blanks(machine: ir.Machine, dialect: Dialect) -> dict[str, object]:
     """What the template leaves open; C++ has no empty tables, so each has a row at least."""
     return {
         "values": "\n\n".join(_details(machine, index) for index in range(len(machine.rules))),
@@ -27,6 +29,8 @@ def blanks(machine: ir.Machine) -> dict[str, object]:
         "channel_count": len(machine.channels),
         "tasks": _rows([_task(machine, index) for index in range(len(machine.reactions.tasks))]),
         "task_count": len(machine.reactions.tasks),
+        "others": _rows([_other(other) for other in needs.others(machine, dialect)]),
+        "other_count": len(needs.others(machine, dialect)),
     }
 
 
@@ -85,3 +89,8 @@ def _task(machine: ir.Machine, index: int) -> str:
         place(task.span),
     )
     return f"{{{rule_of_task(machine)[index]}, {', '.join(map(string, words))}}}"
+
+
+def _other(other: needs.Other) -> str:
+    is_service = str(other.is_service).lower()
+    return f"{{{string(other.title)}, {string(other.name)}, {is_service}}}"

@@ -8,20 +8,19 @@ from rossmarie.ir import reactions
 
 def effect_words(machine: ir.Machine, effect: reactions.Effect) -> str:
     """An effect in few words: `limit /cmd_vel`, `publish /horn at 2 Hz`."""
-    commands = machine.reactions.commands
     match effect:
-        case reactions.Limit(topic=topic, bounds=bounds):
-            is_block = all(bound.low == 0 == bound.high for bound in bounds)
-            is_whole = len(bounds) == len(commands[topic].fields)
-            return f"{'block' if is_block and is_whole else 'limit'} {commands[topic].topic}"
-        case reactions.Scale(topic=topic, factor=factor):
-            return f"scale {commands[topic].topic} by {100 * factor:g} %"
-        case reactions.Publish(topic=name, period_ns=None):
-            return f"publish {name}"
-        case reactions.Publish(topic=name, period_ns=int(period_ns)):
-            return f"publish {name} at {1e9 / period_ns:g} Hz"
+        case reactions.Limit(topic=topic) | reactions.Scale(topic=topic):
+            return _bound_words(machine.reactions.commands[topic], effect)
+        case reactions.Publish(topic=name, period_ns=period_ns):
+            return f"publish {name}" + ("" if period_ns is None else f" at {1e9 / period_ns:g} Hz")
         case reactions.Call(service=service):
             return f"call {service}"
+        case reactions.SetParameter(node=node, parameter=parameter, value=value):
+            return f"set {node}.{parameter} to {_value_words(value)}"
+        case reactions.SwitchControllers(manager=manager):
+            return f"switch {manager}"
+        case reactions.SendGoal(server=server):
+            return f"send to {server}"
         case reactions.CancelGoal(server=server):
             return f"cancel {server}"
         case reactions.Log(text=text):
@@ -32,18 +31,18 @@ def effect_words(machine: ir.Machine, effect: reactions.Effect) -> str:
             return f"hook {name}"
         case reactions.Reset():
             return "reset"
-        case _:
-            return _refused_words(effect)
 
 
-def _refused_words(effect: reactions.Effect) -> str:
-    """What this target does not do."""
-    match effect:
-        case reactions.SetParameter(node=node, parameter=parameter):
-            return f"set {node}.{parameter}"
-        case reactions.SwitchControllers(manager=manager):
-            return f"switch {manager}"
-        case reactions.SendGoal(server=server):
-            return f"send to {server}"
-        case _:
-            raise AssertionError(effect)
+def _bound_words(command: reactions.CommandTopic, effect: reactions.Limit | reactions.Scale) -> str:
+    if isinstance(effect, reactions.Scale):
+        return f"scale {command.topic} by {100 * effect.factor:g} %"
+    is_block = all(bound.low == 0 == bound.high for bound in effect.bounds)
+    is_whole = len(effect.bounds) == len(command.fields)
+    return f"{'block' if is_block and is_whole else 'limit'} {command.topic}"
+
+
+def _value_words(value: reactions.Scalar) -> str:
+    """A value as rules have it."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f'"{value}"' if isinstance(value, str) else f"{value:g}"

@@ -2,23 +2,39 @@
 
 from __future__ import annotations
 
-from rossmarie.targets.ros.dialect import Dialect, Interface, bare_name, message_package
+from rossmarie.ir import reactions
+from rossmarie.targets.ros.dialect import Dialect, Interface, Part, bare_name, message_package
 
 
 def _cpp_type(ros_type: str, interface: Interface) -> str:
-    suffix = "Goal" if interface is Interface.ACTION else ""
-    return f"{message_package(ros_type)}::{bare_name(ros_type)}{suffix}"
+    return f"{message_package(ros_type)}::{_name(ros_type, interface)}"
 
 
 def _header(ros_type: str, interface: Interface) -> str:
-    suffix = "Action" if interface is Interface.ACTION else ""
-    return f"{message_package(ros_type)}/{bare_name(ros_type)}{suffix}.h"
+    return f"{message_package(ros_type)}/{_name(ros_type, interface)}.h"
 
+
+def _name(ros_type: str, interface: Interface) -> str:
+    return bare_name(ros_type) + ("Action" if interface is Interface.ACTION else "")
+
+
+_GOAL_PACKAGES = ("actionlib_msgs", "topic_tools")
 
 ROS1 = Dialect(
-    name="ros1",
+    generation="ROS 1",
     templates="rossmarie.targets.ros1",
     cpp_type=_cpp_type,
     header=_header,
     primitives={"time": "time", "duration": "duration"},
+    parts={
+        reactions.CancelGoal: Part(("goals.h", "cancel_task.h"), _GOAL_PACKAGES),
+        reactions.SendGoal: Part(("goals.h", "send_task.h"), _GOAL_PACKAGES),
+        reactions.SetParameter: Part(
+            ("shared.h", "change_task.h", "reconfigure.h", "set_task.h"), ()
+        ),
+        reactions.SwitchControllers: Part(
+            ("shared.h", "change_task.h", "switch_task.h"), ("controller_manager_msgs",)
+        ),
+    },
+    status_topic="/status",
 )

@@ -6,22 +6,21 @@ Takes a machine that `ir.verify` has passed and for which `unsupported` found no
 from __future__ import annotations
 
 from rossmarie import ir
-from rossmarie.targets.ros import actions, names
+from rossmarie.targets.ros import names
 from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros1.dialect import ROS1
 
-_NODE = ("src/main.cpp", "src/worker.h")
+_NODE = ("src/main.cpp", "src/parameters.h", "src/worker.h")
 
-# What the node itself uses, and what it uses where goals are cancelled.
+# What the node itself uses.
 _ALWAYS = {"roscpp", "std_msgs"}
-_CANCEL = {"actionlib_msgs", "topic_tools"}
 
 
 def generate(machine: ir.Machine) -> dict[str, str]:
     """The files of the package, by their paths in it."""
     writer = PackageWriter(machine, ROS1)
     package = names.package(machine)
-    used = writer.packages() | _ALWAYS | (_CANCEL if actions.cancels(machine) else set())
+    used = writer.packages() | _ALWAYS
     topics = [command.topic for command in machine.reactions.commands]
     remaps = [f'    <remap from="{topic}" to="{names.unfiltered(topic)}"/>' for topic in topics]
     depends = [f"  <depend>{name}</depend>" for name in sorted(used)]
@@ -29,7 +28,7 @@ def generate(machine: ir.Machine) -> dict[str, str]:
         "package.xml": writer.fill("package.xml", depends="\n".join(depends)),
         "CMakeLists.txt": writer.fill("CMakeLists.txt", components="\n  ".join(sorted(used))),
         "README.md": writer.readme(),
-        f"launch/{package}.launch": writer.fill("safety.launch", remaps="\n".join(remaps)),
+        f"launch/{package}.launch": writer.fill("launch/safety.launch", remaps="\n".join(remaps)),
         **{path: writer.fill(path) for path in _NODE},
         **writer.shared_files(),
     }

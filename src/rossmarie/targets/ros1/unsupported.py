@@ -18,9 +18,11 @@ def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
     if machine.rules and not machine.reactions.tasks:
         yield NothingToDo(target="ros1").at(machine.rules[0].span)
     for task in machine.reactions.tasks:
-        if isinstance(
-            task.effect,
-            reactions.SetParameter | reactions.SwitchControllers | reactions.SendGoal,
-        ):
-            effect = effect_words(machine, task.effect)
-            yield UnsupportedEffect(target="ros1", effect=effect).at(task.span)
+        effect = task.effect
+        if isinstance(effect, reactions.SetParameter) and "." in effect.parameter:
+            yield UnsupportedEffect(
+                target="ros1",
+                effect=effect_words(machine, effect),
+                reason="a parameter of dynamic_reconfigure has no dots in its name",
+                way_out="name a parameter that the node has in ROS 1, or do it in a `hook`",
+            ).at(task.span)

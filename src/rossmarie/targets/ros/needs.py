@@ -1,0 +1,106 @@
+"""What only some effects need: headers, packages, objects that tasks share, other nodes."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from rossmarie import ir
+from rossmarie.ir import reactions
+from rossmarie.targets.c99.names import string
+from rossmarie.targets.ros import names
+from rossmarie.targets.ros.dialect import Dialect, Interface, Part
+
+MIDDLEWARE = "host.middleware()"
+
+
+def parts(machine: ir.Machine, dialect: Dialect) -> list[Part]:
+    """The parts that the effects of the tasks need."""
+    used = {type(task.effect) for task in machine.reactions.tasks}
+    found = [part for effect, part in dialect.parts.items() if effect in used]
+    is_relayed = dialect.relay is not None and bool(relayed(machine))
+    return [*found, dialect.relay] if is_relayed and dialect.relay else found
+
+
+def relayed(machine: ir.Machine) -> dict[str, str]:
+    """The action servers of which goals that were interrupted are sent again, with their types."""
+    found = {}
+    for task in machine.reactions.tasks:
+        match task.effect:
+            case (
+                reactions.SendGoal(server=server, action_type=str(action_type))
+                | reactions.CancelGoal(server=server, action_type=str(action_type))
+            ) if task.effect.interrupted is reactions.Interrupted.RESEND:
+                found[server] = action_type
+            case _:
+                pass
+    return found
+
+
+class SharedObject(NamedTuple):
+    """What the tasks of one resource share: a variable, its class, and what it is made of."""
+
+    name: str
+    kind: str
+    arguments: tuple[str, ...]
+
+
+def shared_objects(machine: ir.Machine, dialect: Dialect) -> list[SharedObject]:
+    """In the order of the tasks that need them first."""
+    tasks = machine.reactions.tasks
+    effects = {name: tasks[index].effect for index, name in names.shared(machine).items()}
+    relays = relayed(machine) if dialect.relay else {}
+    found = []
+    for name, effect in effects.items():
+        kind, texts = _shared_kind(effect, dialect, relays)
+        found.append(SharedObject(name, kind, (MIDDLEWARE, *map(string, texts))))
+    return found
+
+
+def _shared_kind(
+    effect: reactions.Effect, dialect: Dialect, relays: dict[str, str]
+) -> tuple[str, tuple[str, ...]]:
+    match effect:
+        case reactions.SetParameter(node=node, parameter=parameter):
+            return "Shared<Parameter>", (node, parameter)
+        case reactions.SwitchControllers(manager=manager):
+            return "Shared<Controllers>", (manager,)
+        case reactions.SendGoal(server=server) | reactions.CancelGoal(server=server):
+            if server not in relays:
+                return "Goals", (server,)
+            action = dialect.cpp_type(relays[server], Interface.ACTION)
+            return f"Relay<{action}>", (server, names.unfiltered(server))
+        case _:
+            raise AssertionError(f"nothing is shared: {effect}")
+
+
+class Other(NamedTuple):
+    """What another node has to offer: a service, or a topic that says that it is there."""
+
+    title: str
+    name: str
+    is_service: bool
+
+
+def others(machine: ir.Machine, dialect: Dialect) -> list[Other]:
+    """What has to be there besides the node, in the order of the resources."""
+    found: dict[int, Other] = {}
+    for task in machine.reactions.tasks:
+        offered = _offered(task.effect, dialect)
+        if offered is not None and task.resource is not None:
+            found[task.resource] = Other(machine.reactions.resources[task.resource], *offered)
+    return [found[resource] for resource in sorted(found)]
+
+
+def _offered(effect: reactions.Effect, dialect: Dialect) -> tuple[str, bool] | None:
+    """The name of a service, or of a topic."""
+    match effect:
+        case reactions.Call(service=service):
+            return service, True
+        case reactions.SetParameter(node=node):
+            return f"{node}/set_parameters", True
+        case reactions.SwitchControllers(manager=manager):
+            return f"{manager}/switch_controller", True
+        case reactions.SendGoal(server=server) | reactions.CancelGoal(server=server):
+            return f"{server}{dialect.status_topic}", False
+        case _:
+            return None

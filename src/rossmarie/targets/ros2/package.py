@@ -1,0 +1,51 @@
+"""A machine as an ament package: `generate` gives its files by name.
+
+Takes a machine that `ir.verify` has passed and for which `unsupported` found nothing.
+"""
+
+from __future__ import annotations
+
+from rossmarie import ir
+from rossmarie.targets.ros import names, needs
+from rossmarie.targets.ros.package import PackageWriter
+from rossmarie.targets.ros2.dialect import ROS2
+
+_NODE = ("src/node.cpp", "src/parameters.h", "src/subscription.h")
+
+# What stands behind the name of an action server: ROS 2 renames topics and services, not actions.
+_OF_ACTIONS = ("send_goal", "cancel_goal", "get_result", "feedback", "status")
+
+# What the node itself uses.
+_ALWAYS = {
+    "builtin_interfaces", "lifecycle_msgs", "rcl_interfaces", "rclcpp", "rclcpp_components",
+    "rclcpp_lifecycle",
+}  # fmt: skip
+
+
+def generate(machine: ir.Machine) -> dict[str, str]:
+    """The files of the package, by their paths in it."""
+    writer = PackageWriter(machine, ROS2)
+    package = names.package(machine)
+    used = writer.packages() | _ALWAYS
+    remaps = [f'    "{source}": "{front}",' for source, front in _remappings(machine).items()]
+    depends = [f"  <depend>{name}</depend>" for name in sorted(used)]
+    return {
+        "package.xml": writer.fill("package.xml", depends="\n".join(depends)),
+        "CMakeLists.txt": writer.fill("CMakeLists.txt", components="\n  ".join(sorted(used))),
+        "README.md": writer.readme(),
+        f"launch/{package}.launch.py": writer.fill(
+            "launch/safety.launch.py", remaps="\n".join(remaps)
+        ),
+        **{path: writer.fill(path) for path in _NODE},
+        **writer.shared_files(),
+    }
+
+
+def _remappings(machine: ir.Machine) -> dict[str, str]:
+    """The names that commands and goals go by, and where they enter the node."""
+    topics = (command.topic for command in machine.reactions.commands)
+    found = {topic: names.unfiltered(topic) for topic in topics}
+    for server in needs.relayed(machine):
+        for each in _OF_ACTIONS:
+            found[f"{server}/_action/{each}"] = f"{names.unfiltered(server)}/_action/{each}"
+    return found

@@ -1,0 +1,33 @@
+"""What the ROS 2 target cannot do, and what its core cannot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dslkit.diagnostics import Diagnostic
+from rossmarie import ir
+from rossmarie.ir import reactions
+from rossmarie.targets import c99
+from rossmarie.targets.errors import NothingToDo, UnsupportedEffect
+from rossmarie.targets.ros import needs
+from rossmarie.targets.ros.words import effect_words
+
+
+def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
+    """A finding for everything that the generated node would have to leave out."""
+    yield from c99.unsupported(machine)
+    if machine.rules and not machine.reactions.tasks:
+        yield NothingToDo(target="ros2").at(machine.rules[0].span)
+    for task in machine.reactions.tasks:
+        match task.effect:
+            case reactions.CancelGoal(server=server, interrupted=reactions.Interrupted.RESEND) if (
+                server not in needs.relayed(machine)
+            ):
+                yield UnsupportedEffect(
+                    target="ros2",
+                    effect=f"{effect_words(machine, task.effect)} then resend",
+                    reason="goals of ROS 2 can only be sent again where their type is known",
+                    way_out=f"say it in a system model, `server {server} : PACKAGE/TYPE;`",
+                ).at(task.span)
+            case _:
+                pass
