@@ -104,6 +104,14 @@ class StageName(str, enum.Enum):
     GENERATE = "generate"
 
 
+class GraphFormat(str, enum.Enum):
+    """How `graph` draws."""
+
+    TEXT = "text"
+    SVG = "svg"
+    DOT = "dot"
+
+
 class DumpFormat(str, enum.Enum):
     """How `dump` writes."""
 
@@ -117,16 +125,27 @@ def check(
     format: Annotated[  # noqa: A002
         Format, _choice(Format, "How findings are printed.")
     ] = Format.TEXT,
+    target: Annotated[
+        TargetName | None, _choice(TargetName, "Also report what this target cannot do.")
+    ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Check rules files: names, types, units, and what cannot work."""
-    from rossmarie.driver import check_file
+    folders, systems = messages or (), system or ()
+    if target is None:
+        from rossmarie.driver import check_file
 
-    results = [
-        check_file(path, systems=system or (), message_folders=messages or ()) for path in files
-    ]
-    found = output.each_once(finding for result in results for finding in result.diagnostics)
+        results = [check_file(path, systems=systems, message_folders=folders) for path in files]
+        findings = [result.diagnostics for result in results]
+    else:
+        from rossmarie.driver.build import check_for
+
+        findings = [
+            check_for(target.value, path, systems=systems, message_folders=folders)
+            for path in files
+        ]
+    found = output.each_once(finding for those in findings for finding in those)
     output.print_diagnostics(found, format, file_count=len(files))
     raise typer.Exit(output.exit_code(found))
 
@@ -232,6 +251,25 @@ def build(
     output.print_diagnostics(found, Format.TEXT, file_count=1)
     for path in written:
         typer.echo(f"wrote {path}")
+
+
+@app.command()
+def graph(
+    rules: Rules,
+    format: Annotated[  # noqa: A002
+        GraphFormat, _choice(GraphFormat, "How it is drawn.")
+    ] = GraphFormat.TEXT,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=_written),
+    ] = None,
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Draw the wiring of a rules file: what its node reads, filters and acts on."""
+    from rossmarie.cli.graph import run_graph
+
+    run_graph(rules, format.value, out, system or [], messages or [])
 
 
 @app.command()

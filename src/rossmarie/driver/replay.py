@@ -14,7 +14,7 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Event, Machine
 from rossmarie.recordings import Recording, Update, open_recording
-from rossmarie.report import Plot, Replay, axis_seconds, plan_plots
+from rossmarie.report import Plot, Replay, axis_seconds, plan_plots, rehearse
 
 Progress = Callable[[float], None]
 """Called now and then with the part of the recording that is done, from 0 to 1."""
@@ -62,6 +62,7 @@ def replay_file(
             events=tuple(events),
             plots=sampler.plots(start_ns),
             notes=_notes(started, collector.sorted()),
+            rehearsed=rehearse(machine, events),
         )
     return replay, (*compiled.warnings, *collector.sorted())
 

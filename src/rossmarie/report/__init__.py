@@ -1,9 +1,13 @@
-"""What a replay found, for readers: a table, JSON lines, and a timeline that opens in a browser."""
+"""What a replay found, for readers: a table, JSON lines, and a timeline that opens in a browser.
+
+Beside it, in `wiring`, how the node of a rules file is connected.
+"""
 
 from rossmarie.report.axis import axis_seconds
 from rossmarie.report.jsonl import verdict_lines
 from rossmarie.report.model import Plot, Replay, Threshold
 from rossmarie.report.plots import PlotPlan, plan_plots
+from rossmarie.report.rehearsal import Rehearsed, rehearse
 from rossmarie.report.spans import ActiveSpan, Summary, active_spans, summarize
 from rossmarie.report.table import write_table
 from rossmarie.report.timeline import render_timeline
@@ -12,12 +16,14 @@ __all__ = [
     "ActiveSpan",
     "Plot",
     "PlotPlan",
+    "Rehearsed",
     "Replay",
     "Summary",
     "Threshold",
     "active_spans",
     "axis_seconds",
     "plan_plots",
+    "rehearse",
     "render_timeline",
     "summarize",
     "verdict_lines",

@@ -27,6 +27,11 @@ class PlacedEvent:
     position_ns: int
     origin_ns: int
 
+    @property
+    def at_ns(self) -> int:
+        """The stamp of the event."""
+        return self.position_ns + self.origin_ns
+
 
 def place(events: Iterable[Event], start_ns: int) -> Iterator[PlacedEvent]:
     """The events in their order, each with its position; a jump lies where it ends."""

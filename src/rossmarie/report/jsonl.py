@@ -1,4 +1,5 @@
-"""A replay as JSON lines: a header, then one object for each event, in the order of events.
+"""A replay as JSON lines: a header, then one object for each event, in the order of events, each
+followed by the orders that it would have led to.
 
 The schema is written down in `docs/reference/verdicts.md`; `SCHEMA` grows when a reader of the old
 one could misread the new one.
@@ -9,6 +10,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator
+from itertools import groupby
 
 from rossmarie.ir import (
     Cause,
@@ -23,6 +25,7 @@ from rossmarie.ir import (
 )
 from rossmarie.report.axis import PlacedEvent, place
 from rossmarie.report.model import Replay
+from rossmarie.report.rehearsal import Rehearsed, task_words
 
 SCHEMA = 1
 
@@ -43,8 +46,12 @@ STATES = {InputState.NEVER: "never", InputState.FRESH: "unusable", InputState.EX
 def verdict_lines(replay: Replay) -> Iterator[str]:
     """The lines of the file, each without its line ending."""
     yield _line(_header(replay))
-    for placed in place(replay.events, replay.start_ns):
+    following = groupby(replay.rehearsed, key=lambda each: each.after)
+    orders = {after: list(those) for after, those in following}
+    for index, placed in enumerate(place(replay.events, replay.start_ns)):
         yield _line(_event(replay, placed))
+        for each in orders.get(index, ()):
+            yield _line(_order(replay, each, placed))
 
 
 def _line(fields: dict[str, object]) -> str:
@@ -90,6 +97,21 @@ def _verdict(replay: Replay, verdict: Verdict, placed: PlacedEvent) -> dict[str,
         "actions": list(rule.actions),
         "clears": rule.contract,
         "cause": cause_data(explain(replay.machine, verdict), placed.origin_ns),
+    }
+
+
+def _order(replay: Replay, each: Rehearsed, placed: PlacedEvent) -> dict[str, object]:
+    machine, order = replay.machine, each.order
+    action, effect = task_words(machine, order.task)
+    return {
+        "type": "order",
+        "order": order.kind.value,
+        "at_ns": placed.at_ns,
+        "time_s": placed.position_ns / 1e9,
+        "rule": machine.rules[each.rule].name,
+        "action": action,
+        "effect": effect,
+        "by": None if order.by is None else machine.rules[order.by].name,
     }
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.ir import Event, Machine, TimeJump
+from rossmarie.report.rehearsal import Rehearsed
 
 
 @dataclass(frozen=True)
@@ -52,7 +53,7 @@ class Replay:
 
     `start_ns` and `end_ns` are the stamps of the first and last message (not the least and the
     greatest: stamps may run backwards), `monitor` is `native` or `python`, `notes` are the
-    findings about the recording, one sentence each.
+    findings about the recording, one sentence each. `rehearsed` is what the rules would have done.
     """
 
     machine: Machine
@@ -64,6 +65,7 @@ class Replay:
     events: tuple[Event, ...]
     plots: tuple[Plot, ...]
     notes: tuple[str, ...]
+    rehearsed: tuple[Rehearsed, ...] = ()
 
     @property
     def duration_ns(self) -> int:

@@ -12,11 +12,12 @@ import json
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.ir import Rule, TimeJump, Verdict, explain
+from rossmarie.ir import Order, OrderKind, Rule, TimeJump, Verdict, explain
 from rossmarie.report.axis import PlacedEvent, place
 from rossmarie.report.envelope import envelope
 from rossmarie.report.jsonl import CHANGES, cause_data, json_number
 from rossmarie.report.model import Plot, Replay, Threshold
+from rossmarie.report.rehearsal import task_words
 from rossmarie.report.spans import ActiveSpan, active_spans
 from rossmarie.report.wording import format_length
 
@@ -25,6 +26,9 @@ _SAMPLES = 120_000
 
 MOST_DETAILED = 1_000
 """Verdicts whose cause a page holds; the others are drawn without."""
+
+_MOST_ORDERS = 12
+"""Orders that are shown of one activation."""
 
 _TICKS = 2**32 - 1
 """Times of samples are fractions of the duration, in this many ticks."""
@@ -86,20 +90,49 @@ def _changes(replay: Replay, placed: list[PlacedEvent]) -> tuple[list[_Data], di
     """The first verdicts in full, and the place of each among them by its place in the events."""
     changes: list[_Data] = []
     places: dict[int, int] = {}
+    done = _done(replay, placed)
     for index, item in enumerate(placed):
         if isinstance(item.event, Verdict) and len(changes) < MOST_DETAILED:
             places[index] = len(changes)
-            changes.append(_change(replay, item.event, item))
+            changes.append(_change(replay, item.event, item, done.get(index, [])))
     return changes, places
 
 
-def _change(replay: Replay, verdict: Verdict, placed: PlacedEvent) -> _Data:
+def _change(replay: Replay, verdict: Verdict, placed: PlacedEvent, done: list[str]) -> _Data:
     return {
         "rule": verdict.rule,
         "at": placed.position_ns / 1e9,
         "change": CHANGES[verdict.change],
         "cause": cause_data(explain(replay.machine, verdict), placed.origin_ns),
+        "done": done,
     }
+
+
+def _done(replay: Replay, placed: list[PlacedEvent]) -> dict[int, list[str]]:
+    """What each activation would have done, by the place of its verdict; what is undone at its end
+    goes without saying.
+    """
+    lines: dict[int, list[str]] = {}
+    for each in replay.rehearsed:
+        if each.order.kind is OrderKind.STOP:
+            continue
+        found = lines.setdefault(each.activation, [])
+        if len(found) < _MOST_ORDERS:
+            since_ns = placed[each.after].position_ns - placed[each.activation].position_ns
+            found.append(_order(replay, each.order, since_ns))
+        elif len(found) == _MOST_ORDERS:
+            found.append("more is in the verdicts file")
+    return lines
+
+
+def _order(replay: Replay, order: Order, since_ns: int) -> str:
+    action, effect = task_words(replay.machine, order.task)
+    after = f"after {format_length(since_ns)}, " if since_ns else ""
+    if order.by is not None:
+        ending = f" (overruled by {replay.machine.rules[order.by].name})"
+    else:
+        ending = " (failed)" if order.kind is OrderKind.FAILED else ""
+    return f"{after}{action}: {effect}{ending}"
 
 
 # --- signals ---------------------------------------------------------------------------------

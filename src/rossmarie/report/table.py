@@ -1,4 +1,4 @@
-"""The summary of a replay as a table on a terminal, or as plain text in a file or pipe."""
+"""The summary of a replay as tables on a terminal, or as plain text in a file or pipe."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from rossmarie.report.model import Replay
+from rossmarie.report.rehearsal import TaskSummary, summarize_tasks
 from rossmarie.report.spans import Summary, summarize
 from rossmarie.report.wording import format_length, format_position
 
@@ -18,16 +19,36 @@ _UNBROKEN = 1_000_000
 
 
 def write_table(replay: Replay, out: TextIO) -> None:
-    """Write one row for each rule: fitted to the width of a terminal, one line each elsewhere."""
+    """Write one row for each rule, and if the rules would have done anything, one for each task:
+    fitted to the width of a terminal, one line each elsewhere.
+    """
     console = Console(file=out, highlight=False)
-    table = _table(summarize(replay), styled=console.is_terminal)
+    tables = [_table(summarize(replay), styled=console.is_terminal)]
+    if replay.rehearsed:
+        tasks = summarize_tasks(replay.machine, replay.rehearsed)
+        tables.append(_task_table(tasks, styled=console.is_terminal))
     if console.is_terminal:
-        console.print(table)
+        console.print(*tables)
         return
     plain = Console(file=None, width=_UNBROKEN, no_color=True, highlight=False)
     with plain.capture() as capture:
-        plain.print(table)
+        for place, table in enumerate(tables):
+            plain.print(*([""] if place else []), table, sep="\n")
     out.writelines(line.rstrip() + "\n" for line in capture.get().splitlines())
+
+
+def _task_table(tasks: tuple[TaskSummary, ...], *, styled: bool) -> Table:
+    table = Table(box=SIMPLE_HEAD if styled else None, pad_edge=False, header_style="bold")
+    table.add_column("Rule", overflow="fold", min_width=8)
+    table.add_column("Action", overflow="fold")
+    table.add_column("Would do", overflow="fold", min_width=20)
+    table.add_column("Times", justify="right", no_wrap=True)
+    table.add_column("Overruled", overflow="fold")
+    for task in tasks:
+        by = ", ".join(f"{count} x by {rule}" for rule, count in task.overruled)
+        cells = (task.rule, task.action, task.effect, str(task.starts), by)
+        table.add_row(*map(Text, cells))
+    return table
 
 
 def _table(summaries: tuple[Summary, ...], *, styled: bool) -> Table:

@@ -43,7 +43,7 @@ def render_timeline(replay: Replay) -> str:
         format_length=format_length,
         format_position=format_position,
         percent=lambda length_ns: _percent(length_ns, replay.duration_ns),
-        style=Markup(_asset("timeline.css")),
+        style=Markup(_asset("palette.css") + _asset("timeline.css")),
         script=Markup("\n".join(_asset(name) for name in _SCRIPTS)),
         listed=_listed(replay),
         data=Markup(page_data(replay)),

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from rossmarie import ir
+from rossmarie.driver.build import check_for
 from rossmarie.ir import machine_from_json, machine_to_json
 
 ROOT = Path(__file__).parents[3]
@@ -81,6 +83,8 @@ def test_check_for_machines(wrong: Path) -> None:
         ["replay", "rules.ross", "drive.bag", "--topic-map", "nonsense"],
         ["dump", "rules.ross", "--after", "lunch"],
         ["dump", "rules.ross", "--after", "check", "--format", "json"],
+        ["graph", "rules.ross", "--format", "png"],
+        ["check", "rules.ross", "--target", "ros"],
         ["dance"],
     ],
     ids=" ".join,
@@ -188,6 +192,83 @@ def test_build_where_nothing_can_be_written(rules: Path) -> None:
     assert done.returncode == 2
     assert "cannot write" in done.stderr
 
+
+# --- what a target cannot do -----------------------------------------------------------------
+
+SETTING = RULES.replace("action stop;", "action stop { set /planner.speed to 0.1; }")
+
+
+def test_check_says_what_a_target_cannot_do(rules: Path, tmp_path: Path) -> None:
+    setting = tmp_path / "setting.ross"
+    setting.write_text(SETTING)
+    assert run("check", setting).stdout == "no errors in 1 file\n"
+    assert run("check", setting, "--target", "c99").stdout == "no errors in 1 file\n"
+    done = run("check", setting, rules, "--target", "ros1")
+    assert done.returncode == 1
+    assert "error[ROSS503]: the target ros1 cannot do `set /planner.speed`" in done.stdout
+    assert "error[ROSS504]" in done.stdout
+    assert done.stdout.endswith("\n2 errors in 2 files\n")
+
+
+def test_check_for_a_target_tells_warnings_and_other_errors_as_well(
+    tmp_path: Path, wrong: Path
+) -> None:
+    warned = tmp_path / "warned.ross"
+    warned.write_text("const unused = 1;\n" + SETTING)
+    done = run("check", warned, wrong, "--target", "ros1", "--format", "json")
+    found = [one["code"] for one in json.loads(done.stdout)["diagnostics"]]
+    assert found == ["ROSS401", "ROSS503", "ROSS101"]
+
+
+def test_check_for_a_target_tells_what_no_target_can_do(
+    rules: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(ir, "MOST_EVALUATIONS", 0)
+    assert [found.code for found in check_for("python", rules)] == ["ROSS502"]
+
+
+# --- graph -----------------------------------------------------------------------------------
+
+STOPPING = RULES.replace("action stop;", "action stop { block /cmd_vel : geometry_msgs/Twist; }")
+
+
+def test_graph_prints_the_wiring(rules: Path) -> None:
+    rules.write_text(STOPPING)
+    done = run("graph", rules)
+    assert (done.returncode, done.stderr) == (0, "")
+    path = "planner --> /unfil_cmd_vel --> rules_safety --> /cmd_vel --> robot"
+    assert path in done.stdout
+    assert run("graph", rules, "--format", "dot").stdout.startswith('digraph "rules_safety" {\n')
+
+
+def test_graph_writes_a_file_again_and_again(rules: Path, tmp_path: Path) -> None:
+    picture = tmp_path / "wiring.svg"
+    for text in (RULES, STOPPING):
+        rules.write_text(text)
+        done = run("graph", rules, "--format", "svg", "--out", picture)
+        assert (done.returncode, done.stdout) == (0, f"wrote {picture}\n")
+    assert "/unfil_cmd_vel" in picture.read_text()
+    assert run("graph", rules, "--format", "svg").stdout == picture.read_text()
+
+
+def test_graph_does_not_write_over_rules(rules: Path, wrong: Path) -> None:
+    before = rules.read_text()
+    done = run("graph", rules, "--out", rules)
+    assert done.returncode == 2
+    assert done.stderr == f"rossmarie: {rules} would be a rules file; choose another --out\n"
+    assert rules.read_text() == before
+    done = run("graph", rules, "--out", rules / "below a file")
+    assert done.returncode == 2
+    assert done.stderr.startswith("rossmarie: cannot write ")
+
+
+def test_graph_of_rules_with_errors(wrong: Path) -> None:
+    done = run("graph", wrong)
+    assert done.returncode == 1
+    assert "error[ROSS101]" in done.stdout
+
+
+# --- replay ----------------------------------------------------------------------------------
 
 DRIVE = "time,on\n0.0,0\n1.0,1\n2.5,0\n3.0,0\n"
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 from rossmarie.driver.build import build_files
-from support.ros1_cases import RULES
+from support.live_cases import rules as rules_of_vehicle
 
 
 def test_a_second_build_changes_nothing(tmp_path: Path) -> None:
     rules, folder = tmp_path / "vehicle.ross", tmp_path / "package"
-    rules.write_text(RULES, encoding="utf-8")
+    rules.write_text(rules_of_vehicle(), encoding="utf-8")
     build_files(rules, "ros1", folder)
     before = {path: path.stat().st_mtime_ns for path in folder.rglob("*")}
     build_files(rules, "ros1", folder)
@@ -19,7 +19,7 @@ def test_a_second_build_changes_nothing(tmp_path: Path) -> None:
 
 def test_files_of_the_user_are_written_once(tmp_path: Path) -> None:
     rules, folder = tmp_path / "vehicle.ross", tmp_path / "package"
-    rules.write_text(RULES, encoding="utf-8")
+    rules.write_text(rules_of_vehicle(), encoding="utf-8")
     written, _ = build_files(rules, "ros1", folder)
     hooks = folder / "src" / "hooks.cpp"
     assert hooks in written

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.driver.replay import replay_file
-from rossmarie.ir import Change, TimeJump, Verdict
+from rossmarie.ir import Change, OrderKind, TimeJump, Verdict
 from rossmarie.report import Replay, summarize
 
 RULES = """action stop;
@@ -39,6 +39,16 @@ def test_rules_that_count_are_replayed(tmp_path: Path) -> None:
     (plot,) = replay.plots
     assert list(plot.values) == [0.0, 2.0]
     assert len(changes(replay)) == 1
+
+
+def test_what_actions_would_do_is_told(tmp_path: Path) -> None:
+    """The lights go on at 1 s, and off when the battery is well again."""
+    body = "stop { publish /light : std_msgs/Bool { data = true; } at 1 Hz; }\n"
+    rules = RULES.replace("stop;\n", body, 1)
+    replay = replayed(tmp_path, rules, "time,volts\n0,12\n1,9\n1.5,12\n")
+    assert changes(replay) == [(1, Change.ACTIVATED), (1, Change.CLEARED)]
+    orders = [(each.order.kind, each.after) for each in replay.rehearsed]
+    assert orders == [(OrderKind.START, 0), (OrderKind.STOP, 1)]
 
 
 def test_a_clock_that_goes_back_adds_no_silence(tmp_path: Path) -> None:

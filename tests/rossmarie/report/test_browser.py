@@ -3,24 +3,17 @@
 from __future__ import annotations
 
 import re
-import shutil
-import subprocess
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from rossmarie.ir import TimeJump
 from rossmarie.report import Plot, Replay, render_timeline
+from support.browser import document_of, needs_browser
+from support.docking import docking
 
-BROWSER = next(
-    filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
-)
-
-pytestmark = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium here; `make browser` installs it"
-)
+pytestmark = needs_browser
 
 # Without a screen frames come late or never; timers run in the virtual time of the browser.
 FRAMES = "<head><script>window.requestAnimationFrame = (act) => setTimeout(act, 0);</script>"
@@ -44,17 +37,7 @@ def opened(page: str, folder: Path, script: str = "") -> str:
     tail = f"<script>{POINT}{script}</script></body>"
     text = page.replace("<head>", FRAMES, 1).replace("</body>", tail)
     path.write_text(text, encoding="utf-8")
-    assert BROWSER is not None
-    done = subprocess.run(
-        [
-            BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run",
-            "--disable-background-networking", "--disable-component-update", "--disable-sync",
-            f"--user-data-dir={folder / 'profile'}", "--window-size=1400,1000",
-            "--virtual-time-budget=2000", "--dump-dom", path.as_uri(),
-        ],
-        capture_output=True, text=True, timeout=120, check=True,
-    )  # fmt: skip
-    document = done.stdout
+    document = document_of(path)
     root = document[: document.index(">", document.index("<html"))]
     assert "data-error" not in root, root
     assert 'data-ready="true"' in root
@@ -98,9 +81,21 @@ def test_pointing_at_a_span_shows_its_cause_and_the_values(drive: Replay, tmp_pa
         "orientation.pitch() = 9.35816 deg",
     ):
         assert text in card
+    assert "Would do" not in card
     readings = re.findall(r'<span class="reading">([^<]*)<', document)
     assert len(readings) == len(drive.plots)
     assert all(re.fullmatch("\u2212?[0-9.]+ \\S+", reading) for reading in readings)
+
+
+def test_pointing_at_a_span_shows_what_its_rule_would_do(tmp_path: Path) -> None:
+    script = 'pointAt(lanes[0].querySelector(".span.active"));'
+    card = element(opened(render_timeline(docking()), tmp_path, script), "card")
+    for text in (
+        "Would do creep: limit /cmd_vel creep: publish /lamp at 2 Hz",
+        "after 1.0 s, creep: publish /lamp at 2 Hz (overruled by touching)",
+        "after 2.0 s, creep: publish /lamp at 2 Hz ",
+    ):
+        assert text in card
 
 
 def test_a_lost_input_is_named(drive: Replay, tmp_path: Path) -> None:

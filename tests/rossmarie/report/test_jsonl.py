@@ -13,6 +13,7 @@ from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues
 from rossmarie.report import Replay, verdict_lines
+from support.docking import docking
 from support.drafts import SECOND, Draft
 from support.golden import assert_golden
 from support.machines import Step, cases, take
@@ -47,6 +48,11 @@ def small() -> Replay:
 def test_the_schema_does_not_change_unnoticed(*, bless: bool) -> None:
     text = "".join(line + "\n" for line in verdict_lines(small()))
     assert_golden(GOLDEN / "tank.jsonl", text, bless=bless)
+
+
+def test_orders_follow_the_verdicts_that_lead_to_them(*, bless: bool) -> None:
+    text = "".join(line + "\n" for line in verdict_lines(docking()))
+    assert_golden(GOLDEN / "dock.jsonl", text, bless=bless)
 
 
 def test_seconds_go_on_over_a_jump() -> None:
@@ -86,6 +92,6 @@ def _refuse(word: str) -> None:
 def test_the_reference_shows_what_is_written() -> None:
     page = Path(__file__).parents[3] / "docs" / "reference" / "verdicts.md"
     examples = re.findall(r"```json\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
-    assert len(examples) == 3
+    assert len(examples) == 4
     for example in examples:
-        assert json.loads(example) in lines(small())
+        assert json.loads(example) in [*lines(small()), *lines(docking())]

@@ -6,6 +6,7 @@ import re
 import pytest
 
 from rossmarie.report import Replay, write_table
+from support.docking import docking
 
 
 class Terminal(io.StringIO):
@@ -41,3 +42,26 @@ def test_a_rule_that_was_never_active_says_so(drive: Replay) -> None:
     out = io.StringIO()
     write_table(quiet, out)
     assert out.getvalue().count("never") == len(drive.machine.rules)
+
+
+def test_what_rules_would_have_done_stands_below() -> None:
+    out = io.StringIO()
+    write_table(docking(), out)
+    assert out.getvalue().split("\n\n")[1].splitlines() == [
+        "Rule      Action  Would do                Times  Overruled",
+        "docking   creep   limit /cmd_vel              1",
+        "docking   creep   publish /lamp at 2 Hz       2  1 x by touching",
+        "touching  alarm   publish /lamp at 10 Hz      1",
+        "touching  alarm   call /horn                  1",
+        "touching  stop    block /cmd_vel              1",
+    ]
+
+
+def test_both_tables_fit_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "60")
+    monkeypatch.setenv("TERM", "xterm")
+    out = Terminal()
+    write_table(docking(), out)
+    plain = re.sub(r"\x1b\[[0-9;]*m", "", out.getvalue())
+    assert max(len(line) for line in plain.splitlines()) <= 60
+    assert "1 x by" in plain

@@ -13,6 +13,7 @@ import numpy as np
 from rossmarie.ir import Change, InputState, TruthValue, Verdict
 from rossmarie.report import Plot, Replay, active_spans, render_timeline, summarize
 from rossmarie.report.wording import format_length
+from support.docking import docking
 
 HOSTILE = """</script><script>boom()</script>'"&<img src=x onerror=boom()>{{ 7*7 }}<!--"""
 
@@ -126,3 +127,20 @@ def test_numbers_that_json_lacks_do_not_reach_the_page(drive: Replay) -> None:
         "x", "", np.array([0.0, 1, 2, 3]), np.array([math.inf, -math.inf, math.nan, 1e300]), ()
     )
     render_timeline(replace(drive, plots=(odd,)))
+
+
+def test_a_page_tells_what_would_be_done_but_not_without_end() -> None:
+    replay = docking()
+    first, other = data_of(render_timeline(replay))["changes"][:2]
+    assert first["done"] == [
+        "creep: limit /cmd_vel",
+        "creep: publish /lamp at 2 Hz",
+        "after 1.0 s, creep: publish /lamp at 2 Hz (overruled by touching)",
+        "after 2.0 s, creep: publish /lamp at 2 Hz",
+    ]
+    assert len(other["done"]) == 3
+    often = replace(replay, rehearsed=replay.rehearsed * 9)
+    assert len(data_of(render_timeline(often))["changes"][0]["done"]) == 13
+    assert (
+        data_of(render_timeline(often))["changes"][0]["done"][-1] == "more is in the verdicts file"
+    )

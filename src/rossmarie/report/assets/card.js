@@ -42,8 +42,9 @@ function fillCard(card, rule, span) {
   const closed = replay.changes[span.closed];
   const fill = { class: "span " + span.kind, x: 1, y: 1, width: 20, height: 9, rx: 2 };
   const facts = html("dl");
-  const fact = (term, text) => facts.append(html("dt", {}, term), html("dd", {}, text));
+  const fact = (term, ...texts) => facts.append(html("dt", {}, term), html("dd", {}, ...texts));
   if (rule.actions.length) fact("Actions", rule.actions.join(", "));
+  if (opened?.done.length) fact("Would do", ...opened.done.map((line) => html("div", {}, line)));
   fact("Contract", rule.contract);
   if (closed) fact("Cleared", `${formatPosition(span.to)}: ${closed.cause.text}`);
   card.replaceChildren(

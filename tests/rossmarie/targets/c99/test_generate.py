@@ -23,7 +23,10 @@ GOLDEN = Path(__file__).parents[3] / "golden" / "c99"
 
 @pytest.mark.parametrize("case", sorted(CASES))
 def test_looks_as_when_somebody_last_looked(case: str, bless: bool) -> None:
-    for name, text in generate(CASES[case]()).items():
+    files = generate(CASES[case]())
+    # Of rules that do something only the reactor: the others show what a monitor looks like.
+    reactor = {name: text for name, text in files.items() if "_reactor." in name}
+    for name, text in (reactor or files).items():
         assert_golden(GOLDEN / case / name, text, bless=bless)
 
 

@@ -1,56 +1,23 @@
-"""What stands in a generated package, without ROS."""
+"""What stands in a generated catkin package, without ROS."""
 
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
-from dslkit.source import SourceFile, Span
-from rossmarie import ir
 from rossmarie.driver.build import generate
-from rossmarie.ir import reactions
 from rossmarie.targets import ros1
-from rossmarie.targets.ros import names
-from support.ros1_cases import vehicle
-
-
-def with_effect(effect: reactions.Effect) -> ir.Machine:
-    """The vehicle, where the first task does something else."""
-    machine = vehicle()
-    first, *others = machine.reactions.tasks
-    tasks = (replace(first, effect=effect), *others)
-    return replace(machine, reactions=replace(machine.reactions, tasks=tasks))
-
-
-def test_the_package_is_complete() -> None:
-    files = generate(vehicle(), "ros1")
-    assert {
-        "package.xml",
-        "CMakeLists.txt",
-        "README.md",
-        "config/parameters.yaml",
-        "launch/vehicle_safety.launch",
-        "msg/Verdict.msg",
-        "srv/Reset.srv",
-        "src/vehicle_monitor.c",
-        "src/vehicle_reactor.c",
-        "src/main.cpp",
-        "src/hooks.cpp",
-    } <= set(files)
-
-
-def test_the_same_rules_give_the_same_files() -> None:
-    assert generate(vehicle(), "ros1") == generate(vehicle(), "ros1")
+from support.live_cases import acting, vehicle
 
 
 def test_packages_of_all_messages_are_named() -> None:
     files = generate(vehicle(), "ros1")
     depends = {each.text for each in ET.fromstring(files["package.xml"]).iter("depend")}
     assert depends == {
+        "actionlib",
         "actionlib_msgs",
+        "controller_manager_msgs",
         "topic_tools",
         "diagnostic_msgs",
         "geometry_msgs",
@@ -68,80 +35,52 @@ def test_the_planner_is_launched_behind_the_filter() -> None:
     group = launch.find("group")
     assert group is not None
     assert [dict(each.attrib) for each in group.iter("remap")] == [
-        {"from": "/cmd_vel", "to": "/unfil_cmd_vel"}
+        {"from": "/cmd_vel", "to": "/unfil_cmd_vel"},
+        {"from": "/arm_vel", "to": "/unfil_arm_vel"},
     ]
     assert [each.attrib["respawn"] for each in launch.iter("node")] == ["true"]
 
 
-def test_a_rules_file_with_an_odd_name_gives_valid_xml() -> None:
-    machine = vehicle()
-    odd = SourceFile("a--b & <c>.ross", "text")
-    rules = tuple(replace(rule, span=Span(odd, 0, 4)) for rule in machine.rules)
-    files = generate(replace(machine, rules=rules), "ros1")
-    for name, text in files.items():
-        if name.endswith((".xml", ".launch")):
-            ET.fromstring(text)
-
-
-@pytest.mark.parametrize(
-    ("topic", "source"),
-    [
-        ("/cmd_vel", "/unfil_cmd_vel"),
-        ("/robot/cmd_vel", "/robot/unfil_cmd_vel"),
-        ("cmd_vel", "unfil_cmd_vel"),
-    ],
-)
-def test_commands_come_from_a_topic_beside(topic: str, source: str) -> None:
-    assert names.unfiltered(topic) == source
-
-
-@pytest.mark.parametrize(
-    ("rules", "package"),
-    [("std_msgs", "std_msgs_safety"), ("switch", "switch_safety"), ("2 Räder", "n2_rader_safety")],
-)
-def test_a_package_is_called_like_its_rules_but_like_no_other(rules: str, package: str) -> None:
-    assert names.package(replace(vehicle(), name=rules)) == package
-
-
-def test_command_topics_that_differ_only_in_signs_differ_in_cpp() -> None:
-    machine = vehicle()
-    (command,) = machine.reactions.commands
-    topics = ("/a/cmd_vel", "/a_cmd_vel", "/all", "/a/cmd/vel2")
-    commands = tuple(replace(command, topic=topic) for topic in topics)
-    machine = replace(machine, reactions=replace(machine.reactions, commands=commands))
-    for given in (names.command_members(machine), names.command_classes(machine)):
-        assert len(set(given)) == len(topics)
-    assert "all" not in names.command_members(machine)
-
-
 def test_what_the_node_cannot_do_is_refused() -> None:
-    switch = reactions.SwitchControllers("/controller_manager", ("a",), ("b",), 10**9)
-    (found,) = ros1.unsupported(with_effect(switch))
+    (found,) = ros1.unsupported(acting("set /planner.FollowPath.speed to 0.2"))
     assert (found.code, found.title) == (
         "ROSS503",
-        "the target ros1 cannot do `switch /controller_manager`",
+        "the target ros1 cannot do `set /planner.FollowPath.speed to 0.2`",
     )
     assert list(ros1.unsupported(vehicle())) == []
 
 
-def test_rules_that_do_nothing_are_refused() -> None:
-    machine = replace(vehicle(), reactions=ir.NO_REACTIONS)
-    assert [found.code for found in ros1.unsupported(machine)] == ["ROSS504"]
+EFFECTS = {
+    "cancel /arm within 1 sec": ({"goals.h", "cancel_task.h"}, {"actionlib_msgs", "topic_tools"}),
+    "send actionlib/Test { goal = 1; } to /arm within 1 sec": (
+        {"goals.h", "send_task.h"},
+        {"actionlib", "actionlib_msgs", "topic_tools"},
+    ),
+    "set /planner.speed to 1": (
+        {"shared.h", "change_task.h", "reconfigure.h", "set_task.h"},
+        set(),
+    ),
+    "switch /manager { start a; }": (
+        {"shared.h", "change_task.h", "switch_task.h"},
+        {"controller_manager_msgs"},
+    ),
+    'log info "x"': (set(), set()),
+}
 
 
-def test_values_of_messages_are_assigned_by_their_kind() -> None:
-    assignments = (
-        reactions.Assignment(("name",), ("a", 'b"')),
-        reactions.Assignment(("position",), (1.0, -2.5)),
-        reactions.Assignment(("header", "frame_id"), "base"),
-    )
-    publish = reactions.Publish("/j", "sensor_msgs/JointState", assignments, None, None)
-    text = generate(with_effect(publish), "ros1")["src/actions.h"]
-    assert 'message.name = {"a", "b\\042"};' in text
-    assert "assign(message.position, {1.0, -2.5});" in text
-    assert 'message.header.frame_id = "base";' in text
+@pytest.mark.parametrize("effect", EFFECTS)
+def test_what_only_some_effects_need_is_there_for_these_only(effect: str) -> None:
+    files = generate(acting(effect), "ros1")
+    headers, packages = EFFECTS[effect]
+    every = set().union(*(each for each, _ in EFFECTS.values()))
+    assert {name for name in every if f"src/{name}" in files} == headers
+    depends = {each.text for each in ET.fromstring(files["package.xml"]).iter("depend")}
+    assert depends == {"diagnostic_msgs", "geometry_msgs", "roscpp", "std_msgs"} | packages
 
 
-def test_no_line_of_the_generated_text_ends_in_a_blank(tmp_path: Path) -> None:
-    for name, text in generate(vehicle(), "ros1").items():
-        assert [line for line in text.splitlines() if line != line.rstrip()] == [], name
+def test_what_other_nodes_have_to_offer_is_listed() -> None:
+    effects = "call /lamp : std_srvs/Trigger {}; cancel /arm within 1 sec; set /planner.x to 1"
+    files = generate(acting(effects), "ros1")
+    assert '{"action server /arm", "/arm/status", false},' in files["src/descriptions.h"]
+    assert '{"service /lamp", "/lamp", true},' in files["src/descriptions.h"]
+    assert "- parameter /planner.x: service `/planner/set_parameters`" in files["README.md"]

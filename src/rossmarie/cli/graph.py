@@ -1,0 +1,53 @@
+"""`rossmarie graph`: the wiring of a rules file, printed or written."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import typer
+from rich.console import Console
+
+from rossmarie.cli import output
+from rossmarie.driver import RulesError, compile_file
+from rossmarie.driver.writing import reason, write_whole
+from rossmarie.report.wiring import Wiring, wiring_dot, wiring_of, wiring_svg, wiring_text
+
+_RULES = ".ross"
+
+
+def run_graph(
+    rules: Path,
+    form: str,
+    out: Path | None,
+    systems: Sequence[Path],
+    message_folders: Sequence[Path],
+) -> None:
+    """Print the wiring, or write it to `out`; a rules file is not written over."""
+    if out is not None and out.suffix == _RULES:
+        output.fail(f"{out} would be a rules file; choose another --out", exit_code=2)
+    try:
+        compiled = compile_file(rules, systems=systems, message_folders=message_folders)
+    except RulesError as error:
+        output.reject(error.diagnostics)
+    wiring = wiring_of(compiled.machine)
+    if out is None:
+        console = Console()
+        width = console.width if console.is_terminal else None
+        typer.echo(_drawn(wiring, form, width), nl=False)
+        return
+    try:
+        write_whole(out, _drawn(wiring, form))
+    except OSError as error:
+        output.fail(f"cannot write {out}: {reason(error)}", exit_code=2)
+    typer.echo(f"wrote {out}")
+
+
+def _drawn(wiring: Wiring, form: str, width: int | None = None) -> str:
+    match form:
+        case "svg":
+            return wiring_svg(wiring)
+        case "dot":
+            return wiring_dot(wiring)
+        case _:
+            return wiring_text(wiring, width)

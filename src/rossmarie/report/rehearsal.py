@@ -1,0 +1,144 @@
+"""What the rules of a replay would have done: a reactor, driven by the monitor's events.
+
+Takes the events of a monitor of a verified machine. The robot of a recording was not told anything,
+so nothing in it says how an order ended: all that a node would await is taken as done at once, with
+success, and confirmed. The effect `reset` does not act on the verdicts.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from rossmarie.interpreter import Reactor
+from rossmarie.ir import (
+    Change,
+    Event,
+    Machine,
+    Order,
+    OrderKind,
+    TimeJump,
+    TruthValue,
+    Verdict,
+    reactions,
+)
+from rossmarie.targets.ros.words import effect_words
+
+
+@dataclass(frozen=True)
+class Rehearsed:
+    """An order. `after` is the place of the event that it follows, `activation` that of the verdict
+    that made its rule active.
+    """
+
+    order: Order
+    rule: int
+    after: int
+    activation: int
+
+
+@dataclass(frozen=True)
+class TaskSummary:
+    """What became of one task over a whole replay; `overruled` says how often, by which rule."""
+
+    rule: str
+    action: str
+    effect: str
+    starts: int
+    overruled: tuple[tuple[str, int], ...]
+
+
+def rehearse(machine: Machine, events: Sequence[Event]) -> tuple[Rehearsed, ...]:
+    """The orders that follow from the events, in their order."""
+    return tuple(_Rehearsal(machine).of(events)) if machine.reactions.tasks else ()
+
+
+class _Rehearsal:
+    """A reactor, and what it is told."""
+
+    def __init__(self, machine: Machine) -> None:
+        self._tasks = machine.reactions.tasks
+        self._reactor = Reactor(machine.reactions)
+        self._confirmed = [TruthValue.TRUE] * len(machine.watches)
+        self._engaged = [False] * len(machine.rules)
+        self._activations = [0] * len(machine.rules)
+        self._rules = {
+            task: rule for rule, plan in enumerate(machine.reactions.plans) for task in plan.tasks
+        }
+
+    def of(self, events: Sequence[Event]) -> Iterator[Rehearsed]:
+        for look in _looks(events):
+            for place in look:
+                self._see(place, events[place])
+            for order in self._orders(_instant(events[look[-1]])):
+                rule = self._rules[order.task]
+                yield Rehearsed(order, rule, look[-1], self._activations[rule])
+
+    def _see(self, place: int, event: Event) -> None:
+        if isinstance(event, Verdict):
+            self._engaged[event.rule] = event.change is not Change.CLEARED
+            if event.change is not Change.CLEARED:
+                self._activations[event.rule] = place
+
+    def _orders(self, at_ns: int) -> Iterator[Order]:
+        """The orders of one look, and those that follow as what is awaited succeeds."""
+        waiting = self._reactor.react(at_ns, self._engaged, self._confirmed)
+        while waiting:
+            order = waiting.pop(0)
+            yield order
+            effect = self._tasks[order.task].effect
+            if order.kind is OrderKind.START and reactions.timeout_ns(effect) is not None:
+                waiting += self._reactor.report(at_ns, order.task, True, self._confirmed)
+
+
+def _looks(events: Sequence[Event]) -> Iterator[list[int]]:
+    """The places of the events that a reactor sees together: those of one instant (R1), up to where
+    a rule changes again.
+    """
+    look: list[int] = []
+    rules: set[int] = set()
+    for place, event in enumerate(events):
+        rule = event.rule if isinstance(event, Verdict) else None
+        if look and (_instant(event) != _instant(events[look[-1]]) or rule in rules):
+            yield look
+            look, rules = [], set()
+        look.append(place)
+        rules |= set() if rule is None else {rule}
+    if look:
+        yield look
+
+
+def _instant(event: Event) -> int:
+    return event.to_ns if isinstance(event, TimeJump) else event.at_ns
+
+
+# --- in words --------------------------------------------------------------------------------
+
+
+def task_words(machine: Machine, task: int) -> tuple[str, str]:
+    """The action of a task, and its effect in words."""
+    found = machine.reactions.tasks[task]
+    return machine.reactions.actions[found.action].name, effect_words(machine, found.effect)
+
+
+def summarize_tasks(machine: Machine, rehearsed: Iterable[Rehearsed]) -> tuple[TaskSummary, ...]:
+    """A summary of each task that was started or overruled, in the order of the file."""
+    starts: Counter[int] = Counter()
+    overruled: dict[int, Counter[str]] = {}
+    rules: dict[int, str] = {}
+    for each in rehearsed:
+        task, by = each.order.task, each.order.by
+        rules[task] = machine.rules[each.rule].name
+        starts[task] += each.order.kind is OrderKind.START
+        if by is not None:
+            overruled.setdefault(task, Counter())[machine.rules[by].name] += 1
+    return tuple(
+        TaskSummary(
+            rules[task],
+            *task_words(machine, task),
+            starts[task],
+            tuple(overruled.get(task, Counter()).most_common()),
+        )
+        for task in sorted(rules)
+    )

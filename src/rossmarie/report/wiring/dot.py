@@ -1,0 +1,74 @@
+"""A wiring in the language of Graphviz: nodes are ellipses, what they use are boxes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from rossmarie.ir.duration_text import duration_text
+from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Input, Kind, Output, Use, Wiring
+
+
+def wiring_dot(wiring: Wiring) -> str:
+    """The text of a file for `dot`."""
+    lines = [line for command in wiring.commands for line in _command(wiring.node, command)]
+    lines += [line for each in wiring.inputs for line in _input(wiring.node, each)]
+    lines += [line for each in wiring.outputs for line in _output(wiring.node, each)]
+    if wiring.remark:
+        lines.append(f"label={_quoted(wiring.remark)};")
+    inside = "".join(f"    {line}\n" for line in lines)
+    return (
+        f"digraph {_quoted(wiring.node)} {{\n"
+        f"    rankdir=LR;\n    node [shape=box];\n"
+        f"    {_node(wiring.node)} [label={_quoted(wiring.node)}, shape=ellipse, penwidth=2];\n"
+        f"{inside}}}\n"
+    )
+
+
+def _command(node: str, command: Command) -> Iterator[str]:
+    for end in (PLANNER, ROBOT):
+        yield f"{_node(end)} [label={_quoted(end)}, shape=ellipse];"
+    for topic in (command.unfiltered, command.topic):
+        yield _thing(Kind.TOPIC, topic, command.message_type)
+    unfiltered, filtered = _id(Kind.TOPIC, command.unfiltered), _id(Kind.TOPIC, command.topic)
+    yield f"{_node(PLANNER)} -> {unfiltered} -> {_node(node)} [penwidth=2];"
+    yield f"{_node(node)} -> {filtered} [label={_lines(map(_use, command.uses))}, penwidth=2];"
+    yield f"{filtered} -> {_node(ROBOT)} [penwidth=2];"
+
+
+def _input(node: str, each: Input) -> Iterator[str]:
+    timeout = "no timeout" if each.timeout_ns is None else duration_text(each.timeout_ns)
+    yield _thing(Kind.TOPIC, each.topic, each.message_type)
+    label = _lines((timeout, f"for {', '.join(each.rules)}"))
+    yield f"{_id(Kind.TOPIC, each.topic)} -> {_node(node)} [label={label}];"
+
+
+def _output(node: str, each: Output) -> Iterator[str]:
+    yield _thing(each.kind, each.name, each.type or each.kind.value)
+    label = _lines(map(_use, each.uses))
+    yield f"{_node(node)} -> {_id(each.kind, each.name)} [label={label}];"
+
+
+def _thing(kind: Kind, name: str, below: str) -> str:
+    return f"{_id(kind, name)} [label={_lines((name, below))}];"
+
+
+def _use(use: Use) -> str:
+    return f"{use.effect}: {use.action}, for {', '.join(use.rules)}"
+
+
+def _id(kind: Kind, name: str) -> str:
+    """A topic and a service of one name are two things."""
+    return _quoted(f"{kind.value} {name}")
+
+
+def _node(name: str) -> str:
+    return _quoted(f"node {name}")
+
+
+def _lines(lines: Iterable[str]) -> str:
+    return _quoted("\\n".join(lines))
+
+
+def _quoted(text: str) -> str:
+    """No name of ROS, and none of the rules, holds a character that would end a quotation."""
+    return f'"{text}"'

@@ -1,0 +1,211 @@
+"""The wiring of a machine, as data: what goes through its node, into it, and out of it.
+
+Takes a machine that `ir.verify` has passed; `wiring_of` gives what the renderers beside this draw.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rossmarie import ir
+from rossmarie.ir import reactions
+from rossmarie.targets.ros import names, needs
+from rossmarie.targets.ros.words import effect_words
+
+PLANNER = "planner"
+ROBOT = "robot"
+"""Whoever publishes commands, and whoever follows them; the rules know neither by name."""
+
+
+@dataclass(frozen=True)
+class Use:
+    """An effect in words (`limit /cmd_vel`), the action it is of, and the rules that have it."""
+
+    effect: str
+    action: str
+    rules: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Input:
+    """A topic that the node listens to; `timeout_ns` is the least of its inputs, if any has one."""
+
+    topic: str
+    message_type: str
+    timeout_ns: int | None
+    rules: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Command:
+    """Commands arrive on `unfiltered`, and leave on `topic` as the uses allow."""
+
+    unfiltered: str
+    topic: str
+    message_type: str
+    uses: tuple[Use, ...]
+
+
+class Kind(enum.Enum):
+    """What something is that the node acts on."""
+
+    TOPIC = "topic"
+    SERVICE = "service"
+    ACTION_SERVER = "action server"
+    PARAMETER = "parameter"
+    CONTROLLER_MANAGER = "controller manager"
+
+
+@dataclass(frozen=True)
+class Output:
+    """Something outside of the node that rules act on; `type` is that of messages, requests or
+    goals, None where there is none or nobody says it.
+    """
+
+    kind: Kind
+    name: str
+    type: str | None
+    uses: tuple[Use, ...]
+
+
+@dataclass(frozen=True)
+class Wiring:
+    """All of it; `remark` is what a reader would look for in vain, None if nothing is missing."""
+
+    node: str
+    commands: tuple[Command, ...]
+    inputs: tuple[Input, ...]
+    outputs: tuple[Output, ...]
+    remark: str | None
+
+
+def wiring_of(machine: ir.Machine) -> Wiring:
+    """The wiring of the node that is built from a machine."""
+    commands = range(len(machine.reactions.commands))
+    return Wiring(
+        node=names.package(machine),
+        commands=tuple(_command(machine, index) for index in commands),
+        inputs=tuple(_inputs(machine)),
+        outputs=tuple(_outputs(machine)),
+        remark=_remark(machine),
+    )
+
+
+def _remark(machine: ir.Machine) -> str | None:
+    if not machine.rules:
+        return "There are no rules, so nothing is read and nothing is done."
+    if not machine.reactions.tasks:
+        return "No action of these rules has a body: the rules are watched, and nothing is done."
+    remarks = []
+    if not machine.reactions.commands:
+        remarks.append("No rule limits, scales or blocks a command: none passes through the node.")
+    for server in needs.relayed(machine):
+        entrance = names.unfiltered(server)
+        remarks.append(f"In ROS 2 goals for {server} enter at {entrance}, to be sent again.")
+    return " ".join(remarks) or None
+
+
+def _command(machine: ir.Machine, index: int) -> Command:
+    command = machine.reactions.commands[index]
+    tasks = [
+        task
+        for task, found in enumerate(machine.reactions.tasks)
+        if _filtered(found.effect) == index
+    ]
+    return Command(
+        unfiltered=names.unfiltered(command.topic),
+        topic=command.topic,
+        message_type=command.message_type,
+        uses=_uses(machine, tasks),
+    )
+
+
+def _filtered(effect: reactions.Effect) -> int | None:
+    """The command topic that an effect has to do with."""
+    match effect:
+        case reactions.Limit(topic=topic) | reactions.Scale(topic=topic):
+            return topic
+        case reactions.Publish(command=command):
+            return command
+        case _:
+            return None
+
+
+# --- inputs ----------------------------------------------------------------------------------
+
+
+def _inputs(machine: ir.Machine) -> Iterator[Input]:
+    read = [
+        {*rule.inputs, *_confirming(machine, index)} for index, rule in enumerate(machine.rules)
+    ]
+    for index, channel in enumerate(machine.channels):
+        used = {place for place, each in enumerate(machine.inputs) if each.channel == index}
+        timeouts = (machine.inputs[place].timeout_ns for place in used)
+        yield Input(
+            topic=channel.topic,
+            message_type=channel.message_type,
+            timeout_ns=min((each for each in timeouts if each is not None), default=None),
+            rules=tuple(
+                rule.name for rule, its in zip(machine.rules, read, strict=True) if used & its
+            ),
+        )
+
+
+def _confirming(machine: ir.Machine, rule: int) -> Iterator[int]:
+    """The inputs on which the confirmations of a rule rest."""
+    plans, rests_on = machine.reactions.plans, ir.supports(machine).truths
+    for task in plans[rule].tasks if plans else ():
+        effect = machine.reactions.tasks[task].effect
+        if isinstance(effect, reactions.CancelGoal) and effect.confirmation is not None:
+            yield from rests_on[machine.watches[effect.confirmation]].inputs
+
+
+# --- outputs ---------------------------------------------------------------------------------
+
+
+def _outputs(machine: ir.Machine) -> Iterator[Output]:
+    """What tasks act on, by kind, and in the order of the file within each."""
+    found: dict[tuple[Kind, str], list[int]] = {}
+    types: dict[tuple[Kind, str], str | None] = {}
+    for index, task in enumerate(machine.reactions.tasks):
+        target = _target(task.effect)
+        if target is not None:
+            kind, name, its_type = target
+            found.setdefault((kind, name), []).append(index)
+            types[kind, name] = types.get((kind, name)) or its_type
+    for kind in Kind:
+        for (each, name), tasks in found.items():
+            if each is kind:
+                yield Output(kind, name, types[kind, name], _uses(machine, tasks))
+
+
+def _target(effect: reactions.Effect) -> tuple[Kind, str, str | None] | None:
+    """What an effect acts on outside of the node: its kind, name and type."""
+    match effect:
+        case reactions.Publish(topic=topic, message_type=message_type, command=None):
+            return Kind.TOPIC, topic, message_type
+        case reactions.Call(service=service, service_type=service_type):
+            return Kind.SERVICE, service, service_type
+        case reactions.SendGoal() | reactions.CancelGoal():
+            return Kind.ACTION_SERVER, effect.server, effect.action_type
+        case reactions.SetParameter(node=node, parameter=parameter):
+            return Kind.PARAMETER, f"{node}.{parameter}", None
+        case reactions.SwitchControllers(manager=manager):
+            return Kind.CONTROLLER_MANAGER, manager, None
+        case _:
+            return None
+
+
+def _uses(machine: ir.Machine, tasks: list[int]) -> tuple[Use, ...]:
+    """What these tasks do; what several rules have alike is one use."""
+    rules: dict[tuple[str, str], dict[str, None]] = {}
+    plans = zip(machine.rules, machine.reactions.plans, strict=True)
+    rule_of = {task: rule.name for rule, plan in plans for task in plan.tasks}
+    for index in tasks:
+        task = machine.reactions.tasks[index]
+        action = machine.reactions.actions[task.action].name
+        key = effect_words(machine, task.effect), action
+        rules.setdefault(key, {})[rule_of[index]] = None
+    return tuple(Use(effect, action, tuple(having)) for (effect, action), having in rules.items())
