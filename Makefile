@@ -54,9 +54,9 @@ check: $(READY) compiler browser ros1
 	$(RUN)/lint-imports
 	$(RUN)/pytest
 
-bench: $(READY) compiler
+bench: $(READY) compiler ros1
 	@benchmarks/peers/setup.sh
-	$(RUN)/python benchmarks/run.py --out docs/reference/performance.md
+	PYTHONPATH=tests $(RUN)/python benchmarks/run.py --out docs/reference/performance.md
 
 fmt: $(READY)
 	$(RUN)/ruff format

@@ -18,6 +18,7 @@ from pathlib import Path
 import compiler_speed
 import numpy as np
 import peers_run
+import ros1_node
 from generated import (
     from_python_columns,
     from_python_steps,
@@ -244,6 +245,8 @@ def main() -> None:
         "",
         *scaling(columns),
         *compiler_speed.lines(BENCH / "generated"),
+        "",
+        *ros1_node.lines(BENCH / "ros1"),
     ]
     text = "\n".join(lines) + "\n"
     out.write_text(text, encoding="utf-8")

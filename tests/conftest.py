@@ -27,11 +27,18 @@ settings.load_profile("ci" if os.environ.get("CI") else "quick")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add `--bless`. The profile of hypothesis is its own option, `--hypothesis-profile`."""
+    """Add our options. The profile of hypothesis is its own, `--hypothesis-profile`."""
     parser.addoption(
         "--bless",
         action="store_true",
         help="write the expectations and golden files from what the code does now; then look",
+    )
+    parser.addoption(
+        "--soak",
+        type=float,
+        default=40.0,
+        metavar="SECONDS",
+        help="for how long a node runs in the test of endurance; 600 before a release",
     )
 
 

@@ -13,4 +13,4 @@ exec tools/setup_debian.sh \
     python3-std-msgs python3-geometry-msgs python3-sensor-msgs python3-nav-msgs \
     python3-diagnostic-msgs python3-actionlib-msgs python3-trajectory-msgs python3-std-srvs \
     python3-actionlib libactionlib-dev libtopic-tools-dev python3-topic-tools \
-    python3-dynamic-reconfigure python3-rostopic python3-rosservice
+    topic-tools python3-dynamic-reconfigure python3-rostopic python3-rosservice python3-rosbag

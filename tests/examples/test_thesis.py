@@ -55,11 +55,11 @@ def test_the_corrected_listing_compiles_builds_and_replays(listing: str, tmp_pat
     assert check_file(rules).diagnostics == ()
     machine = compile_file(rules).machine
     written, _ = build_files(rules, "c99", tmp_path / "generated")
-    (source,) = (path for path in written if path.suffix == ".c")
+    sources = [path for path in written if path.suffix == ".c"]
     compiler = shutil.which("cc")
     assert compiler is not None
     options = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Werror", "-c"]
-    subprocess.run([compiler, *options, source, "-o", tmp_path / "monitor.o"], check=True)
+    subprocess.run([compiler, *options, *sources], cwd=tmp_path, check=True)
     recording = tmp_path / "drive.csv"
     recording.write_text(drive(machine))
     replay, found = replay_file(rules, recording, topic_map={})

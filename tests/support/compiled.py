@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TypeVar
 
 from rossmarie import ir
@@ -21,9 +22,9 @@ action stop;
 """
 
 
-def machine_of(text: str) -> ir.Machine:
+def machine_of(text: str, *, message_folders: tuple[Path, ...] = ()) -> ir.Machine:
     """The verified machine of a program that has no errors."""
-    machine = lower(program_of(text))
+    machine = lower(program_of(text, message_folders=message_folders))
     ir.verify(machine)
     return machine
 

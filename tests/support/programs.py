@@ -20,9 +20,9 @@ def check_text(
     return program, collector.sorted()
 
 
-def program_of(text: str) -> CheckedProgram:
+def program_of(text: str, *, message_folders: tuple[Path, ...] = ()) -> CheckedProgram:
     """The checked program of rules that are right."""
-    program, found = check_text(text)
+    program, found = check_text(text, message_folders=message_folders)
     assert program is not None, [finding.title for finding in found]
     return program
 

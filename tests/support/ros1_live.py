@@ -1,22 +1,25 @@
-"""ROS 1 as Debian packages it, for live tests: a master, catkin, the generated node, a robot."""
+"""ROS 1 as Debian packages it, for live tests: a master, catkin, generated nodes, a robot."""
 
 from __future__ import annotations
 
-import json
-import os
 import shutil
-import signal
 import socket
 import subprocess
-import time
 import xmlrpc.client
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
+
+from rossmarie import ir
+from rossmarie.driver.build import generate
+from support.c_compiler import write
+from support.live import Ears, Process, Robot, until
+from support.live_cases import PACKAGES, vehicle
 
 PYTHON = Path("/usr/bin/python3")
 TOOLS = ("rosmaster", "catkin_make", "cmake", "g++")
-_ROBOT = Path(__file__).with_name("ros1_robot.py")
+_HERE = Path(__file__).parent
 
 
 def missing() -> str | None:
@@ -53,90 +56,145 @@ def environment(folder: Path, port: int) -> dict[str, str]:
     }
 
 
-def until(is_so: Callable[[], bool], what: str, seconds: float = 10.0) -> None:
-    """Wait for something; fail if it does not come."""
-    end = time.monotonic() + seconds
-    while not is_so():
-        assert time.monotonic() < end, f"not within {seconds} s: {what}"
-        time.sleep(0.02)
-
-
-class Process:
-    """A program in a group of its own, so that nothing of it survives."""
-
-    def __init__(self, command: list[str], variables: Mapping[str, str], log: Path) -> None:
-        log.parent.mkdir(parents=True, exist_ok=True)
-        self._log = log.open("ab")
-        self.running = subprocess.Popen(
-            command,
-            env=variables,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=self._log,
-            start_new_session=True,
-            text=True,
-        )
-
-    def end(self, how: int = signal.SIGKILL) -> None:
-        """End it, and wait until it is gone."""
-        if self.running.poll() is None:
-            os.killpg(self.running.pid, how)
-        self.running.communicate(timeout=10)
-        self._log.close()
-
-    def end_gently(self) -> None:
-        """Interrupt it, so that it ends what it has started; end it if it does not."""
-        self.running.send_signal(signal.SIGINT)
-        try:
-            self.running.wait(20)
-        finally:
-            self.end()
-
-
-class Robot(Process):
-    """`ros1_robot.py`, and questions to it."""
+class Master(Process):
+    """The one of the variables."""
 
     def __init__(self, variables: Mapping[str, str], log: Path) -> None:
-        super().__init__([str(PYTHON), str(_ROBOT)], variables, log)
-
-    def ask(self, **request: object) -> Any:
-        assert self.running.stdin is not None
-        assert self.running.stdout is not None
-        self.running.stdin.write(json.dumps(request) + "\n")
-        self.running.stdin.flush()
-        return json.loads(self.running.stdout.readline())
-
-    def set(self, **values: object) -> None:
-        self.ask(set=values)
-
-    def heard(self, topic: str) -> list[Any]:
-        """What came on a topic since the last `forget`, without the times."""
-        return [message for _, message in self.ask(heard=topic)]
-
-    def commands(self, seconds: float) -> list[float]:
-        """The speeds on /cmd_vel during the next seconds."""
-        self.ask(forget="/cmd_vel")
-        time.sleep(seconds)
-        return [float(speed) for speed in self.heard("/cmd_vel")]
-
-    def call(self, service: str, **arguments: object) -> Any:
-        return self.ask(call=service, **{"with": arguments})
-
-    def state(self) -> Any:
-        """The last state that was told; None before the first."""
-        return next(reversed(self.heard("/vehicle_safety/state")), None)
+        port = variables["ROS_MASTER_URI"].rpartition(":")[2]
+        super().__init__(["/usr/bin/rosmaster", "--core", "-p", port], variables, log)
+        until(lambda: _is_up(int(port)), "the master is up", 30)
 
 
-def set_parameters(
-    variables: Mapping[str, str], values: Mapping[str, object], *, use_sim_time: bool
-) -> None:
-    """Give the node these parameters and no others."""
-    with xmlrpc.client.ServerProxy(variables["ROS_MASTER_URI"]) as master:
-        master.setParam("/test", "/vehicle_safety", dict(values))
-        master.setParam("/test", "/use_sim_time", use_sim_time)
-
-
-def is_up(port: int) -> bool:
+def _is_up(port: int) -> bool:
     """Whether a master answers."""
     with socket.socket() as asked:
         return asked.connect_ex(("127.0.0.1", port)) == 0
+
+
+def master_of(variables: Mapping[str, str]) -> Any:
+    """The master, to be asked by XML-RPC."""
+    return xmlrpc.client.ServerProxy(variables["ROS_MASTER_URI"])
+
+
+def process_of(variables: Mapping[str, str], node: str) -> int | None:
+    """The process of a node that the master knows, None if there is none."""
+    try:
+        with master_of(variables) as master:
+            found, _, address = master.lookupNode("/test", node)
+        if found != 1:
+            return None
+        with xmlrpc.client.ServerProxy(address) as asked:
+            _, _, process = cast("list[Any]", asked.getPid("/test"))
+            return int(process)
+    except OSError:
+        return None
+
+
+class Ros1:
+    """A master, and a workspace with the node of the vehicle."""
+
+    name = "ros1"
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._workspace = folder / "workspace"
+        self.variables = environment(folder, free_port())
+        self._master = Master(self.variables, folder / "master.log")
+        for package in PACKAGES["ros1"].iterdir():
+            shutil.copytree(package, self._workspace / "src" / package.name)
+
+    @cached_property
+    def vehicle(self) -> Path:
+        """The program of the node of the vehicle."""
+        return self.build(vehicle())
+
+    def robot(self, variables: Mapping[str, str] | None = None) -> Robot:
+        """A new robot, of this master or of another."""
+        assert self.vehicle.exists(), "the robot needs the messages of the node"
+        command = [str(PYTHON), str(_HERE / "ros1_robot.py")]
+        return Robot(command, variables or self.variables, self._folder / "robot.log")
+
+    def ears(self, *arguments: str, script: str = "ros1_ears.py") -> Ears:
+        """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
+        command = [str(PYTHON), str(_HERE / script), *arguments]
+        return Ears(command, self.variables, self._folder / "ears.log")
+
+    def start(self, parameters: Mapping[str, object], *, use_sim_time: bool = False) -> Process:
+        """Start the node of the vehicle with these parameters and no others."""
+        return self.begin(self.vehicle, parameters, use_sim_time=use_sim_time)
+
+    def begin(
+        self, program: Path, parameters: Mapping[str, object], *, use_sim_time: bool = False
+    ) -> Process:
+        """Start a node with these parameters and no others."""
+        set_parameters(self.variables, program.name, parameters, use_sim_time=use_sim_time)
+        return Process([str(program)], self.variables, self._folder / f"{program.name}.log")
+
+    def launch(
+        self,
+        folder: Path,
+        parameters: Mapping[str, object],
+        variables: Mapping[str, str] | None = None,
+    ) -> Process:
+        """Launch the node with a planner that wants 0.7 m/s; `folder` is for files of the test."""
+        planner = folder / "planner.launch"
+        planner.write_text(_PLANNER, encoding="utf-8")
+        used = variables or self.variables
+        set_parameters(used, self.vehicle.name, parameters, use_sim_time=False)
+        command = ["/usr/bin/roslaunch", "vehicle_safety", "vehicle_safety.launch"]
+        return Process([*command, f"commands:={planner}"], used, self._folder / "launch.log")
+
+    def node_process(self) -> int | None:
+        """The process of the node of the vehicle, None if there is none."""
+        return process_of(self.variables, "/vehicle_safety")
+
+    def publish(self, rate: int, topic: str, ros_type: str, message: str) -> Process:
+        """Publish a message at a rate, in a process of its own."""
+        command = ["/usr/bin/rostopic", "pub", "-r", str(rate), topic, ros_type, message]
+        return Process(command, self.variables, self._folder / "publish.log")
+
+    def ros_type(self, name: str) -> str:
+        """How `sensor_msgs/Imu` is called."""
+        return name
+
+    def end(self) -> None:
+        """End the master."""
+        self._master.end()
+
+    def build(self, machine: ir.Machine) -> Path:
+        """Build the node of a machine; its program."""
+        name = f"{machine.name}_safety"
+        write(generate(machine, "ros1"), self._workspace / "src" / name)
+        return self._make(name) / name
+
+    def build_package(self, source: Path) -> Path:
+        """Build a package of this repository, called like its folder; where its programs are."""
+        shutil.copytree(source, self._workspace / "src" / source.name, dirs_exist_ok=True)
+        return self._make(source.name)
+
+    def _make(self, package: str) -> Path:
+        """Build all packages of the workspace, without a warning; where the programs of one are."""
+        command = ["catkin_make", "-j2", f"-DPYTHON_EXECUTABLE={PYTHON}"]
+        done = subprocess.run(
+            command, cwd=self._workspace, env=self.variables, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert "warning:" not in done.stderr, done.stderr
+        return self._workspace / "devel" / "lib" / package
+
+
+def set_parameters(
+    variables: Mapping[str, str], node: str, values: Mapping[str, object], *, use_sim_time: bool
+) -> None:
+    """Give a node these parameters and no others."""
+    with master_of(variables) as master:
+        master.setParam("/test", f"/{node}", dict(values))
+        master.setParam("/test", "/use_sim_time", use_sim_time)
+
+
+_PLANNER = """\
+<launch>
+  <node pkg="rostopic" type="rostopic" name="planner"
+        args="pub -r 20 /cmd_vel geometry_msgs/Twist '{linear: {x: 0.7}}'"/>
+</launch>
+"""

@@ -16,8 +16,10 @@ from collections import deque
 import rclpy
 from arm_msgs.action import Move
 from builtin_interfaces.msg import Duration, Time
+from controller_manager_msgs.srv import SwitchController
 from diagnostic_msgs.msg import DiagnosticArray
-from geometry_msgs.msg import Twist
+from geometry_msgs.msg import Twist, TwistStamped
+from rcl_interfaces.msg import SetParametersResult
 from rclpy.action import ActionClient, ActionServer, CancelResponse
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
@@ -30,6 +32,7 @@ from vehicle_safety.msg import State, Verdict
 from vehicle_safety.srv import Exempt, Reset, Why
 
 NODE = "/vehicle_safety"
+RECOVERY = 99  # the goal of the rules
 SENSOR = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
 KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
@@ -37,21 +40,28 @@ KEPT = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 class Robot:
     """Publishes what it is told, and remembers what it hears."""
 
-    def __init__(self, node):
-        self.pitch = None  # degrees; None: the IMU is silent
+    def __init__(self, node, executor):
+        self.pitch = None  # degrees, or "nan"; None: the IMU is silent
+        self.belated = None  # degrees; what the IMU says again and again with an older stamp
         self.speed = None  # m/s, or "nan"; None: the planner is silent
+        self.arm_speed = None  # m/s; None: nobody commands the arm
         self.near = None  # whether something is near; None: the scanner is silent
         self.mode = "driving"
         self.clock = None  # simulated time in s; None: there is none
         self.moving = False  # whether the arm moves, goal or not
         self.frozen = False  # the stamps of the IMU stand still
         self.lamp = True  # whether the lamp answers with success
-        self.heard = {"/lamp": deque(), "/arm": deque()}
+        self.recovery = "goes on"  # what comes of the goal of the rules, or "succeeds", "aborts"
+        self.delay = 0.0  # s, after which the planner answers
+        self.switches = True  # whether the controller manager does what it is asked for
+        self.heard = {}
         self._node = node
+        self._executor = executor
         self._group = ReentrantCallbackGroup()
-        self._stamp = Time(sec=1)
+        self._stamp_s = 1.0
         self._imu = node.create_publisher(Imu, "/imu/data", SENSOR)
         self._planner = node.create_publisher(Twist, "/unfil_cmd_vel", 1)
+        self._arm_planner = node.create_publisher(TwistStamped, "/unfil_arm_vel", 1)
         self._scan = None  # nobody publishes it before something is to be near or not
         self._clock = None
         self._mode = node.create_publisher(String, "/mode", 1)
@@ -66,6 +76,7 @@ class Robot:
         )
         self._client = ActionClient(node, Move, "/unfil_arm", callback_group=self._group)
         self._hear("/cmd_vel", Twist, lambda m: m.linear.x)
+        self._hear("/arm_vel", TwistStamped, lambda m: [m.header.frame_id, m.twist.linear.x])
         self._hear("/horn", Bool, lambda m: m.data)
         self._hear(NODE + "/state", State, _plain, KEPT)
         self._hear(NODE + "/verdicts", Verdict, _plain)
@@ -75,7 +86,7 @@ class Robot:
         node.create_timer(0.02, self._publish_command)
 
     def _hear(self, topic, kind, read, qos=10):
-        self.heard[topic] = deque(maxlen=5000)
+        self.heard[topic] = deque(maxlen=50000)
         note = self.heard[topic].append
         self._node.create_subscription(kind, topic, lambda m: note([time.time(), read(m)]), qos)
 
@@ -84,38 +95,95 @@ class Robot:
             self._clock = self._clock or self._node.create_publisher(Clock, "/clock", 1)
             self.clock += 0.01
             self._clock.publish(Clock(clock=_time(self.clock)))
-        message = Imu()
         if not self.frozen:
-            self._stamp = _time(time.time() if self.clock is None else self.clock)
-        message.header.stamp = self._stamp
-        message.orientation.y = math.sin(math.radians(self.pitch or 0.0) / 2)
-        message.orientation.w = math.cos(math.radians(self.pitch or 0.0) / 2)
-        if self.pitch is not None:
-            self._imu.publish(message)
+            self._stamp_s = time.time() if self.clock is None else self.clock
+        self._publish_pitch(self.pitch, self._stamp_s)
+        self._publish_pitch(self.belated, self._stamp_s - 0.05)
         if self.near is not None:
             self._scan = self._scan or self._node.create_publisher(LaserScan, "/scan", SENSOR)
             self._scan.publish(LaserScan(ranges=[2.0, 0.1 if self.near else 1.0]))
         self._mode.publish(String(data=self.mode))
         self._arm_moving.publish(Bool(data=self.moving))
 
+    def _publish_pitch(self, degrees, stamp_s):
+        if degrees is None:
+            return
+        message = Imu()
+        message.header.stamp = _time(stamp_s)
+        message.orientation.y = math.sin(math.radians(float(degrees)) / 2)
+        message.orientation.w = math.cos(math.radians(float(degrees)) / 2)
+        self._imu.publish(message)
+
     def _publish_command(self):
         if self.speed is not None:
             message = Twist()
             message.linear.x = float(self.speed)
             self._planner.publish(message)
+        if self.arm_speed is not None:
+            stamped = TwistStamped()
+            stamped.header.frame_id = "tool"
+            stamped.twist.linear.x = self.arm_speed
+            self._arm_planner.publish(stamped)
 
     def _move_arm(self, goal):
         """Goes on until it is cancelled."""
-        target = goal.request.target
-        self.heard["/arm"].append([time.time(), ["begins", target]])
+        wanted = goal.request.goal
+        self._note("/arm", ["begins", wanted])
+        end = {"succeeds": goal.succeed, "aborts": goal.abort}
         while not goal.is_cancel_requested and rclpy.ok():
             time.sleep(0.01)
-        self.heard["/arm"].append([time.time(), ["is cancelled", target]])
+            if wanted == RECOVERY and self.recovery in end:
+                self._note("/arm", [self.recovery, wanted])
+                end[self.recovery]()
+                return Move.Result()
+        self._note("/arm", ["is cancelled", wanted])
         goal.canceled()
         return Move.Result()
 
+    def _send_goal(self, goal):
+        self._client.wait_for_server(timeout_sec=5.0)
+        sent = self._client.send_goal_async(Move.Goal(goal=goal))
+        sent.add_done_callback(
+            lambda done: (
+                done.result()
+                .get_result_async()
+                .add_done_callback(lambda _: self._note("/goals", ["ends", goal]))
+            )
+        )
+
+    def _offer_planner(self):
+        """A node whose `double_` is 3."""
+        self._planner_node = rclpy.create_node("planner")
+        self._planner_node.add_on_set_parameters_callback(self._set_parameters)
+        self._planner_node.declare_parameter("double_", 3.0)
+        self._planner_node.declare_parameter("int_", 0)
+        self._executor.add_node(self._planner_node)
+
+    def _set_parameters(self, parameters):
+        time.sleep(self.delay)
+        if any(one.name == "int_" and one.value > 10 for one in parameters):
+            return SetParametersResult(successful=False, reason="10 is the most")
+        for one in parameters:
+            self._note("/planner/" + one.name, one.value)
+        return SetParametersResult(successful=True)
+
+    def _offer_controllers(self):
+        name = "/controller_manager/switch_controller"
+        self._node.create_service(
+            SwitchController, name, self._switch_controllers, callback_group=self._group
+        )
+
+    def _switch_controllers(self, request, response):
+        asked = [list(request.activate_controllers), list(request.deactivate_controllers)]
+        self._note("/controllers", asked if request.strictness == request.STRICT else "not strict")
+        response.ok = self.switches
+        return response
+
+    def _note(self, name, what):
+        self.heard.setdefault(name, deque()).append([time.time(), what])
+
     def _switch_lamp(self, request, response):
-        self.heard["/lamp"].append([time.time(), request.data])
+        self._note("/lamp", request.data)
         response.success = self.lamp
         return response
 
@@ -124,15 +192,24 @@ class Robot:
         for name, value in request.get("set", {}).items():
             setattr(self, name, value)
         if "goal" in request:
-            self._client.wait_for_server(timeout_sec=5.0)
-            self._client.send_goal_async(Move.Goal(target=request["goal"]))
+            self._send_goal(request["goal"])
+        if "reliabilities" in request:
+            return {topic: self._reliability(topic) for topic in request["reliabilities"]}
+        if "offer" in request:
+            getattr(self, "_offer_" + request["offer"])()
         if "heard" in request:
             return list(self.heard.get(request["heard"], ()))
         if "forget" in request:
-            self.heard[request["forget"]].clear()
+            self.heard.get(request["forget"], deque()).clear()
         if "call" in request:
             return self._call(request["call"], request["with"])
         return None
+
+    def _reliability(self, topic):
+        """The one that the node asks for."""
+        found = self._node.get_subscriptions_info_by_topic(topic)
+        own = [one.qos_profile.reliability for one in found if one.node_name == NODE[1:]]
+        return own[-1].name if own else None
 
     def _call(self, name, arguments):
         kind = {"reset": Reset, "why": Why, "exempt": Exempt}[name]
@@ -166,8 +243,8 @@ def _plain(value):
 def main():
     rclpy.init()
     node = rclpy.create_node("robot")
-    robot = Robot(node)
-    executor = MultiThreadedExecutor(4)
+    executor = MultiThreadedExecutor(6)
+    robot = Robot(node, executor)
     executor.add_node(node)
     threading.Thread(target=executor.spin, daemon=True).start()
     for line in sys.stdin:

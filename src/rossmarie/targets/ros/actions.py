@@ -64,10 +64,11 @@ class TasksText:
         pairs = tuple(zip(names.command_classes(machine), members, strict=True))
         filters = [f"std::unique_ptr<Filter<{word}>> {name};" for word, name in pairs]
         made = [
-            f"{name} = std::make_unique<Filter<{word}>>(middleware, clock, reactor, settings);"
+            f"{name} = std::make_unique<Filter<{word}>>"
+            "(middleware, clock, reactor, settings, catch_up);"
             for word, name in pairs
         ]
-        unused = ["(void)middleware, (void)clock, (void)reactor, (void)settings;"]
+        unused = ["(void)middleware, (void)clock, (void)reactor, (void)settings, (void)catch_up;"]
         tasks = range(len(machine.reactions.tasks))
         return {
             "includes": "\n".join([*map(self._include, sent_types(machine)), ""]),

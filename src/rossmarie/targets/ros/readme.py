@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from rossmarie import ir
-from rossmarie.ir import reactions
 from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.dialect import Dialect
 from rossmarie.targets.ros.words import effect_words
@@ -13,7 +14,7 @@ def blanks(machine: ir.Machine, dialect: Dialect) -> dict[str, object]:
     """What the template leaves open."""
     return {
         "inputs": "\n".join(_input(machine, used) for used in machine.inputs) or "- none",
-        "commands": "\n".join(map(_command, machine.reactions.commands)) or "- none",
+        "commands": "\n".join(_ways(machine, dialect)) or "- none",
         "others": "\n".join(map(_other, needs.others(machine, dialect))) or "- none",
         "rules": "\n".join(_rule(machine, index) for index in range(len(machine.rules))),
     }
@@ -25,9 +26,16 @@ def _input(machine: ir.Machine, used: ir.Input) -> str:
     return f"- `{used.name}`: `{channel.topic}` ({channel.message_type}){timeout}"
 
 
-def _command(command: reactions.CommandTopic) -> str:
-    source = names.unfiltered(command.topic)
-    return f"- `{source}` -> this node -> `{command.topic}` ({command.message_type})"
+def _ways(machine: ir.Machine, dialect: Dialect) -> Iterator[str]:
+    """What goes through the node."""
+    for command in machine.reactions.commands:
+        yield _way(command.topic, command.message_type)
+    for server, action_type in (needs.relayed(machine) if dialect.relay else {}).items():
+        yield _way(server, f"goals of {action_type}")
+
+
+def _way(name: str, content: str) -> str:
+    return f"- `{names.unfiltered(name)}` -> this node -> `{name}` ({content})"
 
 
 def _other(other: needs.Other) -> str:

@@ -7,29 +7,19 @@ from collections.abc import Callable
 
 import pytest
 
-from support.ros1_live import Process, Robot, until
+from support.live import Process, Robot, until
 
 Start = Callable[..., Process]
-
-
-def passes(robot: Robot, speed: float = 1.0) -> None:
-    """Wait until commands come through as the planner sends them."""
-    until(lambda: robot.commands(0.1)[-1:] == [speed], f"{speed} m/s passes")
-
-
-def holds_back(robot: Robot, limit: float) -> None:
-    """Wait until commands are bounded; then all of them are."""
-    until(lambda: robot.commands(0.1)[-1:] == [limit], f"at most {limit} m/s passes")
-    assert set(robot.commands(0.3)) == {limit}
 
 
 def test_a_command_is_limited_on_a_slope_and_comes_back_along_the_ramp(
     robot: Robot, start: Start
 ) -> None:
     start()
-    passes(robot)
+    robot.passes(1.0)
     robot.set(pitch=15.0)
-    holds_back(robot, 0.2)
+    robot.passes(0.2)
+    robot.stays_at(0.2)
     robot.ask(forget="/cmd_vel")
     robot.set(pitch=0.0)
     time.sleep(2.0)
@@ -44,11 +34,19 @@ def test_a_command_is_limited_on_a_slope_and_comes_back_along_the_ramp(
 def test_a_limit_holds_back_what_was_sent_before(robot: Robot, start: Start) -> None:
     """The planner sends once and is then silent: the robot must not go on at that speed."""
     start()
-    passes(robot)
+    robot.passes(1.0)
     robot.set(speed=None)
     robot.ask(forget="/cmd_vel")
     robot.set(pitch=15.0)
     until(lambda: robot.heard("/cmd_vel")[-1:] == [0.2], "the last command is sent again, bounded")
+
+
+def test_a_command_with_a_header_is_limited_too(robot: Robot, start: Start) -> None:
+    start()
+    robot.set(arm_speed=1.0)
+    until(lambda: robot.last("/arm_vel") == ["tool", 1.0], "it passes as it is")
+    robot.set(pitch=15.0)
+    until(lambda: robot.last("/arm_vel") == ["tool", 0.1], "its speed is bounded")
 
 
 def test_a_blocked_topic_carries_zeros_without_any_command(robot: Robot, start: Start) -> None:
@@ -60,50 +58,31 @@ def test_a_blocked_topic_carries_zeros_without_any_command(robot: Robot, start: 
     assert 8 <= len(zeros) <= 32  # 20 Hz, on a machine that may be busy
 
 
-def test_without_the_node_no_command_passes(robot: Robot, start: Start) -> None:
-    node = start()
-    passes(robot)
-    node.end()
-    time.sleep(0.2)
-    assert robot.commands(0.5) == []
-
-
 def test_a_command_of_a_rule_takes_the_place_of_the_planners(robot: Robot, start: Start) -> None:
     start()
-    passes(robot)
+    robot.passes(1.0)
     robot.set(near=True)
     until(lambda: robot.commands(0.2)[-1:] == [-0.05], "half of -0.1 m/s is sent")
     assert set(robot.commands(0.3)) == {-0.05}
     robot.set(near=False)
-    passes(robot)
+    robot.passes(1.0)
 
 
 def test_what_is_not_finite_becomes_zero(robot: Robot, start: Start) -> None:
     start()
-    passes(robot)
+    robot.passes(1.0)
     robot.set(speed="nan")
-    holds_back(robot, 0.0)
-    until(lambda: any("not finite" in s["message"] for s in diagnoses(robot)), "it is diagnosed")
+    robot.passes(0.0)
+    robot.stays_at(0.0)
+    robot.diagnosed("not finite")
     robot.set(speed=1.0)
-    passes(robot)
+    robot.passes(1.0)
 
 
 def test_a_silent_sensor_stops_and_names_itself(robot: Robot, start: Start) -> None:
     start()
-    passes(robot)
+    robot.passes(1.0)
     robot.set(pitch=None)
-    holds_back(robot, 0.0)
+    robot.passes(0.0)
+    robot.stays_at(0.0)
     assert "input orientation (/imu/data) is older than its timeout" in robot.call("why")["text"]
-
-
-def test_frozen_stamps_are_refused(robot: Robot, start: Start) -> None:
-    start(header_stamps=["/imu/data"])
-    passes(robot)
-    robot.set(frozen=True)
-    holds_back(robot, 0.0)
-    until(lambda: any("were refused" in s["message"] for s in diagnoses(robot)), "it is diagnosed")
-
-
-def diagnoses(robot: Robot) -> list[dict[str, str]]:
-    """The last diagnostics that were told."""
-    return next(iter(reversed(robot.heard("/diagnostics"))), {"status": []})["status"]

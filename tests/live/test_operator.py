@@ -5,24 +5,16 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from support.ros1_live import Process, Robot, until
+from support.live import Process, Robot, until
 
 Start = Callable[..., Process]
 
 
-def passes(robot: Robot) -> None:
-    until(lambda: robot.commands(0.1)[-1:] == [1.0], "1 m/s passes")
-
-
-def is_blocked(robot: Robot) -> None:
-    until(lambda: robot.commands(0.1)[-1:] == [0.0], "nothing but 0 passes")
-
-
 def test_a_reset_is_refused_while_it_is_unsafe(robot: Robot, start: Start) -> None:
     start()
-    passes(robot)
+    robot.passes(1.0)
     robot.set(pitch=40.0)
-    is_blocked(robot)
+    robot.passes(0.0)
     refused = robot.call("reset", rule="fallen")
     assert not refused["success"]
     assert "abs(orientation.pitch()) > 30 deg" in refused["message"]
@@ -30,14 +22,14 @@ def test_a_reset_is_refused_while_it_is_unsafe(robot: Robot, start: Start) -> No
     time.sleep(0.3)
     assert set(robot.commands(0.3)) == {0.0}
     assert robot.call("reset", rule="fallen")["success"]
-    passes(robot)
+    robot.passes(1.0)
 
 
 def test_a_latched_rule_outlives_the_node(robot: Robot, start: Start) -> None:
     node = start()
-    passes(robot)
+    robot.passes(1.0)
     robot.set(pitch=40.0)
-    is_blocked(robot)
+    robot.passes(0.0)
     until(lambda: robot.state()["active"] == ["tilted", "fallen"], "the state is told")
     node.end()
     robot.set(pitch=0.0)
@@ -47,12 +39,12 @@ def test_a_latched_rule_outlives_the_node(robot: Robot, start: Start) -> None:
     assert set(robot.commands(0.5)) == {0.0}
     assert "latched before the node started" in robot.call("why")["text"]
     assert robot.call("reset", rule="")["success"]
-    passes(robot)
+    robot.passes(1.0)
 
 
 def test_verdicts_say_why_with_values_and_units(robot: Robot, start: Start) -> None:
     start()
-    passes(robot)
+    robot.passes(1.0)
     robot.ask(forget="/vehicle_safety/verdicts")
     robot.set(pitch=15.0)
     until(lambda: bool(robot.heard("/vehicle_safety/verdicts")), "a verdict is told")
@@ -74,7 +66,7 @@ def test_an_exemption_ends_by_itself(robot: Robot, start: Start) -> None:
     assert not robot.call("exempt", rule="tilted", time=1.0, reason="")["success"]
     begin = time.monotonic()
     assert robot.call("exempt", rule="tilted", time=4.0, reason="a test drive")["success"]
-    passes(robot)
+    robot.passes(1.0)
     assert robot.state()["exempted"] == ["tilted"]
     until(lambda: robot.commands(0.1)[-1:] == [0.2], "the exemption is over")
     assert 3.5 < time.monotonic() - begin < 10.0
@@ -82,9 +74,9 @@ def test_an_exemption_ends_by_itself(robot: Robot, start: Start) -> None:
 
 def test_actions_publish_call_and_fail(robot: Robot, start: Start) -> None:
     start()
-    passes(robot)
+    robot.passes(1.0)
     robot.set(pitch=40.0)
-    is_blocked(robot)
+    robot.passes(0.0)
     until(lambda: robot.heard("/lamp") == [True], "the service is called")
     robot.ask(forget="/horn")
     time.sleep(1.0)

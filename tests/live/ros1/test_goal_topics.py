@@ -1,0 +1,45 @@
+"""Goals where they are messages on topics: everybody hears them, and anybody can replace them."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from support.live import Robot, until
+from support.ros1_live import Ros1
+
+
+@pytest.fixture
+def working(ros1: Ros1, tmp_path: Path) -> Iterator[Robot]:
+    """A robot whose arm pursues the goal of a rule instead of goal 7."""
+    robot = ros1.robot()
+    node = ros1.start({"state_file": str(tmp_path / "latched")})
+    try:
+        robot.set(pitch=0.0, speed=1.0)
+        robot.passes(1.0)
+        robot.ask(goal=7)
+        until(lambda: robot.last("/arm") == ["begins", 7], "the arm begins")
+        robot.set(mode="touched")
+        until(lambda: robot.last("/arm") == ["begins", 99], "the goal of the rule takes its place")
+        yield robot
+    finally:
+        node.end()
+        robot.end()
+
+
+def test_a_goal_of_a_rule_that_others_replace_fails(working: Robot) -> None:
+    working.ask(goal=8)
+    until(lambda: working.states("retract") == ["failed"], "it was preempted")
+    until(lambda: working.last("/arm") == ["begins", 8], "the other goal is pursued")
+
+
+def test_a_goal_that_the_server_has_forgotten_fails(working: Robot) -> None:
+    time.sleep(0.5)
+    working.ask(lose_goals=True)
+    until(lambda: working.states("retract") == ["failed"], "the server was started anew")
+    until(lambda: working.last("/arm") == ["is cancelled", 99], "it is cancelled for safety")
+    begun, cancelled = (at for at, event in working.ask(heard="/arm") if event[1] == 99)
+    assert cancelled - begun < 5.0  # of 6 s that it has

@@ -1,0 +1,84 @@
+"""A node under load for long: its memory stays as it is, and no verdict is lost.
+
+`--soak 600` makes it ten minutes; `--log-cli-level INFO` shows the figures.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rossmarie.driver.replay import replay_file
+from rossmarie.ir import Verdict
+from support.compiled import machine_of
+from support.live import Process
+from support.live_cases import sensors
+from support.ros1_live import Ros1
+
+_LOG = logging.getLogger(__name__)
+
+TOPICS, RATE = 10, 200
+TALKER = Path(__file__).parents[2] / "support" / "ros1_talker"
+VERDICTS = "/sensors_safety/verdicts"
+WARM_S, KIB_OF_GROWTH = 10.0, 512
+
+Change = tuple[str, int]
+
+
+def test_a_node_runs_for_long(ros1: Ros1, tmp_path: Path, pytestconfig: pytest.Config) -> None:
+    seconds = float(pytestconfig.getoption("--soak"))
+    program = ros1.build(replace(machine_of(sensors(TOPICS)), name="sensors"))
+    talker = ros1.build_package(TALKER) / "talker"
+    stamped = [f"/sensor_{i}" for i in range(TOPICS)]
+    latched = str(tmp_path / "latched")
+    node = ros1.begin(program, {"header_stamps": stamped, "state_file": latched})
+    ears = ros1.ears(VERDICTS, "sensors_safety/Verdict")
+    recording = tmp_path / "sent.csv"
+    try:
+        ears.connected(VERDICTS)
+        command = f"exec {talker} {TOPICS} {RATE} {seconds} >{recording}"
+        talking = Process(["/bin/sh", "-c", command], ros1.variables, tmp_path / "log")
+        try:
+            time.sleep(WARM_S)
+            before_kib = resident_kib(node.running.pid)
+            assert talking.running.wait(seconds + 60) == 0
+            growth_kib = resident_kib(node.running.pid) - before_kib
+        finally:
+            talking.end()
+        heard = [(told["rule"], told["change"]) for told in ears.heard(VERDICTS)]
+        _LOG.info("%g s: %d verdicts, %d KiB of growth", seconds, len(heard), growth_kib)
+        assert by_rule(heard) == by_rule(replayed(tmp_path, recording))
+        assert growth_kib <= KIB_OF_GROWTH
+    finally:
+        ears.end()
+        node.end()
+
+
+def replayed(folder: Path, recording: Path) -> list[Change]:
+    """What `rossmarie replay` says of what was sent."""
+    rules = folder / "sensors.ross"
+    rules.write_text(sensors(TOPICS), encoding="utf-8")
+    replay, _ = replay_file(rules, recording, topic_map={})
+    names = [rule.name for rule in replay.machine.rules]
+    verdicts = (event for event in replay.events if isinstance(event, Verdict))
+    return [(names[verdict.rule], int(verdict.change)) for verdict in verdicts]
+
+
+def by_rule(changes: Sequence[Change]) -> dict[str, list[int]]:
+    """Each rule's own course: topics may overtake each other on their way to the node."""
+    found: dict[str, list[int]] = {f"rule_{i}": [] for i in range(TOPICS)}
+    for rule, change in changes:
+        found[rule].append(change)
+    return found
+
+
+def resident_kib(process: int) -> int:
+    """The memory that a process has."""
+    status = Path(f"/proc/{process}/status").read_text(encoding="ascii")
+    line = next(line for line in status.splitlines() if line.startswith("VmRSS:"))
+    return int(line.split()[1])

@@ -1,0 +1,97 @@
+"""While the node is not active no command passes, whoever decides that."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from support.live import Process, Robot, until
+from support.ros2_live import Ros2
+
+NODE = "/vehicle_safety"
+
+
+def command(ros2: Ros2, *arguments: str) -> str:
+    """What a command of ROS 2 says."""
+    done = subprocess.run(
+        ["ros2", *arguments], env=ros2.variables, capture_output=True, text=True, timeout=60
+    )
+    return done.stdout + done.stderr
+
+
+@pytest.fixture
+def robot(ros2: Ros2) -> Iterator[Robot]:
+    """A robot that stands level, and a planner that wants 1 m/s."""
+    found = ros2.robot()
+    try:
+        found.set(pitch=0.0, speed=1.0)
+        yield found
+    finally:
+        found.end()
+
+
+def test_a_node_without_autostart_waits(
+    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+) -> None:
+    latched = str(tmp_path / "latched")
+    started.append(ros2.start({"autostart": False, "state_file": latched}))
+    until(lambda: "unconfigured" in command(ros2, "lifecycle", "get", NODE), "it is there", 30)
+    assert robot.commands(0.5) == []
+    assert "successful" in command(ros2, "lifecycle", "set", NODE, "configure")
+    assert robot.commands(0.5) == []
+    assert "successful" in command(ros2, "lifecycle", "set", NODE, "activate")
+    robot.passes(1.0)
+
+
+def test_a_node_that_is_deactivated_stops_the_robot(
+    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+) -> None:
+    started.append(ros2.start({"state_file": str(tmp_path / "latched")}))
+    robot.passes(1.0)
+    assert "successful" in command(ros2, "lifecycle", "set", NODE, "deactivate")
+    assert robot.last("/cmd_vel") == 0.0
+    assert robot.commands(0.5) == []
+    assert "successful" in command(ros2, "lifecycle", "set", NODE, "activate")
+    robot.passes(1.0)
+
+
+def test_a_node_that_cannot_keep_its_latched_rules_stays_active(
+    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+) -> None:
+    node = ros2.start({"state_file": str(tmp_path / "no folder" / "latched")})
+    started.append(node)
+    robot.passes(1.0)
+    robot.set(pitch=40.0)
+    robot.passes(0.0)
+    assert "failed" in command(ros2, "lifecycle", "set", NODE, "deactivate").lower()
+    assert "latched rules cannot be kept" in node.said()
+    robot.stays_at(0.0)
+
+
+def test_parameters_are_fixed_while_it_runs(
+    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+) -> None:
+    started.append(ros2.start({"patience": 5, "state_file": str(tmp_path / "latched")}))
+    robot.passes(1.0)
+    assert "read-only" in command(ros2, "param", "set", NODE, "patience", "100.0")
+
+
+def test_the_node_is_a_component(ros2: Ros2, robot: Robot, started: list[Process]) -> None:
+    log = Path(ros2.variables["ROS_LOG_DIR"]) / "container.log"
+    container = ["ros2", "run", "rclcpp_components", "component_container_mt"]
+    started.append(Process(container, ros2.variables, log))
+    load = [
+        "component",
+        "load",
+        "/ComponentManager",
+        "vehicle_safety",
+        "vehicle_safety::SafetyNode",
+    ]
+    settings = ["-p", f"state_file:={log.parent / 'latched'}"]
+    until(lambda: "Loaded component" in command(ros2, *load, *settings), "it is loaded", 60)
+    robot.passes(1.0)
+    robot.set(pitch=15.0)
+    robot.passes(0.2)

@@ -1,0 +1,120 @@
+"""Goals of action servers are cancelled, kept away and sent again."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+import pytest
+
+from support.live import Process, Robot, until
+
+Start = Callable[..., Process]
+
+
+@pytest.fixture
+def working(robot: Robot, start: Start) -> Robot:
+    """A robot whose arm pursues goal 7, with the node."""
+    start()
+    robot.passes(1.0)
+    robot.ask(goal=7)
+    until(lambda: robot.heard("/arm") == [["begins", 7]], "the arm begins")
+    return robot
+
+
+def follows(robot: Robot, *events: list[object]) -> None:
+    """Wait until these are the last that have happened to the arm."""
+    until(lambda: robot.heard("/arm")[-len(events) :] == list(events), f"{events}")
+
+
+def test_a_goal_is_cancelled_and_sent_again(working: Robot) -> None:
+    working.set(mode="paused")
+    until(lambda: working.heard("/arm")[-1:] == [["is cancelled", 7]], "it is cancelled")
+    until(lambda: working.states("freeze") == ["holding"], "the cancellation is confirmed")
+    working.set(mode="driving")
+    until(lambda: working.heard("/arm")[-1:] == [["begins", 7]], "it is sent again")
+
+
+def test_goals_of_others_are_kept_away_and_the_last_is_kept(working: Robot) -> None:
+    working.set(mode="paused")
+    until(lambda: working.states("freeze") == ["holding"], "the cancellation is confirmed")
+    working.ask(goal=8)
+    time.sleep(1.0)
+    assert working.heard("/arm")[-1] != ["begins", 8]
+    working.set(mode="driving")
+    until(lambda: working.heard("/arm")[-1:] == [["begins", 8]], "the last is sent again")
+
+
+def test_a_cancellation_that_motion_contradicts_fails(working: Robot) -> None:
+    working.set(moving=True)
+    time.sleep(0.2)
+    working.set(mode="paused")
+    until(lambda: working.states("freeze") == ["failed"], "the arm still moves")
+
+
+def test_a_goal_of_a_rule_takes_the_place_of_another(working: Robot) -> None:
+    working.set(recovery="succeeds", mode="touched")
+    follows(working, ["begins", 7], ["is cancelled", 7], ["begins", 99], ["succeeds", 99])
+    until(lambda: working.states("retract") == ["holding"], "the success is known")
+    time.sleep(0.5)
+    assert working.heard("/arm")[-1] == ["succeeds", 99]
+    working.set(mode="driving")
+    follows(working, ["succeeds", 99], ["begins", 7])
+
+
+def test_a_goal_of_a_rule_that_is_aborted_fails(working: Robot) -> None:
+    working.set(recovery="aborts", mode="touched")
+    until(lambda: working.states("retract") == ["failed"], "it has failed")
+    assert working.states("cry") == ["done"]
+    working.set(mode="driving")
+    time.sleep(0.5)
+    assert working.heard("/arm")[-1] == ["aborts", 99]
+
+
+def test_a_goal_of_a_rule_that_takes_too_long_is_cancelled(working: Robot) -> None:
+    working.set(mode="touched")
+    follows(working, ["begins", 99])
+    until(lambda: working.states("retract") == ["failed"], "its time is over", 15)
+    follows(working, ["begins", 99], ["is cancelled", 99])
+
+
+def test_a_server_that_is_kept_free_takes_the_goal_of_the_rule(working: Robot) -> None:
+    working.set(mode="stuck")
+    follows(working, ["is cancelled", 7], ["begins", 99])
+    time.sleep(1.0)  # the server tells several times that it pursues a goal
+    working.set(recovery="succeeds")
+    follows(working, ["begins", 99], ["succeeds", 99])
+    working.ask(goal=8)
+    time.sleep(1.0)
+    assert working.heard("/arm")[-1] != ["begins", 8], "others are still kept away"
+    working.set(mode="driving")
+    until(lambda: working.heard("/arm")[-1:] == [["begins", 8]], "the last is sent again")
+
+
+def test_a_release_midway_cancels_the_goal_of_the_rule(working: Robot) -> None:
+    working.set(mode="touched")
+    follows(working, ["begins", 99])
+    working.set(mode="driving")
+    follows(working, ["is cancelled", 99], ["begins", 7])
+
+
+def test_two_rules_that_need_one_server_do_not_disturb_each_other(working: Robot) -> None:
+    working.set(mode="paused")
+    until(lambda: working.states("freeze") == ["holding"], "the goal is cancelled")
+    working.set(recovery="succeeds", mode="both")
+    follows(working, ["is cancelled", 7], ["begins", 99], ["succeeds", 99])
+    assert working.states("freeze") == ["waiting"]
+    working.set(mode="paused")
+    until(lambda: working.states("freeze") == ["holding"], "the other rule has the server again")
+    time.sleep(0.5)
+    assert working.heard("/arm")[-1] == ["succeeds", 99]
+    working.set(mode="driving")
+    follows(working, ["succeeds", 99], ["begins", 7])
+
+
+def test_a_goal_for_a_server_that_is_not_there_fails(robot: Robot, start: Start) -> None:
+    start()
+    robot.passes(1.0)
+    robot.set(mode="open")
+    until(lambda: robot.states("grasp") == ["failed"], "its time is over")
+    assert robot.states("cry") == ["done"]

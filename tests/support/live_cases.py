@@ -1,0 +1,97 @@
+"""Rules for live tests: nearly all effects, on a vehicle that tilts."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from rossmarie import ir
+from support.compiled import machine_of
+
+PACKAGES = {
+    "ros1": Path(__file__).with_name("ros1_packages"),
+    "ros2": Path(__file__).with_name("ros2_packages"),
+}
+"""Packages that the robots need."""
+
+_ACTIONS = {"ros1": "actionlib/Test", "ros2": "arm_msgs/Move"}
+_RULES = """
+action slow {
+    limit /cmd_vel : geometry_msgs/Twist {
+        linear.x in [-0.2, 0.2] m/s;
+        angular.z in [-0.3, 0.3] rad/s;
+    } ramp 0.5 m/s^2, 1 rad/s^2;
+    limit /arm_vel : geometry_msgs/TwistStamped { twist.linear.x in [-0.1, 0.1] m/s; };
+    log warning "it tilts";
+    diagnose warning "too steep";
+}
+action halt {
+    block /cmd_vel : geometry_msgs/Twist;
+    publish /horn : std_msgs/Bool { data = true; } at 5 Hz;
+    call /lamp : std_srvs/SetBool { data = true; } within 1 sec;
+    hook flash;
+}
+action back {
+    publish /cmd_vel : geometry_msgs/Twist { linear.x = -0.1 m/s; } at 10 Hz;
+    scale /cmd_vel : geometry_msgs/Twist by 50 %;
+}
+action freeze { cancel /arm confirm by not moving within 1 sec then resend else cry; }
+action cry { log error "the arm does not stop"; }
+action retract { send ACTION { goal = 99; } to /arm within 6 sec then resend else cry; }
+action grasp { send ACTION { goal = 1; } to /gripper within 1 sec else cry; }
+action careful { set /planner.double_ to 0.5 else cry; }
+action creep { set /planner.double_ to 0.1; }
+action name { set /planner.double_ to "slow"; }
+action exceed { set /planner.int_ to 100; }
+action soften { switch /controller_manager { stop position; start effort, gravity; } else cry; }
+input moving = topic /arm/moving : std_msgs/Bool .data;
+input orientation = topic /imu/data : sensor_msgs/Imu .orientation timeout 0.5 sec;
+input ranges = topic /scan : sensor_msgs/LaserScan .ranges;
+input mode = topic /mode : std_msgs/String;
+rule tilted: if abs(orientation.pitch()) > 10 deg then { slow; };
+rule fallen: if abs(orientation.pitch()) > 30 deg then { halt; } latched until reset;
+rule near: if any(ranges < 0.3 m) and mode != "docking" then { back; };
+rule touched: if mode == "touched" or mode == "both" then { retract; };
+rule paused: if mode == "paused" or mode == "both" then { freeze; };
+rule stuck: if mode == "stuck" then { freeze; retract; };
+rule open: if mode == "open" then { grasp; };
+rule icy: if mode == "icy" then { creep; };
+rule slippery: if mode == "slippery" or mode == "icy" then { careful; };
+rule named: if mode == "named" then { name; };
+rule exceeded: if mode == "exceeded" then { exceed; };
+rule held: if mode == "held" then { soften; };
+"""
+
+
+def rules(generation: str = "ros1") -> str:
+    """The rules of the vehicle, with the action that its arm has in a generation of ROS."""
+    return _RULES.replace("ACTION", _ACTIONS[generation])
+
+
+def vehicle(generation: str = "ros1") -> ir.Machine:
+    """Slows down where it is steep, halts until reset when it falls, backs off what is near."""
+    machine = machine_of(rules(generation), message_folders=(PACKAGES[generation],))
+    return replace(machine, name="vehicle")
+
+
+def acting(effects: str) -> ir.Machine:
+    """The machine of a rule with these effects."""
+    return machine_of(
+        "input force = topic /ft : geometry_msgs/Wrench .force timeout 0.1 sec\n"
+        f"action act {{ {effects}; }}\n"
+        "rule touched: if norm(force) > 10 N then { act; };"
+    )
+
+
+def sensors(count: int) -> str:
+    """A rule on each of the topics of `ros1_talker`, and commands that they bound."""
+    return "".join(
+        f"""
+action slow_{i} {{
+    limit /cmd_vel : geometry_msgs/Twist {{ linear.x in [-0.{i + 1:02}, 0.{i + 1:02}] m/s; }};
+}}
+input sensor_{i} = topic /sensor_{i} : geometry_msgs/Vector3Stamped .vector.x timeout 5 sec;
+rule rule_{i}: if sensor_{i} > 1 for 0.1 sec then {{ slow_{i}; }} clear for 0.1 sec;
+"""
+        for i in range(count)
+    )

@@ -1,0 +1,57 @@
+# mypy: ignore-errors
+"""The mobile base of the thesis, simulated: a drive that follows /cmd_vel, and its planner."""
+
+import math
+
+import rospy
+from geometry_msgs.msg import Quaternion, Twist
+from mobile_base_safety.msg import State, Verdict
+from nav_msgs.msg import Odometry
+from ros1_ears import Ears, run
+from std_msgs.msg import Bool
+
+NODE = "/mobile_base_safety"
+PERIOD = 0.02  # s
+ACCELERATION = 0.5  # m/s^2
+PATIENCE = 0.5  # s; without commands for longer than this the drive stops
+
+
+class Drive(Ears):
+    """Publishes its pitch and its speed, and what its planner wants."""
+
+    def __init__(self):
+        super().__init__()
+        self.pitch = 0.0  # degrees
+        self.wanted = 0.4  # m/s
+        self._speed = 0.0
+        self._imu = rospy.Publisher("/imuInformation", Quaternion, queue_size=1)
+        self._odometry = rospy.Publisher("/odom", Odometry, queue_size=1)
+        self._planner = rospy.Publisher("/unfil_cmd_vel", Twist, queue_size=1)
+        self.hear("/cmd_vel", Twist, lambda m: m.linear.x)
+        self.hear("/drive/boost", Bool, lambda m: m.data)
+        self.hear(NODE + "/state", State)
+        self.hear(NODE + "/verdicts", Verdict)
+        self.heard["speed"] = [[0.0, 0.0]]
+        rospy.Timer(rospy.Duration(PERIOD), self._move)
+
+    def _move(self, _):
+        change = self._commanded() - self._speed
+        self._speed += max(-ACCELERATION * PERIOD, min(ACCELERATION * PERIOD, change))
+        self.heard["speed"] = [[rospy.get_time(), self._speed]]
+        half = math.radians(self.pitch) / 2
+        self._imu.publish(Quaternion(0.0, math.sin(half), 0.0, math.cos(half)))
+        odometry = Odometry()
+        odometry.twist.twist.linear.x = self._speed
+        self._odometry.publish(odometry)
+        command = Twist()
+        command.linear.x = self.wanted
+        self._planner.publish(command)
+
+    def _commanded(self):
+        told = self.heard["/cmd_vel"]
+        is_fresh = told and rospy.get_time() - told[-1][0] < PATIENCE
+        return told[-1][1] if is_fresh else 0.0
+
+
+if __name__ == "__main__":
+    run(Drive)

@@ -1,0 +1,149 @@
+"""ROS 2 where it is sourced, for live tests: colcon, the generated node, a robot."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import shutil
+import subprocess
+from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
+
+from rossmarie.driver.build import generate
+from support.c_compiler import write
+from support.live import Process, Robot
+from support.live_cases import PACKAGES, vehicle
+
+_ROBOT = Path(__file__).with_name("ros2_robot.py")
+_NEEDED = ("rclcpp_lifecycle", "rclcpp_components", "rclcpp_action", "rclpy", "launch_ros")
+
+
+def missing() -> str | None:
+    """What is not there of ROS 2, None if all is."""
+    if os.environ.get("ROS_VERSION") != "2" or not os.environ.get("AMENT_PREFIX_PATH"):
+        return "ROS 2 is not sourced"
+    lacking = [tool for tool in ("colcon", "ros2", "python3") if shutil.which(tool) is None]
+    lacking += [package for package in _NEEDED if not _is_installed(package)]
+    return f"ROS 2 is sourced, but lacks {', '.join(lacking)}" if lacking else None
+
+
+def _is_installed(package: str) -> bool:
+    prefixes = os.environ["AMENT_PREFIX_PATH"].split(":")
+    return any((Path(prefix) / "share" / package).is_dir() for prefix in prefixes)
+
+
+class Ros2:
+    """A workspace with the node of the vehicle, and the environment to run it in."""
+
+    name = "ros2"
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._workspace = folder / "workspace"
+        for package in PACKAGES["ros2"].iterdir():
+            if not _is_installed(package.name):
+                shutil.copytree(package, self._workspace / "src" / package.name)
+        write(generate(vehicle("ros2"), "ros2"), self._workspace / "src" / "vehicle_safety")
+        self._program = self._workspace / "install/lib/vehicle_safety/safety_node"
+        self._build()
+        self.variables = self._sourced()
+
+    def robot(self) -> Robot:
+        """A new robot."""
+        command = [str(shutil.which("python3")), str(_ROBOT)]
+        return Robot(command, self.variables, self._folder / "robot.log")
+
+    def start(self, parameters: Mapping[str, object], *, use_sim_time: bool = False) -> Process:
+        """Start the node of the vehicle with these parameters and no others."""
+        given = {**parameters, "use_sim_time": use_sim_time}
+        rules = [text for item in given.items() for text in ("-p", _rule(*item))]
+        command = [str(self._program), "--ros-args", *rules]
+        return Process(command, self.variables, self._folder / "node.log")
+
+    def launch(self, folder: Path, parameters: Mapping[str, object]) -> Process:
+        """Launch the node with a planner that wants 0.7 m/s; `folder` is for files of the test."""
+        planner, settings = folder / "planner.launch.py", folder / "parameters.yaml"
+        planner.write_text(_PLANNER, encoding="utf-8")
+        given = {"/**": {"ros__parameters": dict(parameters)}}
+        settings.write_text(json.dumps(given), encoding="utf-8")
+        command = ["ros2", "launch", "vehicle_safety", "vehicle_safety.launch.py"]
+        arguments = [f"commands:={planner}", f"parameters:={settings}"]
+        return Process([*command, *arguments], self.variables, self._folder / "launch.log")
+
+    def node_process(self) -> int | None:
+        """The process of the node of the vehicle, None if there is none."""
+        for process in Path("/proc").glob("[0-9]*"):
+            with suppress(OSError):
+                if (process / "exe").resolve() == self._program.resolve():
+                    return int(process.name)
+        return None
+
+    def publish(self, rate: int, topic: str, ros_type: str, message: str) -> Process:
+        """Publish a message at a rate, in a process of its own."""
+        command = ["ros2", "topic", "pub", "--print", "0", "--rate", str(rate), topic]
+        return Process(
+            [*command, self.ros_type(ros_type), message],
+            self.variables,
+            self._folder / "publish.log",
+        )
+
+    def ros_type(self, name: str) -> str:
+        """How `sensor_msgs/Imu` is called."""
+        package, _, bare = name.partition("/")
+        return f"{package}/msg/{bare}"
+
+    def end(self) -> None:
+        """Nothing of it runs by itself."""
+
+    def _build(self) -> None:
+        """Build all packages of the workspace, without a warning."""
+        command = ["colcon", "build", "--merge-install", "--executor", "sequential"]
+        python = f"-DPython3_EXECUTABLE={shutil.which('python3')}"
+        done = subprocess.run(
+            [*command, "--cmake-args", python],
+            cwd=self._workspace,
+            capture_output=True,
+            text=True,
+        )
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert "warning:" not in done.stderr, done.stderr
+
+    def _sourced(self) -> dict[str, str]:
+        """The environment with the workspace, on this machine only, in a domain of its own."""
+        script = f". {self._workspace}/install/local_setup.bash && env -0"
+        done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True)
+        found = dict(line.split("=", 1) for line in done.stdout.split("\0") if line)
+        found["ROS_DOMAIN_ID"] = str(random.randint(1, 100))
+        found["ROS_LOG_DIR"] = str(self._folder / "log")
+        found.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
+        return found
+
+
+def _rule(name: str, value: object) -> str:
+    """An argument that sets a parameter; YAML has its own word for NaN."""
+    return f"{name}:={json.dumps(value)}".replace("NaN", ".nan")
+
+
+_PLANNER = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+SCRIPT = '''
+import rclpy
+from geometry_msgs.msg import Twist
+
+rclpy.init()
+node = rclpy.create_node("planner")
+publisher = node.create_publisher(Twist, "/cmd_vel", 1)
+message = Twist()
+message.linear.x = 0.7
+node.create_timer(0.05, lambda: publisher.publish(message))
+rclpy.spin(node)
+'''
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(executable="python3", arguments=["-c", SCRIPT])])
+"""
