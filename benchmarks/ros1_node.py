@@ -13,11 +13,10 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from support.live_cases import sensors
-
 from rossmarie.driver import compile_file
 from rossmarie.ir import Machine
 from support import ros1_live as live
+from support.live_cases import sensors
 
 HERE = Path(__file__).parent
 RELAY = Path("/usr/lib/topic_tools/relay")

@@ -54,7 +54,7 @@ def test_the_corrected_listing_compiles_builds_and_replays(listing: str, tmp_pat
     rules = THESIS / f"{listing}.ross"
     assert check_file(rules).diagnostics == ()
     machine = compile_file(rules).machine
-    written, _ = build_files(rules, "c99", tmp_path / "generated")
+    written = build_files(rules, "c99", tmp_path / "generated").written
     sources = [path for path in written if path.suffix == ".c"]
     compiler = shutil.which("cc")
     assert compiler is not None

@@ -239,7 +239,7 @@ def build(
     from rossmarie.driver.writing import reason
 
     try:
-        written, found = build_files(
+        built = build_files(
             rules, target.value, out, systems=system or (), message_folders=messages or ()
         )
     except RulesError as error:
@@ -248,9 +248,11 @@ def build(
         output.fail(f"{error}; remove it, or choose another --out", exit_code=2)
     except OSError as error:
         output.fail(f"cannot write to {out}: {reason(error)}", exit_code=2)
-    output.print_diagnostics(found, Format.TEXT, file_count=1)
-    for path in written:
+    output.print_diagnostics(built.warnings, Format.TEXT, file_count=1)
+    for path in built.written:
         typer.echo(f"wrote {path}")
+    if built.next_step:
+        typer.echo(built.next_step)
 
 
 @app.command()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 from dslkit.diagnostics import Diagnostic
 from rossmarie.driver.pipeline import RulesError, check_file, compile_checked, compile_file
@@ -48,6 +49,14 @@ def generate(machine: Machine, target: str) -> Mapping[str, str]:
     return TARGETS[target].generate(machine)
 
 
+class Built(NamedTuple):
+    """The paths of what was generated, the warnings, and what comes next, if anything."""
+
+    written: Sequence[Path]
+    warnings: tuple[Diagnostic, ...]
+    next_step: str | None
+
+
 def build_files(
     rules: Path,
     target: str,
@@ -55,8 +64,8 @@ def build_files(
     *,
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
-) -> tuple[list[Path], tuple[Diagnostic, ...]]:
-    """Generate `target` for a rules file into `folder`; the paths written and the warnings.
+) -> Built:
+    """Generate `target` for a rules file into `folder`.
 
     A file whose content would not change is not touched, so that a build system sees no change;
     one that belongs to the user is not touched once it is there.
@@ -81,7 +90,8 @@ def build_files(
     for path, text in changed.items():
         path.parent.mkdir(parents=True, exist_ok=True)
         write_whole(path, text)
-    return [folder / name for name in files], compiled.warnings
+    next_step = TARGETS[target].next_step(compiled.machine)
+    return Built([folder / name for name in files], compiled.warnings, next_step)
 
 
 def _check_own(path: Path, present: bytes, text: str, rules: Path) -> None:

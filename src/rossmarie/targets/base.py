@@ -17,10 +17,12 @@ from rossmarie import ir
 class Target:
     """`unsupported` gives a finding for everything in a machine that the target cannot do; only if
     there is none, `generate` gives the files of the machine by name. Those that are `owned_by_user`
-    are written once: a file that is there is left alone.
+    are written once: a file that is there is left alone. `next_step` says what comes after
+    `generate`, None if nothing has to be said.
     """
 
     name: str
     unsupported: Callable[[ir.Machine], Iterable[Diagnostic]]
     generate: Callable[[ir.Machine], Mapping[str, str]]
     owned_by_user: frozenset[str] = frozenset()
+    next_step: Callable[[ir.Machine], str | None] = lambda _: None

@@ -195,7 +195,7 @@ def test_build_where_nothing_can_be_written(rules: Path) -> None:
 
 # --- what a target cannot do -----------------------------------------------------------------
 
-SETTING = RULES.replace("action stop;", "action stop { set /planner.speed to 0.1; }")
+SETTING = RULES.replace("action stop;", "action stop { set /planner.path.speed to 0.1; }")
 
 
 def test_check_says_what_a_target_cannot_do(rules: Path, tmp_path: Path) -> None:
@@ -205,7 +205,9 @@ def test_check_says_what_a_target_cannot_do(rules: Path, tmp_path: Path) -> None
     assert run("check", setting, "--target", "c99").stdout == "no errors in 1 file\n"
     done = run("check", setting, rules, "--target", "ros1")
     assert done.returncode == 1
-    assert "error[ROSS503]: the target ros1 cannot do `set /planner.speed`" in done.stdout
+    assert (
+        "error[ROSS503]: the target ros1 cannot do `set /planner.path.speed to 0.1`" in done.stdout
+    )
     assert "error[ROSS504]" in done.stdout
     assert done.stdout.endswith("\n2 errors in 2 files\n")
 

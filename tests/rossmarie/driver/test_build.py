@@ -20,10 +20,10 @@ def test_a_second_build_changes_nothing(tmp_path: Path) -> None:
 def test_files_of_the_user_are_written_once(tmp_path: Path) -> None:
     rules, folder = tmp_path / "vehicle.ross", tmp_path / "package"
     rules.write_text(rules_of_vehicle(), encoding="utf-8")
-    written, _ = build_files(rules, "ros1", folder)
+    written = build_files(rules, "ros1", folder).written
     hooks = folder / "src" / "hooks.cpp"
     assert hooks in written
     hooks.write_text("// mine\n", encoding="utf-8")
-    written, _ = build_files(rules, "ros1", folder)
+    written = build_files(rules, "ros1", folder).written
     assert hooks not in written
     assert hooks.read_text(encoding="utf-8") == "// mine\n"

@@ -16,6 +16,11 @@ _NODE = ("src/main.cpp", "src/parameters.h", "src/worker.h")
 _ALWAYS = {"roscpp", "std_msgs"}
 
 
+def next_step(_: ir.Machine) -> str:
+    """How the package is built."""
+    return "build it where ROS 1 is: `catkin_make` in its workspace"
+
+
 def generate(machine: ir.Machine) -> dict[str, str]:
     """The files of the package, by their paths in it."""
     writer = PackageWriter(machine, ROS1)

@@ -2,9 +2,9 @@
 
 from rossmarie.targets.base import Target
 from rossmarie.targets.ros.package import OWNED_BY_USER
-from rossmarie.targets.ros2.package import generate
+from rossmarie.targets.ros2.package import generate, next_step
 from rossmarie.targets.ros2.unsupported import unsupported
 
-TARGET = Target("ros2", unsupported, generate, OWNED_BY_USER)
+TARGET = Target("ros2", unsupported, generate, OWNED_BY_USER, next_step)
 
 __all__ = ["TARGET", "generate", "unsupported"]

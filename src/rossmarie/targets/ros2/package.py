@@ -22,6 +22,12 @@ _ALWAYS = {
 }  # fmt: skip
 
 
+def next_step(machine: ir.Machine) -> str:
+    """How the package is built."""
+    package = names.package(machine)
+    return f"build it where ROS 2 is: `colcon build --packages-select {package}` in its workspace"
+
+
 def generate(machine: ir.Machine) -> dict[str, str]:
     """The files of the package, by their paths in it."""
     writer = PackageWriter(machine, ROS2)
