@@ -195,6 +195,8 @@ class Robot:
             self._send_goal(request["goal"])
         if "reliabilities" in request:
             return {topic: self._reliability(topic) for topic in request["reliabilities"]}
+        if "keep" in request:
+            self._keep_scan()
         if "offer" in request:
             getattr(self, "_offer_" + request["offer"])()
         if "heard" in request:
@@ -204,6 +206,11 @@ class Robot:
         if "call" in request:
             return self._call(request["call"], request["with"])
         return None
+
+    def _keep_scan(self):
+        """Says once that something is near, to those who come later, too."""
+        self._scan = self._node.create_publisher(LaserScan, "/scan", KEPT)
+        self._scan.publish(LaserScan(ranges=[0.1]))
 
     def _reliability(self, topic):
         """The one that the node asks for."""

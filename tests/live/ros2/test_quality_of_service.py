@@ -41,3 +41,12 @@ def test_a_publisher_that_is_less_reliable_than_asked_for_is_named(
     robot.diagnosed("what robot publishes does not come")
     time.sleep(0.5)
     robot.stays_at(0.0)
+
+
+def test_a_message_that_was_kept_for_late_comers_comes(
+    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+) -> None:
+    robot.ask(keep=True)
+    time.sleep(0.5)
+    started.append(ros2.start({"state_file": str(tmp_path / "latched")}))
+    until(lambda: "near" in (robot.state() or {}).get("active", ()), "it is known")
