@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Callable
 from pathlib import Path
-
-import pytest
 
 from support.live import Process, Robot, until
 from support.ros2_live import Ros2
+
+Start = Callable[..., Process]
 
 NODE = "/vehicle_safety"
 
@@ -22,22 +22,8 @@ def command(ros2: Ros2, *arguments: str) -> str:
     return done.stdout + done.stderr
 
 
-@pytest.fixture
-def robot(ros2: Ros2) -> Iterator[Robot]:
-    """A robot that stands level, and a planner that wants 1 m/s."""
-    found = ros2.robot()
-    try:
-        found.set(pitch=0.0, speed=1.0)
-        yield found
-    finally:
-        found.end()
-
-
-def test_a_node_without_autostart_waits(
-    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
-) -> None:
-    latched = str(tmp_path / "latched")
-    started.append(ros2.start({"autostart": False, "state_file": latched}))
+def test_a_node_without_autostart_waits(ros2: Ros2, robot: Robot, start: Start) -> None:
+    start(autostart=False)
     until(lambda: "unconfigured" in command(ros2, "lifecycle", "get", NODE), "it is there", 30)
     assert robot.commands(0.5) == []
     assert "successful" in command(ros2, "lifecycle", "set", NODE, "configure")
@@ -46,10 +32,8 @@ def test_a_node_without_autostart_waits(
     robot.passes(1.0)
 
 
-def test_a_node_that_is_deactivated_stops_the_robot(
-    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
-) -> None:
-    started.append(ros2.start({"state_file": str(tmp_path / "latched")}))
+def test_a_node_that_is_deactivated_stops_the_robot(ros2: Ros2, robot: Robot, start: Start) -> None:
+    start()
     robot.passes(1.0)
     assert "successful" in command(ros2, "lifecycle", "set", NODE, "deactivate")
     assert robot.last("/cmd_vel") == 0.0
@@ -59,10 +43,9 @@ def test_a_node_that_is_deactivated_stops_the_robot(
 
 
 def test_a_node_that_cannot_keep_its_latched_rules_stays_active(
-    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+    ros2: Ros2, robot: Robot, start: Start, tmp_path: Path
 ) -> None:
-    node = ros2.start({"state_file": str(tmp_path / "no folder" / "latched")})
-    started.append(node)
+    node = start(state_file=str(tmp_path / "no folder" / "latched"))
     robot.passes(1.0)
     robot.set(pitch=40.0)
     robot.passes(0.0)
@@ -71,10 +54,8 @@ def test_a_node_that_cannot_keep_its_latched_rules_stays_active(
     robot.stays_at(0.0)
 
 
-def test_parameters_are_fixed_while_it_runs(
-    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
-) -> None:
-    started.append(ros2.start({"patience": 5, "state_file": str(tmp_path / "latched")}))
+def test_parameters_are_fixed_while_it_runs(ros2: Ros2, robot: Robot, start: Start) -> None:
+    start(patience=5)
     robot.passes(1.0)
     assert "read-only" in command(ros2, "param", "set", NODE, "patience", "100.0")
 
