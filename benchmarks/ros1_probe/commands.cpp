@@ -5,6 +5,7 @@
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -40,12 +41,15 @@ public:
 private:
     void receive(const geometry_msgs::Twist::ConstPtr &command)
     {
-        if (command->linear.z != 0.0) // sent to connect, or a filter's own
+        // Not what was sent to connect, a 0 of the filter's own, or a command that it repeats.
+        if (command->linear.z > latest_)
             lateness_.note(command->linear.z);
+        latest_ = std::max(latest_, command->linear.z);
     }
 
     std::string name_;
     Lateness lateness_;
+    double latest_ = 0.0;
     ros::Publisher publisher_;
     ros::Subscriber subscriber_;
 };

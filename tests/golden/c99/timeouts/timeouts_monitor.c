@@ -247,6 +247,7 @@ INLINE bool is_inside(const monitor *m, unsigned g, double x)
     return !UNLIKELY(!(x > m->low[g])) && !UNLIKELY(x > m->high[g]);
 }
 
+/* (The loops over leaves ask for `<`: with `!=` gcc 12 unrolls them beyond the truths and warns.) */
 RARE void lose_sight(monitor *m, unsigned g, int64_t t_ns)
 {
     const unsigned char kind = unknown_kind(m, g);
@@ -255,7 +256,7 @@ RARE void lose_sight(monitor *m, unsigned g, int64_t t_ns)
     m->place[g] = -(int)kind;
     m->low[g] = INFINITY; /* nothing is inside */
     m->high[g] = -INFINITY;
-    for (unsigned leaf = guard_leaves[g]; leaf != guard_leaves[g + 1]; leaf++)
+    for (unsigned leaf = guard_leaves[g]; leaf < guard_leaves[g + 1]; leaf++)
         set_truth(m, leaf, kind, t_ns);
 }
 
@@ -271,7 +272,7 @@ static void settle_at(monitor *m, unsigned g, unsigned place)
 static void gain_sight(monitor *m, unsigned g, double x, int64_t t_ns)
 {
     unsigned place = guard_limits[g];
-    for (unsigned leaf = guard_leaves[g]; leaf != guard_leaves[g + 1]; leaf++)
+    for (unsigned leaf = guard_leaves[g]; leaf < guard_leaves[g + 1]; leaf++)
         set_truth(m, leaf, leaf_below[leaf], t_ns);
     for (; place + 2 != guard_limits[g + 1] && x > limits[place + 1]; place++)
         set_truth(m, limit_leaf[place + 1], limit_above[place + 1], t_ns);

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,6 +16,7 @@ from rossmarie.targets import c99
 from rossmarie.targets.c99 import generate, generate_loadable
 from support.c99_cases import CASES
 from support.c_compiler import C_COMPILERS, CPP_COMPILERS, STRICT, needs_c, run, write
+from support.drafts import Draft
 from support.golden import assert_golden
 
 GOLDEN = Path(__file__).parents[3] / "golden" / "c99"
@@ -53,6 +54,26 @@ def test_is_clean_as_c99(case: str, compiler: str, tmp_path: Path) -> None:
     write(files, tmp_path)
     for source in sources_in(files):
         run([compiler, "-std=c99", *STRICT, "-c", tmp_path / source, "-o", tmp_path / "out.o"])
+
+
+def one_comparison() -> ir.Machine:
+    """The smallest machine: optimizers unroll its loops to the end of its arrays."""
+    draft = Draft()
+    draft.rule(draft.above(draft.read(), 1.0), draft.truth(ir.Literal(True)))
+    return draft.machine("single")
+
+
+@needs_c
+@pytest.mark.parametrize("case", [*CASES.values(), one_comparison])
+@pytest.mark.parametrize("compiler", C_COMPILERS)
+def test_is_clean_when_optimized(
+    case: Callable[[], ir.Machine], compiler: str, tmp_path: Path
+) -> None:
+    files = generate(case())
+    write(files, tmp_path)
+    for source in sources_in(files):
+        command = [compiler, "-std=c99", "-O3", *STRICT, "-c", str(tmp_path / source)]
+        run([*command, "-o", tmp_path / "out.o"])
 
 
 @pytest.mark.skipif(not CPP_COMPILERS, reason="there is no C++ compiler on this system")
