@@ -13,18 +13,11 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-<<<<<<< ours
-from rossmarie.driver import compile_file
-from rossmarie.ir import Machine
-from support import ros1_live as live
-from support.live_cases import sensors
-=======
 from rossmarie.ir import Machine
 from support.compiled import machine_of
 from support.live import Process
 from support.live_cases import sensors
 from support.ros1_live import Ros1, missing
->>>>>>> theirs
 
 HERE = Path(__file__).parent
 TALKER = HERE.parent / "tests" / "support" / "ros1_talker"

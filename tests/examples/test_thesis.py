@@ -93,6 +93,9 @@ def drive(machine: Machine) -> str:
         course = next((COURSES[name] for name in names[index] if name in COURSES), swing)
         values = (course > 0).astype(float) if slot.kind is Kind.FLAG else course
         columns[".".join([topic, *map(str, slot.path)])] = values
+    for array in machine.arrays:
+        topic = machine.channels[machine.inputs[array.input].channel].topic
+        columns[".".join([topic, *map(str, array.path), "0"])] = np.zeros_like(TIMES)
     rows = zip(*columns.values(), strict=True)
     lines = [",".join(columns), *(",".join(f"{value:.6g}" for value in row) for row in rows)]
     return "\n".join(lines) + "\n"

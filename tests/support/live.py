@@ -11,6 +11,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
+from rossmarie import ir
+
 
 def until(is_so: Callable[[], bool], what: str, seconds: float = 10.0) -> None:
     """Wait for something; fail if it does not come."""
@@ -129,12 +131,39 @@ class Ros(Protocol):
     name: str
     variables: dict[str, str]
 
+    @property
+    def vehicle(self) -> Path:
+        """The program of the node of the vehicle."""
+        ...
+
     def robot(self) -> Robot:
         """A new robot."""
         ...
 
     def start(self, parameters: Mapping[str, object], *, use_sim_time: bool = False) -> Process:
         """Start the node of the vehicle with these parameters and no others."""
+        ...
+
+    def ears(self, *arguments: str, script: str = ...) -> Ears:
+        """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
+        ...
+
+    def build(self, machine: ir.Machine) -> Path:
+        """Build the node of a machine; its program."""
+        ...
+
+    def build_package(self, source: Path) -> Path:
+        """Build a package of this repository, called like its folder; where its programs are."""
+        ...
+
+    def begin(
+        self, program: Path, parameters: Mapping[str, object], *, use_sim_time: bool = False
+    ) -> Process:
+        """Start a node with these parameters and no others."""
+        ...
+
+    def play(self, recording: Path) -> Process:
+        """Play a recording with simulated time."""
         ...
 
     def launch(self, folder: Path, parameters: Mapping[str, object]) -> Process:

@@ -1,46 +1,77 @@
 # mypy: ignore-errors
-"""A ROS node for live tests that remembers what it hears: `ros1_ears.py TOPIC TYPE ...`.
+"""What ROS 1 gives to nodes of live tests, under the names of `ros2_ears.py`.
 
-Runs with the system's Python, which has rospy. Reads one request from each line, a JSON object, and
-answers with one line. Robots for live tests are built on it.
+Runs with the system's Python, which has rospy.
 """
-
-import json
-import os
-import sys
-from collections import deque
 
 import roslib.message
 import rospy
+from dynamic_reconfigure.msg import Config, DoubleParameter
+from dynamic_reconfigure.srv import Reconfigure
+from memory import Memory, serve
 
 
-class Ears:
-    """Remembers what comes on topics, and when it came."""
+class Ears(Memory):
+    """A node that remembers what comes on topics, and when it came."""
 
     def __init__(self):
-        self.heard = {}
+        super().__init__()
         self._subscribers = {}
+        self._offered = []  # what holds the services
 
     def hear(self, topic, kind, read=None):
         """`read` says what of a message is kept; all of it if nothing else is said."""
-        self.heard[topic] = deque(maxlen=50000)
-        note = self.heard[topic].append
         keep = read or plain
         self._subscribers[topic] = rospy.Subscriber(
-            topic, kind, lambda m: note([rospy.get_time(), keep(m)]), tcp_nodelay=True
+            topic, kind, lambda m: self.note(topic, keep(m)), tcp_nodelay=True
         )
+
+    hear_latched = hear
+
+    def publisher(self, topic, kind):
+        return rospy.Publisher(topic, kind, queue_size=1)
+
+    sensor = publisher
+
+    def every(self, seconds, do):
+        """Call a function at a rate."""
+        rospy.Timer(rospy.Duration(seconds), lambda _: do())
+
+    def offer(self, service, kind, answer):
+        """`answer` gives the fields of the response to a request."""
+        self._offered.append(rospy.Service(service, kind, answer))
+
+    def call(self, service, kind, arguments):
+        rospy.wait_for_service(service, timeout=5.0)
+        return plain(rospy.ServiceProxy(service, kind)(**arguments))
+
+    def offer_parameter(self, node, name, value):
+        """A node with a parameter that takes every number."""
+        given = {name: value}
+
+        def reconfigure(request):
+            for each in request.config.doubles:
+                given[each.name] = each.value
+                self.note(node + "/" + each.name, each.value)
+            doubles = [DoubleParameter(*each) for each in given.items()]
+            return {"config": Config(doubles=doubles)}
+
+        self.offer(node + "/set_parameters", Reconfigure, reconfigure)
+
+    def message_class(self, name):
+        return roslib.message.get_message_class(name)
+
+    def time_of(self, seconds):
+        return rospy.Time.from_sec(seconds)
+
+    def duration_of(self, seconds):
+        return rospy.Duration(seconds)
 
     def answer(self, request):
         """What a request asks for."""
-        for name, value in request.get("set", {}).items():
-            setattr(self, name, value)
-        if "forget" in request:
-            self.heard.get(request["forget"], deque()).clear()
         if "publishers" in request:
             return self._subscribers[request["publishers"]].get_num_connections()
-        if "heard" in request:
-            return list(self.heard.get(request["heard"], ()))
-        return None
+        return super().answer(request)
 
 
 def plain(value):
@@ -57,20 +88,4 @@ def plain(value):
 def run(make):
     """Answer requests until there are no more."""
     rospy.init_node("robot", disable_signals=True)
-    ears = make()
-    for line in sys.stdin:
-        sys.stdout.write(json.dumps(ears.answer(json.loads(line))) + "\n")
-        sys.stdout.flush()
-    os._exit(0)  # rospy keeps threads that would not end
-
-
-def main():
-    """Hear the topics of the command line."""
-    ears = Ears()
-    for topic, kind in zip(sys.argv[1::2], sys.argv[2::2], strict=True):
-        ears.hear(topic, roslib.message.get_message_class(kind))
-    return ears
-
-
-if __name__ == "__main__":
-    run(main)
+    serve(make())

@@ -109,12 +109,14 @@ class Ros1:
         return self.build(vehicle())
 
     def robot(self, variables: Mapping[str, str] | None = None) -> Robot:
-        """A new robot, of this master or of another."""
+        """A new robot, of this master or of another; it lives in real time even if the node does not."""
         assert self.vehicle.exists(), "the robot needs the messages of the node"
+        used = variables or self.variables
+        set_parameters(used, self.vehicle.name, {}, use_sim_time=False)
         command = [str(PYTHON), str(_HERE / "ros1_robot.py")]
-        return Robot(command, variables or self.variables, self._folder / "robot.log")
+        return Robot(command, used, self._folder / "robot.log")
 
-    def ears(self, *arguments: str, script: str = "ros1_ears.py") -> Ears:
+    def ears(self, *arguments: str, script: str = "ears.py") -> Ears:
         """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
         command = [str(PYTHON), str(_HERE / script), *arguments]
         return Ears(command, self.variables, self._folder / "ears.log")
@@ -147,6 +149,12 @@ class Ros1:
     def node_process(self) -> int | None:
         """The process of the node of the vehicle, None if there is none."""
         return process_of(self.variables, "/vehicle_safety")
+
+    def play(self, recording: Path, *options: str) -> Process:
+        """Play a recording with simulated time; the options are those of rosbag."""
+        command = ["/usr/bin/rosbag", "play", "--quiet", "--clock", "--hz=500"]
+        arguments = ["--wait-for-subscribers", *options, str(recording)]
+        return Process([*command, *arguments], self.variables, self._folder / "play.log")
 
     def publish(self, rate: int, topic: str, ros_type: str, message: str) -> Process:
         """Publish a message at a rate, in a process of its own."""

@@ -1,4 +1,4 @@
-"""ROS 2 where it is sourced, for live tests: colcon, the generated node, a robot."""
+"""ROS 2 where it is sourced, for live tests: colcon, generated nodes, a robot."""
 
 from __future__ import annotations
 
@@ -9,14 +9,18 @@ import shutil
 import subprocess
 from collections.abc import Mapping
 from contextlib import suppress
+from functools import cached_property
 from pathlib import Path
 
+from rosbags.highlevel import AnyReader
+
+from rossmarie import ir
 from rossmarie.driver.build import generate
 from support.c_compiler import write
-from support.live import Process, Robot
+from support.live import Ears, Process, Robot
 from support.live_cases import PACKAGES, vehicle
 
-_ROBOT = Path(__file__).with_name("ros2_robot.py")
+_HERE = Path(__file__).parent
 _NEEDED = ("rclcpp_lifecycle", "rclcpp_components", "rclcpp_action", "rclpy", "launch_ros")
 
 
@@ -45,22 +49,37 @@ class Ros2:
         for package in PACKAGES["ros2"].iterdir():
             if not _is_installed(package.name):
                 shutil.copytree(package, self._workspace / "src" / package.name)
-        write(generate(vehicle("ros2"), "ros2"), self._workspace / "src" / "vehicle_safety")
-        self._program = self._workspace / "install/lib/vehicle_safety/safety_node"
-        self._build()
+        self._make()
         self.variables = self._sourced()
+
+    @cached_property
+    def vehicle(self) -> Path:
+        """The program of the node of the vehicle."""
+        return self.build(vehicle("ros2"))
 
     def robot(self) -> Robot:
         """A new robot."""
-        command = [str(shutil.which("python3")), str(_ROBOT)]
+        assert self.vehicle.exists(), "the robot needs the messages of the node"
+        command = [str(shutil.which("python3")), str(_HERE / "ros2_robot.py")]
         return Robot(command, self.variables, self._folder / "robot.log")
+
+    def ears(self, *arguments: str, script: str = "ears.py") -> Ears:
+        """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
+        command = [str(shutil.which("python3")), str(_HERE / script), *arguments]
+        return Ears(command, self.variables, self._folder / "ears.log")
 
     def start(self, parameters: Mapping[str, object], *, use_sim_time: bool = False) -> Process:
         """Start the node of the vehicle with these parameters and no others."""
+        return self.begin(self.vehicle, parameters, use_sim_time=use_sim_time)
+
+    def begin(
+        self, program: Path, parameters: Mapping[str, object], *, use_sim_time: bool = False
+    ) -> Process:
+        """Start a node with these parameters and no others."""
         given = {**parameters, "use_sim_time": use_sim_time}
         rules = [text for item in given.items() for text in ("-p", _rule(*item))]
-        command = [str(self._program), "--ros-args", *rules]
-        return Process(command, self.variables, self._folder / "node.log")
+        command = [str(program), "--ros-args", *rules]
+        return Process(command, self.variables, self._folder / f"{program.parent.name}.log")
 
     def launch(self, folder: Path, parameters: Mapping[str, object]) -> Process:
         """Launch the node with a planner that wants 0.7 m/s; `folder` is for files of the test."""
@@ -76,9 +95,19 @@ class Ros2:
         """The process of the node of the vehicle, None if there is none."""
         for process in Path("/proc").glob("[0-9]*"):
             with suppress(OSError):
-                if (process / "exe").resolve() == self._program.resolve():
+                if (process / "exe").resolve() == self.vehicle.resolve():
                     return int(process.name)
         return None
+
+    def play(self, recording: Path) -> Process:
+        """Play a recording with simulated time."""
+        messages = self._folder / "messages.jsonl"
+        with messages.open("w", encoding="ascii") as out, AnyReader([recording]) as read:
+            for connection, at_ns, content in read.messages():
+                line = (connection.topic, connection.msgtype, at_ns, bytes(content).hex())
+                out.write(json.dumps(line) + "\n")
+        command = [str(shutil.which("python3")), str(_HERE / "ros2_play.py"), str(messages)]
+        return Process(command, self.variables, self._folder / "play.log")
 
     def publish(self, rate: int, topic: str, ros_type: str, message: str) -> Process:
         """Publish a message at a rate, in a process of its own."""
@@ -97,7 +126,20 @@ class Ros2:
     def end(self) -> None:
         """Nothing of it runs by itself."""
 
-    def _build(self) -> None:
+    def build(self, machine: ir.Machine) -> Path:
+        """Build the node of a machine; its program."""
+        name = f"{machine.name}_safety"
+        write(generate(machine, "ros2"), self._workspace / "src" / name)
+        self._make()
+        return self._workspace / "install" / "lib" / name / "safety_node"
+
+    def build_package(self, source: Path) -> Path:
+        """Build a package of this repository, called like its folder; where its programs are."""
+        shutil.copytree(source, self._workspace / "src" / source.name, dirs_exist_ok=True)
+        self._make()
+        return self._workspace / "install" / "lib" / source.name
+
+    def _make(self) -> None:
         """Build all packages of the workspace, without a warning."""
         command = ["colcon", "build", "--merge-install", "--executor", "sequential"]
         python = f"-DPython3_EXECUTABLE={shutil.which('python3')}"

@@ -165,6 +165,13 @@ def test_the_generated_test_passes_and_sees_bounds_that_are_too_wide(
     assert _run_reactions(tmp_path) == 1
 
 
+def test_the_generated_test_of_rules_without_commands_passes(
+    generation: str, tmp_path: Path
+) -> None:
+    write(generate(replace(acting('log info "touched"'), name="vehicle"), generation), tmp_path)
+    assert _run_reactions(tmp_path) == 0
+
+
 def _run_reactions(package: Path) -> int:
     """Compile the generated test as the package does, and run it."""
     compiler = shutil.which("cc")

@@ -2,12 +2,12 @@
 """The mobile base of the thesis, simulated: a drive that follows /cmd_vel, and its planner."""
 
 import math
+import time
 
-import rospy
+from ears import Ears, run
 from geometry_msgs.msg import Quaternion, Twist
 from mobile_base_safety.msg import State, Verdict
 from nav_msgs.msg import Odometry
-from ros1_ears import Ears, run
 from std_msgs.msg import Bool
 
 NODE = "/mobile_base_safety"
@@ -19,27 +19,26 @@ PATIENCE = 0.5  # s; without commands for longer than this the drive stops
 class Drive(Ears):
     """Publishes its pitch and its speed, and what its planner wants."""
 
-    def __init__(self):
-        super().__init__()
+    def __init__(self, *arguments):
+        super().__init__(*arguments)
         self.pitch = 0.0  # degrees
         self.wanted = 0.4  # m/s
         self._speed = 0.0
-        self._imu = rospy.Publisher("/imuInformation", Quaternion, queue_size=1)
-        self._odometry = rospy.Publisher("/odom", Odometry, queue_size=1)
-        self._planner = rospy.Publisher("/unfil_cmd_vel", Twist, queue_size=1)
+        self._imu = self.publisher("/imuInformation", Quaternion)
+        self._odometry = self.publisher("/odom", Odometry)
+        self._planner = self.publisher("/unfil_cmd_vel", Twist)
         self.hear("/cmd_vel", Twist, lambda m: m.linear.x)
         self.hear("/drive/boost", Bool, lambda m: m.data)
-        self.hear(NODE + "/state", State)
+        self.hear_latched(NODE + "/state", State)
         self.hear(NODE + "/verdicts", Verdict)
-        self.heard["speed"] = [[0.0, 0.0]]
-        rospy.Timer(rospy.Duration(PERIOD), self._move)
+        self.every(PERIOD, self._move)
 
-    def _move(self, _):
+    def _move(self):
         change = self._commanded() - self._speed
         self._speed += max(-ACCELERATION * PERIOD, min(ACCELERATION * PERIOD, change))
-        self.heard["speed"] = [[rospy.get_time(), self._speed]]
+        self.note("speed", self._speed)
         half = math.radians(self.pitch) / 2
-        self._imu.publish(Quaternion(0.0, math.sin(half), 0.0, math.cos(half)))
+        self._imu.publish(Quaternion(x=0.0, y=math.sin(half), z=0.0, w=math.cos(half)))
         odometry = Odometry()
         odometry.twist.twist.linear.x = self._speed
         self._odometry.publish(odometry)
@@ -48,8 +47,8 @@ class Drive(Ears):
         self._planner.publish(command)
 
     def _commanded(self):
-        told = self.heard["/cmd_vel"]
-        is_fresh = told and rospy.get_time() - told[-1][0] < PATIENCE
+        told = self.heard.get("/cmd_vel")
+        is_fresh = told and time.time() - told[-1][0] < PATIENCE
         return told[-1][1] if is_fresh else 0.0
 
 

@@ -8,21 +8,25 @@ from pathlib import Path
 import pytest
 
 from rossmarie.driver import compile_file
-from support.live import Ears, until
-from support.ros1_live import Ros1
+from support.live import Ears, Ros, until
 
-RULES = Path(__file__).parents[3] / "examples" / "thesis" / "mobile_base.ross"
+RULES = Path(__file__).parents[2] / "examples" / "thesis" / "mobile_base.ross"
 STATE = "/mobile_base_safety/state"
 LONG = 30.0
 """Seconds; conditions have to hold for 4 s, and the drive has to gain speed."""
 
 
+@pytest.fixture(scope="session")
+def program(ros: Ros) -> Path:
+    """The node of the listing."""
+    return ros.build(compile_file(RULES).machine)
+
+
 @pytest.fixture
-def drive(ros1: Ros1, tmp_path: Path) -> Iterator[Ears]:
-    """A drive on level ground that is to go at 0.4 m/s, and the node of the listing."""
-    program = ros1.build(compile_file(RULES).machine)
-    found = ros1.ears(script="ros1_drive.py")
-    node = ros1.begin(program, {"state_file": str(tmp_path / "latched")})
+def drive(ros: Ros, program: Path, tmp_path: Path) -> Iterator[Ears]:
+    """A drive on level ground that is to go at 0.4 m/s, and the node."""
+    found = ros.ears(script="drive.py")
+    node = ros.begin(program, {"state_file": str(tmp_path / "latched")})
     try:
         until(lambda: found.last("/cmd_vel") == 0.4, "commands flow")
         yield found

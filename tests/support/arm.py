@@ -1,0 +1,55 @@
+# mypy: ignore-errors
+"""The arm of the thesis, simulated: a controller, an action server, and the skill that uses it."""
+
+import math
+import time
+
+from arm_safety.msg import State
+from ears import Ears, Goals, run
+from geometry_msgs.msg import Vector3, Wrench
+from sensor_msgs.msg import JointState
+from std_msgs.msg import Bool
+
+NODE = "/arm_safety"
+PERIOD = 0.01  # s
+RETRACTED = "retracted"  # the pose in which the arm touches nothing
+SWING, FREQUENCY = 30.0, 2.0  # N, Hz; of an arm that presses on something
+
+
+class Arm(Ears):
+    """Publishes the force at its end effector and the velocity of its joints."""
+
+    def __init__(self, *arguments):
+        super().__init__(*arguments)
+        self.touches = False  # whether something is in the way unless the arm is retracted
+        self.obeys = True  # whether the arm stands without a goal
+        self._is_retracted = False
+        self._wrench = self.publisher("/Wrench", Wrench)
+        self._joints = self.publisher("/joint_states", JointState)
+        self._goals = Goals(self, "/arm", "heron_msgs/MoveArm", "pose", self._end_of)
+        self.offer_parameter("/arm_controller", "stiffness", 1000.0)
+        self.hear("/arm/stop", Bool, lambda m: m.data)
+        self.hear_latched(NODE + "/state", State)
+        self.every(PERIOD, self._publish)
+
+    def _publish(self):
+        swings = self.touches and not self._is_retracted
+        force = SWING * math.sin(2 * math.pi * FREQUENCY * time.time()) if swings else 0.0
+        self._wrench.publish(Wrench(force=Vector3(x=0.0, y=0.0, z=force)))
+        moves = self._goals.pursued is not None or not self.obeys
+        self._joints.publish(JointState(name=["elbow"], velocity=[0.2 if moves else 0.0]))
+
+    def _end_of(self, pose):
+        """The skill holds its pose until it is told otherwise."""
+        self._is_retracted = pose == RETRACTED
+        return "succeeds" if self._is_retracted else None
+
+    def answer(self, request):
+        """What a request asks for."""
+        if "goal" in request:
+            self._goals.send(request["goal"])
+        return super().answer(request)
+
+
+if __name__ == "__main__":
+    run(Arm)

@@ -1,0 +1,41 @@
+"""What a node of live tests remembers, and how it is asked: by lines of JSON.
+
+Runs with the Python of either generation of ROS, and needs nothing of it.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import time
+from collections import deque
+from typing import Any
+
+
+class Memory:
+    """What happened, under a topic or another name, and when."""
+
+    def __init__(self) -> None:
+        self.heard: dict[str, deque[list[Any]]] = {}
+
+    def note(self, name: str, what: object) -> None:
+        self.heard.setdefault(name, deque(maxlen=50000)).append([time.time(), what])
+
+    def answer(self, request: dict[str, Any]) -> Any:
+        """What a request asks for."""
+        for name, value in request.get("set", {}).items():
+            setattr(self, name, value)
+        if "forget" in request:
+            self.heard.get(request["forget"], deque()).clear()
+        if "heard" in request:
+            return list(self.heard.get(request["heard"], ()))
+        return None
+
+
+def serve(memory: Memory) -> None:
+    """Answer each line with a line until there are no more, and end, whatever threads there are."""
+    for line in sys.stdin:
+        sys.stdout.write(json.dumps(memory.answer(json.loads(line))) + "\n")
+        sys.stdout.flush()
+    os._exit(0)

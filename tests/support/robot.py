@@ -1,0 +1,132 @@
+# mypy: ignore-errors
+"""A robot and its planner for live tests: a ROS node that is told what to do by lines of JSON.
+
+What differs between the generations of ROS stands in `ros1_robot.py` and `ros2_robot.py`.
+"""
+
+import math
+import time
+
+from controller_manager_msgs.srv import SwitchController
+from diagnostic_msgs.msg import DiagnosticArray
+from ears import Ears, Goals
+from geometry_msgs.msg import Twist, TwistStamped
+from rosgraph_msgs.msg import Clock
+from sensor_msgs.msg import Imu, LaserScan
+from std_msgs.msg import Bool, String
+from std_srvs.srv import SetBool
+from vehicle_safety.msg import State, Verdict
+from vehicle_safety.srv import Exempt, Reset, Why
+
+NODE = "/vehicle_safety"
+RECOVERY = 99  # the goal of the rules
+
+
+class Robot(Ears):
+    """Publishes what it is told, and remembers what it hears.
+
+    `ACTION` is the type of its arm's goals; `SWITCHED` are the fields in which a controller manager
+    is told what to start and what to stop.
+    """
+
+    def __init__(self, *arguments):
+        super().__init__(*arguments)
+        self.pitch = None  # degrees, or "nan"; None: the IMU is silent
+        self.belated = None  # degrees; what the IMU says again and again with an older stamp
+        self.speed = None  # m/s, or "nan"; None: the planner is silent
+        self.arm_speed = None  # m/s; None: nobody commands the arm
+        self.near = None  # whether something is near; None: the scanner is silent
+        self.mode = "driving"
+        self.clock = None  # simulated time in s; None: there is none
+        self.moving = False  # whether the arm moves, goal or not
+        self.frozen = False  # the stamps of the IMU stand still
+        self.lamp = True  # whether the lamp answers with success
+        self.recovery = "goes on"  # what comes of the goal of the rules, or "succeeds", "aborts"
+        self.delay = 0.0  # s, after which the planner answers
+        self.switches = True  # whether the controller manager does what it is asked for
+        self._stamp_s = 1.0
+        self._imu = self.sensor("/imu/data", Imu)
+        self._planner = self.publisher("/unfil_cmd_vel", Twist)
+        self._arm_planner = self.publisher("/unfil_arm_vel", TwistStamped)
+        self._scan = None  # nobody publishes it before something is to be near or not
+        self._clock = None
+        self._mode = self.publisher("/mode", String)
+        self._arm_moving = self.publisher("/arm/moving", Bool)
+        self._goals = Goals(self, "/arm", self.ACTION, "goal", self._end_of)
+        self.hear("/cmd_vel", Twist, lambda m: m.linear.x)
+        self.hear("/arm_vel", TwistStamped, lambda m: [m.header.frame_id, m.twist.linear.x])
+        self.hear("/horn", Bool, lambda m: m.data)
+        self.hear_latched(NODE + "/state", State)
+        self.hear(NODE + "/verdicts", Verdict)
+        self.hear("/diagnostics", DiagnosticArray)
+        self.offer("/lamp", SetBool, self._switch_lamp)
+        self.every(0.01, self._publish_sensors)
+        self.every(0.02, self._publish_command)
+
+    def _publish_sensors(self):
+        if self.clock is not None:
+            self._clock = self._clock or self.publisher("/clock", Clock)
+            self.clock += 0.01
+            self._clock.publish(Clock(clock=self.time_of(self.clock)))
+        if not self.frozen:
+            self._stamp_s = time.time() if self.clock is None else self.clock
+        self._publish_pitch(self.pitch, self._stamp_s)
+        self._publish_pitch(self.belated, self._stamp_s - 0.05)
+        if self.near is not None:
+            self._scan = self._scan or self.sensor("/scan", LaserScan)
+            self._scan.publish(LaserScan(ranges=[2.0, 0.1 if self.near else 1.0]))
+        self._mode.publish(String(data=self.mode))
+        self._arm_moving.publish(Bool(data=self.moving))
+
+    def _publish_pitch(self, degrees, stamp_s):
+        if degrees is None:
+            return
+        message = Imu()
+        message.header.stamp = self.time_of(stamp_s)
+        message.orientation.y = math.sin(math.radians(float(degrees)) / 2)
+        message.orientation.w = math.cos(math.radians(float(degrees)) / 2)
+        self._imu.publish(message)
+
+    def _publish_command(self):
+        if self.speed is not None:
+            message = Twist()
+            message.linear.x = float(self.speed)
+            self._planner.publish(message)
+        if self.arm_speed is not None:
+            stamped = TwistStamped()
+            stamped.header.frame_id = "tool"
+            stamped.twist.linear.x = self.arm_speed
+            self._arm_planner.publish(stamped)
+
+    def _end_of(self, goal):
+        """Goals of the planner are pursued until they are cancelled."""
+        return self.recovery if goal == RECOVERY else None
+
+    def _offer_controllers(self):
+        service = "/controller_manager/switch_controller"
+        self.offer(service, SwitchController, self._switch_controllers)
+
+    def _switch_controllers(self, request):
+        asked = [list(getattr(request, field)) for field in self.SWITCHED]
+        self.note("/controllers", asked if request.strictness == request.STRICT else "not strict")
+        return {"ok": self.switches}
+
+    def _switch_lamp(self, request):
+        self.note("/lamp", request.data)
+        return {"success": self.lamp}
+
+    def answer(self, request):
+        """What a request asks for."""
+        if "goal" in request:
+            self._goals.send(request["goal"])
+        if "offer" in request:
+            getattr(self, "_offer_" + request["offer"])()
+        if "call" in request:
+            return self._call(request["call"], request["with"])
+        return super().answer(request)
+
+    def _call(self, name, arguments):
+        kind = {"reset": Reset, "why": Why, "exempt": Exempt}[name]
+        if "time" in arguments:
+            arguments["time"] = self.duration_of(arguments["time"])
+        return self.call(NODE + "/" + name, kind, arguments)

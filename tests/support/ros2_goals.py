@@ -1,0 +1,57 @@
+# mypy: ignore-errors
+"""An action server of ROS 2 for live tests, and a client behind the relay of the node."""
+
+import time
+
+from rclpy.action import ActionClient, ActionServer, CancelResponse
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rosidl_runtime_py.utilities import get_action
+
+
+class Goals:
+    """The server pursues a goal until it is cancelled, or until `end_of` says how it ends.
+
+    A goal is told by one of its fields.
+    """
+
+    def __init__(self, ears, server, action, field, end_of):
+        self.pursued = None
+        self._note, self._server_name = ears.note, server
+        self._field, self._end_of = field, end_of
+        package, _, name = action.partition("/")
+        self._kind = get_action(f"{package}/action/{name}")
+        group = ReentrantCallbackGroup()
+        self._server = ActionServer(
+            ears.node,
+            self._kind,
+            server,
+            self._pursue,
+            cancel_callback=lambda _: CancelResponse.ACCEPT,
+            callback_group=group,
+        )
+        relay = "/unfil_" + server[1:]
+        self._client = ActionClient(ears.node, self._kind, relay, callback_group=group)
+
+    def _pursue(self, goal):
+        wanted = self.pursued = getattr(goal.request, self._field)
+        self._note(self._server_name, ["begins", wanted])
+        ends = {"succeeds": goal.succeed, "aborts": goal.abort}
+        end = None
+        while end not in ends and not goal.is_cancel_requested:
+            time.sleep(0.01)
+            end = self._end_of(wanted)
+        self.pursued = None
+        self._note(self._server_name, [end if end in ends else "is cancelled", wanted])
+        ends.get(end, goal.canceled)()
+        return self._kind.Result()
+
+    def send(self, wanted):
+        self._client.wait_for_server(timeout_sec=5.0)
+        sent = self._client.send_goal_async(self._kind.Goal(**{self._field: wanted}))
+        sent.add_done_callback(
+            lambda done: (
+                done.result()
+                .get_result_async()
+                .add_done_callback(lambda _: self._note("/goals", ["ends", wanted]))
+            )
+        )
