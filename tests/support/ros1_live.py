@@ -109,7 +109,7 @@ class Ros1:
         return self.build(vehicle())
 
     def robot(self, variables: Mapping[str, str] | None = None) -> Robot:
-        """A new robot, of this master or of another; it lives in real time even if the node does not."""
+        """A new robot, of this master or of another. It lives in real time, the node need not."""
         assert self.vehicle.exists(), "the robot needs the messages of the node"
         used = variables or self.variables
         set_parameters(used, self.vehicle.name, {}, use_sim_time=False)
