@@ -15,6 +15,8 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from rossmarie.cache import cache_folder
+
 OPTIONS = ("-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared")
 
 
@@ -24,19 +26,6 @@ class NoCompilerError(Exception):
 
 class BuildError(Exception):
     """The C compiler did not accept the text: a fault of the program that wrote it."""
-
-
-def cache_folder() -> Path:
-    """Where libraries are kept: `$XDG_CACHE_HOME/rossmarie`, or `~/.cache/rossmarie`.
-
-    Raises `OSError` if there is no home directory.
-    """
-    named = os.environ.get("XDG_CACHE_HOME")
-    try:
-        base = Path(named) if named else Path.home() / ".cache"
-    except RuntimeError as error:
-        raise OSError(f"no folder for compiled monitors: {error}") from error
-    return base / "rossmarie"
 
 
 def compiler() -> list[str]:

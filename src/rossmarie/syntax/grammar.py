@@ -7,6 +7,7 @@ what the parser can take at that point. Values come from the methods of a builde
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
@@ -15,6 +16,7 @@ from typing import Any
 
 from lark import Lark, Transformer, UnexpectedInput
 
+from rossmarie.cache import cache_folder
 from rossmarie.syntax.scan import Scan, Token
 from rossmarie.syntax.words import (
     COMPARISONS,
@@ -83,16 +85,33 @@ class Grammar:
 
 @cache
 def load_grammar() -> Grammar:
-    """The parser of ross.lark; built once. Raises lark's `GrammarError` if it is not LALR(1)."""
+    """The parser of ross.lark; its tables are built once and kept in the user's cache folder.
+
+    Raises lark's `GrammarError` if it is not LALR(1).
+    """
     lark = Lark(
         (Path(__file__).parent / "ross.lark").read_text(encoding="utf-8"),
         parser="lalr",
         start=list(START_RULES),
         keep_all_tokens=True,
         maybe_placeholders=False,
+        cache=_kept_tables(),
     )
     literals = {term.name: str(term.pattern.value) for term in lark.terminals}
     return Grammar(lark, literals, {literal: name for name, literal in literals.items()})
+
+
+def _kept_tables() -> str | bool:
+    """The file that lark keeps its tables in, for this Python; False if there is no place for it.
+
+    Lark builds them anew if the file is of another grammar, of another lark, or broken.
+    """
+    try:
+        folder = cache_folder()
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return False
+    return str(folder / f"ross.{sys.implementation.cache_tag}.tables")
 
 
 class _Terminal(Token):
