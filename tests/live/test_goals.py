@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import signal
 import time
 from collections.abc import Callable
 
 import pytest
 
-from support.live import Process, Robot, until
+from support.live import Ears, Process, Robot, Ros, until
+from support.live_cases import ACTIONS
 
 Start = Callable[..., Process]
+Grip = Callable[[], Ears]
+
+LEASE = 15.0  # s, after which all know that a process was killed; ten are usual in ROS 2
 
 
 @pytest.fixture
@@ -20,6 +25,18 @@ def working(robot: Robot, start: Start) -> Robot:
     robot.ask(goal=7)
     until(lambda: robot.heard("/arm") == [["begins", 7]], "the arm begins")
     return robot
+
+
+@pytest.fixture
+def grip(ros: Ros, started: list[Process]) -> Grip:
+    """Starts the gripper."""
+
+    def grip() -> Ears:
+        gripper = ros.ears(ACTIONS[ros.name], script="gripper.py")
+        started.append(gripper)
+        return gripper
+
+    return grip
 
 
 def follows(robot: Robot, *events: list[object]) -> None:
@@ -118,3 +135,45 @@ def test_a_goal_for_a_server_that_is_not_there_fails(robot: Robot, start: Start)
     robot.set(mode="open")
     until(lambda: robot.states("grasp") == ["failed"], "its time is over")
     assert robot.states("cry") == ["done"]
+
+
+def test_a_goal_of_a_rule_whose_server_dies_fails(robot: Robot, start: Start, grip: Grip) -> None:
+    gripper = grip()
+    start()
+    robot.passes(1.0)
+    robot.set(mode="gripping")
+    until(lambda: gripper.heard("/gripper") == [["begins", 2]], "it begins")
+    gripper.end()
+    until(lambda: robot.states("grip") == ["failed"], "its server has gone", LEASE)
+
+
+def test_a_goal_is_sent_again_to_a_server_that_was_started_anew(
+    robot: Robot, start: Start, grip: Grip
+) -> None:
+    gripper = grip()
+    start()
+    robot.passes(1.0)
+    robot.ask(goal=7, of="/gripper")
+    until(lambda: gripper.heard("/gripper") == [["begins", 7]], "it begins")
+    robot.set(mode="loose")
+    until(lambda: robot.states("loosen") == ["holding"], "it is cancelled")
+    gripper.end()
+    anew = grip()
+    robot.set(mode="driving")
+    until(lambda: anew.heard("/gripper") == [["begins", 7]], "it is sent again", LEASE)
+    time.sleep(LEASE)
+    assert anew.heard("/gripper") == [["begins", 7]]
+
+
+@pytest.mark.parametrize("how", [signal.SIGSTOP, signal.SIGKILL])
+def test_a_server_that_says_nothing_is_not_taken_for_free(
+    robot: Robot, start: Start, grip: Grip, how: int
+) -> None:
+    gripper = grip()
+    start()
+    robot.passes(1.0)
+    robot.ask(goal=7, of="/gripper")
+    until(lambda: gripper.heard("/gripper") == [["begins", 7]], "it begins")
+    gripper.running.send_signal(how)
+    robot.set(mode="loose")
+    until(lambda: robot.states("loosen") == ["failed"], "the cancellation is not confirmed")

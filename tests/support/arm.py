@@ -5,7 +5,7 @@ import math
 import time
 
 from arm_safety.msg import State
-from ears import Ears, Goals, run
+from ears import Client, Ears, Server, run
 from geometry_msgs.msg import Vector3, Wrench
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Bool
@@ -26,7 +26,9 @@ class Arm(Ears):
         self._is_retracted = False
         self._wrench = self.publisher("/Wrench", Wrench)
         self._joints = self.publisher("/joint_states", JointState)
-        self._goals = Goals(self, "/arm", "heron_msgs/MoveArm", "pose", self._end_of)
+        action = ("/arm", "heron_msgs/MoveArm", "pose")
+        self._server = Server(self, *action, self._end_of)
+        self._client = Client(self, *action)
         self.offer_parameter("/arm_controller", "stiffness", 1000.0)
         self.hear("/arm/stop", Bool, lambda m: m.data)
         self.hear_latched(NODE + "/state", State)
@@ -36,7 +38,7 @@ class Arm(Ears):
         swings = self.touches and not self._is_retracted
         force = SWING * math.sin(2 * math.pi * FREQUENCY * time.time()) if swings else 0.0
         self._wrench.publish(Wrench(force=Vector3(x=0.0, y=0.0, z=force)))
-        moves = self._goals.pursued is not None or not self.obeys
+        moves = self._server.pursued is not None or not self.obeys
         self._joints.publish(JointState(name=["elbow"], velocity=[0.2 if moves else 0.0]))
 
     def _end_of(self, pose):
@@ -47,7 +49,7 @@ class Arm(Ears):
     def answer(self, request):
         """What a request asks for."""
         if "goal" in request:
-            self._goals.send(request["goal"])
+            self._client.send(request["goal"])
         return super().answer(request)
 
 

@@ -9,12 +9,12 @@ import sys
 
 if os.environ["ROS_VERSION"] == "1":
     from ros1_ears import Ears, run
-    from ros1_goals import Goals
+    from ros1_goals import Client, Server
 else:
     from ros2_ears import Ears, run
-    from ros2_goals import Goals
+    from ros2_goals import Client, Server
 
-__all__ = ["Ears", "Goals", "run"]
+__all__ = ["Client", "Ears", "Server", "run"]
 
 
 class Listener(Ears):

@@ -14,7 +14,7 @@ PACKAGES = {
 }
 """Packages that the robots need."""
 
-_ACTIONS = {"ros1": "actionlib/Test", "ros2": "arm_msgs/Move"}
+ACTIONS = {"ros1": "actionlib/Test", "ros2": "arm_msgs/Move"}
 _RULES = """
 action slow {
     limit /cmd_vel : geometry_msgs/Twist {
@@ -39,6 +39,8 @@ action freeze { cancel /arm confirm by not moving within 1 sec then resend else 
 action cry { log error "the arm does not stop"; }
 action retract { send ACTION { goal = 99; } to /arm within 6 sec then resend else cry; }
 action grasp { send ACTION { goal = 1; } to /gripper within 1 sec else cry; }
+action grip { send ACTION { goal = 2; } to /gripper within 60 sec; }
+action loosen { cancel /gripper then resend; }
 action careful { set /planner.double_ to 0.5 else cry; }
 action creep { set /planner.double_ to 0.1; }
 action name { set /planner.double_ to "slow"; }
@@ -55,6 +57,8 @@ rule touched: if mode == "touched" or mode == "both" then { retract; };
 rule paused: if mode == "paused" or mode == "both" then { freeze; };
 rule stuck: if mode == "stuck" then { freeze; retract; };
 rule open: if mode == "open" then { grasp; };
+rule gripping: if mode == "gripping" then { grip; };
+rule loose: if mode == "loose" then { loosen; };
 rule icy: if mode == "icy" then { creep; };
 rule slippery: if mode == "slippery" or mode == "icy" then { careful; };
 rule named: if mode == "named" then { name; };
@@ -65,7 +69,7 @@ rule held: if mode == "held" then { soften; };
 
 def rules(generation: str = "ros1") -> str:
     """The rules of the vehicle, with the action that its arm has in a generation of ROS."""
-    return _RULES.replace("ACTION", _ACTIONS[generation])
+    return _RULES.replace("ACTION", ACTIONS[generation])
 
 
 def vehicle(generation: str = "ros1") -> ir.Machine:

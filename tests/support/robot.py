@@ -9,7 +9,7 @@ import time
 
 from controller_manager_msgs.srv import SwitchController
 from diagnostic_msgs.msg import DiagnosticArray
-from ears import Ears, Goals
+from ears import Client, Ears, Server
 from geometry_msgs.msg import Twist, TwistStamped
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Imu, LaserScan
@@ -25,7 +25,7 @@ RECOVERY = 99  # the goal of the rules
 class Robot(Ears):
     """Publishes what it is told, and remembers what it hears.
 
-    `ACTION` is the type of its arm's goals; `SWITCHED` are the fields in which a controller manager
+    `ACTION` is the type of its goals; `SWITCHED` are the fields in which a controller manager
     is told what to start and what to stop.
     """
 
@@ -52,7 +52,9 @@ class Robot(Ears):
         self._clock = None
         self._mode = self.publisher("/mode", String)
         self._arm_moving = self.publisher("/arm/moving", Bool)
-        self._goals = Goals(self, "/arm", self.ACTION, "goal", self._end_of)
+        self._arm = Server(self, "/arm", self.ACTION, "goal", self._end_of)
+        servers = ("/arm", "/gripper")  # of the gripper: see `gripper.py`
+        self._clients = {name: Client(self, name, self.ACTION, "goal") for name in servers}
         self.hear("/cmd_vel", Twist, lambda m: m.linear.x)
         self.hear("/arm_vel", TwistStamped, lambda m: [m.header.frame_id, m.twist.linear.x])
         self.hear("/horn", Bool, lambda m: m.data)
@@ -118,7 +120,7 @@ class Robot(Ears):
     def answer(self, request):
         """What a request asks for."""
         if "goal" in request:
-            self._goals.send(request["goal"])
+            self._clients[request.get("of", "/arm")].send(request["goal"])
         if "offer" in request:
             getattr(self, "_offer_" + request["offer"])()
         if "call" in request:

@@ -85,7 +85,7 @@ def plain(value):
     return value
 
 
-def run(make):
+def run(make, name="robot"):
     """Answer requests until there are no more."""
-    rospy.init_node("robot", disable_signals=True)
+    rospy.init_node(name, disable_signals=True)
     serve(make())

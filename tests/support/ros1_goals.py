@@ -1,5 +1,5 @@
 # mypy: ignore-errors
-"""An action server of ROS 1 for live tests, and its client."""
+"""Action servers of ROS 1 for live tests, and their clients."""
 
 import time
 
@@ -8,8 +8,8 @@ import roslib.message
 import rospy
 
 
-class Goals:
-    """The server pursues a goal until it is cancelled, or until `end_of` says how it ends.
+class Server:
+    """Pursues a goal until it is cancelled, or until `end_of` says how it ends.
 
     A goal is told by one of its fields.
     """
@@ -19,10 +19,8 @@ class Goals:
         self._note, self._server_name = ears.note, server
         self._field, self._end_of = field, end_of
         kind = roslib.message.get_message_class(action + "Action")
-        self._goal = type(kind().action_goal.goal)
         self._server = actionlib.SimpleActionServer(server, kind, self._pursue, False)
         self._server.start()
-        self._client = actionlib.SimpleActionClient(server, kind)
 
     def _pursue(self, goal):
         wanted = self.pursued = getattr(goal, self._field)
@@ -35,6 +33,16 @@ class Goals:
         self.pursued = None
         self._note(self._server_name, [end if end in ends else "is cancelled", wanted])
         ends.get(end, self._server.set_preempted)()
+
+
+class Client:
+    """Sends goals to a server."""
+
+    def __init__(self, ears, server, action, field):
+        self._note, self._field = ears.note, field
+        kind = roslib.message.get_message_class(action + "Action")
+        self._goal = type(kind().action_goal.goal)
+        self._client = actionlib.SimpleActionClient(server, kind)
 
     def send(self, wanted):
         """Waits for the server and for the node: it cannot send again what it has not heard."""

@@ -104,10 +104,10 @@ def plain(value):
     return value
 
 
-def run(make):
+def run(make, name="robot"):
     """Answer requests until there are no more."""
     rclpy.init()
-    node = rclpy.create_node("robot")
+    node = rclpy.create_node(name)
     executor = MultiThreadedExecutor(6)
     executor.add_node(node)
     ears = make(node)

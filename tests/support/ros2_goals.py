@@ -1,5 +1,5 @@
 # mypy: ignore-errors
-"""An action server of ROS 2 for live tests, and a client behind the relay of the node."""
+"""Action servers of ROS 2 for live tests, and clients before the relays of the node."""
 
 import time
 
@@ -8,8 +8,8 @@ from rclpy.callback_groups import ReentrantCallbackGroup
 from rosidl_runtime_py.utilities import get_action
 
 
-class Goals:
-    """The server pursues a goal until it is cancelled, or until `end_of` says how it ends.
+class Server:
+    """Pursues a goal until it is cancelled, or until `end_of` says how it ends.
 
     A goal is told by one of its fields.
     """
@@ -18,19 +18,15 @@ class Goals:
         self.pursued = None
         self._note, self._server_name = ears.note, server
         self._field, self._end_of = field, end_of
-        package, _, name = action.partition("/")
-        self._kind = get_action(f"{package}/action/{name}")
-        group = ReentrantCallbackGroup()
+        self._kind = kind_of(action)
         self._server = ActionServer(
             ears.node,
             self._kind,
             server,
             self._pursue,
             cancel_callback=lambda _: CancelResponse.ACCEPT,
-            callback_group=group,
+            callback_group=ReentrantCallbackGroup(),
         )
-        relay = "/unfil_" + server[1:]
-        self._client = ActionClient(ears.node, self._kind, relay, callback_group=group)
 
     def _pursue(self, goal):
         wanted = self.pursued = getattr(goal.request, self._field)
@@ -45,6 +41,16 @@ class Goals:
         ends.get(end, goal.canceled)()
         return self._kind.Result()
 
+
+class Client:
+    """Sends goals to the relay of a server."""
+
+    def __init__(self, ears, server, action, field):
+        self._note, self._field, self._kind = ears.note, field, kind_of(action)
+        relay = "/unfil_" + server[1:]
+        group = ReentrantCallbackGroup()
+        self._client = ActionClient(ears.node, self._kind, relay, callback_group=group)
+
     def send(self, wanted):
         self._client.wait_for_server(timeout_sec=5.0)
         sent = self._client.send_goal_async(self._kind.Goal(**{self._field: wanted}))
@@ -55,3 +61,9 @@ class Goals:
                 .add_done_callback(lambda _: self._note("/goals", ["ends", wanted]))
             )
         )
+
+
+def kind_of(action):
+    """The type of an action that is called like `arm_msgs/Move`."""
+    package, _, name = action.partition("/")
+    return get_action(f"{package}/action/{name}")

@@ -42,6 +42,15 @@ def test_a_node_that_is_deactivated_stops_the_robot(ros2: Ros2, robot: Robot, st
     robot.passes(1.0)
 
 
+def test_goals_do_not_go_on_without_the_node(ros2: Ros2, robot: Robot, start: Start) -> None:
+    start()
+    robot.passes(1.0)
+    robot.ask(goal=7)
+    until(lambda: robot.heard("/arm") == [["begins", 7]], "the arm begins")
+    assert "successful" in command(ros2, "lifecycle", "set", NODE, "deactivate")
+    until(lambda: robot.last("/arm") == ["is cancelled", 7], "it is cancelled")
+
+
 def test_a_node_that_cannot_keep_its_latched_rules_stays_active(
     ros2: Ros2, robot: Robot, start: Start, tmp_path: Path
 ) -> None:

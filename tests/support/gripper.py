@@ -1,0 +1,21 @@
+# mypy: ignore-errors
+"""The gripper of the robot for live tests, in a process of its own: `gripper.py ACTION`.
+
+It pursues each goal until it is cancelled, or until it dies.
+"""
+
+import sys
+
+from ears import Ears, Server, run
+
+
+class Gripper(Ears):
+    """An action server."""
+
+    def __init__(self, *arguments):
+        super().__init__(*arguments)
+        self._server = Server(self, "/gripper", sys.argv[1], "goal", lambda _: None)
+
+
+if __name__ == "__main__":
+    run(Gripper, "gripper")
