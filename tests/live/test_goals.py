@@ -177,3 +177,18 @@ def test_a_server_that_says_nothing_is_not_taken_for_free(
     gripper.running.send_signal(how)
     robot.set(mode="loose")
     until(lambda: robot.states("loosen") == ["failed"], "the cancellation is not confirmed")
+
+
+def test_a_server_that_dies_while_it_cancels_is_not_taken_for_free(
+    robot: Robot, start: Start, grip: Grip
+) -> None:
+    gripper = grip()
+    start()
+    robot.passes(1.0)
+    robot.ask(goal=7, of="/gripper")
+    until(lambda: gripper.heard("/gripper") == [["begins", 7]], "it begins")
+    gripper.ask(obeys=False)
+    robot.set(mode="loose")
+    time.sleep(0.5)  # the server has said that it is at it
+    gripper.end()
+    until(lambda: robot.states("loosen") == ["failed"], "the cancellation is not confirmed")

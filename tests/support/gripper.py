@@ -16,6 +16,12 @@ class Gripper(Ears):
         super().__init__(*arguments)
         self._server = Server(self, "/gripper", sys.argv[1], "goal", lambda _: None)
 
+    def answer(self, request):
+        """What a request asks for."""
+        if "obeys" in request:
+            self._server.obeys = request["obeys"]
+        return super().answer(request)
+
 
 if __name__ == "__main__":
     run(Gripper, "gripper")

@@ -16,6 +16,7 @@ class Server:
 
     def __init__(self, ears, server, action, field, end_of):
         self.pursued = None
+        self.obeys = True  # whether it lets itself be cancelled
         self._note, self._server_name = ears.note, server
         self._field, self._end_of = field, end_of
         kind = roslib.message.get_message_class(action + "Action")
@@ -27,7 +28,7 @@ class Server:
         self._note(self._server_name, ["begins", wanted])
         ends = {"succeeds": self._server.set_succeeded, "aborts": self._server.set_aborted}
         end = None
-        while end not in ends and not self._server.is_preempt_requested():
+        while end not in ends and not (self.obeys and self._server.is_preempt_requested()):
             rospy.sleep(0.01)
             end = self._end_of(wanted)
         self.pursued = None

@@ -16,6 +16,7 @@ class Server:
 
     def __init__(self, ears, server, action, field, end_of):
         self.pursued = None
+        self.obeys = True  # whether it lets itself be cancelled
         self._note, self._server_name = ears.note, server
         self._field, self._end_of = field, end_of
         self._kind = kind_of(action)
@@ -33,7 +34,7 @@ class Server:
         self._note(self._server_name, ["begins", wanted])
         ends = {"succeeds": goal.succeed, "aborts": goal.abort}
         end = None
-        while end not in ends and not goal.is_cancel_requested:
+        while end not in ends and not (self.obeys and goal.is_cancel_requested):
             time.sleep(0.01)
             end = self._end_of(wanted)
         self.pursued = None
