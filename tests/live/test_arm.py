@@ -55,7 +55,8 @@ def test_an_arm_that_oscillates_is_retracted_and_tries_again(placing: Ears) -> N
     ((softened, stiffness),) = placing.ask(heard=STIFFNESS)
     assert stiffness == 200.0
     cancelled, retracting = (at for at, _ in placing.ask(heard="/arm")[-3:-1])
-    assert cancelled < softened < retracting
+    stands = min(at for at, speed in placing.ask(heard="speed") if at > cancelled and speed == 0.0)
+    assert stands < softened < retracting
     placing.set(touches=False)
     follows(placing, ["succeeds", "retracted"], ["begins", "placed"])
     until(lambda: placing.heard(STIFFNESS) == [200.0, 1000.0], "it is as stiff as before")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -40,8 +41,14 @@ def test_a_slope_is_climbed_with_more_torque(drive: Ears) -> None:
     until(lambda: drive.last("/drive/boost") is True, "more torque is asked for", LONG)
     assert drive.last(STATE)["active"] == ["rule_1"]
     assert drive.last("/cmd_vel") == 0.4
+    drive.ask(forget="/drive/boost")
+    until(lambda: drive.last("/drive/boost") is True, "it is asked for again and again")
     drive.set(pitch=0.0)
     until(lambda: drive.last(STATE)["active"] == [], "the slope is over")
+    time.sleep(0.5)
+    drive.ask(forget="/drive/boost")
+    time.sleep(0.5)
+    assert drive.heard("/drive/boost") == []
 
 
 def test_a_ramp_is_left_backwards_and_then_commands_flow_again(drive: Ears) -> None:
@@ -56,6 +63,7 @@ def test_a_ramp_is_left_backwards_and_then_commands_flow_again(drive: Ears) -> N
     after = told[told.index(-0.1) :]
     back = [speed for speed in after if speed < 0.0]
     assert set(back) == {-0.1}
+    assert len(back) > 3, "again and again, until it moves no more"
     assert after[: len(back)] == back, "nothing of the planner's comes between"
     gentle = after[len(back) :]
     assert 0.2 <= gentle[0] < 0.4
@@ -66,6 +74,7 @@ def test_high_speed_is_limited_until_it_is_over(drive: Ears) -> None:
     drive.set(wanted=0.8)
     until(lambda: drive.last("/cmd_vel") == 0.8, "0.8 m/s is commanded")
     until(lambda: drive.last("/cmd_vel") == 0.2, "at most 0.2 m/s passes", LONG)
+    until(lambda: drive.last("/cmd_vel") > 0.2, "the limit is lifted")
+    assert drive.last("speed") <= 0.5
     drive.set(wanted=0.4)
     until(lambda: drive.last("/cmd_vel") == 0.4, "commands flow again")
-    assert drive.last("speed") <= 0.5

@@ -24,8 +24,11 @@ from support.ros1_live import Ros1
 HUSKY = Path(__file__).parents[2] / "examples" / "husky" / "husky.ross"
 DRIVE = Path(__file__).parents[3] / "shared" / "data" / "husky_outdoor.bag"
 
-Changes = list[tuple[str, int]]
-"""Rules, and how they changed."""
+Changes = list[tuple[str, int, Any]]
+"""Rules, how they changed, and when, in s of the recording's clock."""
+
+NEAR = 0.2
+"""Seconds by which the instants may differ: what is played comes late on a busy machine."""
 
 Play = Callable[[], Process]
 
@@ -40,7 +43,11 @@ def replayed(
     """What `rossmarie replay` says of a part of a recording."""
     replay, _ = replay_file(rules, recording, topic_map={}, message_folders=message_folders)
     return [
-        (replay.machine.rules[event.rule].name, int(event.change))
+        (
+            replay.machine.rules[event.rule].name,
+            int(event.change),
+            pytest.approx(event.at_ns / 1e9, abs=NEAR),
+        )
         for event in replay.events
         if isinstance(event, Verdict) and begin_s <= (event.at_ns - replay.start_ns) / 1e9 <= end_s
     ]
@@ -60,7 +67,7 @@ def says(ros: Ros, program: Path, latched: Path, play: Play, count: int) -> Chan
         started.callback(player.end)
         assert player.running.wait(150) == 0, player.said()
         until(lambda: len(ears.heard(verdicts)) >= count, f"{count} verdicts")
-        return [(told["rule"], told["change"]) for told in ears.heard(verdicts)]
+        return [(told["rule"], told["change"], told["at"]) for told in ears.heard(verdicts)]
 
 
 def test_a_drive_gives_the_same_verdicts(ros: Ros, tmp_path: Path) -> None:

@@ -14,6 +14,7 @@ NODE = "/arm_safety"
 PERIOD = 0.01  # s
 RETRACTED = "retracted"  # the pose in which the arm touches nothing
 SWING, FREQUENCY = 30.0, 2.0  # N, Hz; of an arm that presses on something
+BRAKING = 0.1  # s; for so long the arm moves on when its goal is over
 
 
 class Arm(Ears):
@@ -24,6 +25,7 @@ class Arm(Ears):
         self.touches = False  # whether something is in the way unless the arm is retracted
         self.obeys = True  # whether the arm stands without a goal
         self._is_retracted = False
+        self._moved_at = 0.0
         self._wrench = self.publisher("/Wrench", Wrench)
         self._joints = self.publisher("/joint_states", JointState)
         action = ("/arm", "heron_msgs/MoveArm", "pose")
@@ -38,8 +40,11 @@ class Arm(Ears):
         swings = self.touches and not self._is_retracted
         force = SWING * math.sin(2 * math.pi * FREQUENCY * time.time()) if swings else 0.0
         self._wrench.publish(Wrench(force=Vector3(x=0.0, y=0.0, z=force)))
-        moves = self._server.pursued is not None or not self.obeys
-        self._joints.publish(JointState(name=["elbow"], velocity=[0.2 if moves else 0.0]))
+        if self._server.pursued is not None or not self.obeys:
+            self._moved_at = time.time()
+        speed = 0.2 if time.time() - self._moved_at < BRAKING else 0.0
+        self.note("speed", speed)
+        self._joints.publish(JointState(name=["elbow"], velocity=[speed]))
 
     def _end_of(self, pose):
         """The skill holds its pose until it is told otherwise."""

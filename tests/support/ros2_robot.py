@@ -5,6 +5,7 @@ import time
 
 import rclpy
 from ears import run
+from geometry_msgs.msg import Twist
 from rcl_interfaces.msg import SetParametersResult
 from robot import NODE, Robot
 from ros2_ears import LATCHED
@@ -38,13 +39,21 @@ class Robot2(Robot):
         if "reliabilities" in request:
             return {topic: self._reliability(topic) for topic in request["reliabilities"]}
         if "keep" in request:
-            self._keep_scan()
+            getattr(self, "_keep_" + request["keep"])()
         return super().answer(request)
 
     def _keep_scan(self):
         """Says once that something is near, to those who come later, too."""
         self._scan = self.node.create_publisher(LaserScan, "/scan", LATCHED)
         self._scan.publish(LaserScan(ranges=[0.1]))
+
+    def _keep_command(self):
+        """The planner says 0.7 m/s once, to those who come later, too."""
+        self.node.destroy_publisher(self._planner)
+        self._planner = self.node.create_publisher(Twist, "/unfil_cmd_vel", LATCHED)
+        message = Twist()
+        message.linear.x = 0.7
+        self._planner.publish(message)
 
     def _reliability(self, topic):
         """The one that the node asks for."""

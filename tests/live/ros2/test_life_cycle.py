@@ -69,7 +69,9 @@ def test_parameters_are_fixed_while_it_runs(ros2: Ros2, robot: Robot, start: Sta
     assert "read-only" in command(ros2, "param", "set", NODE, "patience", "100.0")
 
 
-def test_the_node_is_a_component(ros2: Ros2, robot: Robot, started: list[Process]) -> None:
+def test_the_node_is_a_component(
+    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+) -> None:
     log = Path(ros2.variables["ROS_LOG_DIR"]) / "container.log"
     container = ["ros2", "run", "rclcpp_components", "component_container_mt"]
     started.append(Process(container, ros2.variables, log))
@@ -80,8 +82,10 @@ def test_the_node_is_a_component(ros2: Ros2, robot: Robot, started: list[Process
         "vehicle_safety",
         "vehicle_safety::SafetyNode",
     ]
-    settings = ["-p", f"state_file:={log.parent / 'latched'}"]
+    settings = ["-p", f"state_file:={tmp_path / 'latched'}"]
     until(lambda: "Loaded component" in command(ros2, *load, *settings), "it is loaded", 60)
     robot.passes(1.0)
     robot.set(pitch=15.0)
     robot.passes(0.2)
+    robot.set(pitch=40.0)
+    until((tmp_path / "latched").exists, "it has the parameters that it was loaded with")
