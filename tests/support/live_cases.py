@@ -88,7 +88,7 @@ def acting(effects: str) -> ir.Machine:
 
 
 def sensors(count: int) -> str:
-    """A rule on each of the topics of `ros1_talker`, and commands that they bound."""
+    """A rule on each topic of `ros1_talker` or `ros2_talker`, and commands that they bound."""
     return "".join(
         f"""
 action slow_{i} {{

@@ -6,7 +6,8 @@ import shutil
 import socket
 import subprocess
 import xmlrpc.client
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
 from typing import Any, cast
@@ -99,7 +100,7 @@ class Ros1:
         self._folder = folder
         self._workspace = folder / "workspace"
         self.variables = environment(folder, free_port())
-        self._master = Master(self.variables, folder / "master.log")
+        self._master = self._new_master()
         for package in PACKAGES["ros1"].iterdir():
             shutil.copytree(package, self._workspace / "src" / package.name)
 
@@ -108,13 +109,24 @@ class Ros1:
         """The program of the node of the vehicle."""
         return self.build(vehicle())
 
-    def robot(self, variables: Mapping[str, str] | None = None) -> Robot:
-        """A new robot, of this master or of another. It lives in real time, the node need not."""
+    @contextmanager
+    def without_master(self) -> Iterator[None]:
+        """The master ends; after that there is a new one, at the same place."""
+        self._master.end()
+        try:
+            yield
+        finally:
+            self._master = self._new_master()
+
+    def _new_master(self) -> Master:
+        return Master(self.variables, self._folder / "master.log")
+
+    def robot(self) -> Robot:
+        """A new robot. It lives in real time, the node need not."""
         assert self.vehicle.exists(), "the robot needs the messages of the node"
-        used = variables or self.variables
-        set_parameters(used, self.vehicle.name, {}, use_sim_time=False)
+        set_parameters(self.variables, self.vehicle.name, {}, use_sim_time=False)
         command = [str(PYTHON), str(_HERE / "ros1_robot.py")]
-        return Robot(command, used, self._folder / "robot.log")
+        return Robot(command, self.variables, self._folder / "robot.log")
 
     def ears(self, *arguments: str, script: str = "ears.py") -> Ears:
         """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
@@ -132,19 +144,14 @@ class Ros1:
         set_parameters(self.variables, program.name, parameters, use_sim_time=use_sim_time)
         return Process([str(program)], self.variables, self._folder / f"{program.name}.log")
 
-    def launch(
-        self,
-        folder: Path,
-        parameters: Mapping[str, object],
-        variables: Mapping[str, str] | None = None,
-    ) -> Process:
+    def launch(self, folder: Path, parameters: Mapping[str, object]) -> Process:
         """Launch the node with a planner that wants 0.7 m/s; `folder` is for files of the test."""
         planner = folder / "planner.launch"
         planner.write_text(_PLANNER, encoding="utf-8")
-        used = variables or self.variables
-        set_parameters(used, self.vehicle.name, parameters, use_sim_time=False)
+        set_parameters(self.variables, self.vehicle.name, parameters, use_sim_time=False)
         command = ["/usr/bin/roslaunch", "vehicle_safety", "vehicle_safety.launch"]
-        return Process([*command, f"commands:={planner}"], used, self._folder / "launch.log")
+        log = self._folder / "launch.log"
+        return Process([*command, f"commands:={planner}"], self.variables, log)
 
     def node_process(self) -> int | None:
         """The process of the node of the vehicle, None if there is none."""

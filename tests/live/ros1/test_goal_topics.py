@@ -3,31 +3,23 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
-from pathlib import Path
+from collections.abc import Callable
 
 import pytest
 
-from support.live import Robot, until
-from support.ros1_live import Ros1
+from support.live import Process, Robot, until
 
 
 @pytest.fixture
-def working(ros1: Ros1, tmp_path: Path) -> Iterator[Robot]:
+def working(robot: Robot, start: Callable[..., Process]) -> Robot:
     """A robot whose arm pursues the goal of a rule instead of goal 7."""
-    robot = ros1.robot()
-    node = ros1.start({"state_file": str(tmp_path / "latched")})
-    try:
-        robot.set(pitch=0.0, speed=1.0)
-        robot.passes(1.0)
-        robot.ask(goal=7)
-        until(lambda: robot.last("/arm") == ["begins", 7], "the arm begins")
-        robot.set(mode="touched")
-        until(lambda: robot.last("/arm") == ["begins", 99], "the goal of the rule takes its place")
-        yield robot
-    finally:
-        node.end()
-        robot.end()
+    start()
+    robot.passes(1.0)
+    robot.ask(goal=7)
+    until(lambda: robot.last("/arm") == ["begins", 7], "the arm begins")
+    robot.set(mode="touched")
+    until(lambda: robot.last("/arm") == ["begins", 99], "the goal of the rule takes its place")
+    return robot
 
 
 def test_a_goal_of_a_rule_that_others_replace_fails(working: Robot) -> None:
