@@ -108,10 +108,12 @@ def _kept_tables() -> str | bool:
     """
     try:
         folder = cache_folder()
-        folder.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        can_others_write = folder.stat().st_mode & 0o002
     except OSError:
         return False
-    return str(folder / f"ross.{sys.implementation.cache_tag}.tables")
+    # The tables are code: nobody else may put them there.
+    return not can_others_write and str(folder / f"ross.{sys.implementation.cache_tag}.tables")
 
 
 class _Terminal(Token):

@@ -66,3 +66,10 @@ def test_nobody_has_a_home(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr(Path, "home", homeless)
     assert rules(loaded())
     assert not cache.exists()
+
+
+def test_nothing_is_taken_from_a_folder_that_others_may_write_to(cache: Path) -> None:
+    (cache / "rossmarie").mkdir(parents=True)
+    (cache / "rossmarie").chmod(0o777)
+    assert rules(loaded())
+    assert list((cache / "rossmarie").iterdir()) == []
