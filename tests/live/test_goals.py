@@ -29,12 +29,12 @@ def working(robot: Robot, start: Start) -> Robot:
 
 @pytest.fixture
 def grip(ros: Ros, started: list[Process]) -> Grip:
-    """Starts the gripper."""
+    """Starts the hand."""
 
     def grip() -> Ears:
-        gripper = ros.ears(ACTIONS[ros.name], script="gripper.py")
-        started.append(gripper)
-        return gripper
+        hand = ros.ears(ACTIONS[ros.name], script="hand.py")
+        started.append(hand)
+        return hand
 
     return grip
 
@@ -138,43 +138,43 @@ def test_a_goal_for_a_server_that_is_not_there_fails(robot: Robot, start: Start)
 
 
 def test_a_goal_of_a_rule_whose_server_dies_fails(robot: Robot, start: Start, grip: Grip) -> None:
-    gripper = grip()
+    hand = grip()
     start()
     robot.passes(1.0)
     robot.set(mode="gripping")
-    until(lambda: gripper.heard("/gripper") == [["begins", 2]], "it begins")
-    gripper.end()
+    until(lambda: hand.heard("/hand") == [["begins", 2]], "it begins")
+    hand.end()
     until(lambda: robot.states("grip") == ["failed"], "its server has gone", LEASE)
 
 
 def test_a_goal_is_sent_again_to_a_server_that_was_started_anew(
     robot: Robot, start: Start, grip: Grip
 ) -> None:
-    gripper = grip()
+    hand = grip()
     start()
     robot.passes(1.0)
-    robot.ask(goal=7, of="/gripper")
-    until(lambda: gripper.heard("/gripper") == [["begins", 7]], "it begins")
+    robot.ask(goal=7, of="/hand")
+    until(lambda: hand.heard("/hand") == [["begins", 7]], "it begins")
     robot.set(mode="loose")
     until(lambda: robot.states("loosen") == ["holding"], "it is cancelled")
-    gripper.end()
+    hand.end()
     anew = grip()
     robot.set(mode="driving")
-    until(lambda: anew.heard("/gripper") == [["begins", 7]], "it is sent again", LEASE)
+    until(lambda: anew.heard("/hand") == [["begins", 7]], "it is sent again", LEASE)
     time.sleep(LEASE)
-    assert anew.heard("/gripper") == [["begins", 7]]
+    assert anew.heard("/hand") == [["begins", 7]]
 
 
 @pytest.mark.parametrize("how", [signal.SIGSTOP, signal.SIGKILL])
 def test_a_server_that_says_nothing_is_not_taken_for_free(
     robot: Robot, start: Start, grip: Grip, how: int
 ) -> None:
-    gripper = grip()
+    hand = grip()
     start()
     robot.passes(1.0)
-    robot.ask(goal=7, of="/gripper")
-    until(lambda: gripper.heard("/gripper") == [["begins", 7]], "it begins")
-    gripper.running.send_signal(how)
+    robot.ask(goal=7, of="/hand")
+    until(lambda: hand.heard("/hand") == [["begins", 7]], "it begins")
+    hand.running.send_signal(how)
     robot.set(mode="loose")
     until(lambda: robot.states("loosen") == ["failed"], "the cancellation is not confirmed")
 
@@ -182,13 +182,13 @@ def test_a_server_that_says_nothing_is_not_taken_for_free(
 def test_a_server_that_dies_while_it_cancels_is_not_taken_for_free(
     robot: Robot, start: Start, grip: Grip
 ) -> None:
-    gripper = grip()
+    hand = grip()
     start()
     robot.passes(1.0)
-    robot.ask(goal=7, of="/gripper")
-    until(lambda: gripper.heard("/gripper") == [["begins", 7]], "it begins")
-    gripper.ask(obeys=False)
+    robot.ask(goal=7, of="/hand")
+    until(lambda: hand.heard("/hand") == [["begins", 7]], "it begins")
+    hand.ask(obeys=False)
     robot.set(mode="loose")
     time.sleep(0.5)  # the server has said that it is at it
-    gripper.end()
+    hand.end()
     until(lambda: robot.states("loosen") == ["failed"], "the cancellation is not confirmed")

@@ -39,8 +39,8 @@ action freeze { cancel /arm confirm by not moving within 1 sec then resend else 
 action cry { log error "the arm does not stop"; }
 action retract { send ACTION { goal = 99; } to /arm within 6 sec then resend else cry; }
 action grasp { send ACTION { goal = 1; } to /gripper within 1 sec else cry; }
-action grip { send ACTION { goal = 2; } to /gripper within 60 sec; }
-action loosen { cancel /gripper then resend; }
+action grip { send ACTION { goal = 2; } to /hand within 60 sec; }
+action loosen { cancel /hand then resend; }
 action careful { set /planner.double_ to 0.5 else cry; }
 action creep { set /planner.double_ to 0.1; }
 action name { set /planner.double_ to "slow"; }

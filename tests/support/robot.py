@@ -53,7 +53,7 @@ class Robot(Ears):
         self._mode = self.publisher("/mode", String)
         self._arm_moving = self.publisher("/arm/moving", Bool)
         self._arm = Server(self, "/arm", self.ACTION, "goal", self._end_of)
-        servers = ("/arm", "/gripper")  # of the gripper: see `gripper.py`
+        servers = ("/arm", "/hand")  # of the hand: see `hand.py`
         self._clients = {name: Client(self, name, self.ACTION, "goal") for name in servers}
         self.hear("/cmd_vel", Twist, lambda m: m.linear.x)
         self.hear("/arm_vel", TwistStamped, lambda m: [m.header.frame_id, m.twist.linear.x])

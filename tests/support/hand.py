@@ -1,5 +1,5 @@
 # mypy: ignore-errors
-"""The gripper of the robot for live tests, in a process of its own: `gripper.py ACTION`.
+"""The hand of the robot for live tests, in a process of its own: `hand.py ACTION`.
 
 It pursues each goal until it is cancelled, or until it dies.
 """
@@ -9,12 +9,12 @@ import sys
 from ears import Ears, Server, run
 
 
-class Gripper(Ears):
+class Hand(Ears):
     """An action server."""
 
     def __init__(self, *arguments):
         super().__init__(*arguments)
-        self._server = Server(self, "/gripper", sys.argv[1], "goal", lambda _: None)
+        self._server = Server(self, "/hand", sys.argv[1], "goal", lambda _: None)
 
     def answer(self, request):
         """What a request asks for."""
@@ -24,4 +24,4 @@ class Gripper(Ears):
 
 
 if __name__ == "__main__":
-    run(Gripper, "gripper")
+    run(Hand, "hand")
