@@ -53,7 +53,7 @@ class Client:
         self._client = ActionClient(ears.node, self._kind, relay, callback_group=group)
 
     def send(self, wanted):
-        self._client.wait_for_server(timeout_sec=5.0)
+        self._client.wait_for_server(timeout_sec=30.0)
         sent = self._client.send_goal_async(self._kind.Goal(**{self._field: wanted}))
         sent.add_done_callback(
             lambda done: (
