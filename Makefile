@@ -9,7 +9,7 @@ HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 .PHONY: help demo test check bench fmt fuzz clean browser compiler ros1
 
 help:
-	@echo "make demo    a rules file, checked, compiled and run over a recording"
+	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked"
 	@echo "make test    all tests"
 	@echo "make check   format, lint, types, import layers, and all tests"
 	@echo "make bench   measure, and write docs/reference/performance.md"
@@ -42,6 +42,10 @@ ifneq ($(wildcard $(HUSKY_RECORDING)),)
 	$(RUN)/rossmarie replay examples/husky/husky.ross $(HUSKY_RECORDING) --out build/husky
 	@echo "the real drive:  open $(CURDIR)/build/husky/timeline.html in a browser"
 endif
+	$(RUN)/ezskiros check examples/pick_place/skills
+	@echo "mistakes that are planted, in rules and in skills:"
+	-@$(RUN)/rossmarie check examples/thesis/arm_as_printed.ross
+	-@$(RUN)/ezskiros check examples/pick_place/planted
 	@echo "the timeline:    open $(CURDIR)/build/demo/report/timeline.html in a browser"
 
 test: $(READY) compiler browser ros1

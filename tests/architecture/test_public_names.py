@@ -8,11 +8,12 @@ import pkgutil
 import pytest
 
 import dslkit
+import ezskiros
 import rossmarie
 
 PACKAGES = [
     module.name
-    for package in (dslkit, rossmarie)
+    for package in (dslkit, ezskiros, rossmarie)
     for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}.")
     if module.ispkg
 ]

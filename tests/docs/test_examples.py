@@ -51,6 +51,8 @@ def check_block(block: Block, folder: Path) -> list[str]:
         return transcript.run(block.text, folder)
     if block.language == "python":
         return run_python(block, folder)
+    if block.language == "text" and block.name:
+        (folder / block.name).write_text(block.text, encoding="utf-8")
     return []
 
 

@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[2]
 PAGES = ("ARCHITECTURE.md", "CONTRIBUTING.md")
 FILE = re.compile(r"`([\w./-]+/[\w.-]+\.(?:py|md|c|h|lark|toml|j2|ross))`")
 # Where a path may begin.
-STARTS = (ROOT, ROOT / "src", ROOT / "src" / "rossmarie")
+STARTS = (ROOT, ROOT / "src", ROOT / "src" / "ezskiros", ROOT / "src" / "rossmarie")
 
 
 @pytest.mark.parametrize("page", PAGES)

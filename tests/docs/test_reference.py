@@ -11,8 +11,11 @@ import pytest
 import typer
 
 import rossmarie.syntax
+from dslkit.catalog import Catalog
 from dslkit.diagnostics import Template
-from rossmarie.catalog import DIAGNOSTICS
+from ezskiros.catalog import CATALOG as EZSKIROS
+from ezskiros.cli.main import app as ezskiros_app
+from rossmarie.catalog import CATALOG as ROSSMARIE
 from rossmarie.check.functions import MOST_TURNING_POINTS, USAGES
 from rossmarie.check.plans import MOST_TASKS
 from rossmarie.cli.main import app
@@ -25,7 +28,11 @@ from support.markdown import Block, blocks, replace_block
 DOCS = Path(__file__).parents[2] / "docs"
 LANGUAGE = DOCS / "reference" / "language.md"
 COMMANDS = DOCS / "reference" / "command-line.md"
-CODES = DOCS / "reference" / "diagnostics.md"
+EZSKIROS_COMMANDS = DOCS / "reference" / "ezskiros-command-line.md"
+CODES = {
+    ROSSMARIE: DOCS / "reference" / "diagnostics.md",
+    EZSKIROS: DOCS / "reference" / "ezskiros-diagnostics.md",
+}
 SEMANTICS = DOCS / "explanation" / "semantics.md"
 RULE = "| --- | --- | --- | --- |"
 GRAMMAR = Path(rossmarie.syntax.__file__).with_name("ross.lark")
@@ -116,17 +123,23 @@ def test_codes_that_pages_refer_to_exist(page: Path) -> None:
     outside_of_examples = re.sub(
         r"^```console\n.*?^```", "", read(page), flags=re.MULTILINE | re.DOTALL
     )
-    named = set(re.findall(r"\bROSS\d{3}\b", outside_of_examples))
-    assert named - {found.code for found in DIAGNOSTICS} == set()
+    named = set(re.findall(r"\b(?:ROSS|EZS)\d{3}\b", outside_of_examples))
+    assert named - {found.code for catalog in CODES for found in catalog.diagnostics} == set()
 
 
 # --- the command line ------------------------------------------------------------------------
 
 
-def test_every_command_and_option_is_described() -> None:
-    text = read(COMMANDS)
-    for name, command in typer.main.get_command(app).commands.items():  # type: ignore[attr-defined]
-        section = text.split(f"\n## rossmarie {name}\n")[1].split("\n## ")[0]
+@pytest.mark.parametrize(
+    ("tool", "page", "command_line"),
+    [("rossmarie", COMMANDS, app), ("ezskiros", EZSKIROS_COMMANDS, ezskiros_app)],
+)
+def test_every_command_and_option_is_described(
+    tool: str, page: Path, command_line: typer.Typer
+) -> None:
+    text = read(page)
+    for name, command in typer.main.get_command(command_line).commands.items():  # type: ignore[attr-defined]
+        section = text.split(f"\n## {tool} {name}\n")[1].split("\n## ")[0]
         synopsis = blocks(section)[0].text
         for option in command.params:
             spellings = [spelling for spelling in option.opts if spelling.startswith("--")]
@@ -136,18 +149,18 @@ def test_every_command_and_option_is_described() -> None:
 # --- the codes -------------------------------------------------------------------------------
 
 
-def row(found: type[Template]) -> str:
+def row(catalog: Catalog, found: type[Template]) -> str:
     """A line of the table; what depends on the case is shown in capitals."""
     title = re.sub(r"\{(\w+)\}", lambda field: field[1].upper(), found.title)
-    link = f"[{found.code}](../../src/rossmarie/catalog/pages/{found.code}.md)"
+    link = f"[{found.code}](../../src/{catalog.tool}/catalog/pages/{found.code}.md)"
     return f"| {link} | {found.severity.value} | `{found.name}` | {title} |"
 
 
-def hundreds() -> Iterator[tuple[str, Sequence[str]]]:
+def hundreds(catalog: Catalog) -> Iterator[tuple[str, Sequence[str]]]:
     """`3xx` and the rows of its codes."""
-    ordered = sorted(DIAGNOSTICS, key=lambda found: found.code)
-    for hundred, found in groupby(ordered, key=lambda found: f"{found.code[4]}xx"):
-        yield hundred, [row(one) for one in found]
+    ordered = sorted(catalog.diagnostics, key=lambda found: found.code)
+    for hundred, found in groupby(ordered, key=lambda found: f"{found.code[-3]}xx"):
+        yield hundred, [row(catalog, one) for one in found]
 
 
 def table_of(page: str, hundred: str) -> re.Match[str]:
@@ -159,14 +172,15 @@ def table_of(page: str, hundred: str) -> re.Match[str]:
     return found
 
 
-def test_every_code_has_its_row(bless: bool) -> None:
-    page = read(CODES)
-    for hundred, rows in hundreds():
+@pytest.mark.parametrize("catalog", CODES, ids=lambda catalog: catalog.tool)
+def test_every_code_has_its_row(catalog: Catalog, bless: bool) -> None:
+    page = read(CODES[catalog])
+    for hundred, rows in hundreds(catalog):
         start, end = table_of(page, hundred).span("rows")
         expected = "".join(f"{line}\n" for line in rows)
         if bless:
             page = page[:start] + expected + page[end:]
         assert page[start:][: len(expected)] == expected
     if bless:
-        CODES.write_text(page, encoding="utf-8")
-    assert page.count("| [ROSS") == len(DIAGNOSTICS)
+        CODES[catalog].write_text(page, encoding="utf-8")
+    assert len(re.findall(r"^\| \[[A-Z]+\d", page, flags=re.MULTILINE)) == len(catalog.diagnostics)

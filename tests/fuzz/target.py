@@ -8,12 +8,12 @@ from pathlib import Path
 from dslkit.diagnostics.render_json import render_json
 from dslkit.diagnostics.render_sarif import render_sarif
 from dslkit.diagnostics.render_text import render_text
-from rossmarie.catalog import sarif_rules
+from rossmarie.catalog import CATALOG
 from rossmarie.driver import check_file
 from rossmarie.lowering import lower
 
 CPU_LIMIT_S = 10.0
-TOOL = sarif_rules("0")
+TOOL = CATALOG.sarif_tool("0")
 
 
 class TooSlowError(Exception):

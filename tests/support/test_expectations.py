@@ -92,6 +92,14 @@ def test_the_end_of_the_file_belongs_to_the_last_line_of_code() -> None:
     assert expectations.compare(text, [finding(text, len(text), len(text), "ROSS001")]) == []
 
 
+def test_comments_of_other_languages_have_another_sign() -> None:
+    text = "count = 3\n#       ^ error[EZS301]\n"
+    found = [finding(text, 8, 9, "EZS301")]
+    assert expectations.compare(text, found, "#") == []
+    assert expectations.bless("count = 3\n", found, "#") == text
+    assert expectations.parse(text) == expectations.parse(text.replace("#", "//"), "#") == ()
+
+
 def test_blessing_keeps_the_texts_that_still_fit() -> None:
     old = 'const  f = 3 N/s\n//        ^^^^^ error[ROSS301] "do not"\n//~ error[ROSS999]\n'
     new = 'const  f = 3 N/s\n//         ^^^^^ error[ROSS301] "do not"\n'

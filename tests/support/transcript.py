@@ -9,7 +9,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-_RUN = ("rossmarie ", "python ", "echo $?")
+_RUN = ("rossmarie ", "ezskiros ", "python ", "cat ", "echo $?")
 _TIME_LIMIT_S = 120
 
 

@@ -1,7 +1,7 @@
 """Where a thing was written: files and spans."""
 
 from dslkit.source.file import Position, SourceFile
-from dslkit.source.paths import is_file, is_folder
+from dslkit.source.paths import is_file, is_folder, shown
 from dslkit.source.span import Span
 
-__all__ = ["Position", "SourceFile", "Span", "is_file", "is_folder"]
+__all__ = ["Position", "SourceFile", "Span", "is_file", "is_folder", "shown"]

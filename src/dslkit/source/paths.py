@@ -1,5 +1,5 @@
-"""Whether a path leads anywhere. Unlike the methods of `Path`, these never raise: what no path can
-be (too long, a NUL in it) leads nowhere.
+"""Whether a path leads anywhere, and how it is shown. Unlike the methods of `Path`, these never
+raise: what no path can be (too long, a NUL in it) leads nowhere.
 """
 
 from __future__ import annotations
@@ -16,3 +16,8 @@ def is_file(path: Path) -> bool:
 def is_folder(path: Path) -> bool:
     """Whether there is such a folder."""
     return os.path.isdir(path)  # noqa: PTH112
+
+
+def shown(path: str) -> str:
+    """A path as people read it: from the current folder if it is in it."""
+    return path.removeprefix(f"{Path.cwd()}{os.sep}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dslkit.catalog import Catalog
 from dslkit.diagnostics import Template
 from rossmarie.catalog import errors as catalog_errors
 from rossmarie.check import errors as check_errors
@@ -18,3 +19,5 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *driver_errors.ALL,
     *catalog_errors.ALL,
 )
+
+CATALOG = Catalog("rossmarie", "rossmarie.catalog", DIAGNOSTICS)

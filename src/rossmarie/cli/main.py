@@ -8,15 +8,13 @@ Imports that only one subcommand needs are made in it, so that every other one s
 from __future__ import annotations
 
 import enum
-import sys
-import traceback
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from rossmarie.cli import output
-from rossmarie.cli.output import Format
+from dslkit.command_line import Format
+from rossmarie.cli.output import each_once, output
 
 app = typer.Typer(
     help="Safety rules for robots: check them, build their monitor, replay a recording.",
@@ -145,7 +143,7 @@ def check(
             check_for(target.value, path, systems=systems, message_folders=folders)
             for path in files
         ]
-    found = output.each_once(finding for those in findings for finding in those)
+    found = each_once(finding for those in findings for finding in those)
     output.print_diagnostics(found, format, file_count=len(files))
     raise typer.Exit(output.exit_code(found))
 
@@ -155,13 +153,7 @@ def explain(
     code: Annotated[str, typer.Argument(metavar="CODE", help="Such as ROSS301.")],
 ) -> None:
     """Explain a diagnostic: what it means, an example, what to write instead."""
-    from rossmarie.catalog import UnknownCodeError, page
-
-    try:
-        text = page(code)
-    except UnknownCodeError as error:
-        output.fail(str(error), exit_code=2)
-    output.print_page(text)
+    output.explain(code)
 
 
 @app.command()
@@ -327,16 +319,5 @@ def model(
 
 
 def main() -> None:
-    """Run the command line; a defect of ours is reported as one."""
-    try:
-        try:
-            app()
-        finally:
-            if sys.stdout is not None:  # closed by the caller
-                sys.stdout.flush()
-    except Exception as error:
-        if isinstance(error, OSError) and output.is_about_output(error):
-            output.give_up_output(error)
-            sys.exit(2)
-        output.internal_error(traceback.format_exc())
-        sys.exit(output.INTERNAL_ERROR)
+    """Run the command line."""
+    output.run(app)

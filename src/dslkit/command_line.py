@@ -1,0 +1,160 @@
+"""How a command line speaks: what is the same in the commands of both languages.
+
+Findings go to the terminal as text or, for machines, to standard output as JSON or SARIF; what went
+wrong with the command itself goes to standard error.
+"""
+
+from __future__ import annotations
+
+import enum
+import errno
+import os
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from importlib.metadata import version
+from typing import NoReturn
+
+import typer
+from rich.console import Console
+
+from dslkit.catalog import Catalog
+from dslkit.diagnostics import Diagnostic, Severity, summary
+
+INTERNAL_ERROR = 70
+"""The exit code for a defect of the tool (sysexits: EX_SOFTWARE)."""
+
+_OUTPUT_FAILURES = frozenset(
+    (errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG, errno.EPIPE, errno.EBADF)
+)
+
+
+class Format(str, enum.Enum):
+    """How findings are printed."""
+
+    TEXT = "text"
+    JSON = "json"
+    SARIF = "sarif"
+
+
+@dataclass(frozen=True)
+class CommandLine:
+    """The voice of one command.
+
+    `subject` is what its users write, `internal_code` that of the diagnostic for its own defects;
+    errors with a code of `unreadable` mean that a file could not be read. The catalog is loaded
+    when it is needed.
+    """
+
+    tool: str
+    subject: str
+    internal_code: str
+    unreadable: frozenset[str]
+    catalog: Callable[[], Catalog]
+
+    def exit_code(self, found: Sequence[Diagnostic]) -> int:
+        """0 without errors, 1 with errors, 2 if a file could not be read."""
+        codes = {finding.code for finding in found if finding.severity is Severity.ERROR}
+        if codes & self.unreadable:
+            return 2
+        return 1 if codes else 0
+
+    def own_version(self) -> str:
+        """The installed version."""
+        return version("rossmarie")
+
+    def print_diagnostics(
+        self, found: Sequence[Diagnostic], form: Format, *, file_count: int
+    ) -> None:
+        """All findings; as text with a closing line that counts them."""
+        if form is Format.TEXT:
+            self.print_findings(found)
+            typer.echo(summary(found, file_count))
+        elif form is Format.JSON:
+            from dslkit.diagnostics.render_json import render_json
+
+            typer.echo(render_json(found, file_count=file_count), nl=False)
+        else:
+            from dslkit.diagnostics.render_sarif import render_sarif
+
+            tool = self.catalog().sarif_tool(self.own_version())
+            typer.echo(render_sarif(found, tool), nl=False)
+
+    def print_findings(self, found: Sequence[Diagnostic]) -> None:
+        """The findings as text, without a count."""
+        from dslkit.diagnostics.render_text import render_text
+
+        console = Console(highlight=False)
+        if console.is_terminal:
+            console.print(render_text(found, width=console.width), end="", soft_wrap=True)
+        else:
+            typer.echo(render_text(found).plain, nl=False)
+
+    def print_page(self, text: str) -> None:
+        """A page in Markdown: laid out on a terminal, as it is elsewhere."""
+        console = Console()
+        if console.is_terminal:
+            from rich.markdown import Markdown
+
+            console.print(Markdown(text))
+        else:
+            typer.echo(text, nl=False)
+
+    def explain(self, code: str) -> None:
+        """Print the page of a diagnostic."""
+        from dslkit.catalog import UnknownCodeError
+
+        try:
+            text = self.catalog().page(code)
+        except UnknownCodeError as error:
+            self.fail(str(error), exit_code=2)
+        self.print_page(text)
+
+    def reject(self, found: Sequence[Diagnostic]) -> NoReturn:
+        """Print findings of which at least one is an error, and end the run."""
+        self.print_diagnostics(found, Format.TEXT, file_count=1)
+        raise typer.Exit(self.exit_code(found))
+
+    def complain(self, message: str) -> None:
+        """One line on standard error."""
+        typer.echo(f"{self.tool}: {message}", err=True)
+
+    def fail(self, message: str, *, exit_code: int) -> NoReturn:
+        """End the run with one line on standard error."""
+        self.complain(message)
+        raise typer.Exit(exit_code)
+
+    def run(self, app: Callable[[], None]) -> None:
+        """Run the command; a defect of ours is reported as one."""
+        try:
+            try:
+                app()
+            finally:
+                if sys.stdout is not None:  # closed by the caller
+                    sys.stdout.flush()
+        except Exception as error:
+            if isinstance(error, OSError) and _is_about_output(error):
+                self._give_up_output(error)
+                sys.exit(2)
+            self._tell_defect(traceback.format_exc())
+            sys.exit(INTERNAL_ERROR)
+
+    def _give_up_output(self, error: OSError) -> None:
+        """Say that standard output cannot be written to, and drop what is left for it."""
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())  # otherwise Python fails once more when it ends
+        os.close(nowhere)
+        self.complain(f"cannot write the output: {(error.strerror or 'it is gone').lower()}")
+
+    def _tell_defect(self, detail: str) -> None:
+        """Say that the tool is at fault, with what its makers need to know."""
+        title = f"this is a defect of {self.tool}, not of {self.subject}"
+        typer.echo(f"error[{self.internal_code}]: {title}", err=True)
+        typer.echo("please report it, with the file that you checked and these lines:", err=True)
+        sys.stderr.write(detail)
+
+
+def _is_about_output(error: OSError) -> bool:
+    """Whether standard output cannot be written to: such an error names no file."""
+    return error.filename is None and error.errno in _OUTPUT_FAILURES

@@ -1,0 +1,31 @@
+"""What `if`, `while` and `assert` ask for: Python takes the question to be all of the statement."""
+
+from __future__ import annotations
+
+import ast
+from functools import lru_cache
+
+from dslkit.source.call_site import node_span
+from dslkit.source.file import SourceFile
+from dslkit.source.span import Span
+
+_WORDS = ("if ", "if(", "elif ", "elif(", "while ", "while(", "assert ", "assert(")
+_STATEMENTS = (ast.If, ast.While, ast.Assert)
+
+
+def asked(span: Span) -> Span:
+    """The question of a statement that asks one; of anything else all of it."""
+    if not span.file.text.startswith(_WORDS, span.start):
+        return span
+    return _questions(span.file).get(span.start, span)
+
+
+@lru_cache(maxsize=64)
+def _questions(file: SourceFile) -> dict[int, Span]:
+    """The questions of a file, by where their statements begin."""
+    try:
+        tree = ast.parse(file.text)
+    except (SyntaxError, ValueError):
+        return {}
+    found = [node for node in ast.walk(tree) if isinstance(node, _STATEMENTS)]
+    return {node_span(file, node).start: node_span(file, node.test) for node in found}

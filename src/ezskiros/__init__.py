@@ -1,0 +1,29 @@
+"""Skills for SkiROS2 as typed Python: checked against the ontology before the robot is launched."""
+
+from ezskiros.skills import (
+    CONSUME,
+    INFERRED,
+    LOCK,
+    OPTIONAL,
+    RESPECT_TYPE,
+    UNSPECIFY,
+    SkillDescription,
+    abstract,
+    generated,
+    of_type,
+    specified,
+)
+
+__all__ = [
+    "CONSUME",
+    "INFERRED",
+    "LOCK",
+    "OPTIONAL",
+    "RESPECT_TYPE",
+    "UNSPECIFY",
+    "SkillDescription",
+    "abstract",
+    "generated",
+    "of_type",
+    "specified",
+]

@@ -1,0 +1,5 @@
+"""`python -m ezskiros` is the command `ezskiros`."""
+
+from ezskiros.cli.main import main
+
+main()

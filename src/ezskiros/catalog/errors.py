@@ -1,0 +1,18 @@
+"""EZS9xx: defects of this tool itself."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class InternalError(Error, code="EZS900", name="internal-error"):
+    """Something that cannot happen did."""
+
+    title = "this is a defect of ezskiros, not of your skills"
+    help = "please report it, with the file that you checked"
+
+
+ALL: tuple[type[Template], ...] = (InternalError,)

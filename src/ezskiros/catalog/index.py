@@ -1,0 +1,27 @@
+"""Every diagnostic class, stage by stage: the one list that pages, SARIF and tests go by."""
+
+from __future__ import annotations
+
+from dslkit.catalog import Catalog
+from dslkit.diagnostics import Template
+from ezskiros.catalog import errors as catalog_errors
+from ezskiros.check import errors as check_errors
+from ezskiros.check import scene_errors
+from ezskiros.migrate import errors as migrate_errors
+from ezskiros.ontology import condition_errors
+from ezskiros.ontology import errors as ontology_errors
+from ezskiros.skills import errors as skills_errors
+from ezskiros.skills import load_errors
+
+DIAGNOSTICS: tuple[type[Template], ...] = (
+    *load_errors.ALL,
+    *ontology_errors.ALL,
+    *skills_errors.ALL,
+    *condition_errors.ALL,
+    *check_errors.ALL,
+    *scene_errors.ALL,
+    *migrate_errors.ALL,
+    *catalog_errors.ALL,
+)
+
+CATALOG = Catalog("ezskiros", "ezskiros.catalog", DIAGNOSTICS)

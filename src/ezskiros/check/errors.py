@@ -1,0 +1,132 @@
+"""EZS4xx: conditions against the ontology, and against each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+@dataclass(frozen=True, kw_only=True)
+class DoesNotFit(Error, code="EZS401", name="does-not-fit"):
+    """A relation of something that it does not relate."""
+
+    title = "{parameter} is a {found}, but {property} needs a {wanted}"
+    label = "this is a {found}"
+    help = "relate a {wanted}, or declare in the ontology that {property} relates a {found}"
+    parameter: str
+    found: str
+    property: str
+    wanted: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MayNotFit(Warning, code="EZS402", name="may-not-fit"):
+    """A relation of something that may be of the right class."""
+
+    title = "{parameter} is a {found}, and not each is a {wanted} that {property} needs"
+    label = "may be another {found}"
+    help = "declare `{parameter}: {wanted}`"
+    parameter: str
+    found: str
+    property: str
+    wanted: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrongValue(Error, code="EZS403", name="wrong-value"):
+    """A value of another type than the property has."""
+
+    title = "{property} has values of type {wanted}, and {found} is none"
+    help = "compare it with a value of type {wanted}"
+    property: str
+    wanted: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnlistedValue(Error, code="EZS404", name="unlisted-value"):
+    """A value that the ontology does not list."""
+
+    title = "{found} is no value of {property}"
+    note = "its values are {values}"
+    found: str
+    property: str
+    values: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoOrder(Error, code="EZS405", name="no-order"):
+    """`<` of texts."""
+
+    title = "`{operator}` compares numbers, and {found} is none"
+    help = "only `==` and `!=` are for texts and truth values"
+    operator: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Repeated(Warning, code="EZS410", name="repeated-condition"):
+    """A condition that is there already."""
+
+    title = "this {kind}-condition is there already"
+    help = "leave it out: conditions are a set"
+    kind: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contradiction(Error, code="EZS411", name="contradiction"):
+    """A condition and its opposite."""
+
+    title = "this {kind}-condition contradicts another"
+    note = "no world satisfies both, so that {consequence}"
+    kind: str
+    consequence: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class TwoPlaces(Error, code="EZS412", name="two-places"):
+    """A functional relation with two objects, or an inverse functional one with two subjects."""
+
+    title = "after `{skill}` both {first} and {second} would be so"
+    note = "{relation} is {kind}: {reason}"
+    skill: str
+    first: str
+    second: str
+    relation: str
+    kind: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnusedParameter(Warning, code="EZS420", name="unused-parameter"):
+    """A thing that no condition is about."""
+
+    title = "no condition is about the parameter `{parameter}`"
+    help = "say what has to hold of it, or leave it out"
+    parameter: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotInferable(Warning, code="EZS421", name="not-inferable"):
+    """An inferred parameter that no pre-condition leads to."""
+
+    title = "nothing leads to the inferred parameter `{parameter}`"
+    label = "SkiROS2 would take any {found} of the world"
+    help = "add a pre-condition that relates `{parameter}` to a parameter that is given"
+    parameter: str
+    found: str
+
+
+ALL: tuple[type[Template], ...] = (
+    DoesNotFit,
+    MayNotFit,
+    WrongValue,
+    UnlistedValue,
+    NoOrder,
+    Repeated,
+    Contradiction,
+    TwoPlaces,
+    UnusedParameter,
+    NotInferable,
+)

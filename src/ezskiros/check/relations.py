@@ -1,0 +1,148 @@
+"""Conditions against the ontology: what relations relate, and values of properties."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator
+from dataclasses import replace
+
+from dslkit.diagnostics import Diagnostic, Label, Template
+from ezskiros.check import errors
+from ezskiros.check.values import is_value_of, spelled_types
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.iris import split
+from ezskiros.ontology.model import DataProperty, Union
+from ezskiros.ontology.python_names import identifier
+from ezskiros.ontology.statements import AnyOf, Comparison, HasProperty, Relation, Statement
+from ezskiros.skills.interface import Clause, Parameter, SkillInterface
+from ezskiros.skills.syntax import compared_value, names_in
+
+
+def check_relations(skill: SkillInterface, ontology: Ontology) -> Iterator[Diagnostic]:
+    """What does not fit, in the order of the conditions."""
+    checker = _Checker(skill, ontology)
+    for clause in (*skill.pre, *skill.hold, *skill.post):
+        for statement in _simple(clause.statement):
+            yield from checker.check(statement, clause)
+
+
+def _simple(statement: Statement) -> Iterator[Statement]:
+    if isinstance(statement, AnyOf):
+        for part in statement.parts:
+            yield from _simple(part)
+    else:
+        yield statement
+
+
+class _Checker:
+    """The checks of one skill."""
+
+    def __init__(self, skill: SkillInterface, ontology: Ontology) -> None:
+        self._skill, self._ontology, self._model = skill, ontology, ontology.model
+
+    def check(self, statement: Statement, clause: Clause) -> Iterator[Diagnostic]:
+        """What is wrong with one statement."""
+        match statement:
+            case Relation(subject=subject, relation=iri, object=other):
+                wrong = [*self._related(subject, iri, other, clause)]
+                if len(wrong) == 2 and not [*self._related(other, iri, subject, clause)]:
+                    name = identifier(split(iri)[1])
+                    help = f"the other way round: `{other}.{name}({subject})`"
+                    wrong = [replace(wrong[0], help=help)]
+                yield from wrong
+            case HasProperty(subject=subject, property=iri):
+                yield from self._fits(subject, iri, self._model.domain(iri), clause)
+            case Comparison(subject=subject, property=iri):
+                yield from self._fits(subject, iri, self._model.domain(iri), clause)
+                yield from self._value(statement, clause)
+            case _:
+                pass
+
+    def _related(self, subject: str, iri: str, other: str, clause: Clause) -> Iterator[Diagnostic]:
+        yield from self._fits(subject, iri, self._model.domain(iri), clause)
+        wanted = (*self._model.range(iri), *self._only(subject, iri))
+        yield from self._fits(other, iri, wanted, clause)
+
+    def _only(self, subject: str, iri: str) -> tuple[Union, ...]:
+        """What the class of the subject says of the values of this property."""
+        above = self._model.above(self._class_of(subject))
+        classes = (self._model.classes[each] for each in above if each in self._model.classes)
+        return tuple(union for each in classes for union in each.only.get(iri, ()))
+
+    def _class_of(self, parameter: str) -> str:
+        found = self._skill.parameter(parameter)
+        return (found.iri if found else None) or ""
+
+    def _fits(
+        self, name: str, iri: str, wanted: tuple[Union, ...], clause: Clause
+    ) -> Iterator[Diagnostic]:
+        """Whether a parameter can be what a property asks for."""
+        parameter = self._skill.parameter(name)
+        if parameter is None or parameter.iri is None:
+            return
+        for union in wanted:
+            if not any(self._model.is_a(parameter.iri, each) for each in union):
+                yield self._misfit(parameter, iri, union, clause)
+                return
+
+    def _misfit(self, parameter: Parameter, iri: str, union: Union, clause: Clause) -> Diagnostic:
+        model = self._model
+        assert parameter.iri is not None
+        is_wider = any(model.is_a(each, parameter.iri) for each in union)
+        kind = errors.MayNotFit if is_wider else errors.DoesNotFit
+        found = kind(
+            parameter=parameter.name,
+            found=self._spelled(parameter.iri),
+            property=self._spelled(iri),
+            wanted=" or ".join(self._spelled(each) for each in sorted(union)),
+        )
+        labels = [
+            Label(parameter.span, f"declared as {self._spelled(parameter.iri)}"),
+            self._ontology.label(iri, "what it relates is declared here"),
+        ]
+        return found.at(
+            names_in(clause.span).get(parameter.name, clause.span), *filter(None, labels)
+        )
+
+    def _spelled(self, iri: str) -> str:
+        return self._model.short(iri).replace(":", ".")
+
+    def _value(self, statement: Comparison, clause: Clause) -> Iterator[Diagnostic]:
+        declared = self._model.values.get(statement.property)
+        if declared is None:
+            return
+        for union in self._model.range(declared.iri):
+            names = spelled_types(union)
+            if names and not is_value_of(statement.value, names):
+                found = errors.WrongValue(
+                    property=self._spelled(declared.iri),
+                    found=repr(statement.value),
+                    wanted=" or ".join(sorted(names)),
+                )
+                yield self._at_value(found, declared, clause)
+        if declared.values is not None and str(statement.value) not in declared.values:
+            yield self._unlisted(statement, declared, declared.values, clause)
+        if statement.operator != "=" and isinstance(statement.value, (str, bool)):
+            found_order = errors.NoOrder(operator=statement.operator, found=repr(statement.value))
+            yield found_order.at(clause.span)
+
+    def _unlisted(
+        self, statement: Comparison, declared: DataProperty, known: frozenset[str], clause: Clause
+    ) -> Diagnostic:
+        found = errors.UnlistedValue(
+            property=self._spelled(declared.iri),
+            found=repr(statement.value),
+            values=", ".join(sorted(known)),
+        )
+        near = {each.lower(): each for each in sorted(known)}
+        meant = difflib.get_close_matches(str(statement.value).lower(), near, n=1)
+        help = f"did you mean {near[meant[0]]!r}?" if meant else None
+        return self._at_value(found, declared, clause, help)
+
+    def _at_value(
+        self, found: Template, declared: DataProperty, clause: Clause, help: str | None = None
+    ) -> Diagnostic:
+        """The finding at the value that is compared with."""
+        label = self._ontology.label(declared.iri, "declared here")
+        span = compared_value(clause.span) or clause.span
+        return found.at(span, *([label] if label else []), help=help)

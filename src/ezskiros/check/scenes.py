@@ -1,0 +1,310 @@
+"""Scene files of SkiROS2 (`.turtle`) against the ontology: the world that a robot starts in."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pyoxigraph
+
+from dslkit.diagnostics import Diagnostic, Label
+from dslkit.source import SourceFile, Span
+from ezskiros.check import scene_errors as errors
+from ezskiros.check.values import is_value_of, spelled_types
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.iris import OWL, RDF, RDFS, RESERVED, XSD, split
+from ezskiros.ontology.model import ObjectProperty, Union
+from ezskiros.ontology.read import Document, read
+
+_TYPE = RDF + "type"
+_CLASSES = {OWL + "Class", OWL + "class", RDFS + "Class"}
+_NUMBERED = re.compile(r"-(\d+)$")
+
+
+def check_scene(path: Path, ontology: Ontology) -> list[Diagnostic]:
+    """What is wrong with a scene. Raises `OSError` if it cannot be read."""
+    document, wrong = read(path)
+    if document is None:
+        return wrong
+    return list(_Scene(document, ontology).check())
+
+
+@dataclass
+class _Thing:
+    """What a scene says of one thing."""
+
+    iri: str
+    types: list[str] = field(default_factory=list)
+    relations: list[tuple[str, str]] = field(default_factory=list)
+    values: list[tuple[str, pyoxigraph.Literal]] = field(default_factory=list)
+
+
+class _Scene:
+    """The checks of one scene."""
+
+    def __init__(self, document: Document, ontology: Ontology) -> None:
+        self._file, self._prefixes = document.file, document.prefixes
+        self._ontology, self._model = ontology, ontology.model
+        self._things = _things(document)
+        declared = (iri for iri, each in self._things.items() if _CLASSES & set(each.types))
+        self._own_classes = set(declared)
+
+    def check(self) -> Iterator[Diagnostic]:
+        for thing in self._things.values():
+            if thing.iri in self._own_classes:
+                continue
+            yield from self._types(thing)
+            yield from self._relations(thing)
+            yield from self._values(thing)
+            yield from self._missing(thing)
+        yield from self._numbers()
+        yield from self._functional()
+
+    # --- one thing
+
+    def _types(self, thing: _Thing) -> Iterator[Diagnostic]:
+        for kind in thing.types:
+            if (
+                kind.startswith(RESERVED)
+                or kind in self._model.classes
+                or kind in self._own_classes
+            ):
+                continue
+            found = errors.UnknownSceneClass(
+                thing=self._spelled(thing.iri), owl_class=self._spelled(kind)
+            )
+            yield found.at(
+                self._place(thing.iri, kind), help=self._meant(kind, self._model.classes)
+            )
+
+    def _relations(self, thing: _Thing) -> Iterator[Diagnostic]:
+        for iri, other in thing.relations:
+            if iri.startswith(RESERVED):
+                continue
+            if iri not in self._model.relations:
+                yield self._no_relation(thing, iri, other)
+            elif other not in self._things and other not in self._model.individuals:
+                found = errors.UnknownThing(
+                    thing=self._spelled(thing.iri),
+                    property=self._spelled(iri),
+                    other=self._spelled(other),
+                )
+                near = self._meant(other, self._things)
+                yield found.at(self._place(thing.iri, other), help=near)
+            else:
+                place = self._place(thing.iri, other)
+                yield from self._fits(thing.iri, iri, self._model.domain(iri), place)
+                yield from self._fits(other, iri, self._model.range(iri), place)
+
+    def _no_relation(self, thing: _Thing, iri: str, other: str) -> Diagnostic:
+        place = self._place(thing.iri, iri)
+        if iri in self._model.values:
+            return errors.KindOfProperty(
+                property=self._spelled(iri),
+                kind="data property",
+                thing=self._spelled(thing.iri),
+                found=f"the thing {self._spelled(other)}",
+            ).at(place)
+        found = errors.UnknownSceneProperty(
+            property=self._spelled(iri), thing=self._spelled(thing.iri)
+        )
+        return found.at(place, help=self._meant(iri, self._model.relations))
+
+    def _fits(
+        self, iri: str, relation: str, wanted: tuple[Union, ...], place: Span
+    ) -> Iterator[Diagnostic]:
+        types = self._classes_of(iri)
+        for union in wanted:
+            if types and not any(self._model.is_a(each, one) for each in types for one in union):
+                found = errors.SceneDoesNotFit(
+                    thing=self._spelled(iri),
+                    found=" and ".join(map(self._spelled, types)),
+                    property=self._spelled(relation),
+                    wanted=" or ".join(map(self._spelled, sorted(union))),
+                )
+                label = self._ontology.label(relation, "what it relates is declared here")
+                yield found.at(place, *([label] if label else []))
+                return
+
+    def _classes_of(self, iri: str) -> list[str]:
+        """The known classes of a thing of the scene, or of the ontology."""
+        if iri in self._things:
+            return [each for each in self._things[iri].types if each in self._model.classes]
+        found = self._model.individuals.get(iri)
+        return sorted(found.types) if found else []
+
+    def _values(self, thing: _Thing) -> Iterator[Diagnostic]:
+        for iri, value in thing.values:
+            if iri.startswith(RESERVED):
+                continue
+            place = self._place(thing.iri, iri)
+            if iri in self._model.relations:
+                yield errors.KindOfProperty(
+                    property=self._spelled(iri),
+                    kind="relation",
+                    thing=self._spelled(thing.iri),
+                    found=f"the value {value.value!r}",
+                ).at(place)
+            elif iri not in self._model.values:
+                found = errors.UnknownSceneProperty(
+                    property=self._spelled(iri), thing=self._spelled(thing.iri)
+                )
+                yield found.at(place, help=self._meant(iri, self._model.values))
+            else:
+                yield from self._value(thing, iri, value, place)
+
+    def _value(
+        self, thing: _Thing, iri: str, value: pyoxigraph.Literal, place: Span
+    ) -> Iterator[Diagnostic]:
+        declared = self._model.values[iri]
+        wanted = [spelled_types(union) for union in self._model.range(iri)]
+        if declared.values is not None and value.value not in declared.values:
+            wanted.append(declared.values)
+        elif all(not names or _is_of(value, names) for names in wanted):
+            return
+        found = errors.WrongSceneValue(
+            property=self._spelled(iri),
+            thing=self._spelled(thing.iri),
+            found=f"{value.value!r} ({value.datatype.value.removeprefix(XSD)})",
+            wanted=" or ".join(sorted({name for names in wanted for name in names})),
+        )
+        label = self._ontology.label(iri, "declared here")
+        yield found.at(place, *([label] if label else []))
+
+    def _missing(self, thing: _Thing) -> Iterator[Diagnostic]:
+        above = {each for kind in self._classes_of(thing.iri) for each in self._model.above(kind)}
+        for kind in sorted(above & set(self._model.classes)):
+            for iri, unions in self._model.classes[kind].some.items():
+                for union in unions:
+                    if not self._has(thing, iri, union):
+                        yield errors.MissingRelation(
+                            thing=self._spelled(thing.iri),
+                            wanted=" or ".join(map(self._spelled, sorted(union))),
+                            property=self._spelled(iri),
+                            owl_class=self._spelled(kind),
+                        ).at(self._place(thing.iri))
+
+    def _has(self, thing: _Thing, iri: str, union: Union) -> bool:
+        others = (
+            other
+            for relation, other in thing.relations
+            if iri in self._model.properties_above(relation)
+        )
+        return any(
+            self._model.is_a(kind, wanted)
+            for other in others
+            for kind in self._classes_of(other)
+            for wanted in union
+        )
+
+    # --- all things
+
+    def _numbers(self) -> Iterator[Diagnostic]:
+        seen: dict[str, str] = {}
+        for iri in self._things:
+            if not (match := _NUMBERED.search(iri)):
+                continue
+            other = seen.setdefault(match[1], iri)
+            if other != iri:
+                found = errors.RepeatedNumber(thing=self._spelled(iri), other=self._spelled(other))
+                yield found.at(self._place(iri), Label(self._place(other), "the other one"))
+
+    def _functional(self) -> Iterator[Diagnostic]:
+        objects: dict[tuple[str, str], list[str]] = defaultdict(list)
+        subjects: dict[tuple[str, str], list[str]] = defaultdict(list)
+        for thing in self._things.values():
+            for iri, other in thing.relations:
+                declared = self._model.relations.get(iri)
+                if declared is not None:
+                    _note(objects, subjects, declared, thing.iri, other)
+        for found in (objects, subjects):
+            for (one, iri), (first, *more) in found.items():
+                for second in more:
+                    yield errors.TwoObjects(
+                        thing=self._spelled(one),
+                        property=self._spelled(iri),
+                        first=self._spelled(first),
+                        second=self._spelled(second),
+                        kind="functional" if found is objects else "inverse functional",
+                    ).at(self._place(one if found is objects else second))
+
+    # --- words and places
+
+    def _spelled(self, iri: str) -> str:
+        """`skiros:Location-3`, by the prefixes of the scene."""
+        for prefix, start in self._prefixes.items():
+            if start and iri.startswith(start):
+                return f"{prefix}:{iri[len(start) :]}"
+        return self._model.short(iri)
+
+    def _meant(self, iri: str, known: object) -> str | None:
+        """The known one that is spelt most alike."""
+        names = {split(each)[1]: each for each in known} if hasattr(known, "__iter__") else {}
+        near = difflib.get_close_matches(split(iri)[1], names, n=1, cutoff=0.7)
+        return f"did you mean {self._spelled(names[near[0]])}?" if near else None
+
+    def _place(self, subject: str, *parts: str) -> Span:
+        """Where a subject is described, or where another name stands in its description."""
+        begin = _find(self._file, self._spelled(subject), 0, at_line_start=True)
+        found = begin
+        for part in parts:
+            found = _find(self._file, self._spelled(part), found.end) or found
+        return found
+
+
+def _things(document: Document) -> dict[str, _Thing]:
+    """What a scene describes, in the order of the file."""
+    found: dict[str, _Thing] = {}
+    for triple in document.triples:
+        if not isinstance(triple.subject, pyoxigraph.NamedNode):
+            continue
+        thing = found.setdefault(triple.subject.value, _Thing(triple.subject.value))
+        match triple.object:
+            case pyoxigraph.NamedNode(value=value) if triple.predicate.value == _TYPE:
+                thing.types.append(value)
+            case pyoxigraph.NamedNode(value=value):
+                thing.relations.append((triple.predicate.value, value))
+            case pyoxigraph.Literal():
+                thing.values.append((triple.predicate.value, triple.object))
+    return found
+
+
+def _note(
+    objects: dict[tuple[str, str], list[str]],
+    subjects: dict[tuple[str, str], list[str]],
+    declared: ObjectProperty,
+    subject: str,
+    other: str,
+) -> None:
+    """Keep what is related by a relation that allows one."""
+    if declared.is_functional:
+        objects[subject, declared.iri].append(other)
+    if declared.is_inverse_functional:
+        subjects[other, declared.iri].append(subject)
+
+
+def _is_of(value: pyoxigraph.Literal, names: frozenset[str]) -> bool:
+    """Whether a literal is of one of these types, by its own type and by its text."""
+    kind = value.datatype.value.removeprefix(XSD)
+    try:
+        if kind in {"float", "double", "decimal"}:
+            return is_value_of(float(value.value), names)
+        if kind in {"integer", "int", "long"}:
+            return is_value_of(int(value.value), names)
+    except ValueError:
+        return False
+    if kind == "boolean":
+        return is_value_of(value.value == "true", names)
+    return is_value_of(value.value, names)
+
+
+def _find(file: SourceFile, name: str, start: int, *, at_line_start: bool = False) -> Span:
+    """A name as a whole; from `start` on, else anywhere; the beginning of the file if nowhere."""
+    before = r"(?m)^\s*" if at_line_start else r"(?<![\w:-])"
+    pattern = re.compile(rf"{before}({re.escape(name)})(?![\w-])")
+    found = pattern.search(file.text, start) or pattern.search(file.text)
+    return Span(file, *found.span(1)) if found else Span(file, start, start)

@@ -1,0 +1,1 @@
+"""The `ezskiros` command."""

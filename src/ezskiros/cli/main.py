@@ -1,0 +1,208 @@
+"""The `ezskiros` command: one function per subcommand.
+
+Exit codes: 0 all is well (warnings may have been printed), 1 something was found, 2 the command
+itself was called wrongly or a file could not be read, 70 a defect of this tool.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from dslkit.command_line import Format
+from ezskiros.cli.output import output
+
+if TYPE_CHECKING:  # libcst is loaded only where it is needed
+    from ezskiros.migrate.files import MigratedFile
+
+app = typer.Typer(
+    help="Skills for SkiROS2, checked against the ontology before the robot is launched.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode="markdown",
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+Paths = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="PATHS...",
+        help="Python files, folders with them, and scenes (.turtle).",
+        readable=False,
+    ),
+]
+Folders = Annotated[
+    list[Path] | None,
+    typer.Option("--ontology", metavar="PATH", help="Files and folders for `load()`."),
+]
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"ezskiros {output.own_version()}")
+        raise typer.Exit
+
+
+@app.callback()
+def ezskiros(
+    version: Annotated[
+        bool,
+        typer.Option(
+            "--version", help="Print the version.", is_eager=True, callback=_print_version
+        ),
+    ] = False,
+) -> None:
+    """Skills for SkiROS2, checked against the ontology before the robot is launched."""
+
+
+@app.command()
+def check(
+    paths: Paths,
+    ontology: Folders = None,
+    form: Annotated[
+        Format, typer.Option("--format", help="How findings are printed.")
+    ] = Format.TEXT,
+    watched: Annotated[
+        bool, typer.Option("--watch", help="Check again whenever a file changes.")
+    ] = False,
+) -> None:
+    """Check the skills of Python files: all that is wrong with them, without ROS."""
+    from ezskiros.driver import check_paths
+
+    _name_ontology(ontology)
+    if watched:
+        _check_again_and_again(paths, ontology or [], form)
+        return
+    found = check_paths(paths)
+    output.print_diagnostics(found.diagnostics, form, file_count=len(found.files))
+    raise typer.Exit(output.exit_code(found.diagnostics))
+
+
+@app.command()
+def explain(
+    what: Annotated[str, typer.Argument(metavar="CODE|SKILL", help="Such as EZS401, or Pick.")],
+    paths: Annotated[
+        list[Path] | None, typer.Argument(metavar="PATHS...", help="Where the skill is.")
+    ] = None,
+    ontology: Folders = None,
+) -> None:
+    """Explain a diagnostic, or how the inferred parameters of a skill get their values."""
+    if not paths:
+        output.explain(what)
+        return
+    from ezskiros.driver import explain_skill
+
+    _name_ontology(ontology)
+    text = explain_skill(what, paths)
+    if text is None:
+        output.fail(f"there is no skill `{what}` in these files", exit_code=2)
+    typer.echo(text)
+
+
+@app.command()
+def migrate(
+    paths: Paths,
+    write: Annotated[bool, typer.Option("--write", help="Change the files.")] = False,
+    diff: Annotated[bool, typer.Option("--diff", help="Print the changes instead.")] = False,
+    world: Annotated[
+        str, typer.Option(metavar="MODULE", help="The module that has the ontology.")
+    ] = "world",
+) -> None:
+    """Translate skills of SkiROS2: `createDescription` becomes a typed `description`."""
+    from ezskiros.migrate.files import migrate_paths
+    from ezskiros.migrate.imports import is_module
+
+    if write and diff:
+        output.fail("`--write` changes files and `--diff` does not: name one of them", exit_code=2)
+    if not is_module(world):
+        output.fail(f"`{world}` is no module of Python, such as `.world`", exit_code=2)
+    found = migrate_paths(paths, world)
+    if diff:
+        for file in found.files:
+            typer.echo(file.diff(), nl=False)
+        typer.echo(found.summary(is_written=False), err=True)
+    else:
+        output.print_findings(found.diagnostics)
+        typer.echo(found.summary(is_written=write))
+    for file in found.files:
+        if write and file.is_changed:
+            _write(file)
+    raise typer.Exit(output.exit_code(found.diagnostics))
+
+
+def _write(file: MigratedFile) -> None:
+    """Write what has become of a file; ends the run if that fails."""
+    try:
+        file.write()
+    except OSError as problem:
+        reason = (problem.strerror or "it is gone").lower()
+        output.fail(f"cannot write {file.path}: {reason}", exit_code=2)
+
+
+@app.command()
+def stubs(
+    out: Annotated[
+        Path, typer.Option(metavar="FILE", help="The stub, beside the module that loads.")
+    ],
+    ontology: Folders = None,
+    is_check: Annotated[
+        bool, typer.Option("--check", help="Write nothing; end with 1 if the stub is stale.")
+    ] = False,
+    relations: Annotated[
+        bool,
+        typer.Option(help="With what EzSkiROS knows of SkiROS2's relations, as `load` has it."),
+    ] = True,
+) -> None:
+    """Write the stub (`.pyi`) from which editors and type checkers know the ontology."""
+    from ezskiros.driver import stub_of
+
+    _name_ontology(ontology)
+    text, found = stub_of(relations=relations)
+    if output.exit_code(found):
+        output.reject(found)
+    output.print_findings(found)
+    try:
+        if not is_check:
+            out.write_text(text, encoding="utf-8", newline="\n")
+        elif not out.exists() or out.read_bytes().replace(b"\r", b"") != text.encode():
+            output.fail(f"{out} is stale: run this command again, without --check", exit_code=1)
+    except OSError as problem:
+        reason = (problem.strerror or "it is not there").lower()
+        output.fail(f"{out} cannot be used: {reason}", exit_code=2)
+
+
+def _check_again_and_again(paths: list[Path], ontology: list[Path], form: Format) -> None:
+    """In a process of its own each time: Python keeps the modules that it has imported."""
+    from ezskiros.cli.watch import watch
+    from ezskiros.ontology.read import find
+    from ezskiros.skills.load import skill_files
+
+    def files() -> list[Path]:
+        known = [path for path in ontology if path.exists()]
+        return [*skill_files(paths), *filter(Path.is_file, paths), *find(known)]
+
+    named = [text for path in ontology for text in ("--ontology", str(path))]
+    arguments = ["check", *map(str, paths), *named, "--format", form.value]
+
+    def check_once() -> None:
+        subprocess.run([sys.executable, "-m", "ezskiros", *arguments], check=False)
+
+    watch(files, check_once)
+
+
+def _name_ontology(paths: list[Path] | None) -> None:
+    """What `load()` loads without a path."""
+    from ezskiros.ontology.load import VARIABLE
+
+    if paths:
+        os.environ[VARIABLE] = os.pathsep.join(map(str, paths))
+
+
+def main() -> None:
+    """Run the command line."""
+    output.run(app)

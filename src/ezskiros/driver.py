@@ -1,0 +1,91 @@
+"""From paths to findings: what the command line and other programs call."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Sequence
+from contextlib import redirect_stdout
+from dataclasses import dataclass
+from io import StringIO
+from pathlib import Path
+
+from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.source import SourceFile, Span, is_file
+from ezskiros import session
+from ezskiros.check import check_skills
+from ezskiros.check.inference import chains
+from ezskiros.check.scene_errors import NoOntologyForScene
+from ezskiros.check.scenes import check_scene
+from ezskiros.ontology import load
+from ezskiros.ontology.load import VARIABLE
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.load import load_skills, skill_files
+from ezskiros.skills.load_errors import NoFile, NoSkills
+from ezskiros.skills.markers import Kind
+from ezskiros.stubs import write_stub
+
+SCENE = ".turtle"
+
+
+@dataclass(frozen=True)
+class Checked:
+    """The skills of some files, and what is wrong with them."""
+
+    files: Sequence[Path]
+    skills: Sequence[SkillInterface]
+    diagnostics: Sequence[Diagnostic]
+
+
+def check_paths(paths: Iterable[Path]) -> Checked:
+    """Check the skills of files and folders, and scenes; what skills print is dropped."""
+    paths = list(paths)
+    scenes = [path for path in paths if path.suffix == SCENE]
+    paths = [path for path in paths if path.suffix != SCENE]
+    collector = Collector()
+    with session.collecting(collector), redirect_stdout(StringIO()):
+        skills = check_skills(load_skills(paths))
+        collector.extend(found for scene in scenes for found in _scene(scene))
+    if paths and not skills and not collector.sorted():
+        shown = ", ".join(map(str, paths))
+        collector.add(NoSkills(path=shown).at(Span(SourceFile(shown, ""), 0, 0)))
+    return Checked([*skill_files(paths), *scenes], skills, collector.sorted())
+
+
+def _scene(path: Path) -> Iterable[Diagnostic]:
+    """What is wrong with a scene; it is checked against the ontology that `load()` loads."""
+    nowhere = Span(SourceFile(str(path), ""), 0, 0)
+    if not os.environ.get(VARIABLE):
+        return [NoOntologyForScene().at(nowhere)]
+    if not is_file(path):
+        return [NoFile(path=str(path)).at(nowhere)]
+    return check_scene(path, load())
+
+
+def stub_of(*, relations: bool) -> tuple[str, Sequence[Diagnostic]]:
+    """The stub of the ontology that `load()` loads, and what is wrong with that."""
+    collector = Collector()
+    with session.collecting(collector):
+        ontology = load(relations=relations)
+    return write_stub(ontology), collector.sorted()
+
+
+def explain_skill(name: str, paths: Iterable[Path]) -> str | None:
+    """How each inferred parameter of a skill gets its value; None if there is no such skill."""
+    checked = check_paths(paths)
+    skill = next((each for each in checked.skills if each.name == name), None)
+    return None if skill is None else "\n".join(_lines(skill))
+
+
+def _lines(skill: SkillInterface) -> Iterable[str]:
+    steps = chains(skill)
+    for parameter in skill.parameters:
+        shown = f"{parameter.name}: {parameter.type!r}" if parameter.is_thing else parameter.name
+        if parameter.kind is not Kind.INFERRED:
+            origin = "given" if parameter.default is None else f"given, or {parameter.default!r}"
+            yield f"{shown}  {origin if parameter.kind is Kind.REQUIRED else 'may stay without'}"
+        elif parameter.name in steps:
+            step = steps[parameter.name]
+            place = step.clause.span
+            yield f"{shown}  from {step.source}, by {place.text} ({place})"
+        else:
+            yield f"{shown}  any of its class: no pre-condition leads to it"

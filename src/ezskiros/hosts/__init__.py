@@ -1,0 +1,1 @@
+"""Where skills run: what EzSkiROS hands over to other systems."""

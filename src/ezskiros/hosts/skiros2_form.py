@@ -1,0 +1,148 @@
+"""A skill in SkiROS2's own form: what its `addParam` and its conditions store, as plain data.
+
+Labels of conditions are left out: they are for people. Names of the ontology are written as SkiROS2
+writes them, `skiros:at`.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.statements import (
+    AnyOf,
+    Comparison,
+    Generated,
+    HasProperty,
+    OfType,
+    Relation,
+    Specified,
+    Statement,
+    Value,
+)
+from ezskiros.skills.interface import Clause, Parameter, SkillInterface
+from ezskiros.skills.markers import Kind, Option
+
+_STATE = "skiros:StateProperty"
+ROBOT = "Robot"
+
+
+@dataclass(frozen=True)
+class FormParameter:
+    """A parameter: `type` is `skiros:Product`, or the name of a Python class."""
+
+    key: str
+    kind: str
+    type: str
+    default: Value | enum.Enum | None = None
+
+
+IMPLICIT_ROBOT = FormParameter(ROBOT, Kind.INFERRED.value, "sumo:Agent")
+"""What SkiROS2 adds to a skill that has no parameter of this name."""
+
+
+@dataclass(frozen=True)
+class FormCondition:
+    """A condition: the method of SkiROS2's `SkillDescription` that makes it, and what it is given
+    behind the label; `parts` are added to an `or`.
+    """
+
+    maker: str
+    arguments: tuple[Value, ...]
+    parts: tuple[FormCondition, ...] = ()
+
+
+@dataclass(frozen=True)
+class Form:
+    """A description as SkiROS2 stores it."""
+
+    name: str
+    parameters: tuple[FormParameter, ...]
+    pre: tuple[FormCondition, ...]
+    hold: tuple[FormCondition, ...]
+    post: tuple[FormCondition, ...]
+
+
+def form_of(skill: SkillInterface, model: Model) -> Form:
+    """The form of a skill whose types are from the ontology `model`."""
+    lowering = _Lowering(model)
+    parameters = [lowering.parameter(each) for each in skill.parameters]
+    if all(each.key != ROBOT for each in parameters):
+        parameters.append(IMPLICIT_ROBOT)
+    pre, hold, post = lowering.options(skill.parameters)
+    return Form(
+        skill.name,
+        tuple(parameters),
+        (*pre, *lowering.clauses(skill.pre)),
+        (*hold, *lowering.clauses(skill.hold)),
+        (*post, *lowering.clauses(skill.post)),
+    )
+
+
+def any_of(parts: Iterable[FormCondition], *, is_true: bool) -> FormCondition:
+    """An `or`; one inside another is part of it, as long as it is none that is denied."""
+    flat: list[FormCondition] = []
+    for part in parts:
+        is_open = part.maker == "getOrCond" and part.arguments == (True,)
+        flat += part.parts if is_open else [part]
+    return FormCondition("getOrCond", (is_true,), tuple(flat))
+
+
+def options_of(key: str, kind: str, options: Iterable[str]) -> Iterator[tuple[str, FormCondition]]:
+    """The conditions that options of a parameter stand for, each behind the list that it is of."""
+    for option in options:
+        if option == Option.CONSUME.value:
+            yield "post", FormCondition("getGenerateCond", (key, False))
+        elif option == Option.UNSPECIFY.value:
+            yield "post", FormCondition("getIsSpecifiedCond", (key, False))
+        elif option == Option.RESPECT_TYPE.value:
+            yield "pre", FormCondition("getOnTypeCond", (key, kind))
+        elif option == Option.LOCK.value:
+            for place, is_idle in (("pre", True), ("hold", False), ("post", True)):
+                yield place, FormCondition("getPropCond", (_STATE, key, "=", "Idle", is_idle))
+
+
+class _Lowering:
+    def __init__(self, model: Model) -> None:
+        self._model = model
+
+    def parameter(self, found: Parameter) -> FormParameter:
+        return FormParameter(found.name, found.kind.value, self._type(found), found.default)
+
+    def _type(self, found: Parameter) -> str:
+        return self._model.short(found.iri) if found.iri else found.type.__name__
+
+    def options(self, parameters: Sequence[Parameter]) -> tuple[list[FormCondition], ...]:
+        """The conditions before, during and after the skill that come from options."""
+        found: dict[str, list[FormCondition]] = {"pre": [], "hold": [], "post": []}
+        for each in parameters:
+            names = [option.value for option in each.options]
+            for kind, condition in options_of(each.name, self._type(each), names):
+                found[kind].append(condition)
+        return found["pre"], found["hold"], found["post"]
+
+    def clauses(self, clauses: Iterable[Clause]) -> Iterator[FormCondition]:
+        for clause in clauses:
+            yield self._condition(clause.statement)
+
+    def _condition(self, said: Statement) -> FormCondition:
+        short = self._model.short
+        match said:
+            case Relation(subject=subject, relation=iri, object=other, is_abstract=is_abstract):
+                maker = "getAbstractRelationCond" if is_abstract else "getRelationCond"
+                return FormCondition(maker, (short(iri), subject, other, said.is_true))
+            case Comparison(subject=subject, property=iri, operator=operator, value=value):
+                arguments = (short(iri), subject, operator, value, said.is_true)
+                return FormCondition("getPropCond", arguments)
+            case HasProperty(subject=subject, property=iri):
+                return FormCondition("getHasPropCond", (short(iri), subject, said.is_true))
+            case OfType(subject=subject, owl_class=iri):
+                return FormCondition("getOnTypeCond", (subject, short(iri)))
+            case Specified(subject=subject):
+                return FormCondition("getIsSpecifiedCond", (subject, said.is_true))
+            case Generated(subject=subject):
+                return FormCondition("getGenerateCond", (subject, said.is_true))
+            case AnyOf(parts=parts):
+                return any_of(map(self._condition, parts), is_true=said.is_true)

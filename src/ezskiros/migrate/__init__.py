@@ -1,0 +1,1 @@
+"""From SkiROS2's descriptions of skills to those of EzSkiROS: Python in, Python out."""

@@ -1,0 +1,348 @@
+"""The method `createDescription` in, the method `description` out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+import libcst as cst
+
+from dslkit.diagnostics import Template
+from ezskiros.migrate import errors
+from ezskiros.migrate.calls import Arguments, condition_maker, method
+from ezskiros.migrate.comments import inner_comments, texts
+from ezskiros.migrate.conditions import ConditionReader, Expression, OrBuilder
+from ezskiros.migrate.docstrings import Text, docstring_of, with_arguments
+from ezskiros.migrate.errors import LeftError
+from ezskiros.migrate.names import Names
+from ezskiros.migrate.parameters import ROBOT, Parameter, ParameterReader, implicit_robot
+from ezskiros.migrate.values import Known
+
+LENGTH = 100
+"""Lines are not longer, as far as it depends on us."""
+_CONDITIONS = {
+    "addPreCondition": "pre_conditions",
+    "addHoldCondition": "hold_conditions",
+    "addPostCondition": "post_conditions",
+}
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What is left of a statement, and why. `statement` is the one that gets the mark."""
+
+    template: Template
+    node: cst.CSTNode
+    statement: cst.CSTNode
+
+
+@dataclass
+class Step:
+    """One small statement of the old description, and the comments around it."""
+
+    node: cst.BaseSmallStatement | cst.BaseCompoundStatement
+    statement: cst.CSTNode
+    above: list[str]
+    behind: str = ""
+
+    @property
+    def call(self) -> cst.Call | None:
+        """The call that it consists of."""
+        match self.node:
+            case cst.Expr(value=cst.Call() as found):
+                return found
+        return None
+
+
+@dataclass
+class Translation:
+    """The new method, line by line; with `findings` there is none."""
+
+    lines: list[str] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    warnings: list[Finding] = field(default_factory=list)
+
+
+def statements_of(function: cst.FunctionDef) -> Sequence[cst.CSTNode]:
+    """What is in the body of a method: lines, or the small statements behind its colon."""
+    return function.body.body
+
+
+def translate(
+    function: cst.FunctionDef,
+    names: Names,
+    known: Known,
+    code: Callable[[cst.CSTNode], str],
+    indents: tuple[str, str],
+) -> Translation:
+    """The method `description` for a method `createDescription`.
+
+    `code` gives the text of an expression. `indents` are the space before the method, and the space
+    by which its body has more.
+    """
+    return _Translator(function, names, known, code, indents).translated()
+
+
+class _Translator:
+    def __init__(
+        self,
+        function: cst.FunctionDef,
+        names: Names,
+        known: Known,
+        code: Callable[[cst.CSTNode], str],
+        indents: tuple[str, str],
+    ) -> None:
+        self._function, self._names, self._known = function, names, known
+        self._code, (self._outer, self._step) = code, indents
+        self._parameters: list[tuple[Step, Parameter]] = []
+        self._body: list[str] = []
+        self._waiting: list[str] = []
+        self._last: Step | None = None
+        self._found = Translation()
+
+    def translated(self) -> Translation:
+        self._check_method()
+        statements = list(statements_of(self._function))
+        doc = docstring_of(statements[0]) if statements else None
+        steps = list(_steps(statements, self._function))
+        above_doc = []
+        if doc is not None:
+            first = steps.pop(0)
+            above_doc = [*first.above, *([first.behind] if first.behind else [])]
+        self._last = steps[-1] if steps else None
+        self._read_parameters(steps)
+        self._read_conditions(steps)
+        if not self._found.findings:
+            self._found.lines = self._written(doc, above_doc)
+        return self._found
+
+    def _check_method(self) -> None:
+        parameters = self._function.params
+        is_plain = len(parameters.params) == 1 and parameters.params[0].name.value == "self"
+        others = (parameters.kwonly_params, parameters.posonly_params, parameters.star_kwarg)
+        odd = self._function.decorators or self._function.asynchronous or any(others)
+        if odd or not is_plain or isinstance(parameters.star_arg, cst.Param):
+            template = errors.UnknownStatement(found="a method with decorators or parameters")
+            self._leave(LeftError(template, self._function.name), self._function)
+
+    def _leave(self, left: LeftError, statement: cst.CSTNode) -> None:
+        self._found.findings.append(Finding(left.template, left.node, statement))
+
+    def _read_parameters(self, steps: Sequence[Step]) -> None:
+        reader = ParameterReader(self._names, self._known, self._code)
+        for step in steps:
+            call = step.call
+            if call is None or method(call) != "addParam":
+                continue
+
+            def warn(template: Template, node: cst.CSTNode, step: Step = step) -> None:
+                self._found.warnings.append(Finding(template, node, step.statement))
+
+            try:
+                found = reader.read(call, warn)
+                if any(found.name == each.name for _, each in self._parameters):
+                    raise LeftError(errors.RepeatedParameter(key=found.name), call)
+                self._parameters.append((step, found))
+            except LeftError as left:
+                self._leave(left, step.statement)
+
+    def _declared(self) -> dict[str, bool]:
+        """The keys that are declared, right or not, and whether they stand for things."""
+        return {each.name: each.is_thing for _, each in self._parameters}
+
+    def _read_conditions(self, steps: Sequence[Step]) -> None:
+        declared = self._declared()
+        things = {name for name, is_thing in declared.items() if is_thing}
+        robot = {ROBOT} - set(declared) - _keys(steps)
+        reader = ConditionReader(
+            self._names, self._known, self._code, things | robot, set(declared) - things
+        )
+        unclear = _keys(steps) - set(declared)
+        for step in steps:
+            if step.call is not None and method(step.call) == "addParam":
+                continue
+            try:
+                self._read_step(step, reader)
+            except LeftError as left:
+                # What is said of a parameter that is left is not wrong for that.
+                about = getattr(left.template, "key", None)
+                if not (isinstance(left.template, errors.NotAThing) and about in unclear):
+                    self._leave(left, step.statement)
+        if robot & reader.mentioned:
+            step = Step(cst.Pass(), self._function, [])
+            self._parameters.append((step, implicit_robot(self._names)))
+        for name, builder in reader.variables.items():
+            is_unused = isinstance(builder, OrBuilder) and not builder.is_used
+            if isinstance(builder, OrBuilder) and is_unused and not self._found.findings:
+                self._leave(_unused(name, builder), builder.statement)
+
+    def _read_step(self, step: Step, reader: ConditionReader) -> None:
+        """One statement that is no parameter. Raises `LeftError`."""
+        match step.node:
+            case cst.Pass():
+                self._wait(step)
+            case cst.Return(value=None) if step is self._last:
+                self._wait(step)
+            case cst.Expr(value=cst.SimpleString() | cst.ConcatenatedString() as text):
+                self._emit(step, self._code(text))
+            case cst.Expr(value=cst.Call() as call):
+                self._read_call(step, call, reader)
+            case cst.Assign(
+                targets=[cst.AssignTarget(target=cst.Name(value=name))], value=cst.Call() as value
+            ) if name not in {*self._declared(), ROBOT}:
+                self._read_variable(step, name, value, reader)
+            case _:
+                raise _unknown(step.node, self._code)
+
+    def _read_call(self, step: Step, call: cst.Call, reader: ConditionReader) -> None:
+        name = method(call)
+        if name in _CONDITIONS:
+            found = reader.read(Arguments(call, name)["condition"])
+            self._emit(step, f"self.{_CONDITIONS[name]} += {found.text}", found.labels)
+            return
+        for variable, builder in reader.variables.items():
+            if isinstance(builder, OrBuilder) and method(call, variable) == "addCondition":
+                if builder.is_used:
+                    found_or = errors.UnusableOr(found="is changed after it is added")
+                    raise LeftError(found_or, call)
+                builder.parts.append(Expression("..."))  # also counts if it cannot be read
+                builder.parts[-1] = reader.part(Arguments(call, "addCondition")["condition"])
+                self._wait(step)
+                return
+        raise _unknown(step.node, self._code)
+
+    def _read_variable(
+        self, step: Step, name: str, value: cst.Call, reader: ConditionReader
+    ) -> None:
+        before = reader.variables.get(name)
+        if isinstance(before, OrBuilder) and not before.is_used:
+            raise _unused(name, before)
+        if condition_maker(value) == "getOrCond":
+            is_true = Arguments(value, "getOrCond").truth("desired_state")
+            reader.variables[name] = OrBuilder(is_true, value, step.statement)
+            self._wait(step)
+            return
+        found = reader.read(value)
+        reader.variables[name] = found
+        self._emit(step, f"{name} = {found.text}", found.labels)
+
+    def _wait(self, step: Step) -> None:
+        """The comments of a statement that goes are those of the next one."""
+        behind = [step.behind] if step.behind else []
+        self._waiting += [*step.above, *inner_comments(step.node), *behind]
+
+    def _emit(self, step: Step, line: str, labels: Sequence[str] = ()) -> None:
+        said = f"# {'; '.join(labels)}" if labels else ""
+        above = [*self._waiting, *step.above, *inner_comments(step.node)]
+        self._waiting = []
+        fits = len(self._outer + self._step) + len(line) + 2 + len(said) <= LENGTH
+        if said and (step.behind or not fits):
+            above, said = [*above, said], ""
+        self._body += above
+        self._body.append("  ".join(filter(None, [line, step.behind or said])))
+
+    def _written(self, doc: Text | None, above_doc: list[str]) -> list[str]:
+        body = []
+        docs = [(each.name, each.doc) for _, each in self._parameters if each.doc]
+        if doc is not None or docs:
+            code = self._code(doc) if doc is not None else ""
+            text = with_arguments(doc, code, docs, (self._outer + self._step, self._step))
+            body += [*above_doc, text]
+        below = texts(getattr(self._function.body, "footer", ()))
+        rest = _single_blanks([*self._body, *self._waiting, *below])
+        if not any(line and not line.startswith("#") for line in [*body, *rest]):
+            rest = [*rest, "pass"]
+        inside = [self._step + line if line else "" for line in [*body, *rest]]
+        return [*self._signature(), *inside]
+
+    def _signature(self) -> list[str]:
+        """In one line if it fits and has no comments."""
+        parameters = [each for _, each in self._parameters]
+        star = ["*"] if _needs_star(parameters) else []
+        one = f"def description({', '.join(['self', *star, *map(str, parameters)])}):"
+        comments = any(
+            any(step.above) or step.behind or inner_comments(step.node)
+            for step, _ in self._parameters
+        )
+        block = self._function.body
+        header = inner_comments(block.header) if isinstance(block, cst.IndentedBlock) else []
+        if not comments and len(self._outer) + len(one) <= LENGTH:
+            return ["  ".join([one, *header])]
+        lines = [f"{each}," for each in ("self", *star)]
+        for step, parameter in self._parameters:
+            lines += [line for line in [*step.above, *inner_comments(step.node)] if line]
+            lines.append("  ".join(filter(None, [f"{parameter},", step.behind])))
+        indented = [self._step + line for line in lines]
+        return ["def description(", *indented, "  ".join(["):", *header])]
+
+
+def _needs_star(parameters: Sequence[Parameter]) -> bool:
+    """Python wants parameters with defaults last, unless all are given by their names."""
+    seen = False
+    for each in parameters:
+        if seen and each.default is None:
+            return True
+        seen = seen or each.default is not None
+    return False
+
+
+def _keys(steps: Sequence[Step]) -> set[str]:
+    """The keys of all parameters, also of those that cannot be translated."""
+    found = set()
+    for step in steps:
+        if step.call is not None and method(step.call) == "addParam":
+            try:
+                found.add(Arguments(step.call, "addParam").text("key"))
+            except LeftError:
+                continue
+    return found
+
+
+def _steps(statements: Sequence[cst.CSTNode], function: cst.FunctionDef) -> Iterator[Step]:
+    """The small statements, in order."""
+    suite = function.body
+    if isinstance(suite, cst.SimpleStatementSuite):
+        yield from _line_steps(suite.body, suite, suite.trailing_whitespace.comment, [])
+        return
+    for statement in statements:
+        above = texts(getattr(statement, "leading_lines", ()))
+        if isinstance(statement, cst.SimpleStatementLine):
+            comment = statement.trailing_whitespace.comment
+            yield from _line_steps(statement.body, statement, comment, above)
+        elif isinstance(statement, cst.BaseCompoundStatement):
+            yield Step(statement, statement, above)
+
+
+def _line_steps(
+    parts: Sequence[cst.BaseSmallStatement],
+    line: cst.CSTNode,
+    comment: cst.Comment | None,
+    above: list[str],
+) -> Iterator[Step]:
+    """The statements of one line: comments above it are of the first, that behind of the last."""
+    for number, node in enumerate(parts):
+        behind = comment.value if comment and number == len(parts) - 1 else ""
+        yield Step(node, line, [] if number else above, behind)
+
+
+def _single_blanks(lines: Sequence[str]) -> list[str]:
+    """Without blank lines at both ends, and with one where there are several."""
+    found: list[str] = []
+    for line in lines:
+        if line or (found and found[-1]):
+            found.append(line)
+    while found and not found[-1]:
+        found.pop()
+    return found
+
+
+def _unused(name: str, builder: OrBuilder) -> LeftError:
+    template = errors.UnusableOr(found=f"is added to no condition, as `{name}`")
+    return LeftError(template, builder.node)
+
+
+def _unknown(node: cst.CSTNode, code: Callable[[cst.CSTNode], str]) -> LeftError:
+    bare = node.with_changes(leading_lines=()) if hasattr(node, "leading_lines") else node
+    first = code(bare).strip().partition("\n")[0]
+    shown = first if len(first) <= 50 else f"{first[:47]}..."
+    return LeftError(errors.UnknownStatement(found=f"`{shown}`"), node)

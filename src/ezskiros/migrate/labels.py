@@ -1,0 +1,40 @@
+"""Labels of conditions: which of them say more than the condition itself."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+_FILLING = {"a", "at", "be", "cond", "condition", "for", "has", "have", "hold", "in", "is", "must"}
+_FILLING |= {"of", "on", "post", "pre", "should", "the", "to", "with"}
+_OPPOSITE = {"no", "not", "non", "un"}
+
+
+def says_more(label: str, said: Iterable[str], *, is_true: bool) -> bool:
+    """Whether a label has a word, not just a letter, that is not among those of its condition.
+
+    `RobotAt` says no more than that the robot is at a location; `EmptyHanded` does.
+    """
+    known = {word for text in said for word in _words(text)}
+    allowed = _FILLING if is_true else _FILLING | _OPPOSITE
+    return any(
+        len(word) > 1
+        and word not in allowed
+        and not any(_is_form_of(word, other) for other in known)
+        for word in _words(label)
+    )
+
+
+def _words(text: str) -> list[str]:
+    """`EEHasGripper2` has the words ee, has, gripper and 2."""
+    found = re.findall(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+|[^\W\d_a-zA-Z]+", text)
+    return [word.lower() for word in found]
+
+
+def _is_form_of(word: str, other: str) -> bool:
+    """Whether two words are forms of one: contained and contain, obj and object."""
+    return other.startswith(word) or (len(other) > 2 and word in _forms(other))
+
+
+def _forms(word: str) -> set[str]:
+    return {word, *(word + ending for ending in ("s", "d", "ed", "ing"))}

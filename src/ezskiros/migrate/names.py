@@ -1,0 +1,111 @@
+"""How things of an ontology and of EzSkiROS are called in a translated file."""
+
+from __future__ import annotations
+
+import keyword
+import re
+import unicodedata
+from collections.abc import Collection
+from dataclasses import dataclass, field
+
+import libcst as cst
+
+from ezskiros.migrate import errors
+from ezskiros.migrate.errors import LeftError
+
+DEFAULT_PREFIX = "skiros"
+"""Of names without one: SkiROS2 looks them up in its own ontology."""
+_RESERVED = {"rdf", "rdfs", "owl", "xsd", "xml"}
+_NO_ATTRIBUTES = {"iri", "vocabulary"}
+"""What the Python classes of things have besides the properties of the ontology."""
+
+
+@dataclass
+class Names:
+    """The names that a file uses of EzSkiROS and of its ontology.
+
+    `taken` are names that mean something else there, `ambiguous` properties that several namespaces
+    have. With `is_qualified` the names of EzSkiROS are written `ezskiros.INFERRED`.
+    """
+
+    is_qualified: bool = False
+    taken: Collection[str] = frozenset()
+    ambiguous: Collection[str] = frozenset()
+    ours: set[str] = field(default_factory=set)
+    namespaces: dict[str, str] = field(default_factory=dict)
+    properties: set[tuple[str, str]] = field(default_factory=set)
+
+    def like(self) -> Names:
+        """The same spelling, with nothing used yet."""
+        return Names(self.is_qualified, self.taken, self.ambiguous)
+
+    def add(self, other: Names) -> None:
+        """Use what others use as well."""
+        self.ours |= other.ours
+        self.namespaces |= other.namespaces
+        self.properties |= other.properties
+
+    def unclear(self) -> set[str]:
+        """Names of properties that are used of several namespaces."""
+        names = [name for _, name in self.properties]
+        return {name for name in names if names.count(name) > 1}
+
+    def our(self, name: str) -> str:
+        """How a name of EzSkiROS is written."""
+        self.ours.add(name)
+        return f"ezskiros.{name}" if self.is_qualified else name
+
+    def entity(self, light: str, node: cst.CSTNode) -> str:
+        """A class or property in Python: `skiros.Product` of `skiros:Product`.
+
+        Raises `LeftError` for names that no ontology of robots has.
+        """
+        prefix, name = split(light, node)
+        namespace = self.namespaces.setdefault(prefix, self._free(prefix))
+        is_attribute = is_name(name) and not name.startswith("_")  # namespaces have such, too
+        return f"{namespace}.{name}" if is_attribute else f'{namespace}["{name}"]'
+
+    def attribute(self, subject: str, light: str, node: cst.CSTNode) -> str | None:
+        """A property as an attribute: `Robot.at` of `skiros:at`.
+
+        None if it has to be said by its namespace: other ontologies may have names that SkiROS2's
+        own has as well. Raises `LeftError`.
+        """
+        prefix, name = split(light, node)
+        self.properties.add((prefix, name))
+        is_plain = is_name(name) and not name.startswith("_") and name not in _NO_ATTRIBUTES
+        is_clear = prefix == DEFAULT_PREFIX and name not in self.ambiguous
+        return f"{subject}.{name}" if is_plain and is_clear else None
+
+    def _free(self, prefix: str) -> str:
+        name = prefix
+        while name in self.taken:
+            name += "_"
+        return name
+
+
+def split(light: str, node: cst.CSTNode) -> tuple[str, str]:
+    """The prefix and the name of `skiros:Product`. Raises `LeftError`."""
+    prefix, colon, name = light.rpartition(":")
+    prefix = prefix if colon and prefix else DEFAULT_PREFIX
+    is_odd = prefix in _RESERVED or not is_name(prefix) or re.search(r'["\\#/\s]', name)
+    if is_odd or not name:
+        raise LeftError(errors.NoNamespace(found=light), node)
+    return prefix, name
+
+
+def is_name(text: str) -> bool:
+    """Whether Python takes a text for a name, and keeps it as it is."""
+    is_plain = text.isidentifier() and not keyword.iskeyword(text)
+    return is_plain and unicodedata.normalize("NFKC", text) == text
+
+
+def parameter_name(key: str, node: cst.CSTNode) -> str:
+    """A key as the name of a parameter. Raises `LeftError` if Python does not take it."""
+    is_private = key.startswith("__")  # Python would change it inside a class
+    if is_name(key) and not is_private and key not in ("self", "ezskiros"):
+        return key
+    words = [word[:1].upper() + word[1:] for word in re.findall(r"\w+", key.strip("_"))]
+    example = "".join(words) or "Parameter"
+    example = example if is_name(example) else f"Parameter{example}"
+    raise LeftError(errors.NoPythonName(key=key, example=example), node)

@@ -1,0 +1,25 @@
+"""IRIs of RDF, RDF Schema, OWL and XML Schema, and what the parts of an IRI are."""
+
+from __future__ import annotations
+
+RDF = "http://www.w3.org/1999/02/22-rdf-syntax-ns#"
+RDFS = "http://www.w3.org/2000/01/rdf-schema#"
+OWL = "http://www.w3.org/2002/07/owl#"
+XSD = "http://www.w3.org/2001/XMLSchema#"
+THING = OWL + "Thing"
+
+RESERVED = (RDF, RDFS, OWL, XSD, "http://www.w3.org/XML/1998/namespace")
+"""Namespaces of the language itself: nothing of theirs is a thing of the world."""
+
+
+def split(iri: str) -> tuple[str, str]:
+    """The namespace of an IRI, with its `#` or `/`, and the name in it."""
+    end = max(iri.rfind("#"), iri.rfind("/")) + 1
+    return iri[:end], iri[end:]
+
+
+def stem(namespace: str) -> str:
+    """How SkiROS2 calls a namespace: `http://.../RParts.owl#` is `rparts`."""
+    last = namespace.rstrip("#/").rpartition("/")[2]
+    bare, dot, _ = last.rpartition(".")
+    return (bare if dot else last).lower()

@@ -1,0 +1,104 @@
+"""Files and folders in, an `Ontology` out, and what is wrong with them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+
+from dslkit.diagnostics import Diagnostic, Severity
+from dslkit.source import Span
+from ezskiros import session
+from ezskiros.ontology import errors
+from ezskiros.ontology.iris import OWL, RDF
+from ezskiros.ontology.read import Document, find, read
+from ezskiros.ontology.world import Ontology
+
+VARIABLE = "EZSKIROS_ONTOLOGY"
+"""Names the files and folders of the ontology, separated like those of PATH."""
+
+_IMPORTS = OWL + "imports"
+_TYPE = RDF + "type"
+_DECLARED = {OWL + kind for kind in ("Class", "ObjectProperty", "DatatypeProperty")}
+
+
+def load(*paths: str | os.PathLike[str], relations: bool = True) -> Ontology:
+    """The ontology of some files and folders; without any, that of the variable EZSKIROS_ONTOLOGY.
+
+    `relations` adds what EzSkiROS knows of the relations of SkiROS2's own ontology, which declares
+    no domain and no range for them. The same files are loaded once. Raises `SkillError` for files
+    that cannot be read, unless findings are collected: then it goes on without them.
+    """
+    named = tuple(Path(path) for path in paths) or tuple(
+        Path(part) for part in os.environ.get(VARIABLE, "").split(os.pathsep) if part
+    )
+    try:
+        found = find(named)
+        states = tuple((path, path.stat().st_mtime_ns, path.stat().st_size) for path in found)
+        ontology, wrong = _loaded(states, relations)
+    except OSError as problem:
+        path, reason = str(problem.filename), (problem.strerror or "it is not there").lower()
+        session.report(errors.NoSuchFile(path=path, reason=reason).at(session.here()))
+        return Ontology((), is_whole=False)
+    if not found:
+        shown = ", ".join(map(str, named))
+        reason = f"there is no file of one in {shown}" if named else "no path is given"
+        session.report(errors.NothingLoaded(reason=reason).at(session.here()))
+        return Ontology((), is_whole=False)
+    for diagnostic in wrong:
+        session.report(diagnostic)
+    return ontology
+
+
+@cache
+def _loaded(
+    states: tuple[tuple[Path, int, int], ...], relations: bool
+) -> tuple[Ontology, tuple[Diagnostic, ...]]:
+    """The ontology of files as they are; `states` tells them from what they were."""
+    documents, wrong = [], []
+    for path, _, _ in states:
+        document, found = read(path)
+        documents += [document] if document else []
+        wrong += found
+    wrong += _empty(documents)
+    is_whole = not any(each.severity is Severity.ERROR for each in wrong)
+    wrong += _missing_imports(documents)
+    documents += [core_relations()] if relations else []
+    return Ontology(documents, is_whole=is_whole), tuple(wrong)
+
+
+def core_relations() -> Document:
+    """Domains and ranges of the relations of SkiROS2's own ontology."""
+    path = files("ezskiros.ontology") / "skiros_relations.ttl"
+    document, wrong = read(Path(str(path)))
+    assert document is not None, wrong
+    return document
+
+
+def _empty(documents: Iterable[Document]) -> Iterable[Diagnostic]:
+    """A finding if nothing is declared at all."""
+    documents = list(documents)
+    for document in documents:
+        for triple in document.triples:
+            if triple.predicate.value == _TYPE and str(triple.object).strip("<>") in _DECLARED:
+                return
+    if documents:
+        yield errors.NoOntology().at(Span(documents[0].file, 0, 0))
+
+
+def _missing_imports(documents: list[Document]) -> Iterable[Diagnostic]:
+    """Imports that are none of the files: by the IRI of an ontology, or by the name of its file."""
+    own = {str(triple.subject).strip("<>") for each in documents for triple in each.triples}
+    stems = {Path(each.file.path).stem.lower() for each in documents}
+    for document in documents:
+        for triple in document.triples:
+            if triple.predicate.value != _IMPORTS:
+                continue
+            iri = str(triple.object).strip("<>")
+            stem = iri.rstrip("#/").rpartition("/")[2].partition(".")[0].lower()
+            if iri not in own and stem not in stems:
+                start = max(document.file.text.find(iri), 0)
+                span = Span(document.file, start, start + len(iri))
+                yield errors.MissingImport(iri=iri).at(span)

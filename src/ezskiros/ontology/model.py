@@ -1,0 +1,173 @@
+"""What an ontology says, as plain data: classes, relations, data properties, individuals.
+
+Everything is named by its IRI. A `Union` is "one of these classes (or data types)"; several unions
+hold together. Without any, nothing is said: not that nothing fits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import TypeAlias
+
+from ezskiros.ontology.iris import THING
+
+Union: TypeAlias = frozenset[str]
+
+
+@dataclass(frozen=True)
+class OwlClass:
+    """A class. `parents` are its direct superclasses, `equivalents` classes that mean the same."""
+
+    iri: str
+    parents: frozenset[str] = frozenset()
+    equivalents: frozenset[str] = frozenset()
+    disjoint: frozenset[str] = frozenset()
+    only: Mapping[str, tuple[Union, ...]] = field(default_factory=dict)
+    """For a property the classes that its values have to be of (owl:allValuesFrom)."""
+    some: Mapping[str, tuple[Union, ...]] = field(default_factory=dict)
+    """For a property the classes that it has a value of (owl:someValuesFrom)."""
+    comment: str = ""
+
+
+@dataclass(frozen=True)
+class Property:
+    """What object properties and data properties have in common."""
+
+    iri: str
+    parents: frozenset[str] = frozenset()
+    domain: tuple[Union, ...] = ()
+    range: tuple[Union, ...] = ()
+    is_functional: bool = False
+    comment: str = ""
+
+
+@dataclass(frozen=True)
+class ObjectProperty(Property):
+    """A relation between two things."""
+
+    inverses: frozenset[str] = frozenset()
+    is_inverse_functional: bool = False
+    is_symmetric: bool = False
+
+
+@dataclass(frozen=True)
+class DataProperty(Property):
+    """A value of a thing. Its range are data types of XML Schema, or the literals of `values`."""
+
+    values: frozenset[str] | None = None
+
+
+@dataclass(frozen=True)
+class Individual:
+    """A thing that the ontology names."""
+
+    iri: str
+    types: frozenset[str] = frozenset()
+    comment: str = ""
+
+
+@dataclass(frozen=True)
+class Model:
+    """An ontology. `names` are the namespaces: a short name for the beginning of an IRI."""
+
+    classes: Mapping[str, OwlClass]
+    relations: Mapping[str, ObjectProperty]
+    values: Mapping[str, DataProperty]
+    individuals: Mapping[str, Individual]
+    names: Mapping[str, str]
+
+    def above(self, iri: str) -> frozenset[str]:
+        """A class and all its superclasses, owl:Thing included."""
+        if iri not in self._above:
+            self._above[iri] = _reached(iri, self._parents) | {THING}
+        return self._above[iri]
+
+    def properties_above(self, iri: str) -> frozenset[str]:
+        """A property and all that it is a special case of."""
+        return _reached(iri, self._properties_parents)
+
+    def _parents(self, iri: str) -> Iterable[str]:
+        found = self.classes.get(iri)
+        return found.parents | found.equivalents if found else ()
+
+    def _properties_parents(self, iri: str) -> Iterable[str]:
+        found = self.property(iri)
+        return found.parents if found else ()
+
+    _known_bounds: dict[tuple[str, bool], tuple[Union, ...]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
+    _above: dict[str, frozenset[str]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
+
+    def is_a(self, iri: str, other: str) -> bool:
+        """Whether every thing of a class is one of the other."""
+        return other in self.above(iri)
+
+    def are_disjoint(self, iri: str, other: str) -> bool:
+        """Whether nothing can be of both classes."""
+        here, there = self.above(iri), self.above(other)
+        return self._excludes(here, there) or self._excludes(there, here)
+
+    def _excludes(self, classes: frozenset[str], others: frozenset[str]) -> bool:
+        known = (self.classes[each] for each in classes if each in self.classes)
+        return any(not each.disjoint.isdisjoint(others) for each in known)
+
+    def domain(self, iri: str) -> tuple[Union, ...]:
+        """What subjects of a property have to be: its own domain and those of what is above it."""
+        return self._bounds(iri, is_domain=True)
+
+    def range(self, iri: str) -> tuple[Union, ...]:
+        """What objects, or values, of a property have to be."""
+        return self._bounds(iri, is_domain=False)
+
+    def _bounds(self, iri: str, *, is_domain: bool) -> tuple[Union, ...]:
+        if (iri, is_domain) not in self._known_bounds:
+            self._known_bounds[iri, is_domain] = self._found_bounds(iri, is_domain=is_domain)
+        return self._known_bounds[iri, is_domain]
+
+    def _found_bounds(self, iri: str, *, is_domain: bool) -> tuple[Union, ...]:
+        found: dict[Union, None] = {}
+        for each in self._relatives(iri, is_inverse=False):
+            found.update(dict.fromkeys(each.domain if is_domain else each.range))
+        for each in self._relatives(iri, is_inverse=True):
+            found.update(dict.fromkeys(each.range if is_domain else each.domain))
+        return tuple(found)
+
+    def _relatives(self, iri: str, *, is_inverse: bool) -> Iterator[Property]:
+        """The properties that one implies; with `is_inverse` those that it implies turned."""
+        above = [self.property(each) for each in sorted(self.properties_above(iri))]
+        if not is_inverse:
+            yield from (each for each in above if each is not None)
+            return
+        for each in above:
+            if isinstance(each, ObjectProperty):
+                yield from (self.relations[i] for i in each.inverses if i in self.relations)
+
+    def property(self, iri: str) -> Property | None:
+        """The relation or data property of this IRI."""
+        return self.relations.get(iri) or self.values.get(iri)
+
+    def short(self, iri: str) -> str:
+        """`skiros:Product`; the IRI itself if it is in no namespace that has a name."""
+        for name, start in self.names.items():
+            if iri.startswith(start) and len(iri) > len(start):
+                return f"{name}:{iri[len(start) :]}"
+        return iri
+
+    def entities(self) -> Iterable[str]:
+        """The IRIs of all that it declares."""
+        return {**self.classes, **self.relations, **self.values, **self.individuals}
+
+
+def _reached(start: str, following: Callable[[str], Iterable[str]]) -> frozenset[str]:
+    """`start` and all that follows from it."""
+    found = {start}
+    work = [start]
+    while work:
+        new = set(following(work.pop())) - found
+        found |= new
+        work += new
+    return frozenset(found)

@@ -1,0 +1,285 @@
+"""Classes of the ontology as Python classes, and symbols: things of which only the class is known.
+
+A symbol records what is said about it. Its attributes are the relations and data properties of the
+ontology: `Gripper.at(StartPose)`, `Gripper.ContainerState == "Empty"`. What comes of them are
+conditions, which have no value before the robot runs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, Protocol, cast
+
+from dslkit.source import Span
+from ezskiros import session
+from ezskiros.ontology import condition_errors as errors
+from ezskiros.ontology.statements import (
+    AnyOf,
+    Comparison,
+    HasProperty,
+    Relation,
+    Statement,
+    Value,
+    negated,
+)
+
+
+class Vocabulary(Protocol):
+    """The ontology, as far as things need it."""
+
+    def attribute(self, thing: Thing, name: str) -> Any:
+        """What an attribute of a symbol stands for."""
+        ...
+
+
+class Described:
+    """Something that says itself what it is, in a message."""
+
+    def described(self) -> str:
+        """Such as `the parameter Speed`."""
+        raise NotImplementedError
+
+
+class ThingClass(type):
+    """The type of all classes of an ontology.
+
+    What it adds to classes is not seen from their instances: these have the names of the ontology.
+    """
+
+    __iri__: str
+    __vocabulary__: Vocabulary
+
+    @property
+    def iri(cls) -> str:
+        """Names the class."""
+        return cls.__iri__
+
+    @property
+    def vocabulary(cls) -> Vocabulary:
+        """The ontology that it is from."""
+        return cls.__vocabulary__
+
+    def __repr__(cls) -> str:
+        return cls.__qualname__
+
+
+class Thing(metaclass=ThingClass):
+    """Something in the world. Instances are symbols, made by `symbol`."""
+
+    __name: str
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return type(self).vocabulary.attribute(self, name)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        found = errors.Assigned(subject=repr(self), spelled=name, found=described(value))
+        session.report(found.at(session.here()))
+
+    def __repr__(self) -> str:
+        return self.__name
+
+    def __bool__(self) -> bool:
+        session.report(errors.ThingAsTruth(parameter=self.__name).at(session.here()))
+        return True
+
+
+def thing_class(
+    name: str,
+    bases: tuple[type, ...],
+    texts: dict[str, str | None],
+    iri: str,
+    vocabulary: Vocabulary,
+) -> ThingClass:
+    """A class of an ontology."""
+    return ThingClass(name, bases, {**texts, "__iri__": iri, "__vocabulary__": vocabulary})
+
+
+def symbol(owl_class: ThingClass, name: str) -> Thing:
+    """The thing that the parameter `name` stands for."""
+    found = cast("Thing", object.__new__(cast("type[object]", owl_class)))
+    object.__setattr__(found, "_Thing__name", name)
+    return found
+
+
+class Unknown:
+    """What stands in for something that was wrong and has been reported: all goes on with it."""
+
+    def __getattr__(self, name: str) -> Unknown:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return self
+
+    def __call__(self, *_arguments: object, **_named: object) -> Unknown:
+        """Goes on."""
+        return self
+
+    def _same(self, _other: object = None) -> Unknown:
+        return self
+
+    def __iter__(self) -> Iterator[Unknown]:
+        return iter(())
+
+    __invert__ = __or__ = __ror__ = __lt__ = __le__ = __gt__ = __ge__ = __getitem__ = _same
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __neg__ = _same
+    __truediv__ = __rtruediv__ = _same
+    __eq__ = __ne__ = _same  # type: ignore[assignment]
+    __hash__ = object.__hash__
+
+
+UNKNOWN = Unknown()
+
+
+class Condition:
+    """Something that can be so in the world, to be added to the conditions of a skill.
+
+    `~condition` is its opposite, `first | second` holds if one of them does.
+    """
+
+    def __init__(self, statement: Statement, span: Span) -> None:
+        self.statement = statement
+        self.span = span
+
+    def __invert__(self) -> Condition | Unknown:
+        span = session.here()
+        opposite = negated(self.statement)
+        if opposite is None:
+            session.report(errors.NoOpposite().at(span))
+            return UNKNOWN
+        return Condition(opposite, span)
+
+    def __or__(self, other: object) -> Condition | Unknown:
+        span = session.here()
+        if isinstance(other, Unknown):
+            return other
+        if not isinstance(other, Condition):
+            session.report(errors.NoCondition(found=described(other)).at(span))
+            return UNKNOWN
+        return Condition(AnyOf((*_parts(self.statement), *_parts(other.statement))), span)
+
+    def _compared_as_a_whole(self, _other: object) -> Condition | Unknown:
+        session.report(errors.NeedsBrackets().at(session.here()))
+        return UNKNOWN
+
+    __lt__ = __le__ = __gt__ = __ge__ = _compared_as_a_whole
+
+    def __bool__(self) -> bool:
+        session.report(errors.NoTruthValue().at(self.span))
+        return True
+
+
+def _parts(statement: Statement) -> tuple[Statement, ...]:
+    """The alternatives that a statement consists of."""
+    return statement.parts if isinstance(statement, AnyOf) and statement.is_true else (statement,)
+
+
+class RelationOf:
+    """A relation of a thing, which is to be called with what it is related to."""
+
+    def __init__(self, subject: Thing, iri: str, name: str) -> None:
+        self._subject, self._iri, self._name = subject, iri, name
+
+    def __call__(self, *objects: object) -> Condition | Unknown:
+        """The condition that the thing is so related to another one."""
+        span = session.here()
+        if len(objects) != 1:
+            found_count = errors.OneObject(
+                relation=self._name, subject=repr(self._subject), count=len(objects)
+            )
+            session.report(found_count.at(span))
+            return UNKNOWN
+        (found,) = objects
+        if isinstance(found, Unknown):
+            return found
+        if not isinstance(found, Thing):
+            session.report(errors.NoThing(relation=self._name, found=described(found)).at(span))
+            return UNKNOWN
+        return Condition(Relation(repr(self._subject), self._iri, repr(found)), span)
+
+    def report_not_called(self, span: Span) -> None:
+        """A finding that it stands there by itself."""
+        found = errors.NotCalled(relation=self._name, subject=repr(self._subject))
+        session.report(found.at(span))
+
+    def _by_itself(self, _other: object = None) -> Unknown:
+        self.report_not_called(session.here())
+        return UNKNOWN
+
+    def __bool__(self) -> bool:
+        self.report_not_called(session.here())
+        return True
+
+    __invert__ = __or__ = __ror__ = __lt__ = __le__ = __gt__ = __ge__ = _by_itself
+    __eq__ = __ne__ = _by_itself  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]
+
+
+class ValueOf(Condition):
+    """A data property of a thing. By itself it says that there is a value."""
+
+    def __init__(self, subject: Thing, iri: str, name: str, span: Span) -> None:
+        super().__init__(HasProperty(repr(subject), iri), span)
+        self._subject, self._iri, self._property = subject, iri, name
+
+    def __call__(self, *_objects: object) -> Unknown:
+        """Not what one does with a value."""
+        found = errors.NoRelation(property=self._property, subject=repr(self._subject))
+        session.report(found.at(session.here()))
+        return UNKNOWN
+
+    def _compared(self, operator: str, value: object) -> Condition | Unknown:
+        span = session.here()
+        if isinstance(value, Unknown):
+            return value
+        if not isinstance(value, (str, int, float, bool)):
+            session.report(errors.NoValue(property=self._property, found=described(value)).at(span))
+            return UNKNOWN
+        return Condition(self._statement(operator, value), span)
+
+    def _statement(self, operator: str, value: Value) -> Comparison:
+        is_true = operator != "!="
+        return Comparison(
+            repr(self._subject), self._iri, operator if is_true else "=", value, is_true
+        )
+
+    def __eq__(self, value: object) -> Condition | Unknown:  # type: ignore[override]
+        return self._compared("=", value)
+
+    def __ne__(self, value: object) -> Condition | Unknown:  # type: ignore[override]
+        return self._compared("!=", value)
+
+    def __lt__(self, value: object) -> Condition | Unknown:
+        return self._compared("<", value)
+
+    def __le__(self, value: object) -> Condition | Unknown:
+        return self._compared("<=", value)
+
+    def __gt__(self, value: object) -> Condition | Unknown:
+        return self._compared(">", value)
+
+    def __ge__(self, value: object) -> Condition | Unknown:
+        return self._compared(">=", value)
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def described(value: object) -> str:
+    """What something is, for a message."""
+    if isinstance(value, Thing):
+        return f"the parameter `{value!r}`"
+    if isinstance(value, ThingClass):
+        return f"the class {value!r}"
+    if isinstance(value, RelationOf):
+        return "a relation that is not called"
+    if isinstance(value, ValueOf):
+        return "a data property of a thing"
+    if isinstance(value, Condition):
+        return "another condition"
+    if isinstance(value, Described):
+        return value.described()
+    if isinstance(value, type):
+        return f"the class {value.__name__}"
+    if value is None or isinstance(value, (str, int, float)):
+        return f"{value!r}"
+    return f"something of type {type(value).__name__}"

@@ -1,0 +1,248 @@
+"""Ontologies as Python objects: namespaces with classes, relations and individuals."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from functools import cached_property
+from typing import Any
+
+from dslkit.diagnostics import Diagnostic, Label, listed
+from ezskiros import session
+from ezskiros.ontology import condition_errors, errors
+from ezskiros.ontology.build import build
+from ezskiros.ontology.iris import THING, split
+from ezskiros.ontology.model import OwlClass
+from ezskiros.ontology.places import declaration
+from ezskiros.ontology.python_names import identifier, identifiers
+from ezskiros.ontology.read import Document
+from ezskiros.ontology.things import (
+    UNKNOWN,
+    RelationOf,
+    Thing,
+    ThingClass,
+    Unknown,
+    ValueOf,
+    described,
+    thing_class,
+)
+
+
+class Ontology:
+    """What some files declare. Its attributes are the namespaces: `world.skiros.Product`.
+
+    If it is not whole, because a file could not be read, a name that is not there may be right: it
+    is reported only if it looks like one that is there.
+    """
+
+    def __init__(self, documents: Sequence[Document], *, is_whole: bool = True) -> None:
+        self.documents, self.is_whole = documents, is_whole
+        self.model = build(documents)
+        self._classes: dict[str, ThingClass] = {}
+
+    @cached_property
+    def namespaces(self) -> dict[str, Namespace]:
+        """By their names."""
+        inside: dict[str, dict[str, str]] = {start: {} for start in self.model.names.values()}
+        for iri in self.model.entities():
+            start, name = split(iri)
+            if start in inside and name:
+                inside[start][name] = iri
+        names = identifiers(self.model.names)
+        return {
+            spelled: Namespace(self, spelled, inside[self.model.names[name]])
+            for spelled, name in names.items()
+        }
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name in self.namespaces:
+            return self.namespaces[name]
+        near = difflib.get_close_matches(name, self.namespaces)
+        known = f"there are {listed(sorted(self.namespaces))}"
+        if near or self.is_whole:
+            help = f"did you mean `{near[0]}`?" if near else known
+            session.report(errors.UnknownNamespace(spelled=name).at(session.here(), help=help))
+        return UNKNOWN
+
+    def __getitem__(self, name: str) -> Namespace:
+        """A namespace, also one that is called like an attribute; raises `KeyError`."""
+        return self.namespaces[name]
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self.namespaces]
+
+    @cached_property
+    def class_names(self) -> dict[str, str]:
+        """`cora.Robot` by `Robot`, for all classes."""
+        found: dict[str, str] = {}
+        for iri in self.model.classes:
+            short = self.model.short(iri)
+            bare = identifier(split(iri)[1])
+            found.setdefault(bare, f"{short.partition(':')[0]}.{bare}")
+        return found
+
+    def class_of(self, iri: str) -> ThingClass:
+        """The Python class of a class; one for all classes that mean the same."""
+        if iri not in self._classes:
+            same = self._meaning(iri)
+            first = min(same)
+            made = self._made(first)
+            self._classes.update(dict.fromkeys(same, made))
+        return self._classes[iri]
+
+    def _meaning(self, iri: str) -> frozenset[str]:
+        """The classes that are subclasses of each other."""
+        above = self.model.above(iri) - {THING}
+        return frozenset(each for each in above if self.model.is_a(each, iri)) | {iri}
+
+    def _made(self, iri: str) -> ThingClass:
+        above = self.model.above(iri) - self._meaning(iri) - {THING}
+        direct = [
+            each
+            for each in above
+            if not any(self.model.is_a(other, each) for other in above - self._meaning(each))
+        ]
+        # One order for all classes, in which subclasses come first: so Python always finds its own.
+        direct.sort(key=lambda each: (-len(self.model.above(each)), each))
+        bases = tuple(dict.fromkeys(self.class_of(each) for each in direct)) or (Thing,)
+        name = ".".join(map(identifier, self.model.short(iri).split(":", 1)))
+        known = self.model.classes.get(iri, OwlClass(iri))
+        texts = {"__doc__": known.comment or None, "__qualname__": name, "__module__": "ontology"}
+        return thing_class(split(iri)[1] or name, bases, texts, iri, self)
+
+    @cached_property
+    def properties(self) -> dict[str, list[str]]:
+        """Relations and data properties by their names in Python, whatever their namespace."""
+        found: dict[str, list[str]] = {}
+        for iri in (*self.model.relations, *self.model.values):
+            found.setdefault(identifier(split(iri)[1]), []).append(iri)
+        return found
+
+    def attribute(self, thing: Thing, name: str) -> Any:
+        """What `thing.name` says: a relation, or a data property."""
+        candidates = self.properties.get(name, [])
+        if len(candidates) > 1:
+            candidates = self._fitting(type(thing), candidates) or candidates
+        if len(candidates) == 1:
+            return self.about(thing, candidates[0], name)
+        if candidates:
+            session.report(self._ambiguous(thing, name, candidates))
+        else:
+            self._report_unknown_property(thing, name)
+        return UNKNOWN
+
+    def about(self, thing: Thing, iri: str, name: str) -> RelationOf | ValueOf:
+        """A property of a thing."""
+        if iri in self.model.relations:
+            return RelationOf(thing, iri, name)
+        return ValueOf(thing, iri, name, session.here())
+
+    def _fitting(self, owl_class: ThingClass, candidates: list[str]) -> list[str]:
+        """Those whose domain the class is known to be in."""
+        above = self.model.above(owl_class.iri)
+        return [
+            iri
+            for iri in candidates
+            if self.model.domain(iri)
+            and all(not u.isdisjoint(above) for u in self.model.domain(iri))
+        ]
+
+    def _ambiguous(self, thing: Thing, name: str, candidates: list[str]) -> Diagnostic:
+        shorts = [self.model.short(iri) for iri in candidates]
+        is_relation = candidates[0] in self.model.relations
+        example = f"{shorts[0].replace(':', '.')}({thing!r}{', ...' if is_relation else ''})"
+        found = condition_errors.AmbiguousProperty(
+            spelled=name, properties=listed(shorts), example=example
+        )
+        return found.at(session.here())
+
+    def _report_unknown_property(self, thing: Thing, name: str) -> None:
+        near = difflib.get_close_matches(name, self.properties, n=1, cutoff=0.7)
+        if not near and not self.is_whole:
+            return
+        found = condition_errors.UnknownProperty(
+            spelled=name, subject=repr(thing), subject_class=repr(type(thing))
+        )
+        labels = [self.label(self.properties[near[0]][0], "declared here")] if near else []
+        help = f"did you mean `{near[0]}`?" if near else None
+        session.report(found.at(session.here(), *filter(None, labels), help=help))
+
+    def label(self, iri: str, text: str) -> Label | None:
+        """A remark at the place where a file declares something."""
+        place = declaration(self.documents, iri)
+        return Label(place, text) if place else None
+
+
+class Namespace:
+    """The things of one namespace. What is no Python name is found as `namespace["Large-Box"]`."""
+
+    def __init__(self, ontology: Ontology, name: str, inside: dict[str, str]) -> None:
+        self.__ontology, self.__name, self.__inside = ontology, name, inside
+        self.__spelled = identifiers(inside)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return self[self.__spelled.get(name, name)]
+
+    def __getitem__(self, name: str) -> Any:
+        iri = self.__inside.get(name)
+        model = self.__ontology.model
+        if iri is not None and iri in model.classes:
+            return self.__ontology.class_of(iri)
+        if iri is not None and model.property(iri) is not None:
+            return PropertyOf(self.__ontology, iri, name)
+        if iri is not None:
+            return model.individuals[iri]
+        meant = self._meant(name)
+        if meant or self.__ontology.is_whole:
+            session.report(self._unknown(name).at(session.here(), help=meant))
+        return UNKNOWN
+
+    def _unknown(self, name: str) -> errors.UnknownName:
+        return errors.UnknownName(namespace=self.__name, spelled=name)
+
+    def _meant(self, name: str) -> str | None:
+        """A class of this namespace, or else of another, that may be meant."""
+        known = {**self.__ontology.class_names, **self._own_classes()}
+        if name in known:
+            return f"it is in another namespace: write `{known[name]}`"
+        near = difflib.get_close_matches(name, known, n=1)
+        return f"did you mean `{known[near[0]]}`?" if near else None
+
+    def _own_classes(self) -> dict[str, str]:
+        """With the name of the namespace, by the bare names of Python."""
+        known = self.__ontology.model.classes
+        found = (
+            spelled for spelled, name in self.__spelled.items() if self.__inside[name] in known
+        )
+        return {spelled: f"{self.__name}.{spelled}" for spelled in found}
+
+    def __dir__(self) -> list[str]:
+        return list(self.__spelled)
+
+    def __repr__(self) -> str:
+        return f"<namespace {self.__name}>"
+
+
+class PropertyOf:
+    """A relation or data property by itself: `skiros.at(Gripper, StartPose)`."""
+
+    def __init__(self, ontology: Ontology, iri: str, name: str) -> None:
+        self._ontology, self._iri, self._name = ontology, iri, name
+
+    def __call__(self, subject: object, *objects: object) -> Any:
+        """What it says of a thing."""
+        if isinstance(subject, Unknown):
+            return UNKNOWN
+        if not isinstance(subject, Thing):
+            found = condition_errors.NoThing(relation=self._name, found=described(subject))
+            session.report(found.at(session.here()))
+            return UNKNOWN
+        about = self._ontology.about(subject, self._iri, self._name)
+        return about(*objects) if isinstance(about, RelationOf) else about
+
+    def __repr__(self) -> str:
+        return self._ontology.model.short(self._iri)

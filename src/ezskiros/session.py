@@ -1,0 +1,83 @@
+"""Where findings about skills go: while skills are checked they are collected, and work goes on;
+else the first is raised, as Python does.
+"""
+
+from __future__ import annotations
+
+import site
+import sysconfig
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from pathlib import Path
+
+from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.source import SourceFile, Span
+from dslkit.source.branches import asked
+from dslkit.source.call_site import call_site
+
+OURS = (str(Path(__file__).parent), str(Path(__file__).parents[1] / "dslkit"))
+LIBRARIES = tuple(
+    dict.fromkeys(
+        (
+            *(sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")),
+            *site.getsitepackages(),
+        )
+    )
+)
+"""Where Python's own modules are, and installed ones."""
+_collector: ContextVar[Collector | None] = ContextVar("collector", default=None)
+NOWHERE = Span(SourceFile("<no source>", ""), 0, 0)
+
+
+class SkillError(TypeError):
+    """What is wrong with a skill, when nobody collects findings; `diagnostic` has all of it."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        self.diagnostic = diagnostic
+        parts = [diagnostic.title, diagnostic.primary.text, diagnostic.help or ""]
+        super().__init__(f"{diagnostic.primary.span}: {'; '.join(filter(None, parts))}")
+
+
+@contextmanager
+def collecting(collector: Collector) -> Iterator[Collector]:
+    """Within, findings go to `collector`."""
+    token = _collector.set(collector)
+    try:
+        yield collector
+    finally:
+        _collector.reset(token)
+
+
+def is_collecting() -> bool:
+    """Whether findings are collected."""
+    return _collector.get() is not None
+
+
+def report(diagnostic: Diagnostic) -> None:
+    """Keep a finding; raises `SkillError` with it if nobody collects."""
+    collector = _collector.get()
+    if collector is None:
+        raise SkillError(diagnostic)
+    collector.add(diagnostic)
+
+
+def has_reported(span: Span) -> bool:
+    """Whether a finding lies within a span."""
+    collector = _collector.get()
+    places = [found.primary.span for found in collector.sorted()] if collector else []
+    return any(
+        place.file is span.file and span.start <= place.start and place.end <= span.end
+        for place in places
+    )
+
+
+def here() -> Span:
+    """The expression of the user's code that led here, by way of libraries or directly."""
+    span = call_site(*OURS, *LIBRARIES) or call_site(*OURS)
+    return asked(span) if span else NOWHERE
+
+
+def directly_here() -> Span:
+    """The expression that led here, of the user's code or of a library."""
+    return call_site(*OURS) or NOWHERE

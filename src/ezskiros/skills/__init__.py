@@ -1,0 +1,31 @@
+"""Skills: their parameters, their conditions, and the run of a description that finds them out."""
+
+from ezskiros.skills.description import (
+    SkillDescription,
+    abstract,
+    generated,
+    of_type,
+    specified,
+)
+from ezskiros.skills.markers import (
+    CONSUME,
+    INFERRED,
+    LOCK,
+    OPTIONAL,
+    RESPECT_TYPE,
+    UNSPECIFY,
+)
+
+__all__ = [
+    "CONSUME",
+    "INFERRED",
+    "LOCK",
+    "OPTIONAL",
+    "RESPECT_TYPE",
+    "UNSPECIFY",
+    "SkillDescription",
+    "abstract",
+    "generated",
+    "of_type",
+    "specified",
+]

@@ -1,0 +1,225 @@
+"""A class that users wrote in, a `SkillInterface` out.
+
+The patterns Early Dynamic Checking and Symbolic Tracing (thesis, Paper IV, section 4.2): the method
+`description` is run with symbols in place of its parameters, as often as its branches ask for.
+"""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from types import FunctionType
+
+from dslkit.diagnostics import Diagnostic
+from ezskiros import session
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.things import UNKNOWN, ThingClass, symbol
+from ezskiros.skills import errors
+from ezskiros.skills.blame import said, user_place
+from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.guard import Interrupted, SideEffectError, TimeOverError, guarded
+from ezskiros.skills.interface import Clause, Parameter, SkillInterface
+from ezskiros.skills.parameters import read_parameters
+from ezskiros.skills.syntax import class_span, definition, docs_of
+from ezskiros.skills.values import MOST_PATHS, Decisions, SymbolicValue, deciding
+
+SECONDS = 5.0
+"""For one run of one description."""
+
+
+@dataclass(frozen=True)
+class Described:
+    """A skill, and the ontology that its types are from; None if it has no things.
+
+    After a mistake it may not be whole: conditions may be missing.
+    """
+
+    interface: SkillInterface
+    ontology: Ontology | None
+    is_whole: bool
+
+
+def describe(skill: type[SkillDescription]) -> Described | None:
+    """What a skill says of itself; None if it says nothing, after a finding."""
+    method = inspect.getattr_static(skill, "description", None)
+    if not isinstance(method, FunctionType):
+        session.report(errors.NoDescription(skill=skill.__name__).at(class_span(skill)))
+        return None
+    if not _has_self(method):
+        session.report(errors.NoSelf().at(definition(method).whole))
+        return None
+    docs = docs_of(inspect.getdoc(skill) or "")
+    parameters = [
+        replace(each, doc=each.doc or docs.get(each.name, "")) for each in read_parameters(method)
+    ]
+    classes = _classes(parameters)
+    runs = _explored(skill, method, parameters, classes)
+    first = runs[0]
+    interface = SkillInterface(
+        name=skill.__name__,
+        span=class_span(skill),
+        parameters=tuple(parameters),
+        pre=first.pre,
+        hold=first.hold,
+        post=first.post,
+        doc=inspect.cleandoc(skill.__doc__ or ""),
+    )
+    ontologies = [each.vocabulary for each in classes.values()]
+    found = next((each for each in ontologies if isinstance(each, Ontology)), None)
+    return Described(interface, found, all(run.is_whole for run in runs))
+
+
+def _has_self(method: FunctionType) -> bool:
+    """Whether there is a place for the skill itself: one that has no type."""
+    first = next(iter(inspect.signature(method).parameters.values()), None)
+    return first is not None and (first.name == "self" or first.annotation is first.empty)
+
+
+def _classes(parameters: Sequence[Parameter]) -> dict[str, ThingClass]:
+    """The Python classes of the parameters that stand for things."""
+    return {each.name: each.type for each in parameters if isinstance(each.type, ThingClass)}
+
+
+@dataclass(frozen=True)
+class _Run:
+    """The conditions of one way through a description."""
+
+    pre: tuple[Clause, ...]
+    hold: tuple[Clause, ...]
+    post: tuple[Clause, ...]
+    has_ended: bool
+    are_whole: bool
+    """Whether no condition is missing after a mistake."""
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it says all that the description does."""
+        return self.has_ended and self.are_whole
+
+    def statements(self) -> tuple[frozenset[object], ...]:
+        return tuple(
+            frozenset(each.statement for each in clauses)
+            for clauses in (self.pre, self.hold, self.post)
+        )
+
+
+def _explored(
+    skill: type[SkillDescription],
+    method: FunctionType,
+    parameters: Sequence[Parameter],
+    classes: dict[str, ThingClass],
+) -> list[_Run]:
+    """All ways through the description, as far as they are looked into.
+
+    A name that is nowhere is told, and gets a substitute, so that what comes after it is looked at.
+    """
+    runs: list[_Run] = []
+    planned: list[bool] | None = []
+    substitutes: dict[str, object] = {}
+    while planned is not None:
+        decisions = Decisions(planned)
+        names = len(substitutes)
+        run = _run(skill, method, parameters, classes, decisions, substitutes)
+        if len(substitutes) > names:
+            continue
+        if not run.has_ended:
+            return [run]
+        if runs and run.statements() != runs[0].statements():
+            span, name = decisions.asked[len(planned) - 1]
+            session.report(errors.DependsOnValue(skill=skill.__name__, parameter=name).at(span))
+            break
+        runs.append(run)
+        planned = decisions.following()
+        if planned is not None and len(runs) >= MOST_PATHS:
+            found = errors.TooManyPaths(skill=skill.__name__, count=MOST_PATHS)
+            session.report(found.at(definition(method).whole))
+            break
+    return runs
+
+
+def _run(
+    skill: type[SkillDescription],
+    method: FunctionType,
+    parameters: Sequence[Parameter],
+    classes: dict[str, ThingClass],
+    decisions: Decisions,
+    substitutes: dict[str, object],
+) -> _Run:
+    """One way through a description."""
+    known = {
+        each.name: symbol(classes[each.name], each.name)
+        if each.name in classes
+        else SymbolicValue(each.name, each.type)
+        for each in parameters
+    }
+
+    def tell(deed: str) -> None:
+        session.report(errors.SideEffect(skill=skill.__name__, deed=deed).at(session.here()))
+
+    instance, has_ended = None, False
+    try:
+        with guarded(SECONDS, tell), deciding(decisions):
+            instance = skill()
+            placed, named = _arguments(method, known)
+            _with_names(method, substitutes)(instance, *placed, **named)
+            has_ended = True
+    except SideEffectError:
+        pass
+    except (Exception, Interrupted) as problem:
+        session.report(_raised(skill, method, problem))
+        if missing := _missing_name(problem):
+            substitutes[missing] = UNKNOWN
+    if not isinstance(instance, SkillDescription):
+        return _Run((), (), (), has_ended, are_whole=False)
+    kinds = (instance.pre_conditions, instance.hold_conditions, instance.post_conditions)
+    pre, hold, post = (tuple(each) for each in kinds)
+    return _Run(pre, hold, post, has_ended, all(each.are_whole for each in kinds))
+
+
+def _missing_name(problem: BaseException) -> str | None:
+    """The name that is defined nowhere, if that is the problem."""
+    return problem.name if type(problem) is NameError else None
+
+
+def _arguments(
+    method: FunctionType, known: Mapping[str, object]
+) -> tuple[list[object], dict[str, object]]:
+    """The symbols, by place and by name; what is wrong gets something that all goes on with."""
+    placed, named = [], {}
+    for each in list(inspect.signature(method).parameters.values())[1:]:
+        if each.kind is inspect.Parameter.POSITIONAL_ONLY:
+            placed.append(known.get(each.name, UNKNOWN))
+        elif each.kind not in _PACKED:
+            named[each.name] = known.get(each.name, UNKNOWN)
+    return placed, named
+
+
+_PACKED = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
+
+
+def _with_names(method: FunctionType, names: Mapping[str, object]) -> FunctionType:
+    """The function, for which some more names are defined in its module."""
+    if not names:
+        return method
+    more = {**method.__globals__, **names}
+    found = FunctionType(
+        method.__code__, more, method.__name__, method.__defaults__, method.__closure__
+    )
+    found.__kwdefaults__ = method.__kwdefaults__
+    return found
+
+
+def _raised(skill: type, method: FunctionType, problem: BaseException) -> Diagnostic:
+    """The finding for an exception, at the last place of the user's code that it came from."""
+    span = user_place(problem.__traceback__) or definition(method).whole
+    if isinstance(problem, TimeOverError):
+        return errors.NeverEnds(skill=skill.__name__, seconds=SECONDS).at(span)
+    if missing := _missing_name(problem):
+        known = list(inspect.signature(method).parameters)[1:]
+        near = difflib.get_close_matches(missing, [*known, *method.__globals__], n=1)
+        help = f"did you mean `{near[0]}`?" if near else None
+        return errors.UnknownParameter(spelled=missing, skill=skill.__name__).at(span, help=help)
+    kind = type(problem).__name__
+    return errors.Raised(skill=skill.__name__, exception=kind, said=said(problem)).at(span)

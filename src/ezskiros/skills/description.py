@@ -1,0 +1,148 @@
+"""The class that users write: `class Pick(SkillDescription)`, with a method `description`."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator
+
+from dslkit.source import Span
+from ezskiros import session
+from ezskiros.ontology import condition_errors
+from ezskiros.ontology.statements import Generated, OfType, Relation, Specified
+from ezskiros.ontology.things import (
+    UNKNOWN,
+    Condition,
+    RelationOf,
+    Thing,
+    ThingClass,
+    Unknown,
+    described,
+)
+from ezskiros.skills import errors
+from ezskiros.skills.interface import Clause
+from ezskiros.skills.syntax import added_value
+
+
+class Conditions:
+    """The pre-, hold- or post-conditions of a skill: `self.pre_conditions += condition`."""
+
+    def __init__(self, kind: str) -> None:
+        self._kind = kind
+        self._clauses: list[Clause] = []
+        self.are_whole = True
+        """Whether all that was added are conditions: after a mistake some may be missing."""
+
+    def __iadd__(self, condition: Condition | Unknown) -> Conditions:
+        # Type checkers refuse all else; who has none is told here.
+        if isinstance(condition, Condition):
+            self._clauses.append(Clause(condition.statement, condition.span))
+            return self
+        self.are_whole = False
+        span = added_value(session.here())
+        if isinstance(condition, RelationOf):
+            condition.report_not_called(span)
+        elif not isinstance(condition, Unknown) and not _is_told(condition, span):
+            found = described(condition)
+            session.report(condition_errors.NoCondition(found=found).at(span))
+        return self
+
+    def replaced_by(self, value: object) -> None:
+        """What `=` says where `+=` is meant; that it is wrong has been reported."""
+        self.are_whole = False
+        if isinstance(value, Condition):
+            self._clauses.append(Clause(value.statement, value.span))
+
+    def __iter__(self) -> Iterator[Clause]:
+        return iter(self._clauses)
+
+
+def _is_told(condition: object, span: Span) -> bool:
+    """Whether it is what came of `not condition`, which has been reported."""
+    return isinstance(condition, bool) and session.has_reported(span)
+
+
+class SkillDescription:
+    """What a skill needs and what it does.
+
+        class Drive(SkillDescription):
+            def description(self, Robot: cora.Robot, Target: skiros.Location):
+                self.post_conditions += Robot.at(Target)
+
+    Parameters of the method are those of the skill (thesis, Paper IV, listing 5). The method is run
+    once, with symbols in their places, to learn the conditions; it is not called by users.
+    """
+
+    pre_conditions: Conditions
+    hold_conditions: Conditions
+    post_conditions: Conditions
+
+    def __init__(self) -> None:
+        self.pre_conditions = Conditions("pre")
+        self.hold_conditions = Conditions("hold")
+        self.post_conditions = Conditions("post")
+
+    def __setattr__(self, name: str, value: object) -> None:
+        if name in _CONDITIONS and name in self.__dict__ and value is not self.__dict__[name]:
+            session.report(errors.ReplacedConditions(conditions=name).at(session.here()))
+            self.__dict__[name].replaced_by(value)
+            return
+        object.__setattr__(self, name, value)
+
+    def __getattr__(self, name: str) -> Conditions:
+        """The conditions that are meant, after a finding."""
+        near = difflib.get_close_matches(name, _CONDITIONS, n=1, cutoff=0.75)
+        if name.startswith("__") or not near:
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        session.report(errors.NoConditions(spelled=name, meant=near[0]).at(session.here()))
+        meant: Conditions = self.__dict__[near[0]]
+        return meant
+
+
+_CONDITIONS = ("pre_conditions", "hold_conditions", "post_conditions")
+
+
+def specified(parameter: object) -> Condition | Unknown:
+    """A parameter stands for a thing of the world."""
+    thing = _thing(parameter, "specified")
+    return Condition(Specified(thing), session.here()) if thing else UNKNOWN
+
+
+def generated(parameter: object) -> Condition | Unknown:
+    """A thing comes into the world; with `~` it leaves it."""
+    thing = _thing(parameter, "generated")
+    return Condition(Generated(thing), session.here()) if thing else UNKNOWN
+
+
+def of_type(parameter: object, owl_class: object) -> Condition | Unknown:
+    """A thing is of a class."""
+    thing = _thing(parameter, "of_type")
+    if thing is None or isinstance(owl_class, Unknown):
+        return UNKNOWN
+    if not isinstance(owl_class, ThingClass):
+        session.report(errors.NoClass(found=described(owl_class)).at(session.here()))
+        return UNKNOWN
+    return Condition(OfType(thing, owl_class.iri), session.here())
+
+
+def abstract(condition: object) -> Condition | Unknown:
+    """A relation between the classes of two things, instead of the things."""
+    span = session.here()
+    if isinstance(condition, Unknown):
+        return condition
+    if not isinstance(condition, Condition) or not isinstance(condition.statement, Relation):
+        session.report(errors.NoRelation(found=described(condition)).at(span))
+        return UNKNOWN
+    found = condition.statement
+    return Condition(
+        Relation(found.subject, found.relation, found.object, found.is_true, True), span
+    )
+
+
+def _thing(parameter: object, function: str) -> str | None:
+    """The name of the parameter; None, after a finding, if it is none that stands for a thing."""
+    if isinstance(parameter, Thing):
+        return repr(parameter)
+    if not isinstance(parameter, Unknown):
+        found = described(parameter)
+        session.report(condition_errors.NoThing(relation=function, found=found).at(session.here()))
+    return None

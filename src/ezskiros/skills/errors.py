@@ -1,0 +1,237 @@
+"""EZS2xx: descriptions of skills, and their parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoDescription(Error, code="EZS201", name="no-description"):
+    """A skill without the method that describes it."""
+
+    title = "the skill `{skill}` has no method `description`"
+    help = "write `def description(self, Robot: INFERRED[cora.Robot], ...):`"
+    skill: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoAnnotation(Error, code="EZS202", name="no-annotation"):
+    """A parameter without a type."""
+
+    title = "the parameter `{parameter}` has no type"
+    help = "write `{parameter}: skiros.Product`, or another class of the ontology, or a basic type"
+    parameter: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class TextAnnotation(Error, code="EZS203", name="text-annotation"):
+    """A type in quotes that is not Python."""
+
+    title = "the type of `{parameter}` is a text: {text}"
+    note = "it is not an expression of Python: {reason}"
+    help = "write {example}, without quotes"
+    parameter: str
+    text: str
+    reason: str
+    example: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoParameterType(Error, code="EZS204", name="no-parameter-type"):
+    """A type that parameters of skills cannot have."""
+
+    title = "a parameter cannot be {found}"
+    label = "the type of `{parameter}`"
+    note = (
+        "parameters are things of the ontology, str, int, float, bool or enumerations; lists and "
+        "dictionaries would hide from every check what is in them (thesis, Paper IV, section 6)"
+    )
+    help = "use one parameter for each value, an enumeration, or a class of the ontology"
+    parameter: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrongDefault(Error, code="EZS205", name="wrong-default"):
+    """A default that is not of the parameter's type."""
+
+    title = "the default of `{parameter}` is {found}, which is no {expected}"
+    help = "give a value of type {expected}, or none"
+    parameter: str
+    found: str
+    expected: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ThingDefault(Error, code="EZS206", name="thing-default"):
+    """A default for a parameter that stands for a thing."""
+
+    title = "`{parameter}` stands for a thing of the world, and cannot have a default"
+    help = "write `INFERRED[...]` if it is found in the world, `OPTIONAL[...]` if it may be none"
+    parameter: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MarkedBasic(Error, code="EZS207", name="marked-basic"):
+    """INFERRED or an option around a basic type."""
+
+    title = "`{marker}` is for things of the world, not for {type}"
+    label = "the type of `{parameter}`"
+    help = "give `{parameter}` a default value, or leave `{marker}` out"
+    marker: str
+    type: str
+    parameter: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class PackedParameters(Error, code="EZS208", name="packed-parameters"):
+    """`*args` or `**kwargs` in a description."""
+
+    title = "a skill has a fixed set of parameters: no `{spelling}`"
+    help = "name each parameter, with its type"
+    spelling: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReplacedConditions(Error, code="EZS209", name="replaced-conditions"):
+    """`=` where `+=` is meant."""
+
+    title = "`{conditions}` is replaced, which would lose the conditions that it has"
+    help = "add a condition: `self.{conditions} += ...`"
+    conditions: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoClass(Error, code="EZS210", name="no-class"):
+    """`of_type` with something that is no class."""
+
+    title = "`of_type` needs a class of the ontology, not {found}"
+    help = "write `of_type(Object, skiros.Product)`"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoRelation(Error, code="EZS211", name="no-relation"):
+    """`abstract` of something that is no relation."""
+
+    title = "`abstract` needs a relation, not {found}"
+    help = "write `abstract(Robot.hasA(Arm))`"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoConditions(Error, code="EZS212", name="no-conditions"):
+    """Conditions of a kind that there is not."""
+
+    title = "a skill has no `{spelled}`"
+    help = "did you mean `{meant}`?"
+    spelled: str
+    meant: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnknownParameter(Error, code="EZS213", name="unknown-parameter"):
+    """A name that is neither a parameter nor defined in the module."""
+
+    title = "`{spelled}` is no parameter of `{skill}`"
+    label = "nothing of this name is defined"
+    spelled: str
+    skill: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoSelf(Error, code="EZS214", name="no-self"):
+    """A description without `self`, or with a parameter in its place."""
+
+    title = "the first parameter of `description` has to be `self`"
+    help = "write `def description(self, ...):`"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Raised(Error, code="EZS220", name="description-raised"):
+    """A description that ends with an exception."""
+
+    title = "the description of `{skill}` raises {exception}"
+    label = "{said}"
+    skill: str
+    exception: str
+    said: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class SideEffect(Error, code="EZS221", name="side-effect"):
+    """A description that does something besides describing."""
+
+    title = "the description of `{skill}` {deed}"
+    label = "not done: a check does nothing to the world"
+    help = "a description only says what a skill needs and does; move this to its implementation"
+    skill: str
+    deed: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NeverEnds(Error, code="EZS222", name="never-ends"):
+    """A description that runs for too long."""
+
+    title = "the description of `{skill}` does not end within {seconds} s"
+    label = "it was here when its time was over"
+    skill: str
+    seconds: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class DependsOnValue(Error, code="EZS223", name="depends-on-value"):
+    """Conditions that depend on the value of a parameter."""
+
+    title = "the conditions of `{skill}` depend on the value of `{parameter}`"
+    label = "decided here"
+    note = "SkiROS2 reads a description once, before any parameter has a value"
+    help = "write two skills, or conditions that hold for every value"
+    skill: str
+    parameter: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class TooManyPaths(Warning, code="EZS224", name="too-many-paths"):
+    """More branches than are looked into."""
+
+    title = "the description of `{skill}` branches so often that only {count} ways are checked"
+    help = "leave out what the conditions do not depend on"
+    skill: str
+    count: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class DuplicateSkill(Error, code="EZS230", name="duplicate-skill"):
+    """Two skills of one name: SkiROS2 takes the one that it loads first, Python the last."""
+
+    title = "there are two skills `{skill}`"
+    note = "one hides the other: SkiROS2 looks skills up by the names of their classes alone"
+    help = "give one of them another name"
+    skill: str
+
+
+ALL: tuple[type[Template], ...] = (
+    NoDescription,
+    NoAnnotation,
+    TextAnnotation,
+    NoParameterType,
+    WrongDefault,
+    ThingDefault,
+    MarkedBasic,
+    PackedParameters,
+    ReplacedConditions,
+    NoClass,
+    NoRelation,
+    NoConditions,
+    UnknownParameter,
+    NoSelf,
+    Raised,
+    SideEffect,
+    NeverEnds,
+    DependsOnValue,
+    TooManyPaths,
+    DuplicateSkill,
+)

@@ -1,0 +1,68 @@
+"""A skill as data: what other skills and planners see of it."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from dslkit.source import Span
+from ezskiros.ontology.statements import Statement, Value
+from ezskiros.ontology.things import ThingClass
+from ezskiros.skills.markers import Kind, Option
+
+BASIC = (str, int, float, bool)
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of a skill.
+
+    `type` is a class of the ontology, or one of `BASIC`, or an enumeration. A `default` is the
+    value of a basic parameter that is not given; None if it has to be.
+    """
+
+    name: str
+    kind: Kind
+    type: type
+    span: Span
+    default: Value | enum.Enum | None = None
+    options: tuple[Option, ...] = ()
+    doc: str = ""
+
+    @property
+    def is_thing(self) -> bool:
+        """Whether it stands for something in the world."""
+        return isinstance(self.type, ThingClass)
+
+    @property
+    def iri(self) -> str | None:
+        """The class of the thing that it stands for; None if it stands for none."""
+        return self.type.iri if isinstance(self.type, ThingClass) else None
+
+
+@dataclass(frozen=True)
+class Clause:
+    """A condition of a skill, and where it is written."""
+
+    statement: Statement
+    span: Span
+
+
+@dataclass(frozen=True)
+class SkillInterface:
+    """The description of a skill. A skill can start when all of `pre` hold; `hold` holds all the
+    while; when it has succeeded, all of `post` hold.
+    """
+
+    name: str
+    span: Span
+    parameters: Sequence[Parameter]
+    pre: Sequence[Clause]
+    hold: Sequence[Clause]
+    post: Sequence[Clause]
+    doc: str = ""
+
+    def parameter(self, name: str) -> Parameter | None:
+        """The parameter of that name."""
+        return next((each for each in self.parameters if each.name == name), None)

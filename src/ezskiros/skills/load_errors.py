@@ -1,0 +1,57 @@
+"""EZS0xx: files of skills that cannot be loaded."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoFile(Error, code="EZS001", name="no-file"):
+    """A path that leads nowhere."""
+
+    title = "there is no file {path}"
+    path: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoPython(Error, code="EZS002", name="no-python"):
+    """A file that Python does not understand."""
+
+    title = "this is not Python: {said}"
+    note = "the skills of this file are not checked"
+    said: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ModuleFailed(Error, code="EZS003", name="module-failed"):
+    """A module that cannot be imported."""
+
+    title = "the module cannot be imported: {exception}"
+    label = "{said}"
+    note = "the skills of this file are not checked"
+    exception: str
+    said: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class StandIn(Warning, code="EZS004", name="stand-in"):
+    """An import that is not installed."""
+
+    title = "`{module}` is not installed: a stand-in takes its place"
+    label = "what it does is not checked"
+    help = "skills are checked without ROS and without drivers; install it if the check needs it"
+    module: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoSkills(Warning, code="EZS005", name="no-skills"):
+    """Files without a skill."""
+
+    title = "no skill is defined in {path}"
+    help = "a skill is a class that inherits `ezskiros.SkillDescription`"
+    path: str
+
+
+ALL: tuple[type[Template], ...] = (NoFile, NoPython, ModuleFailed, StandIn, NoSkills)

@@ -1,0 +1,180 @@
+"""Where the parts of a function are written: its parameters, their types, defaults and texts."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import re
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from functools import lru_cache
+from types import FunctionType
+
+from dslkit.source import SourceFile, Span
+from dslkit.source.call_site import line_span, node_span, source_file
+
+
+@dataclass
+class Definition:
+    """A function as written. Where the source is not there, all spans are those of `whole`."""
+
+    whole: Span
+    names: dict[str, Span] = field(default_factory=dict)
+    annotations: dict[str, Span] = field(default_factory=dict)
+    defaults: dict[str, Span] = field(default_factory=dict)
+    docs: dict[str, str] = field(default_factory=dict)
+
+    def name_of(self, parameter: str) -> Span:
+        """Where a parameter is named."""
+        return self.names.get(parameter, self.whole)
+
+
+def definition(function: FunctionType) -> Definition:
+    """The parts of a function."""
+    code = function.__code__
+    file = source_file(code.co_filename)
+    if file is None:
+        return Definition(Span(SourceFile(code.co_filename, ""), 0, 0))
+    node = _function_at(file, code.co_firstlineno)
+    whole = line_span(file, node.lineno if node else code.co_firstlineno)
+    found = Definition(whole, docs=docs_of(inspect.getdoc(function) or ""))
+    if node is not None:
+        _fill(found, file, node.args)
+    return found
+
+
+def class_span(found: type) -> Span:
+    """Where a class is named; its module's beginning if that is not found."""
+    module = sys.modules.get(found.__module__)
+    path = getattr(module, "__file__", None) or "<no source>"
+    file = source_file(path)
+    if file is None:
+        return Span(SourceFile(path, ""), 0, 0)
+    return _classes(file).get(found.__name__, Span(file, 0, 0))
+
+
+def classes_of(file: SourceFile) -> Iterator[tuple[str, Span]]:
+    """The names of the classes that a file defines, in order; nested ones are left out."""
+    for node in (tree_of(file) or ast.Module([], [])).body:
+        if isinstance(node, ast.ClassDef):
+            start = node_span(file, node).start + len("class ")
+            yield node.name, Span(file, start, start + len(node.name))
+
+
+def _classes(file: SourceFile) -> dict[str, Span]:
+    """The names of classes, where they are defined first."""
+    return _definitions(file)[0]
+
+
+@lru_cache(maxsize=256)
+def _definitions(file: SourceFile) -> tuple[dict[str, Span], dict[int, ast.FunctionDef]]:
+    """The names of classes; and functions by their first lines, decorators included."""
+    classes: dict[str, Span] = {}
+    functions: dict[int, ast.FunctionDef] = {}
+    work: list[ast.AST] = [tree_of(file) or ast.Module([], [])]
+    while work:
+        node = work.pop()
+        if isinstance(node, ast.ClassDef):
+            start = node_span(file, node).start + len("class ")
+            classes.setdefault(node.name, Span(file, start, start + len(node.name)))
+        elif isinstance(node, ast.FunctionDef):
+            first = min([node.lineno, *(each.lineno for each in node.decorator_list)])
+            functions[first] = node
+        for part in ("body", "orelse", "finalbody", "handlers"):
+            inside = getattr(node, part, ())
+            work += reversed(inside) if isinstance(inside, list) else ()
+    return classes, functions
+
+
+def names_in(span: Span) -> dict[str, Span]:
+    """The names in an expression, where each stands last."""
+    found = {}
+    for node in ast.walk(_expression(span)):
+        if isinstance(node, ast.Name):
+            found[node.id] = _inside(span, node)
+    return found
+
+
+def compared_value(span: Span) -> Span | None:
+    """The right side of a comparison; None if the expression is none."""
+    for node in ast.walk(_expression(span)):
+        if isinstance(node, ast.Compare):
+            return _inside(span, node.comparators[-1])
+    return None
+
+
+def added_value(span: Span) -> Span:
+    """What `+=` adds; all of the span if it is no such statement."""
+    try:
+        body = ast.parse(span.text).body
+    except (SyntaxError, ValueError):
+        return span
+    if len(body) != 1 or not isinstance(body[0], ast.AugAssign):
+        return span
+    inner = node_span(SourceFile("", span.text), body[0].value)
+    return Span(span.file, span.start + inner.start, span.start + inner.end)
+
+
+def _expression(span: Span) -> ast.AST:
+    """The tree of an expression, as if it began its file; an empty one if it is none."""
+    try:
+        return ast.parse(f"({span.text})", mode="eval")
+    except (SyntaxError, ValueError):
+        return ast.Module([], [])
+
+
+def _inside(span: Span, node: ast.AST) -> Span:
+    """Where a node of `_expression` stands."""
+    inner = node_span(SourceFile("", f"({span.text})"), node)
+    return Span(span.file, span.start + inner.start - 1, span.start + inner.end - 1)
+
+
+@lru_cache(maxsize=256)
+def tree_of(file: SourceFile) -> ast.Module | None:
+    """The syntax tree of a file; None if it is none of Python."""
+    try:
+        return ast.parse(file.text)
+    except (SyntaxError, ValueError):
+        return None
+
+
+def _function_at(file: SourceFile, line: int) -> ast.FunctionDef | None:
+    """The function whose first line, decorators included, is this one."""
+    return _definitions(file)[1].get(line)
+
+
+def _fill(found: Definition, file: SourceFile, written: ast.arguments) -> None:
+    plain = [*written.posonlyargs, *written.args]
+    packed = [each for each in (written.vararg, written.kwarg) if each]
+    for each in (*plain, *written.kwonlyargs, *packed):
+        name = node_span(file, each)
+        found.names[each.arg] = Span(file, name.start, name.start + len(each.arg))
+        if each.annotation:
+            found.annotations[each.arg] = node_span(file, each.annotation)
+    last = plain[len(plain) - len(written.defaults) :]
+    pairs = [*zip(last, written.defaults, strict=True)]
+    pairs += [
+        (each, default)
+        for each, default in zip(written.kwonlyargs, written.kw_defaults, strict=True)
+        if default
+    ]
+    for each, default in pairs:
+        found.defaults[each.arg] = node_span(file, default)
+
+
+def docs_of(text: str) -> dict[str, str]:
+    """What a docstring says of parameters under `Args:`, a name and a colon each."""
+    _, _, section = re.split(
+        r"(?m)^(Args|Arguments|Parameters):\s*$", text + "\nArgs:\n", maxsplit=1
+    )
+    found: dict[str, str] = {}
+    name = ""
+    for line in section.splitlines():
+        if match := re.match(r"\s+(\w+)\s*(?:\([^)]*\))?:\s*(.*)", line):
+            name, found[match[1]] = match[1], match[2].strip()
+        elif line.strip() and line[:1].isspace() and name:
+            found[name] = f"{found[name]} {line.strip()}"
+        elif line.strip():
+            break
+    return found

@@ -1,0 +1,112 @@
+"""Which attributes the things of each class have, and what these stand for.
+
+Decided as `Ontology.attribute` does when a description runs, and as the check of relations judges
+what has come of it.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.iris import RESERVED, THING
+from ezskiros.ontology.model import Model, Union
+from ezskiros.ontology.things import Thing, ThingClass
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """A relation or data property. What it relates to has to be in each union of `wanted`."""
+
+    iri: str
+    wanted: tuple[Union, ...] = ()
+
+
+AMBIGUOUS = Meaning("")
+"""Of several namespaces."""
+
+
+def iri_of(owl_class: ThingClass) -> str:
+    """The IRI of a class, also of `Thing`."""
+    return THING if owl_class is Thing else owl_class.iri
+
+
+class Classes:
+    """All classes of an ontology, one for those that mean the same; `known` has `Thing` first, and
+    each behind its bases.
+    """
+
+    def __init__(self, ontology: Ontology) -> None:
+        model = ontology.model
+        declared = (iri for iri in model.classes if not iri.startswith(RESERVED))
+        found = {each for iri in declared for each in _above(ontology.class_of(iri))} | {Thing}
+        self.known: Sequence[ThingClass] = sorted(
+            found, key=lambda each: (len(each.__mro__), iri_of(each))
+        )
+        self._below: dict[str, set[ThingClass]] = defaultdict(set)
+        for each in self.known:
+            for iri in model.above(iri_of(each)):
+                self._below[iri].add(each)
+
+    def fitting(self, wanted: Iterable[Union]) -> set[ThingClass]:
+        """The classes whose things are in all of these unions."""
+        found = set(self.known)
+        for union in wanted:
+            found &= {each for iri in union for each in self._below.get(iri, ())}
+        return found
+
+    def widest(self, wanted: Iterable[Union]) -> list[ThingClass]:
+        """The classes that fit, without those below others that do."""
+        found = self.fitting(wanted)
+        if Thing in found:  # all others are below it
+            return [Thing]
+        return [each for each in found if found.isdisjoint(_above(each)[1:])]
+
+
+def _above(owl_class: ThingClass) -> list[ThingClass]:
+    """A class and those that it inherits from, in the order in which Python looks."""
+    return [each for each in owl_class.__mro__ if isinstance(each, ThingClass)]
+
+
+def members(ontology: Ontology, classes: Classes) -> dict[ThingClass, dict[str, Meaning]]:
+    """For each class its attributes that it does not inherit as they are.
+
+    A class has an attribute if it is in the domain of what that stands for.
+    """
+    model = ontology.model
+    restricted = {iri for each in model.classes.values() for iri in each.only}
+    found: dict[ThingClass, dict[str, Meaning]] = {each: {} for each in classes.known}
+    for name, iris in ontology.properties.items():
+        if len(iris) == 1 and iris[0] not in restricted:  # for all classes below it is the same
+            for each in classes.widest(model.domain(iris[0])):
+                found[each][name] = Meaning(iris[0], model.range(iris[0]))
+            continue
+        fitting = {iri: classes.fitting(model.domain(iri)) for iri in _eligible(model, iris)}
+        for each in classes.known:
+            meaning = _meaning(model, each, [iri for iri in fitting if each in fitting[iri]])
+            inherited = (found[above].get(name) for above in _above(each)[1:])
+            if meaning is not None and meaning != next(filter(None, inherited), None):
+                found[each][name] = meaning
+    return found
+
+
+def _eligible(model: Model, iris: Sequence[str]) -> Sequence[str]:
+    """Of properties of one name those that can be told apart by their domains."""
+    return [iri for iri in iris if model.domain(iri)] if len(iris) > 1 else iris
+
+
+def _meaning(model: Model, owl_class: ThingClass, fitting: Sequence[str]) -> Meaning | None:
+    """What a name stands for that these properties of a class have; None without any."""
+    if len(fitting) > 1:
+        return AMBIGUOUS
+    for iri in fitting:
+        return Meaning(iri, (*model.range(iri), *_only(model, iri_of(owl_class), iri)))
+    return None
+
+
+def _only(model: Model, owl_class: str, iri: str) -> list[Union]:
+    """What a class says of all things that it is so related to."""
+    above = sorted(each for each in model.above(owl_class) if each in model.classes)
+    return [union for each in above for union in model.classes[each].only.get(iri, ())]

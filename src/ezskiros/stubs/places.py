@@ -1,0 +1,51 @@
+"""Where each thing of an ontology stands in a stub: in which namespace, by which name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.iris import split
+from ezskiros.ontology.python_names import identifiers
+from ezskiros.ontology.things import Thing, ThingClass
+
+ELSEWHERE = "_elsewhere"
+"""The namespace of classes that are named, but not declared."""
+
+
+def namespaces(ontology: Ontology, known: Iterable[ThingClass]) -> dict[str, dict[str, str]]:
+    """By the names of namespaces in Python: the IRIs of what is in them, by their names in Python.
+
+    What the classes `known` inherit from without its being declared is in `ELSEWHERE`.
+    """
+    model = ontology.model
+    inside: dict[str, dict[str, str]] = {start: {} for start in model.names.values()}
+    other: dict[str, str] = {}
+    for iri in model.entities():
+        start, name = split(iri)
+        if start in inside and name:
+            inside[start][name] = iri
+    placed = {iri for those in inside.values() for iri in those.values()}
+    for iri in sorted(each.iri for each in known if each is not Thing):
+        if iri not in placed:
+            name = split(iri)[1]
+            other[iri if name in other else name] = iri
+    found = {
+        spelled: _spelled(inside[model.names[name]])
+        for spelled, name in identifiers(model.names).items()
+    }
+    return {**found, **({ELSEWHERE: _spelled(other)} if other else {})}
+
+
+def _spelled(inside: Mapping[str, str]) -> dict[str, str]:
+    return {spelled: inside[name] for spelled, name in sorted(identifiers(inside).items())}
+
+
+def qualified(namespace: str, name: str) -> str:
+    """How the stub speaks of a class. What begins with `_` is hidden by no name of an ontology."""
+    return f"{alias(namespace)}.{name}"
+
+
+def alias(namespace: str) -> str:
+    """The name of a namespace in the stub itself."""
+    return namespace if namespace == ELSEWHERE else f"_{namespace}"

@@ -1,0 +1,44 @@
+"""Any description means the same after it is translated, and has the same comments."""
+
+from __future__ import annotations
+
+import tempfile
+import tokenize
+from io import StringIO
+from pathlib import Path
+
+from hypothesis import given
+
+from ezskiros.migrate.module import migrate_text
+from support.old_descriptions import descriptions
+from support.round_trip import new_forms, old_forms, without_order, write_ontology
+
+
+@given(descriptions())
+def test_a_description_means_the_same(text: str) -> None:
+    found = migrate_text("skills.py", text)
+    assert found.translated == ["Skill"], [each.title for each in found.diagnostics]
+    old = old_forms(text)["Skill"]
+    with tempfile.TemporaryDirectory() as folder:
+        write_ontology([old], Path(folder))
+        new = new_forms(found.text, Path(folder))["Skill"]
+    assert without_order(new) == without_order(old)
+
+
+@given(descriptions())
+def test_a_description_keeps_its_comments(text: str) -> None:
+    after = comments(migrate_text("skills.py", text).text)
+    for comment in comments(text):
+        after.remove(comment)
+
+
+@given(descriptions())
+def test_a_second_migration_does_nothing(text: str) -> None:
+    once = migrate_text("skills.py", text)
+    assert migrate_text("skills.py", once.text).text == once.text
+
+
+def comments(text: str) -> list[str]:
+    """The comments of a module; a label may stand in front of one, or behind."""
+    tokens = tokenize.generate_tokens(StringIO(text).readline)
+    return [token.string for token in tokens if token.type == tokenize.COMMENT]

@@ -1,0 +1,126 @@
+"""Signatures of descriptions."""
+
+from __future__ import annotations
+
+import pytest
+
+from ezskiros.skills.interface import Parameter
+from ezskiros.skills.markers import Kind, Option
+from support.skill_files import HEADER, checked, described, found
+
+
+def parameter(written: str) -> Parameter:
+    result = described("", written)
+    assert found(result) == []
+    (skill,) = result.skills
+    (only,) = skill.parameters
+    return only
+
+
+@pytest.mark.parametrize(
+    ("written", "kind", "options"),
+    [
+        ("P: skiros.Product", Kind.REQUIRED, ()),
+        ("P: INFERRED[skiros.Product]", Kind.INFERRED, ()),
+        ("P: OPTIONAL[skiros.Product]", Kind.OPTIONAL, ()),
+        ("P: LOCK[skiros.Product]", Kind.REQUIRED, (Option.LOCK,)),
+        ("P: CONSUME[INFERRED[skiros.Product]]", Kind.INFERRED, (Option.CONSUME,)),
+        (
+            "P: INFERRED[UNSPECIFY[RESPECT_TYPE[skiros.Product]]]",
+            Kind.INFERRED,
+            (Option.RESPECT_TYPE, Option.UNSPECIFY),
+        ),
+        ("P: 'INFERRED[skiros.Product]'", Kind.INFERRED, ()),
+    ],
+)
+def test_a_thing_has_a_kind_and_options(
+    written: str, kind: Kind, options: tuple[Option, ...]
+) -> None:
+    only = parameter(written)
+    assert (only.kind, only.options, only.default) == (kind, options, None)
+    assert only.iri == "http://rvmi.aau.dk/ontologies/skiros.owl#Product"
+    assert only.span.text == "P"
+
+
+@pytest.mark.parametrize(
+    ("written", "kind_of", "default"),
+    [
+        ("P: float = 0.5", float, 0.5),
+        ("P: float = 1", float, 1.0),
+        ("P: int = 3", int, 3),
+        ("P: str = 'x'", str, "x"),
+        ("P: bool = False", bool, False),
+        ("P: str", str, None),
+        ("*, P: int = 3", int, 3),
+    ],
+)
+def test_a_value_has_a_type_and_a_default(written: str, kind_of: type, default: object) -> None:
+    only = parameter(written)
+    assert (only.type, only.default, type(only.default)) == (kind_of, default, type(default))
+
+
+def test_an_enumeration_is_a_type() -> None:
+    text = (
+        f"import enum\n{HEADER}\n"
+        "class Mode(enum.Enum):\n    FAST = 1\n\n"
+        "class Skill(SkillDescription):\n"
+        "    def description(self, P: Mode = Mode.FAST):\n        pass\n"
+    )
+    result = checked(text)
+    assert found(result) == []
+    assert str(result.skills[0].parameters[0].default) == "Mode.FAST"
+
+
+def test_types_may_be_texts_for_the_whole_file() -> None:
+    text = (
+        f"from __future__ import annotations\n{HEADER}\n"
+        "class Skill(SkillDescription):\n"
+        "    def description(self, P: INFERRED[skiros.Product], Q: float = 1):\n        pass\n"
+    )
+    result = checked(text)
+    assert found(result) == []
+    assert [each.name for each in result.skills[0].parameters] == ["P", "Q"]
+
+
+@pytest.mark.parametrize(
+    ("written", "code", "text"),
+    [
+        ("P", "EZS202", "P"),
+        ("P = 3", "EZS202", "P"),
+        ("P: 'cora:Robot'", "EZS203", "'cora:Robot'"),
+        ("P: 'unknown'", "EZS203", "'unknown'"),
+        ("P: list", "EZS204", "list"),
+        ("P: dict[str, int]", "EZS204", "dict[str, int]"),
+        ("P: object", "EZS204", "object"),
+        ("P: 3", "EZS204", "3"),
+        ("P: None", "EZS204", "None"),
+        ("P: int = 0.5", "EZS205", "0.5"),
+        ("P: int = True", "EZS205", "True"),
+        ("P: float = 'x'", "EZS205", "'x'"),
+        ("P: str = None", "EZS205", "None"),
+        ("*, P: str = 3", "EZS205", "3"),
+        ("P: skiros.Product = None", "EZS206", "None"),
+        ("P: INFERRED[float] = 1.0", "EZS207", "INFERRED[float]"),
+        ("P: LOCK[str]", "EZS207", "LOCK[str]"),
+        ("*P: int", "EZS208", "P"),
+        ("**P: int", "EZS208", "P"),
+        ("P: skiros.Produkt", "EZS111", "skiros.Produkt"),
+        ("P: INFERRED[skiros.Produkt]", "EZS111", "skiros.Produkt"),
+        ("P: skirso.Product", "EZS003", "skirso"),
+    ],
+)
+def test_what_is_no_parameter_is_told(written: str, code: str, text: str) -> None:
+    assert found(described("", written)) == [(code, text)]
+
+
+def test_texts_of_parameters_are_kept() -> None:
+    text = (
+        f"{HEADER}\nclass Skill(SkillDescription):\n"
+        '    """Does something.\n\n    And more.\n    """\n\n'
+        "    def description(self, P: skiros.Product, Q: float = 1.0):\n"
+        '        """Says how.\n\n        Args:\n            P: what is\n                handled\n'
+        '            Q: in m/s\n        """\n'
+    )
+    (skill,) = checked(text).skills
+    assert skill.doc == "Does something.\n\nAnd more."
+    assert [each.doc for each in skill.parameters] == ["what is handled", "in m/s"]

