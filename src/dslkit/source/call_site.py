@@ -92,8 +92,10 @@ else:
 
 def _offset(file: SourceFile, line: int, byte: int) -> int:
     """An offset in code points of a column that counts the bytes of UTF-8."""
-    text = file.line_text(line)
-    return file.line_starts[line - 1] + len(text.encode()[:byte].decode("utf-8", "ignore"))
+    text, start = file.line_text(line), file.line_starts[line - 1]
+    if text.isascii():
+        return start + min(byte, len(text))
+    return start + len(text.encode()[:byte].decode("utf-8", "ignore"))
 
 
 def line_span(file: SourceFile, line: int) -> Span:

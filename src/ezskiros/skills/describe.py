@@ -21,7 +21,7 @@ from ezskiros.skills.blame import said, user_place
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.guard import Interrupted, SideEffectError, TimeOverError, guarded
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
-from ezskiros.skills.parameters import read_parameters
+from ezskiros.skills.parameters import read_parameters, signature_of
 from ezskiros.skills.syntax import class_span, definition, docs_of
 from ezskiros.skills.values import MOST_PATHS, Decisions, SymbolicValue, deciding
 
@@ -73,7 +73,7 @@ def describe(skill: type[SkillDescription]) -> Described | None:
 
 def _has_self(method: FunctionType) -> bool:
     """Whether there is a place for the skill itself: one that has no type."""
-    first = next(iter(inspect.signature(method).parameters.values()), None)
+    first = next(iter(signature_of(method).parameters.values()), None)
     return first is not None and (first.name == "self" or first.annotation is first.empty)
 
 
@@ -188,7 +188,7 @@ def _arguments(
 ) -> tuple[list[object], dict[str, object]]:
     """The symbols, by place and by name; what is wrong gets something that all goes on with."""
     placed, named = [], {}
-    for each in list(inspect.signature(method).parameters.values())[1:]:
+    for each in list(signature_of(method).parameters.values())[1:]:
         if each.kind is inspect.Parameter.POSITIONAL_ONLY:
             placed.append(known.get(each.name, UNKNOWN))
         elif each.kind not in _PACKED:
@@ -217,7 +217,7 @@ def _raised(skill: type, method: FunctionType, problem: BaseException) -> Diagno
     if isinstance(problem, TimeOverError):
         return errors.NeverEnds(skill=skill.__name__, seconds=SECONDS).at(span)
     if missing := _missing_name(problem):
-        known = list(inspect.signature(method).parameters)[1:]
+        known = list(signature_of(method).parameters)[1:]
         near = difflib.get_close_matches(missing, [*known, *method.__globals__], n=1)
         help = f"did you mean `{near[0]}`?" if near else None
         return errors.UnknownParameter(spelled=missing, skill=skill.__name__).at(span, help=help)

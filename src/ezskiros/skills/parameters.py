@@ -6,6 +6,7 @@ import enum
 import inspect
 import sys
 from dataclasses import dataclass
+from functools import lru_cache
 from types import FunctionType
 from typing import Annotated, Any, get_args, get_origin
 
@@ -24,11 +25,17 @@ _PACKED: dict[object, str] = {
 }
 
 
+@lru_cache(maxsize=4096)
+def signature_of(function: FunctionType) -> inspect.Signature:
+    """What `inspect.signature` says, which takes its time."""
+    return inspect.signature(function)
+
+
 def read_parameters(description: FunctionType) -> list[Parameter]:
     """The parameters, without those that are wrong, which are reported."""
     written = definition(description)
     found = []
-    for given in list(inspect.signature(description).parameters.values())[1:]:
+    for given in list(signature_of(description).parameters.values())[1:]:
         reader = _Reader(given, written, description)
         parameter = reader.read()
         if parameter is not None:
