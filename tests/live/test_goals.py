@@ -147,14 +147,20 @@ def test_a_goal_of_a_rule_whose_server_dies_fails(robot: Robot, start: Start, gr
     until(lambda: robot.states("grip") == ["failed"], "its server has gone", LEASE)
 
 
-def test_a_goal_is_sent_again_to_a_server_that_was_started_anew(
-    robot: Robot, start: Start, grip: Grip
-) -> None:
-    hand = grip()
+@pytest.fixture
+def hand(robot: Robot, start: Start, grip: Grip) -> Ears:
+    """The hand, which pursues goal 7."""
+    found = grip()
     start()
     robot.passes(1.0)
     robot.ask(goal=7, of="/hand")
-    until(lambda: hand.heard("/hand") == [["begins", 7]], "it begins")
+    until(lambda: found.heard("/hand") == [["begins", 7]], "it begins")
+    return found
+
+
+def test_a_goal_is_sent_again_to_a_server_that_was_started_anew(
+    robot: Robot, hand: Ears, grip: Grip
+) -> None:
     robot.set(mode="loose")
     until(lambda: robot.states("loosen") == ["holding"], "it is cancelled")
     hand.end()
@@ -167,26 +173,16 @@ def test_a_goal_is_sent_again_to_a_server_that_was_started_anew(
 
 @pytest.mark.parametrize("how", [signal.SIGSTOP, signal.SIGKILL])
 def test_a_server_that_says_nothing_is_not_taken_for_free(
-    robot: Robot, start: Start, grip: Grip, how: int
+    robot: Robot, hand: Ears, how: int
 ) -> None:
-    hand = grip()
-    start()
-    robot.passes(1.0)
-    robot.ask(goal=7, of="/hand")
-    until(lambda: hand.heard("/hand") == [["begins", 7]], "it begins")
     hand.running.send_signal(how)
     robot.set(mode="loose")
     until(lambda: robot.states("loosen") == ["failed"], "the cancellation is not confirmed")
 
 
 def test_a_server_that_dies_while_it_cancels_is_not_taken_for_free(
-    robot: Robot, start: Start, grip: Grip
+    robot: Robot, hand: Ears
 ) -> None:
-    hand = grip()
-    start()
-    robot.passes(1.0)
-    robot.ask(goal=7, of="/hand")
-    until(lambda: hand.heard("/hand") == [["begins", 7]], "it begins")
     hand.ask(obeys=False)
     robot.set(mode="loose")
     time.sleep(0.5)  # the server has said that it is at it
