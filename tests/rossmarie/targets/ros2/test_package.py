@@ -56,11 +56,12 @@ def test_the_planner_is_launched_behind_the_filter_and_the_relay() -> None:
     found: dict[str, object] = {}
     table = text.partition("REMAPPINGS = ")[2].partition("}")[0] + "}"
     exec(f"table = {table}", found)
-    actions = ("send_goal", "cancel_goal", "get_result", "feedback", "status")
+    parts = ("send_goal", "cancel_goal", "get_result", "feedback", "status")
+    goals = [f"{server}/_action/{part}" for server in ("arm", "hand") for part in parts]
     assert found["table"] == {
         "/cmd_vel": "/unfil_cmd_vel",
         "/arm_vel": "/unfil_arm_vel",
-        **{f"/arm/_action/{each}": f"/unfil_arm/_action/{each}" for each in actions},
+        **{f"/{each}": f"/unfil_{each}" for each in goals},
     }
     assert "respawn=True" in text
 
