@@ -4,6 +4,7 @@ else the first is raised, as Python does.
 
 from __future__ import annotations
 
+import os
 import site
 import sysconfig
 from collections.abc import Iterator
@@ -16,14 +17,12 @@ from dslkit.source import SourceFile, Span
 from dslkit.source.branches import asked
 from dslkit.source.call_site import call_site
 
-OURS = (str(Path(__file__).parent), str(Path(__file__).parents[1] / "dslkit"))
+_SOURCES = Path(__file__).parents[1]
+OURS = tuple(f"{_SOURCES / name}{os.sep}" for name in ("ezskiros", "dslkit"))
+_INSTALLED = ("stdlib", "platstdlib", "purelib", "platlib")
 LIBRARIES = tuple(
-    dict.fromkeys(
-        (
-            *(sysconfig.get_path(name) for name in ("stdlib", "platstdlib", "purelib", "platlib")),
-            *site.getsitepackages(),
-        )
-    )
+    f"{folder}{os.sep}"
+    for folder in {*map(sysconfig.get_path, _INSTALLED), *site.getsitepackages()}
 )
 """Where Python's own modules are, and installed ones."""
 _collector: ContextVar[Collector | None] = ContextVar("collector", default=None)

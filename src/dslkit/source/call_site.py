@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ast
 import linecache
+import os
 import sys
 from functools import lru_cache
 from pathlib import Path
@@ -18,7 +19,7 @@ from dslkit.source.file import SourceFile
 from dslkit.source.paths import shown
 from dslkit.source.span import Span
 
-_OURS = str(Path(__file__).parents[1])
+_OURS = f"{Path(__file__).parents[1]}{os.sep}"
 
 
 def call_site(*ours: str) -> Span | None:

@@ -7,6 +7,7 @@ conditions, which have no value before the robot runs.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from typing import Any, Protocol, cast
 
@@ -32,12 +33,12 @@ class Vocabulary(Protocol):
         ...
 
 
-class Described:
+class Described(ABC):
     """Something that says itself what it is, in a message."""
 
+    @abstractmethod
     def described(self) -> str:
         """Such as `the parameter Speed`."""
-        raise NotImplementedError
 
 
 class ThingClass(type):

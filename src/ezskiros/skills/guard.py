@@ -89,6 +89,24 @@ def _guarded_sleep(seconds: float | SupportsIndex, /) -> None:
     _sleep(seconds)
 
 
+_start = threading.Thread.start
+
+
+def _guarded_start(thread: threading.Thread) -> None:
+    """What a thread does is done when nobody looks any more."""
+    _stop("starts a thread", sys._getframe(1))  # noqa: SLF001
+    _start(thread)
+
+
+@contextmanager
+def _guarding_threads() -> Iterator[None]:
+    threading.Thread.start = _guarded_start  # type: ignore[assignment,method-assign]
+    try:
+        yield
+    finally:
+        threading.Thread.start = _start  # type: ignore[method-assign]
+
+
 @contextmanager
 def guarding_sleep() -> Iterator[None]:
     """Within, `time.sleep` can be stopped, and modules that are imported keep it so."""
@@ -108,7 +126,7 @@ def guarded(seconds: float, tell: Callable[[str], None]) -> Iterator[None]:
     _install()
     _is_guarded.append(tell)
     try:
-        with guarding_sleep(), _limited(seconds):
+        with guarding_sleep(), _guarding_threads(), _limited(seconds):
             yield
     finally:
         _is_guarded.pop()

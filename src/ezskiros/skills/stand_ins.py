@@ -10,6 +10,7 @@ import importlib.machinery
 import sys
 from collections.abc import Callable, Iterator, MutableSequence, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar, cast
 
@@ -83,7 +84,7 @@ class _Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
             return None
         if path is None:
             place = session.directly_here()
-            if place.file.path.startswith(session.LIBRARIES):
+            if str(Path.cwd() / place.file.path).startswith(session.LIBRARIES):
                 return None
             self._tell(name, place)
         return importlib.machinery.ModuleSpec(name, self, is_package=True)

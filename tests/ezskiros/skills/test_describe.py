@@ -22,6 +22,7 @@ VALUES = "Object: skiros.Product, Place: skiros.Container, Speed: float = 1.0, F
         ("import subprocess; subprocess.run(['true'])", "starts a program"),
         ("import socket; socket.create_connection(('localhost', 1))", "uses the network"),
         ("input()", "asks for input"),
+        ("import threading; threading.Thread(target=print).start()", "starts a thread"),
         ("try:\n    open('x')\nexcept Exception:\n    pass", "opens a file"),
     ],
 )

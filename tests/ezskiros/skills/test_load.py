@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -133,3 +134,18 @@ def test_a_stand_in_is_told_where_it_is_imported(tmp_path: Path) -> None:
     text = f'"""Skills with rospy."""\n\nimport os.path, rospy\n{HEADER}{FINE}'
     (one,) = check(tmp_path, {"a": text}).diagnostics
     assert (one.code, one.primary.span.begin.line) == ("EZS004", 3)
+
+
+def test_libraries_get_no_stand_ins_wherever_one_stands(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    library = tmp_path / "library"
+    library.mkdir()
+    text = "try:\n    import not_there\nexcept ImportError:\n    not_there = None\n"
+    (library / "with_an_option.py").write_text(text)
+    monkeypatch.setattr(session, "LIBRARIES", (f"{library}{os.sep}",))
+    monkeypatch.syspath_prepend(library)
+    monkeypatch.chdir(tmp_path)
+    user = "import with_an_option\nassert with_an_option.not_there is None\n"
+    result = check(tmp_path / "own", {"a": user + HEADER + FINE})
+    assert (found(result), warned(result)) == ([], [])
