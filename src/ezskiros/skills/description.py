@@ -52,6 +52,14 @@ class Conditions:
         if isinstance(value, Condition):
             self._clauses.append(Clause(value.statement, value.span))
 
+    def __getattr__(self, name: str) -> Unknown:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        self.are_whole = False
+        found = errors.AddedOtherwise(spelled=name, conditions=f"{self._kind}_conditions")
+        session.report(found.at(session.here()))
+        return UNKNOWN
+
     def __iter__(self) -> Iterator[Clause]:
         return iter(self._clauses)
 

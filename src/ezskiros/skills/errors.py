@@ -150,6 +150,16 @@ class NoSelf(Error, code="EZS214", name="no-self"):
 
 
 @dataclass(frozen=True, kw_only=True)
+class AddedOtherwise(Error, code="EZS215", name="added-otherwise"):
+    """`append` where `+=` is meant."""
+
+    title = "conditions are added with `+=`: there is no `{spelled}`"
+    help = "write `self.{conditions} += ...`, a line for each"
+    spelled: str
+    conditions: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class Raised(Error, code="EZS220", name="description-raised"):
     """A description that ends with an exception."""
 
@@ -228,6 +238,7 @@ ALL: tuple[type[Template], ...] = (
     NoConditions,
     UnknownParameter,
     NoSelf,
+    AddedOtherwise,
     Raised,
     SideEffect,
     NeverEnds,

@@ -97,6 +97,7 @@ def test_a_condition_says_what_is_written(expression: str, statement: Statement,
         ("self.pre_conditions += Object.Weight(Place)", "EZS311", "Object.Weight(Place)"),
         ("self.pre_conditions += Speed.at(Place)", "EZS312", "Speed.at"),
         ("Object.Weight = 3", "EZS314", "Object.Weight"),
+        ("self.pre_conditions.append(Object.Weight)", "EZS215", "self.pre_conditions.append"),
     ],
 )  # fmt: skip
 def test_what_is_no_condition_is_told(line: str, code: str, text: str) -> None:
