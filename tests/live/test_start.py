@@ -68,6 +68,20 @@ def test_servers_that_are_not_there_are_named(ros: Ros, robot: Robot, start: Sta
     assert gripper in robot.diagnoses()
 
 
+def test_a_controller_that_is_not_there_is_named(robot: Robot, start: Start) -> None:
+    robot.set(controllers=["effort", "position"])
+    robot.ask(offer="controllers")
+    start()
+    robot.diagnosed("/controller_manager has no controller gravity")
+    told = robot.heard("/diagnostics")
+    named = next(each for each in told if "no controller" in str(each["status"]))
+    assert named["header"]["stamp"] - told[0]["header"]["stamp"] < 5.0
+    robot.set(mode="held")
+    until(lambda: robot.states("soften") == ["failed"], "it is not switched")
+    robot.set(mode="driving", controllers=["effort", "gravity", "position"])
+    until(lambda: "no controller" not in str(robot.diagnoses()), "it has come")
+
+
 @pytest.mark.usefixtures("launched")
 def test_the_launch_file_puts_the_planner_behind_the_filter(robot: Robot) -> None:
     robot.set(speed=None)

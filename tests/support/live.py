@@ -114,7 +114,11 @@ class Robot(Ears):
 
     def passes(self, speed: float, seconds: float = 10.0) -> None:
         """Wait until commands come through at this speed."""
-        until(lambda: self.commands(0.1)[-1:] == [speed], f"{speed} m/s passes", seconds)
+        try:
+            until(lambda: self.commands(0.1)[-1:] == [speed], f"{speed} m/s passes", seconds)
+        except AssertionError as error:
+            said = f"{error}; the node says {self.state()} and {self.diagnoses()}"
+            raise AssertionError(said) from error
 
     def stays_at(self, speed: float, seconds: float = 0.5) -> None:
         """All commands are so during the next seconds."""

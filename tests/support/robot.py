@@ -7,7 +7,8 @@ What differs between the generations of ROS stands in `ros1_robot.py` and `ros2_
 import math
 import time
 
-from controller_manager_msgs.srv import SwitchController
+from controller_manager_msgs.msg import ControllerState
+from controller_manager_msgs.srv import ListControllers, SwitchController
 from diagnostic_msgs.msg import DiagnosticArray
 from ears import Client, Ears, Server
 from geometry_msgs.msg import Twist, TwistStamped
@@ -43,6 +44,7 @@ class Robot(Ears):
         self.lamp = True  # whether the lamp answers with success
         self.recovery = "goes on"  # what comes of the goal of the rules, or "succeeds", "aborts"
         self.delay = 0.0  # s, after which the planner answers
+        self.controllers = ["effort", "gravity", "position"]  # that the controller manager has
         self.switches = True  # whether the controller manager does what it is asked for
         self._stamp_s = 1.0
         self._imu = self.sensor("/imu/data", Imu)
@@ -105,13 +107,18 @@ class Robot(Ears):
         return self.recovery if goal == RECOVERY else None
 
     def _offer_controllers(self):
-        service = "/controller_manager/switch_controller"
-        self.offer(service, SwitchController, self._switch_controllers)
+        manager = "/controller_manager"
+        self.offer(manager + "/list_controllers", ListControllers, self._list_controllers)
+        self.offer(manager + "/switch_controller", SwitchController, self._switch_controllers)
+
+    def _list_controllers(self, _request):
+        return {"controller": [ControllerState(name=name) for name in self.controllers]}
 
     def _switch_controllers(self, request):
         asked = [list(getattr(request, field)) for field in self.SWITCHED]
         self.note("/controllers", asked if request.strictness == request.STRICT else "not strict")
-        return {"ok": self.switches}
+        has_all = set().union(*asked) <= set(self.controllers)
+        return {"ok": self.switches and has_all}
 
     def _switch_lamp(self, request):
         self.note("/lamp", request.data)

@@ -148,8 +148,9 @@ class TasksText:
             case reactions.SetParameter(value=value):
                 return "SetTask", [self._shared(index), _parameter_value(value), _report(index)]
             case reactions.SwitchControllers():
+                manager = [needs.MIDDLEWARE, string(effect.manager)]
                 change = f"Controllers::Change{{{_texts(effect.start)}, {_texts(effect.stop)}}}"
-                return "SwitchTask", [self._shared(index), change, _report(index)]
+                return "SwitchTask", [*manager, self._shared(index), change, _report(index)]
             case reactions.Limit() | reactions.Scale():
                 return "BoundTask", []
             case _:

@@ -33,7 +33,8 @@ ROS1 = Dialect(
             ("shared.h", "change_task.h", "reconfigure.h", "set_task.h"), ()
         ),
         reactions.SwitchControllers: Part(
-            ("shared.h", "change_task.h", "switch_task.h"), ("controller_manager_msgs",)
+            ("shared.h", "change_task.h", "controllers.h", "switch_task.h"),
+            ("controller_manager_msgs",),
         ),
     },
     status_topic="/status",

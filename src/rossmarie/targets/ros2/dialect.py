@@ -35,7 +35,8 @@ ROS2 = Dialect(
         reactions.SendGoal: Part(("goals.h", "send_task.h"), _GOAL_PACKAGES),
         reactions.SetParameter: Part(("shared.h", "change_task.h", "set_task.h"), ()),
         reactions.SwitchControllers: Part(
-            ("shared.h", "change_task.h", "switch_task.h"), ("controller_manager_msgs",)
+            ("shared.h", "change_task.h", "controllers.h", "switch_task.h"),
+            ("controller_manager_msgs",),
         ),
     },
     status_topic="/_action/status",

@@ -61,7 +61,7 @@ EFFECTS = {
         set(),
     ),
     "switch /manager { start a; }": (
-        {"shared.h", "change_task.h", "switch_task.h"},
+        {"shared.h", "change_task.h", "controllers.h", "switch_task.h"},
         {"controller_manager_msgs"},
     ),
     'log info "x"': (set(), set()),

@@ -89,7 +89,7 @@ EFFECTS = {
     ),
     "set /planner.FollowPath.speed to 1": ({"shared.h", "change_task.h", "set_task.h"}, set()),
     "switch /manager { start a; }": (
-        {"shared.h", "change_task.h", "switch_task.h"},
+        {"shared.h", "change_task.h", "controllers.h", "switch_task.h"},
         {"controller_manager_msgs"},
     ),
     'log info "x"': (set(), set()),
