@@ -117,8 +117,8 @@ class Robot(Ears):
         try:
             until(lambda: self.commands(0.1)[-1:] == [speed], f"{speed} m/s passes", seconds)
         except AssertionError as error:
-            said = f"{error}; the node says {self.state()} and {self.diagnoses()}"
-            raise AssertionError(said) from error
+            node = f"the node says {self.state()} and {self.diagnoses()}"
+            raise AssertionError(f"{error}; {node}, the robot: {self.said()}") from error
 
     def stays_at(self, speed: float, seconds: float = 0.5) -> None:
         """All commands are so during the next seconds."""

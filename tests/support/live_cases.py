@@ -47,7 +47,7 @@ action name { set /planner.double_ to "slow"; }
 action exceed { set /planner.int_ to 100; }
 action soften { switch /controller_manager { stop position; start effort, gravity; } else cry; }
 input moving = topic /arm/moving : std_msgs/Bool .data;
-input orientation = topic /imu/data : sensor_msgs/Imu .orientation timeout 0.5 sec;
+input orientation = topic /imu/data : sensor_msgs/Imu .orientation timeout 2 sec;
 input ranges = topic /scan : sensor_msgs/LaserScan .ranges;
 input mode = topic /mode : std_msgs/String;
 rule tilted: if abs(orientation.pitch()) > 10 deg then { slow; };
