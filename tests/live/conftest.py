@@ -38,9 +38,16 @@ def ros(request: pytest.FixtureRequest) -> Ros:
     return cast("Ros", request.getfixturevalue(request.param))
 
 
+@pytest.fixture(scope="session")
+def vehicle(ros: Ros) -> Path:
+    """The program of the node of the vehicle; if it cannot be built, it is tried once."""
+    return ros.vehicle
+
+
 @pytest.fixture
-def robot(ros: Ros) -> Iterator[Robot]:
+def robot(ros: Ros, vehicle: Path) -> Iterator[Robot]:
     """A robot that stands level, and a planner that wants 1 m/s."""
+    assert vehicle.exists(), "the robot needs the messages of the node"
     found = ros.robot()
     try:
         found.set(pitch=0.0, speed=1.0)

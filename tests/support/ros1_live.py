@@ -123,7 +123,6 @@ class Ros1:
 
     def robot(self) -> Robot:
         """A new robot. It lives in real time, the node need not."""
-        assert self.vehicle.exists(), "the robot needs the messages of the node"
         set_parameters(self.variables, self.vehicle.name, {}, use_sim_time=False)
         command = [str(PYTHON), str(_HERE / "ros1_robot.py")]
         return Robot(command, self.variables, self._folder / "robot.log")

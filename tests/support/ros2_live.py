@@ -58,8 +58,7 @@ class Ros2:
         return self.build(vehicle("ros2"))
 
     def robot(self) -> Robot:
-        """A new robot."""
-        assert self.vehicle.exists(), "the robot needs the messages of the node"
+        """A new robot; it needs the messages of the node of the vehicle."""
         command = [str(shutil.which("python3")), str(_HERE / "ros2_robot.py")]
         return Robot(command, self.variables, self._folder / "robot.log")
 
