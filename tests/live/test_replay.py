@@ -86,7 +86,7 @@ def drive(store: Typestore) -> Iterator[Reading]:
     for tick in range(700):
         at_ns, time_s = START_NS + tick * 20_000_000, tick / 50
         is_on_slope = 1.0 < time_s < 2.0 or 11.0 < time_s < 12.0
-        if not 7.0 < time_s < 9.0:
+        if not 7.0 < time_s < 10.0:
             yield "/imu/data", at_ns, *imu(store, tick, 15.0 if is_on_slope else 0.0)
         if tick % 5 == 0:
             yield "/scan", at_ns, *scan(store, tick, [0.2 if 3.0 < time_s < 4.0 else 2.0])
