@@ -14,7 +14,7 @@ import traceback
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
-from typing import NoReturn
+from typing import Any, NoReturn
 
 import typer
 from rich.console import Console
@@ -63,6 +63,18 @@ class CommandLine:
     def own_version(self) -> str:
         """The installed version."""
         return version("rossmarie")
+
+    def version_option(self) -> Any:
+        """The option `--version` of Typer, which prints the version and ends the run."""
+
+        def print_version(wanted: bool) -> None:
+            if wanted:
+                typer.echo(f"{self.tool} {self.own_version()}")
+                raise typer.Exit
+
+        return typer.Option(
+            "--version", help="Print the version.", is_eager=True, callback=print_version
+        )
 
     def print_diagnostics(
         self, found: Sequence[Diagnostic], form: Format, *, file_count: int

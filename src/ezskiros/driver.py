@@ -69,6 +69,16 @@ def stub_of(*, relations: bool) -> tuple[str, Sequence[Diagnostic]]:
     return write_stub(ontology), collector.sorted()
 
 
+def ambiguous_names() -> tuple[frozenset[str], Sequence[Diagnostic]]:
+    """The names of properties that several namespaces of the ontology that `load()` loads have, and
+    what is wrong with it.
+    """
+    collector = Collector()
+    with session.collecting(collector):
+        ontology = load()
+    return ontology.ambiguous(), collector.sorted()
+
+
 def explain_skill(name: str, paths: Iterable[Path]) -> str | None:
     """How each inferred parameter of a skill gets its value; None if there is no such skill."""
     checked = check_paths(paths)
@@ -79,8 +89,11 @@ def explain_skill(name: str, paths: Iterable[Path]) -> str | None:
 def _lines(skill: SkillInterface) -> Iterable[str]:
     steps = chains(skill)
     for parameter in skill.parameters:
-        shown = f"{parameter.name}: {parameter.type!r}" if parameter.is_thing else parameter.name
-        if parameter.kind is not Kind.INFERRED:
+        key = f" ({parameter.key!r})" if parameter.key != parameter.name else ""
+        shown = parameter.name + key + (f": {parameter.type!r}" if parameter.is_thing else "")
+        if parameter.is_output:
+            yield f"{shown}  from the skill itself"
+        elif parameter.kind is not Kind.INFERRED:
             origin = "given" if parameter.default is None else f"given, or {parameter.default!r}"
             yield f"{shown}  {origin if parameter.kind is Kind.REQUIRED else 'may stay without'}"
         elif parameter.name in steps:

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from hypothesis import strategies as st
 
 KEYS = ["Robot", "Box", "Place", "Arm", "Speed", "Mode", "Count", "x", "größe"]
+KEYS += ["Start Pose", "StartPose", "object-1", "object 1", "class", "self", "ezskiros", "__x"]
+KEYS += ["Max (m)", "\ufb01x", "2nd", "-", 'it\'s "so"', "robot!", "specified", "skiros", "Key"]
 CLASSES = ["skiros:Product", "cora:Robot", ":Location", "Thing", "rparts:Arm-Device", "sumo:Object"]
 RELATIONS = [
     "skiros:at",
@@ -95,7 +97,9 @@ def _things(draw: st.DrawFn, key: str) -> str:
 def _basics(draw: st.DrawFn, key: str) -> str:
     kind = draw(st.sampled_from(KINDS[:2]))
     value = draw(st.one_of(st.sampled_from(["str", "int", "float", "bool"]), VALUES.map(repr)))
-    return f"self.addParam({key!r}, {value}, ParamTypes.{kind}{draw(_doc())})"
+    options = draw(st.lists(st.sampled_from(OPTIONS), max_size=2))
+    written = f", [{', '.join(f'ParamOptions.{each}' for each in options)}]" if options else ""
+    return f"self.addParam({key!r}, {value}, ParamTypes.{kind}{written}{draw(_doc())})"
 
 
 @st.composite

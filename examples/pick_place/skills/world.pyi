@@ -47,7 +47,7 @@ class _Thing:
     def spatiallyRelated(self, other: _Thing, /) -> _Condition: ...
 
 class cora:
-    class Robot(_sumo.Device, _sumo.Agent):
+    class Robot(_sumo.Device, _sumo.Agent, _sumo.Artifact):
         """A device that acts in the world to accomplish tasks."""
 
 class rparts:

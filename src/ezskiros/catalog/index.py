@@ -11,12 +11,13 @@ from ezskiros.migrate import errors as migrate_errors
 from ezskiros.ontology import condition_errors
 from ezskiros.ontology import errors as ontology_errors
 from ezskiros.skills import errors as skills_errors
-from ezskiros.skills import load_errors
+from ezskiros.skills import load_errors, parameter_errors
 
 DIAGNOSTICS: tuple[type[Template], ...] = (
     *load_errors.ALL,
     *ontology_errors.ALL,
     *skills_errors.ALL,
+    *parameter_errors.ALL,
     *condition_errors.ALL,
     *check_errors.ALL,
     *scene_errors.ALL,

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
-from dslkit.diagnostics import Label
+from dslkit.diagnostics import Diagnostic, Label
 from ezskiros import session
 from ezskiros.check.consistency import check_consistency
 from ezskiros.check.inference import check_inference
+from ezskiros.check.outputs import check_outputs
 from ezskiros.check.relations import check_relations
 from ezskiros.skills import SkillDescription, errors
 from ezskiros.skills.describe import describe
 from ezskiros.skills.interface import SkillInterface
 
-CHECKS = (check_relations, check_consistency)
+CHECKS = (check_relations, check_consistency, check_outputs)
 
 
 def check_skills(skills: Iterable[type[SkillDescription]]) -> list[SkillInterface]:
@@ -33,5 +35,16 @@ def check_skills(skills: Iterable[type[SkillDescription]]) -> list[SkillInterfac
             checks = (*CHECKS, check_inference) if described.is_whole else CHECKS
             for check in checks:
                 for diagnostic in check(interface, described.ontology):
-                    session.report(diagnostic)
+                    session.report(_with_keys(diagnostic, interface))
     return list(found.values())
+
+
+def _with_keys(found: Diagnostic, skill: SkillInterface) -> Diagnostic:
+    """A finding that also says what SkiROS2 calls the parameters at which it points."""
+    places = {found.primary.span, *(label.span for label in found.labels)}
+    notes = (
+        f"`{each.name}` has the key {each.key!r}"
+        for each in skill.parameters
+        if each.key != each.name and each.span in places
+    )
+    return replace(found, notes=(*found.notes, *notes))

@@ -42,21 +42,8 @@ Folders = Annotated[
 ]
 
 
-def _print_version(wanted: bool) -> None:
-    if wanted:
-        typer.echo(f"ezskiros {output.own_version()}")
-        raise typer.Exit
-
-
 @app.callback()
-def ezskiros(
-    version: Annotated[
-        bool,
-        typer.Option(
-            "--version", help="Print the version.", is_eager=True, callback=_print_version
-        ),
-    ] = False,
-) -> None:
+def ezskiros(version: Annotated[bool, output.version_option()] = False) -> None:
     """Skills for SkiROS2, checked against the ontology before the robot is launched."""
 
 
@@ -112,6 +99,12 @@ def migrate(
     world: Annotated[
         str, typer.Option(metavar="MODULE", help="The module that has the ontology.")
     ] = "world",
+    ontology: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--ontology", metavar="PATH", help="Its files and folders: which names are ambiguous."
+        ),
+    ] = None,
 ) -> None:
     """Translate skills of SkiROS2: `createDescription` becomes a typed `description`."""
     from ezskiros.migrate.files import migrate_paths
@@ -121,7 +114,7 @@ def migrate(
         output.fail("`--write` changes files and `--diff` does not: name one of them", exit_code=2)
     if not is_module(world):
         output.fail(f"`{world}` is no module of Python, such as `.world`", exit_code=2)
-    found = migrate_paths(paths, world)
+    found = migrate_paths(paths, world, _ambiguous(ontology))
     if diff:
         for file in found.files:
             typer.echo(file.diff(), nl=False)
@@ -133,6 +126,22 @@ def migrate(
         if write and file.is_changed:
             _write(file)
     raise typer.Exit(output.exit_code(found.diagnostics))
+
+
+def _ambiguous(ontology: list[Path] | None) -> frozenset[str]:
+    """The names that several namespaces of an ontology have; ends the run if it cannot be read.
+
+    Warnings about the ontology are for `check`.
+    """
+    if not ontology:
+        return frozenset()
+    from ezskiros.driver import ambiguous_names
+
+    _name_ontology(ontology)
+    names, found = ambiguous_names()
+    if output.exit_code(found):
+        output.reject(found)
+    return names
 
 
 def _write(file: MigratedFile) -> None:

@@ -7,7 +7,7 @@ writes them, `skiros:at`.
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ezskiros.ontology.model import Model
@@ -67,7 +67,7 @@ class Form:
 
 def form_of(skill: SkillInterface, model: Model) -> Form:
     """The form of a skill whose types are from the ontology `model`."""
-    lowering = _Lowering(model)
+    lowering = _Lowering(model, {each.name: each.key for each in skill.parameters})
     parameters = [lowering.parameter(each) for each in skill.parameters]
     if all(each.key != ROBOT for each in parameters):
         parameters.append(IMPLICIT_ROBOT)
@@ -105,11 +105,11 @@ def options_of(key: str, kind: str, options: Iterable[str]) -> Iterator[tuple[st
 
 
 class _Lowering:
-    def __init__(self, model: Model) -> None:
-        self._model = model
+    def __init__(self, model: Model, keys: Mapping[str, str]) -> None:
+        self._model, self._keys = model, keys
 
     def parameter(self, found: Parameter) -> FormParameter:
-        return FormParameter(found.name, found.kind.value, self._type(found), found.default)
+        return FormParameter(found.key, found.kind.value, self._type(found), found.default)
 
     def _type(self, found: Parameter) -> str:
         return self._model.short(found.iri) if found.iri else found.type.__name__
@@ -119,7 +119,7 @@ class _Lowering:
         found: dict[str, list[FormCondition]] = {"pre": [], "hold": [], "post": []}
         for each in parameters:
             names = [option.value for option in each.options]
-            for kind, condition in options_of(each.name, self._type(each), names):
+            for kind, condition in options_of(each.key, self._type(each), names):
                 found[kind].append(condition)
         return found["pre"], found["hold"], found["post"]
 
@@ -128,21 +128,21 @@ class _Lowering:
             yield self._condition(clause.statement)
 
     def _condition(self, said: Statement) -> FormCondition:
-        short = self._model.short
+        short, keys = self._model.short, self._keys
         match said:
             case Relation(subject=subject, relation=iri, object=other, is_abstract=is_abstract):
                 maker = "getAbstractRelationCond" if is_abstract else "getRelationCond"
-                return FormCondition(maker, (short(iri), subject, other, said.is_true))
+                return FormCondition(maker, (short(iri), keys[subject], keys[other], said.is_true))
             case Comparison(subject=subject, property=iri, operator=operator, value=value):
-                arguments = (short(iri), subject, operator, value, said.is_true)
+                arguments = (short(iri), keys[subject], operator, value, said.is_true)
                 return FormCondition("getPropCond", arguments)
             case HasProperty(subject=subject, property=iri):
-                return FormCondition("getHasPropCond", (short(iri), subject, said.is_true))
+                return FormCondition("getHasPropCond", (short(iri), keys[subject], said.is_true))
             case OfType(subject=subject, owl_class=iri):
-                return FormCondition("getOnTypeCond", (subject, short(iri)))
+                return FormCondition("getOnTypeCond", (keys[subject], short(iri)))
             case Specified(subject=subject):
-                return FormCondition("getIsSpecifiedCond", (subject, said.is_true))
+                return FormCondition("getIsSpecifiedCond", (keys[subject], said.is_true))
             case Generated(subject=subject):
-                return FormCondition("getGenerateCond", (subject, said.is_true))
+                return FormCondition("getGenerateCond", (keys[subject], said.is_true))
             case AnyOf(parts=parts):
                 return any_of(map(self._condition, parts), is_true=said.is_true)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 import libcst as cst
@@ -51,15 +51,15 @@ class OrBuilder:
 class ConditionReader:
     """Reads the conditions of one description.
 
-    `things` are its parameters that stand for things, `others` its other parameters; `mentioned`
-    are those that a condition is about.
+    `things` are its parameters that stand for things, `others` its other parameters: their names by
+    their keys; `mentioned` are the names of those that a condition is about.
     """
 
     names: Names
     known: Known
     code: Callable[[cst.CSTNode], str]
-    things: Collection[str]
-    others: Collection[str]
+    things: Mapping[str, str]
+    others: Mapping[str, str]
     variables: dict[str, Expression | OrBuilder] = field(default_factory=dict)
     mentioned: set[str] = field(default_factory=set)
 
@@ -165,7 +165,7 @@ class ConditionReader:
     def _value(self, value: cst.BaseExpression) -> str:
         """A value that something is compared with. Raises `LeftError` if it may be none."""
         code = self.code(value)
-        hidden = {*self.things, *self.others, *self.variables}
+        hidden = {*self.things.values(), *self.others.values(), *self.variables}
         names = {each.value for each in m.findall(value, m.Name()) if isinstance(each, cst.Name)}
         if self.known.type_of(value) not in BASIC or names & hidden:
             raise LeftError(errors.UntypedValue(found=f"`{' '.join(code.split())}`"), value)
@@ -175,12 +175,12 @@ class ConditionReader:
 
     def _thing(self, given: Arguments, key: str) -> str:
         """The parameter that a condition is about. Raises `LeftError` if it is no thing."""
-        name = given.text(key)
-        if name in self.things:
+        wanted = given.text(key)
+        if name := self.things.get(wanted):
             self.mentioned.add(name)
             return name
-        found = "stands for no thing" if name in self.others else "is no parameter"
-        raise LeftError(errors.NotAThing(key=name, found=found), given[key])
+        found = "stands for no thing" if wanted in self.others else "is no parameter"
+        raise LeftError(errors.NotAThing(key=wanted, found=found), given[key])
 
     def _labels(self, given: Arguments, said: tuple[str, ...], *, is_true: bool) -> tuple[str, ...]:
         """The label, if it says more; the code of one that is computed."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
 from dataclasses import dataclass, field
 
 import libcst as cst
@@ -14,8 +14,9 @@ from ezskiros.migrate.comments import inner_comments, texts
 from ezskiros.migrate.conditions import ConditionReader, Expression, OrBuilder
 from ezskiros.migrate.docstrings import Text, docstring_of, with_arguments
 from ezskiros.migrate.errors import LeftError
+from ezskiros.migrate.keys import ROBOT, parameter_names
 from ezskiros.migrate.names import Names
-from ezskiros.migrate.parameters import ROBOT, Parameter, ParameterReader, implicit_robot
+from ezskiros.migrate.parameters import Parameter, ParameterReader, implicit_robot
 from ezskiros.migrate.values import Known
 
 LENGTH = 100
@@ -129,7 +130,8 @@ class _Translator:
         self._found.findings.append(Finding(left.template, left.node, statement))
 
     def _read_parameters(self, steps: Sequence[Step]) -> None:
-        reader = ParameterReader(self._names, self._known, self._code)
+        called = parameter_names(_keys(steps))
+        reader = ParameterReader(self._names, self._known, self._code, called)
         for step in steps:
             call = step.call
             if call is None or method(call) != "addParam":
@@ -140,24 +142,21 @@ class _Translator:
 
             try:
                 found = reader.read(call, warn)
-                if any(found.name == each.name for _, each in self._parameters):
-                    raise LeftError(errors.RepeatedParameter(key=found.name), call)
+                if any(found.key == each.key for _, each in self._parameters):
+                    raise LeftError(errors.RepeatedParameter(key=found.key), call)
                 self._parameters.append((step, found))
             except LeftError as left:
                 self._leave(left, step.statement)
 
-    def _declared(self) -> dict[str, bool]:
-        """The keys that are declared, right or not, and whether they stand for things."""
-        return {each.name: each.is_thing for _, each in self._parameters}
-
     def _read_conditions(self, steps: Sequence[Step]) -> None:
-        declared = self._declared()
-        things = {name for name, is_thing in declared.items() if is_thing}
-        robot = {ROBOT} - set(declared) - _keys(steps)
-        reader = ConditionReader(
-            self._names, self._known, self._code, things | robot, set(declared) - things
-        )
-        unclear = _keys(steps) - set(declared)
+        declared = [each for _, each in self._parameters]
+        things = {each.key: each.name for each in declared if each.is_thing}
+        others = {each.key: each.name for each in declared if not each.is_thing}
+        unclear = _keys(steps) - {*things, *others}
+        robot = {ROBOT} - {*things, *others} - unclear
+        things |= {key: key for key in robot}
+        self._names.hidden = {*things.values(), *others.values()}
+        reader = ConditionReader(self._names, self._known, self._code, things, others)
         for step in steps:
             if step.call is not None and method(step.call) == "addParam":
                 continue
@@ -189,7 +188,7 @@ class _Translator:
                 self._read_call(step, call, reader)
             case cst.Assign(
                 targets=[cst.AssignTarget(target=cst.Name(value=name))], value=cst.Call() as value
-            ) if name not in {*self._declared(), ROBOT}:
+            ) if name not in {*(each.name for _, each in self._parameters), ROBOT}:
                 self._read_variable(step, name, value, reader)
             case _:
                 raise _unknown(step.node, self._code)
@@ -286,16 +285,16 @@ def _needs_star(parameters: Sequence[Parameter]) -> bool:
     return False
 
 
-def _keys(steps: Sequence[Step]) -> set[str]:
-    """The keys of all parameters, also of those that cannot be translated."""
-    found = set()
+def _keys(steps: Sequence[Step]) -> Set[str]:
+    """The keys of all parameters in order, also of those that cannot be translated."""
+    found: dict[str, None] = {}
     for step in steps:
         if step.call is not None and method(step.call) == "addParam":
             try:
-                found.add(Arguments(step.call, "addParam").text("key"))
+                found[Arguments(step.call, "addParam").text("key")] = None
             except LeftError:
                 continue
-    return found
+    return found.keys()
 
 
 def _steps(statements: Sequence[cst.CSTNode], function: cst.FunctionDef) -> Iterator[Step]:

@@ -42,17 +42,6 @@ class ComputedArgument(Error, code="EZS702", name="computed-argument"):
 
 
 @dataclass(frozen=True, kw_only=True)
-class NoPythonName(Error, code="EZS703", name="no-python-name"):
-    """A key that cannot be the name of a parameter in Python."""
-
-    title = "`{key}` cannot be the name of a parameter in Python"
-    note = "skills that give or remap this parameter use the same key"
-    help = "call it `{example}` here and in each skill that uses it"
-    key: str
-    example: str
-
-
-@dataclass(frozen=True, kw_only=True)
 class UntypedParameter(Error, code="EZS704", name="untyped-parameter"):
     """A value whose type parameters of EzSkiROS cannot have."""
 
@@ -203,10 +192,27 @@ class WrongArguments(Error, code="EZS718", name="wrong-arguments"):
     wanted: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class EmptyKey(Error, code="EZS719", name="empty-key"):
+    """A parameter whose key is an empty text."""
+
+    title = "the key of a parameter is empty"
+    help = "give it a key that says what it is, here and in each skill that uses it"
+
+
+@dataclass(frozen=True, kw_only=True)
+class LeftOutput(Warning, code="EZS720", name="left-output"):
+    """The option Output of a parameter that cannot be one."""
+
+    title = "the option Output of `{key}` is left out: SkiROS2 ignores it"
+    note = "an output of EzSkiROS is optional, and has no default and no other option"
+    help = "make it ParamTypes.Optional, without a default, if the skill gives it its value"
+    key: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnreadableSource,
     ComputedArgument,
-    NoPythonName,
     UntypedParameter,
     NoKind,
     InferredBasic,
@@ -222,4 +228,6 @@ ALL: tuple[type[Template], ...] = (
     DerivedDescription,
     IgnoredOptions,
     WrongArguments,
+    EmptyKey,
+    LeftOutput,
 )

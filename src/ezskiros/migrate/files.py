@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import tokenize
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -72,8 +72,12 @@ class Migration:
         )
 
 
-def migrate_paths(paths: Iterable[Path], world: str = "world") -> Migration:
-    """Migrate the Python files of files and folders; `world` is the module with the ontology."""
+def migrate_paths(
+    paths: Iterable[Path], world: str = "world", ambiguous: Collection[str] = ()
+) -> Migration:
+    """Migrate the Python files of files and folders; `world` is the module with the ontology, of
+    which several namespaces have the properties that are `ambiguous`.
+    """
     paths = list(paths)
     files: list[MigratedFile] = []
     wrong: list[Diagnostic] = []
@@ -88,19 +92,25 @@ def migrate_paths(paths: Iterable[Path], world: str = "world") -> Migration:
             found = errors.UnreadableSource(said=str(problem).partition("\n")[0])
             wrong.append(found.at(Span(SourceFile(str(path), ""), 0, 0)))
             continue
-        files.append(MigratedFile(path, encoding, migrate_text(str(path), text, world)))
-    files = _with_inherited(files, world)
+        files.append(
+            MigratedFile(path, encoding, migrate_text(str(path), text, world, ambiguous=ambiguous))
+        )
+    files = _with_inherited(files, world, ambiguous)
     return Migration(files, [*wrong, *(d for each in files for d in each.migrated.diagnostics)])
 
 
-def _with_inherited(files: Sequence[MigratedFile], world: str) -> list[MigratedFile]:
+def _with_inherited(
+    files: Sequence[MigratedFile], world: str, ambiguous: Collection[str]
+) -> list[MigratedFile]:
     """Without the translations of descriptions that other files build on."""
     found = []
     for each in files:
         others = {base for other in files if other is not each for base in other.migrated.bases}
         text = each.migrated.file.text
         needed = others & {*each.migrated.translated}
-        again = migrate_text(str(each.path), text, world, needed) if needed else each.migrated
+        again = each.migrated
+        if needed:
+            again = migrate_text(str(each.path), text, world, needed, ambiguous)
         found.append(MigratedFile(each.path, each.encoding, again))
     return found
 

@@ -38,11 +38,16 @@ class Migrated:
 
 
 def migrate_text(
-    path: str, text: str, world: str = "world", inherited: Collection[str] = ()
+    path: str,
+    text: str,
+    world: str = "world",
+    inherited: Collection[str] = (),
+    ambiguous: Collection[str] = (),
 ) -> Migrated:
     """Translate the descriptions of a file; `world` is the module that has its ontology.
 
-    Descriptions whose names are in `inherited` are left: others are built on them elsewhere.
+    Descriptions whose names are in `inherited` are left: others are built on them elsewhere. Of
+    properties that are `ambiguous` the namespace is said.
     """
     file = SourceFile(path, text)
     try:
@@ -53,7 +58,7 @@ def migrate_text(
         said = str(problem).partition("\n")[0] or type(problem).__name__
         found = errors.UnreadableSource(said=said).at(Span(file, 0, 0))
         return Migrated(file, text, diagnostics=[found])
-    return _File(file, module, world, inherited).migrated()
+    return _File(file, module, world, inherited, ambiguous).migrated()
 
 
 def _unreadable(file: SourceFile, problem: cst.ParserSyntaxError) -> Diagnostic:
@@ -80,9 +85,15 @@ class _Description:
 
 class _File:
     def __init__(
-        self, file: SourceFile, module: cst.Module, world: str, inherited: Collection[str]
+        self,
+        file: SourceFile,
+        module: cst.Module,
+        world: str,
+        inherited: Collection[str],
+        ambiguous: Collection[str],
     ) -> None:
         self._file, self._world, self._inherited = file, world, inherited
+        self._ambiguous = ambiguous
         wrapper = MetadataWrapper(module, unsafe_skip_copy=True)
         self._places: Mapping[cst.CSTNode, CodeRange] = wrapper.resolve(PositionProvider)
         self._module = module
@@ -145,9 +156,13 @@ class _File:
         ours, world = imported(first, "ezskiros"), imported(first, self._world)
         others = bound_names(first, ("skiros2", "ezskiros", self._world))
         own = {name for name, what in ours.items() if name == what}
-        is_qualified = bool(names.ours & ((used_names(first) - own) | others))
+        annotated = {name for name, what in imported(first, "typing").items() if name == what}
+        other_meanings = (used_names(first) - own) | (others - annotated)
+        is_qualified = bool((names.ours | names.typing) & other_meanings)
         free = {name for name, what in world.items() if name == what}
-        return Names(is_qualified, (self._before | others) - free, names.unclear())
+        unclear = names.unclear() | {*self._ambiguous}
+        taken = ((self._before | others) - free) | names.clashes
+        return Names(is_qualified, taken, unclear)
 
     def _leave_related(self, found: Sequence[_Description]) -> None:
         """Descriptions that are built on others are left, and those that they are built on."""
@@ -237,9 +252,12 @@ class _File:
         )
 
     def _wanted(self, names: Names) -> list[Wanted]:
-        ours = {} if names.is_qualified else {name: name for name in names.ours}
+        def named(found: Collection[str]) -> dict[str, str]:
+            return {} if names.is_qualified else {name: name for name in found}
+
+        typing = [Wanted("typing", named(names.typing))] if names.typing else []
         world = [Wanted(self._world, names.namespaces)] if names.namespaces else []
-        return [Wanted("ezskiros", ours), *world]
+        return [*typing, Wanted("ezskiros", named(names.ours)), *world]
 
     def _diagnostic(self, finding: Finding) -> Diagnostic:
         return finding.template.at(self._span(finding.node))

@@ -25,13 +25,18 @@ class Names:
     """The names that a file uses of EzSkiROS and of its ontology.
 
     `taken` are names that mean something else there, `ambiguous` properties that several namespaces
-    have. With `is_qualified` the names of EzSkiROS are written `ezskiros.INFERRED`.
+    have, `hidden` the parameters of the description whose conditions are read; `clashes` are
+    namespaces that are called like one of them. With `is_qualified` the names of EzSkiROS are
+    written `ezskiros.INFERRED`.
     """
 
     is_qualified: bool = False
     taken: Collection[str] = frozenset()
     ambiguous: Collection[str] = frozenset()
     ours: set[str] = field(default_factory=set)
+    typing: set[str] = field(default_factory=set)
+    hidden: Collection[str] = frozenset()
+    clashes: set[str] = field(default_factory=set)
     namespaces: dict[str, str] = field(default_factory=dict)
     properties: set[tuple[str, str]] = field(default_factory=set)
 
@@ -42,6 +47,8 @@ class Names:
     def add(self, other: Names) -> None:
         """Use what others use as well."""
         self.ours |= other.ours
+        self.typing |= other.typing
+        self.clashes |= other.clashes
         self.namespaces |= other.namespaces
         self.properties |= other.properties
 
@@ -55,6 +62,12 @@ class Names:
         self.ours.add(name)
         return f"ezskiros.{name}" if self.is_qualified else name
 
+    def with_key(self, annotation: str, key: str) -> str:
+        """The type of a parameter whose key is not its name."""
+        self.typing.add("Annotated")
+        annotated = "typing.Annotated" if self.is_qualified else "Annotated"
+        return f"{annotated}[{annotation}, {self.our('Key')}({_quoted(key)})]"
+
     def entity(self, light: str, node: cst.CSTNode) -> str:
         """A class or property in Python: `skiros.Product` of `skiros:Product`.
 
@@ -62,6 +75,7 @@ class Names:
         """
         prefix, name = split(light, node)
         namespace = self.namespaces.setdefault(prefix, self._free(prefix))
+        self.clashes |= {namespace} & {*self.hidden}
         is_attribute = is_name(name) and not name.startswith("_")  # namespaces have such, too
         return f"{namespace}.{name}" if is_attribute else f'{namespace}["{name}"]'
 
@@ -84,6 +98,11 @@ class Names:
         return name
 
 
+def _quoted(text: str) -> str:
+    """A text as Python code, in double quotes if it has none."""
+    return repr(text) if '"' in text else f'"{repr(text)[1:-1]}"'
+
+
 def split(light: str, node: cst.CSTNode) -> tuple[str, str]:
     """The prefix and the name of `skiros:Product`. Raises `LeftError`."""
     prefix, colon, name = light.rpartition(":")
@@ -98,14 +117,3 @@ def is_name(text: str) -> bool:
     """Whether Python takes a text for a name, and keeps it as it is."""
     is_plain = text.isidentifier() and not keyword.iskeyword(text)
     return is_plain and unicodedata.normalize("NFKC", text) == text
-
-
-def parameter_name(key: str, node: cst.CSTNode) -> str:
-    """A key as the name of a parameter. Raises `LeftError` if Python does not take it."""
-    is_private = key.startswith("__")  # Python would change it inside a class
-    if is_name(key) and not is_private and key not in ("self", "ezskiros"):
-        return key
-    words = [word[:1].upper() + word[1:] for word in re.findall(r"\w+", key.strip("_"))]
-    example = "".join(words) or "Parameter"
-    example = example if is_name(example) else f"Parameter{example}"
-    raise LeftError(errors.NoPythonName(key=key, example=example), node)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import libcst as cst
@@ -11,21 +11,20 @@ from dslkit.diagnostics import Template
 from ezskiros.migrate import errors
 from ezskiros.migrate.calls import Arguments, last_name, literal_text
 from ezskiros.migrate.errors import LeftError
-from ezskiros.migrate.names import Names, parameter_name
+from ezskiros.migrate.keys import ROBOT
+from ezskiros.migrate.names import Names
 from ezskiros.migrate.values import BASIC, Known
 from ezskiros.skills.markers import Kind, Option
 
 _KINDS = {kind.value: kind for kind in Kind}
 _OPTIONS = {option.value: option for option in Option}
-ROBOT = "Robot"
-_WITHOUT_EFFECT = "Output"
-"""An option that SkiROS2 declares and reads nowhere."""
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter as it is written, and what is said of it."""
+    """A parameter as it is written, and what is said of it; `key` is what SkiROS2 calls it."""
 
+    key: str
     name: str
     annotation: str
     default: str | None = None
@@ -39,38 +38,52 @@ class Parameter:
 def implicit_robot(names: Names) -> Parameter:
     """The parameter that SkiROS2 adds to each skill that has none of this name."""
     agent = names.entity("sumo:Agent", cst.Name(ROBOT))
-    return Parameter(ROBOT, f"{names.our('INFERRED')}[{agent}]", is_thing=True)
+    return Parameter(ROBOT, ROBOT, f"{names.our('INFERRED')}[{agent}]", is_thing=True)
 
 
 @dataclass
 class ParameterReader:
-    """Reads the parameters of the descriptions of one file; `code` is the text of an expression."""
+    """Reads the parameters of one description; `code` is the text of an expression, `called` are
+    the names of the parameters by their keys.
+    """
 
     names: Names
     known: Known
     code: Callable[[cst.CSTNode], str]
+    called: Mapping[str, str]
 
     def read(self, call: cst.Call, warn: Callable[[Template, cst.CSTNode], None]) -> Parameter:
         """The parameter of a call of `addParam`. Raises `LeftError`."""
         given = Arguments(call, "addParam")
-        key = parameter_name(given.text("key"), given["key"])
-        kind, value = _kind(given["param_type"]), given["value"]
-        if isinstance(value, cst.Call) and last_name(value.func) == "Element":
-            annotation = self.names.entity(*_element_class(key, value))
-            for option in _options(given.get("options")):
-                annotation = f"{self.names.our(option.name)}[{annotation}]"
-            annotation = self._marked(annotation, kind)
-            return Parameter(key, annotation, doc=_doc(given), is_thing=True)
-        annotation, default = self._basic(key, value)
-        if kind is Kind.INFERRED:
-            raise LeftError(errors.InferredBasic(key=key), call)
-        options = given.get("options")
-        if options is not None and _does_something(options):
-            warn(errors.IgnoredOptions(key=key), options)
-        return Parameter(key, self._marked(annotation, kind), default, _doc(given))
+        key = given.text("key")
+        if not key:
+            raise LeftError(errors.EmptyKey(), given["key"])
+        kind, written = _kind(given["param_type"]), given.get("options")
+        match given["value"]:
+            case cst.Call() as element if last_name(element.func) == "Element":
+                annotation, default = self.names.entity(*_element_class(key, element)), None
+                options, is_thing = _options(written), True
+            case value:
+                annotation, default = self._basic(key, value)
+                if kind is Kind.INFERRED:
+                    raise LeftError(errors.InferredBasic(key=key), call)
+                options, is_thing = _output_alone(written), False
+                if written is not None and not options and _does_something(written):
+                    warn(errors.IgnoredOptions(key=key), written)
+        can_be_output = kind is Kind.OPTIONAL and default is None and {*options} == {Option.OUTPUT}
+        if written is not None and Option.OUTPUT in options and not can_be_output:
+            options = [each for each in options if each is not Option.OUTPUT]
+            warn(errors.LeftOutput(key=key), written)
+        marks: list[Kind | Option] = [Option.OUTPUT] if can_be_output else [*options, kind]
+        annotation = self._marked(key, annotation, marks)
+        return Parameter(key, self.called[key], annotation, default, _doc(given), is_thing)
 
-    def _marked(self, annotation: str, kind: Kind) -> str:
-        return annotation if kind is Kind.REQUIRED else f"{self.names.our(kind.name)}[{annotation}]"
+    def _marked(self, key: str, annotation: str, marks: Sequence[Kind | Option]) -> str:
+        """A class or basic type with all that stands around it."""
+        for mark in marks:
+            if mark is not Kind.REQUIRED:
+                annotation = f"{self.names.our(mark.name)}[{annotation}]"
+        return annotation if self.called[key] == key else self.names.with_key(annotation, key)
 
     def _basic(self, key: str, value: cst.BaseExpression) -> tuple[str, str | None]:
         """The type and the default of a parameter that is no thing. Raises `LeftError`."""
@@ -118,7 +131,7 @@ def _element_class(key: str, element: cst.Call) -> tuple[str, cst.BaseExpression
 
 
 def _options(node: cst.BaseExpression | None) -> list[Option]:
-    """The options that do something. Raises `LeftError` for those that SkiROS2 does not have.
+    """The options. Raises `LeftError` for those that SkiROS2 does not have.
 
     A text in their place is a description: SkiROS2 goes through its letters, which are no options.
     """
@@ -129,11 +142,19 @@ def _options(node: cst.BaseExpression | None) -> list[Option]:
     found = []
     for element in node.elements:
         name = last_name(element.value) or ""
-        if name in _OPTIONS:
-            found.append(_OPTIONS[name])
-        elif name != _WITHOUT_EFFECT:
+        if name not in _OPTIONS:
             raise LeftError(errors.NoOption(found=name or "this expression"), element.value)
+        found.append(_OPTIONS[name])
     return found
+
+
+def _output_alone(node: cst.BaseExpression | None) -> list[Option]:
+    """The option Output, if it is the only one: those of parameters that are no things."""
+    try:
+        found = _options(node)
+    except LeftError:
+        return []
+    return found if {*found} == {Option.OUTPUT} else []
 
 
 def _does_something(options: cst.BaseExpression) -> bool:

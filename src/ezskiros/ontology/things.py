@@ -64,6 +64,18 @@ class ThingClass(type):
         return cls.__qualname__
 
 
+class SameClass(ThingClass):
+    """The type of classes that mean the same as another, which they inherit: what is one of that is
+    one of them.
+    """
+
+    def __subclasscheck__(cls, other: type) -> bool:
+        return issubclass(other, cls.__mro__[1])
+
+    def __instancecheck__(cls, thing: object) -> bool:
+        return isinstance(thing, cls.__mro__[1])
+
+
 class Thing(metaclass=ThingClass):
     """Something in the world. Instances are symbols, made by `symbol`."""
 

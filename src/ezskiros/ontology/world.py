@@ -19,6 +19,7 @@ from ezskiros.ontology.read import Document
 from ezskiros.ontology.things import (
     UNKNOWN,
     RelationOf,
+    SameClass,
     Thing,
     ThingClass,
     Unknown,
@@ -39,6 +40,7 @@ class Ontology:
         self.documents, self.is_whole = documents, is_whole
         self.model = build(documents)
         self._classes: dict[str, ThingClass] = {}
+        self._others: dict[str, ThingClass] = {}
 
     @cached_property
     def namespaces(self) -> dict[str, Namespace]:
@@ -92,6 +94,16 @@ class Ontology:
             self._classes.update(dict.fromkeys(same, made))
         return self._classes[iri]
 
+    def class_as(self, iri: str) -> ThingClass:
+        """The Python class of a class, by its own name: another of the same meaning has another."""
+        found = self.class_of(iri)
+        if found.iri == iri:
+            return found
+        if iri not in self._others:
+            texts = self._texts(iri) | {"__iri__": iri}
+            self._others[iri] = SameClass(split(iri)[1], (found,), texts)
+        return self._others[iri]
+
     def _meaning(self, iri: str) -> frozenset[str]:
         """The classes that are subclasses of each other."""
         above = self.model.above(iri) - {THING}
@@ -99,18 +111,24 @@ class Ontology:
 
     def _made(self, iri: str) -> ThingClass:
         above = self.model.above(iri) - self._meaning(iri) - {THING}
+        # One order for all classes, in which subclasses come first: in it Python looks for names.
+        ordered = sorted(above, key=lambda each: (-len(self.model.above(each)), each))
         direct = [
             each
-            for each in above
+            for each in ordered
             if not any(self.model.is_a(other, each) for other in above - self._meaning(each))
         ]
-        # One order for all classes, in which subclasses come first: so Python always finds its own.
-        direct.sort(key=lambda each: (-len(self.model.above(each)), each))
-        bases = tuple(dict.fromkeys(self.class_of(each) for each in direct)) or (Thing,)
+        order = tuple(dict.fromkeys(map(self.class_of, ordered)))
+        bases = _bases(tuple(dict.fromkeys(map(self.class_of, direct))), order)
+        texts = self._texts(iri)
+        name = split(iri)[1] or str(texts["__qualname__"])
+        return thing_class(name, bases or (Thing,), texts, iri, self)
+
+    def _texts(self, iri: str) -> dict[str, str | None]:
+        """What the Python class of a class says of itself."""
         name = ".".join(map(identifier, self.model.short(iri).split(":", 1)))
         known = self.model.classes.get(iri, OwlClass(iri))
-        texts = {"__doc__": known.comment or None, "__qualname__": name, "__module__": "ontology"}
-        return thing_class(split(iri)[1] or name, bases, texts, iri, self)
+        return {"__doc__": known.comment or None, "__qualname__": name, "__module__": "ontology"}
 
     @cached_property
     def properties(self) -> dict[str, list[str]]:
@@ -119,6 +137,10 @@ class Ontology:
         for iri in (*self.model.relations, *self.model.values):
             found.setdefault(identifier(split(iri)[1]), []).append(iri)
         return found
+
+    def ambiguous(self) -> frozenset[str]:
+        """The names in Python of properties that several namespaces have."""
+        return frozenset(name for name, iris in self.properties.items() if len(iris) > 1)
 
     def attribute(self, thing: Thing, name: str) -> Any:
         """What `thing.name` says: a relation, or a data property."""
@@ -175,6 +197,31 @@ class Ontology:
         return Label(place, text) if place else None
 
 
+def _bases(direct: tuple[ThingClass, ...], order: tuple[ThingClass, ...]) -> tuple[ThingClass, ...]:
+    """The classes to inherit so that Python looks into all in this order: those that are direct
+    superclasses, and as many others as it takes.
+    """
+    if _order(direct) == order:
+        return direct
+    found = order
+    for each in reversed(order):
+        fewer = tuple(other for other in found if other is not each)
+        if each not in direct and _order(fewer) == order:
+            found = fewer
+    return found
+
+
+def _order(bases: tuple[ThingClass, ...]) -> tuple[type, ...]:
+    """The order in which Python looks into classes that are inherited, without those of Python and
+    `Thing`; empty if it finds none.
+    """
+    try:
+        found = type("Ordered", bases, {}).__mro__[1:] if bases else ()
+    except TypeError:
+        return ()
+    return tuple(each for each in found if isinstance(each, ThingClass) and each is not Thing)
+
+
 class Namespace:
     """The things of one namespace. What is no Python name is found as `namespace["Large-Box"]`."""
 
@@ -191,7 +238,7 @@ class Namespace:
         iri = self.__inside.get(name)
         model = self.__ontology.model
         if iri is not None and iri in model.classes:
-            return self.__ontology.class_of(iri)
+            return self.__ontology.class_as(iri)
         if iri is not None and model.property(iri) is not None:
             return PropertyOf(self.__ontology, iri, name)
         if iri is not None:

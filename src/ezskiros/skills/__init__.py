@@ -12,8 +12,10 @@ from ezskiros.skills.markers import (
     INFERRED,
     LOCK,
     OPTIONAL,
+    OUTPUT,
     RESPECT_TYPE,
     UNSPECIFY,
+    Key,
 )
 
 __all__ = [
@@ -21,8 +23,10 @@ __all__ = [
     "INFERRED",
     "LOCK",
     "OPTIONAL",
+    "OUTPUT",
     "RESPECT_TYPE",
     "UNSPECIFY",
+    "Key",
     "SkillDescription",
     "abstract",
     "generated",

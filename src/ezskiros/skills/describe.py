@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from types import FunctionType
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, Label
 from ezskiros import session
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.things import UNKNOWN, ThingClass, symbol
@@ -45,7 +45,7 @@ def describe(skill: type[SkillDescription]) -> Described | None:
     """What a skill says of itself; None if it says nothing, after a finding."""
     method = inspect.getattr_static(skill, "description", None)
     if not isinstance(method, FunctionType):
-        session.report(errors.NoDescription(skill=skill.__name__).at(class_span(skill)))
+        session.report(_no_description(skill))
         return None
     if not _has_self(method):
         session.report(errors.NoSelf().at(definition(method).whole))
@@ -69,6 +69,23 @@ def describe(skill: type[SkillDescription]) -> Described | None:
     ontologies = [each.vocabulary for each in classes.values()]
     found = next((each for each in ontologies if isinstance(each, Ontology)), None)
     return Described(interface, found, all(run.is_whole for run in runs))
+
+
+def _no_description(skill: type[SkillDescription]) -> Diagnostic:
+    """The finding for a skill without a description, with the method that may be meant."""
+    methods = {
+        name: each
+        for name in dir(skill)
+        if isinstance(each := inspect.getattr_static(skill, name), FunctionType)
+    }
+    found = errors.NoDescription(skill=skill.__name__)
+    near = difflib.get_close_matches("description", methods, n=1, cutoff=0.7)
+    if not near:
+        return found.at(class_span(skill))
+    is_old = near[0] == "createDescription"
+    help = "`ezskiros migrate` translates `createDescription`" if is_old else None
+    label = Label(definition(methods[near[0]]).whole, "did you mean `description`?")
+    return found.at(class_span(skill), label, help=help)
 
 
 def _has_self(method: FunctionType) -> bool:

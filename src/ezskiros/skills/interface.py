@@ -19,7 +19,8 @@ class Parameter:
     """A parameter of a skill.
 
     `type` is a class of the ontology, or one of `BASIC`, or an enumeration. A `default` is the
-    value of a basic parameter that is not given; None if it has to be.
+    value of a basic parameter that is not given; None if it has to be. `other_key` is what SkiROS2
+    calls it, if that is not its name.
     """
 
     name: str
@@ -29,6 +30,17 @@ class Parameter:
     default: Value | enum.Enum | None = None
     options: tuple[Option, ...] = ()
     doc: str = ""
+    other_key: str | None = None
+
+    @property
+    def key(self) -> str:
+        """What SkiROS2 calls it."""
+        return self.name if self.other_key is None else self.other_key
+
+    @property
+    def is_output(self) -> bool:
+        """Whether the skill gives it its value."""
+        return Option.OUTPUT in self.options
 
     @property
     def is_thing(self) -> bool:

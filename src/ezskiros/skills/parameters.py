@@ -5,17 +5,19 @@ from __future__ import annotations
 import enum
 import inspect
 import sys
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from types import FunctionType
 from typing import Annotated, Any, get_args, get_origin
 
+from dslkit.diagnostics import Label
 from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, ThingClass, Unknown
-from ezskiros.skills import errors
+from ezskiros.skills import errors, parameter_errors
 from ezskiros.skills.interface import BASIC, Parameter
-from ezskiros.skills.markers import Kind, Option
+from ezskiros.skills.markers import Key, Kind, Marker, NoType, Option
 from ezskiros.skills.syntax import Definition, definition
 
 _EMPTY = inspect.Parameter.empty
@@ -40,7 +42,18 @@ def read_parameters(description: FunctionType) -> list[Parameter]:
         parameter = reader.read()
         if parameter is not None:
             found.append(parameter)
+    _report_repeated_keys(found)
     return found
+
+
+def _report_repeated_keys(parameters: Sequence[Parameter]) -> None:
+    """Keys that a parameter before has: SkiROS2 would take them for one parameter."""
+    seen: dict[str, Parameter] = {}
+    for each in parameters:
+        first = seen.setdefault(each.key, each)
+        if first is not each:
+            found = parameter_errors.DuplicateKey(parameter=each.name, key=repr(each.key))
+            session.report(found.at(each.span, Label(first.span, f"so has `{first.name}`")))
 
 
 @dataclass
@@ -73,35 +86,77 @@ class _Reader:
         if self.given.annotation is _EMPTY:
             session.report(errors.NoAnnotation(parameter=self.name).at(self.name_span))
             return None
-        annotation = self._evaluated(self.given.annotation)
+        annotation, marks = self._unwrapped(self.given.annotation)
         if isinstance(annotation, Unknown):
             return None
-        kind, options = Kind.REQUIRED, []
-        if get_origin(annotation) is Annotated:
-            annotation, *marks = get_args(annotation)
-            kind = next((mark for mark in marks if isinstance(mark, Kind)), Kind.REQUIRED)
-            options = [mark for mark in marks if isinstance(mark, Option)]
-        if isinstance(annotation, Unknown):
+        if isinstance(annotation, Marker):
+            found = parameter_errors.NoBrackets(marker=repr(annotation), meant=annotation.meant)
+            session.report(found.at(self.annotation_span))
             return None
-        return self._typed(annotation, kind, tuple(options))
+        parameter = self._typed(annotation, marks)
+        return parameter and self._with_key(parameter, [each for each in marks if _is_key(each)])
 
-    def _typed(self, kind_of: Any, kind: Kind, options: tuple[Option, ...]) -> Parameter | None:
+    def _unwrapped(self, annotation: Any) -> tuple[Any, list[Any]]:
+        """What is annotated, and the marks around it, from the innermost on."""
+        if isinstance(annotation, NoType) and isinstance(annotation.found, str):
+            annotation = annotation.found
+        if isinstance(annotation, str):
+            annotation = self._evaluated(annotation)
+        if get_origin(annotation) is not Annotated:
+            return annotation, []
+        inner, *marks = get_args(annotation)
+        found, others = self._unwrapped(inner)
+        return found, [*others, *marks]
+
+    def _with_key(self, parameter: Parameter, keys: list[Any]) -> Parameter:
+        """A parameter, with its key if it has one of its own."""
+        if not keys:
+            return parameter
+        text = getattr(keys[0], "text", None)
+        if len(keys) > 1 or not isinstance(text, str) or not text:
+            found = parameter_errors.WrongKey(parameter=self.name)
+            session.report(found.at(self.annotation_span))
+            return parameter
+        return replace(parameter, other_key=text)
+
+    def _typed(self, kind_of: Any, marks: Sequence[Any]) -> Parameter | None:
+        kinds = [each for each in marks if isinstance(each, Kind)]
+        options = tuple(each for each in marks if isinstance(each, Option))
+        kind = kinds[0] if kinds else Kind.REQUIRED
+        is_enumeration = isinstance(kind_of, type) and issubclass(kind_of, enum.Enum)
+        if not isinstance(kind_of, ThingClass) and kind_of not in BASIC and not is_enumeration:
+            wrong = errors.NoParameterType(parameter=self.name, found=_spelled(kind_of))
+            session.report(wrong.at(self.annotation_span))
+            return None
+        if Option.OUTPUT in options:
+            return self._output(kind_of, kinds, options)
         if isinstance(kind_of, ThingClass):
             if self.given.default is not _EMPTY:
                 span = self.written.defaults.get(self.name, self.annotation_span)
                 session.report(errors.ThingDefault(parameter=self.name).at(span))
             return self._parameter(kind_of, kind, options, None)
-        is_enumeration = isinstance(kind_of, type) and issubclass(kind_of, enum.Enum)
-        if kind_of not in BASIC and not is_enumeration:
-            wrong = errors.NoParameterType(parameter=self.name, found=_spelled(kind_of))
-            session.report(wrong.at(self.annotation_span))
-            return None
         if kind is Kind.INFERRED or options:
             marker = (options[0].name if options else kind.name).upper()
             found = errors.MarkedBasic(marker=marker, type=_spelled(kind_of), parameter=self.name)
             session.report(found.at(self.annotation_span))
             kind = Kind.REQUIRED
         return self._parameter(kind_of, kind, (), self._default(kind_of))
+
+    def _output(self, kind_of: type, kinds: Sequence[Kind], options: Sequence[Option]) -> Parameter:
+        """A parameter that the skill gives its value; nothing else may."""
+        others = {*kinds, *options} - {Kind.OPTIONAL, Option.OUTPUT}
+        span, reason = self.annotation_span, ""
+        if others:
+            reason = f"is {min(each.name for each in others)} as well"
+        elif self.given.default is not _EMPTY:
+            span = self.written.defaults.get(self.name, span)
+            reason = "has a default"
+        if reason:
+            found = parameter_errors.WrongOutput(
+                parameter=self.name, reason=reason, type=kind_of.__qualname__
+            )
+            session.report(found.at(span))
+        return self._parameter(kind_of, Kind.OPTIONAL, (Option.OUTPUT,), None)
 
     def _default(self, kind_of: type) -> Any:
         """The default if it is of the type; a whole number is a float as well."""
@@ -125,10 +180,8 @@ class _Reader:
         span, doc = self.name_span, self.written.docs.get(self.name, "")
         return Parameter(self.name, kind, kind_of, span, default, options, doc)
 
-    def _evaluated(self, annotation: Any) -> Any:
+    def _evaluated(self, annotation: str) -> Any:
         """What a text stands for: with `from __future__ import annotations` all types are texts."""
-        if not isinstance(annotation, str):
-            return annotation
         module = sys.modules.get(self.function.__module__)
         names = {**vars(module)} if module else {}
         names |= self.function.__globals__
@@ -143,6 +196,11 @@ class _Reader:
             )
             session.report(found.at(self.annotation_span))
             return UNKNOWN
+
+
+def _is_key(mark: object) -> bool:
+    """Whether a mark is a key, or the class of keys, which stands there alone by mistake."""
+    return isinstance(mark, Key) or mark is Key
 
 
 def _python_of(text: str) -> str:

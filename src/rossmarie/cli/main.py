@@ -66,21 +66,8 @@ MessageFolders = Annotated[
 ]
 
 
-def _print_version(wanted: bool) -> None:
-    if wanted:
-        typer.echo(f"rossmarie {output.own_version()}")
-        raise typer.Exit
-
-
 @app.callback()
-def rossmarie(
-    version: Annotated[
-        bool,
-        typer.Option(
-            "--version", help="Print the version.", is_eager=True, callback=_print_version
-        ),
-    ] = False,
-) -> None:
+def rossmarie(version: Annotated[bool, output.version_option()] = False) -> None:
     """Safety rules for robots: check them, build their monitor, replay a recording."""
 
 

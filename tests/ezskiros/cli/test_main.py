@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -62,6 +63,33 @@ def test_how_inferred_parameters_get_their_values() -> None:
     assert "Robot: cora.Robot  from Workstation, by Robot.at(Workstation)" in lines[0]
     assert lines[1].endswith("any of its class: no pre-condition leads to it")
     assert lines[7] == "Object: skiros.Product  given"
+
+
+def test_the_version_is_printed() -> None:
+    done = run("--version", folder=EXAMPLE)
+    assert (done.returncode, done.stdout) == (0, f"ezskiros {version('rossmarie')}\n")
+
+
+def test_keys_and_outputs_are_explained(tmp_path: Path) -> None:
+    text = (
+        "from typing import Annotated\nfrom ezskiros.ontology import load\nfrom ezskiros import *\n"
+        "skiros = load().skiros\n"
+        "class Look(SkillDescription):\n"
+        "    def description(\n"
+        "        self,\n"
+        "        Place: Annotated[skiros.Location, Key('Start place')],\n"
+        "        Found: OUTPUT[skiros.Product],\n"
+        "        Limit: Annotated[float, Key('Time limit (s)')] = 2.0,\n"
+        "    ):\n"
+        "        self.post_conditions += Place.contain(Found)\n"
+    )
+    (tmp_path / "skills.py").write_text(text)
+    done = run("explain", "Look", "skills.py", "--ontology", str(HALL), folder=tmp_path)
+    assert done.stdout.splitlines() == [
+        "Place ('Start place'): skiros.Location  given",
+        "Found: skiros.Product  from the skill itself",
+        "Limit ('Time limit (s)')  given, or 2.0",
+    ]
 
 
 def test_a_skill_that_is_not_there() -> None:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
 from dslkit.diagnostics import Collector
 from ezskiros import session
@@ -14,8 +15,10 @@ from ezskiros.skills import (
     INFERRED,
     LOCK,
     OPTIONAL,
+    OUTPUT,
     RESPECT_TYPE,
     UNSPECIFY,
+    Key,
     SkillDescription,
     abstract,
     generated,
@@ -23,18 +26,18 @@ from ezskiros.skills import (
     specified,
 )
 from ezskiros.skills.describe import describe
+from support.ontologies import turtle
 
 world = load(Path(__file__).parents[3] / "examples" / "pick_place" / "ontology")
 cora, rparts, skiros = world.cora, world.rparts, world.skiros
 
 
-def form(skill: type[SkillDescription]) -> Form:
+def form(skill: type[SkillDescription], ontology: Ontology = world) -> Form:
     with session.collecting(Collector()) as found:
         described = describe(skill)
     assert described is not None
     assert not found.sorted()
-    assert isinstance(world, Ontology)
-    return form_of(described.interface, world.model)
+    return form_of(described.interface, ontology.model)
 
 
 def test_parameters_have_kinds_types_and_defaults() -> None:
@@ -58,6 +61,66 @@ def test_parameters_have_kinds_types_and_defaults() -> None:
         FormParameter("Speed", "Required", "float", 1.0),
         FormParameter("Again", "Optional", "bool", False),
     )
+
+
+same = turtle(":Hand a owl:Class ; owl:equivalentClass :Gripper . :Gripper a owl:Class .")
+
+
+def test_a_class_is_the_one_that_is_written() -> None:
+    class Use(SkillDescription):
+        def description(self, A: same.test.Hand, B: same.test.Gripper) -> None:  # type: ignore[name-defined]
+            self.pre_conditions += of_type(A, same.test.Gripper)
+            self.pre_conditions += of_type(B, same.test.Hand)
+
+    found = form(Use, same)
+    assert [each.type for each in found.parameters[:2]] == ["test:Hand", "test:Gripper"]
+    assert [each.arguments for each in found.pre] == [("A", "test:Gripper"), ("B", "test:Hand")]
+
+
+def test_keys_stand_for_parameters() -> None:
+    class Use(SkillDescription):
+        def description(
+            self,
+            Box: Annotated[LOCK[skiros.Product], Key("the box")],  # type: ignore[name-defined]
+            Shelf: Annotated[INFERRED[skiros.Location], Key("object-1")],  # type: ignore[name-defined]
+            Limit: Annotated[OPTIONAL[float], Key("Time limit (s)")] = 3.5,
+        ) -> None:
+            self.pre_conditions += Shelf.contain(Box)
+            self.pre_conditions += abstract(Shelf.contain(Box))
+            self.pre_conditions += Box.Weight < 3
+            self.pre_conditions += Box.Weight
+            self.post_conditions += of_type(Box, skiros.Product)
+            self.post_conditions += specified(Shelf) | generated(Box)
+
+    found = form(Use)
+    assert [each.key for each in found.parameters] == [
+        "the box",
+        "object-1",
+        "Time limit (s)",
+        "Robot",
+    ]
+    mentioned = {
+        argument
+        for each in (*found.pre, *found.hold, *found.post)
+        for part in (each.parts or (each,))
+        for argument in part.arguments
+        if argument in ("the box", "object-1", "Box", "Shelf")
+    }
+    assert mentioned == {"the box", "object-1"}
+    assert found.pre[1].arguments == ("skiros:contain", "object-1", "the box", True)
+
+
+def test_outputs_are_optional() -> None:
+    class Look(SkillDescription):
+        def description(self, Found: OUTPUT[skiros.Product], Weight: OUTPUT[float]) -> None:  # type: ignore[name-defined]
+            self.post_conditions += Found.Weight
+
+    found = form(Look)
+    assert found.parameters[:2] == (
+        FormParameter("Found", "Optional", "skiros:Product"),
+        FormParameter("Weight", "Optional", "float"),
+    )
+    assert (found.pre, found.hold) == ((), ())
 
 
 def test_a_robot_is_added_where_there_is_none() -> None:

@@ -108,6 +108,35 @@ def test_the_world_has_a_name(tmp_path: Path) -> None:
     assert "\nfrom ..hall.world import rparts, skiros, sumo\n" in path.read_text()
 
 
+def test_an_ontology_says_which_names_are_ambiguous(tmp_path: Path) -> None:
+    for name in ("skiros", "store"):
+        written(
+            tmp_path / f"{name}.ttl",
+            f"@prefix : <http://example.org/{name}.owl#> .\n"
+            "@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
+            ":at a owl:ObjectProperty . :Location a owl:Class .\n",
+        )
+    place = 'self.addParam("Place", Element("skiros:Location"), ParamTypes.Required)'
+    at = 'self.addPreCondition(self.getRelationCond("", "skiros:at", "Place", "Place", True))'
+    path = written(tmp_path / "wait.py", f"{GOOD}        {place}\n        {at}\n")
+    assert "+= Place.at(Place)\n" in migrate(path, "--diff").stdout
+    one = tmp_path / "skiros.ttl"
+    assert "+= Place.at(Place)\n" in migrate(path, "--diff", "--ontology", one).stdout
+    result = migrate(path, "--diff", "--ontology", tmp_path)
+    assert "+= skiros.at(Place, Place)\n" in result.stdout
+    assert result.exit_code == 0
+
+
+def test_an_ontology_that_cannot_be_read(tmp_path: Path) -> None:
+    path = written(tmp_path / "wait.py", GOOD)
+    broken = written(tmp_path / "broken.ttl", "broken")
+    for ontology, code in ((broken, 1), (tmp_path / "nowhere", 2)):
+        result = migrate(path, "--write", "--ontology", ontology)
+        assert result.exit_code == code
+        assert "error[EZS10" in result.stdout
+    assert path.read_text() == GOOD
+
+
 @pytest.mark.parametrize("world", ["", ".", "my world", "a..b", "class"])
 def test_a_world_that_is_no_module_is_refused(world: str, tmp_path: Path) -> None:
     path = written(tmp_path / "wait.py", GOOD)

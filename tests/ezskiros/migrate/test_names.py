@@ -131,6 +131,14 @@ def test_a_parameter_may_be_called_like_a_namespace() -> None:
     assert "from world import skiros as skiros_" not in head(text)
 
 
+def test_a_parameter_hides_no_namespace_that_its_conditions_use() -> None:
+    typed = 'self.addPreCondition(self.getOnTypeCond("", "skiros", "skiros:Location"))'
+    text = migrate_text("skills.py", f"{API}{SKILL.format(key='skiros')}        {typed}\n").text
+    assert "from world import skiros as skiros_\n" in text
+    assert "description(self, skiros: skiros_.Location)" in text
+    assert "of_type(skiros, skiros_.Location)" in text
+
+
 @pytest.mark.parametrize("rest", ["\n\nspecified = 1\n", "\n\ndef specified():\n    pass\n"])
 def test_names_of_ours_that_are_taken_are_qualified(rest: str) -> None:
     text = migrated(API, rest)
@@ -140,6 +148,70 @@ def test_names_of_ours_that_are_taken_are_qualified(rest: str) -> None:
 
 def test_a_parameter_may_be_called_like_a_function_of_ours() -> None:
     assert "ezskiros.specified(specified)" in migrated(API, key="specified")
+
+
+def keyed(*keys: str) -> list[str]:
+    """The parameters that these keys become: with comments each has a line of its own."""
+    lines = "".join(
+        f"        self.addParam({key!r}, 1.5, ParamTypes.Required)  # one\n" for key in keys
+    )
+    text = f"class Go(SkillDescription):\n    def createDescription(self):\n{lines}"
+    found = migrate_text("skills.py", text)
+    assert found.translated == ["Go"], found.diagnostics
+    compile(found.text, "skills.py", "exec")
+    return [line.partition(" = ")[0].strip() for line in found.text.split("\n") if "# one" in line]
+
+
+@pytest.mark.parametrize(
+    ("key", "name", "written"),
+    [
+        ("Start Pose", "StartPose", '"Start Pose"'),
+        ("fail on timeout", "FailOnTimeout", '"fail on timeout"'),
+        ("Max Angle (deg)", "MaxAngleDeg", '"Max Angle (deg)"'),
+        ("On/Off", "OnOff", '"On/Off"'),
+        ("object-1", "Object1", '"object-1"'),
+        ("class", "Class", '"class"'),
+        ("None", "ParameterNone", '"None"'),
+        ("self", "Self", '"self"'),
+        ("ezskiros", "Ezskiros", '"ezskiros"'),
+        ("__private", "Private", '"__private"'),
+        ("2nd", "Parameter2nd", '"2nd"'),
+        ("?", "Parameter", '"?"'),
+        ("\N{LATIN SMALL LIGATURE FI}x", "Fix", '"\N{LATIN SMALL LIGATURE FI}x"'),
+        ("it's", "ItS", '"it\'s"'),
+        ('so "said"', "SoSaid", "'so \"said\"'"),
+        ("two\nlines", "TwoLines", '"two\\nlines"'),
+        ("robot!", "Robot_2", '"robot!"'),
+    ],
+)
+def test_a_key_that_is_no_name_gets_one(key: str, name: str, written: str) -> None:
+    assert keyed(key) == [f"{name}: Annotated[float, Key({written})]"]
+
+
+def test_names_for_keys_are_different() -> None:
+    found = keyed("a b", "A B", "AB_2", "a_b", "OtherThing", "other thing", "more", "and more")
+    assert [each.partition(":")[0] for each in found] == [
+        *("AB", "AB_3", "AB_2", "a_b", "OtherThing", "OtherThing_2", "more", "AndMore")
+    ]
+
+
+def test_what_keys_need_is_imported() -> None:
+    text = migrated(API, key="the place")
+    assert head(text) == [
+        "from typing import Annotated",
+        "from ezskiros import Key, SkillDescription, specified",
+        "from world import skiros",
+    ]
+    assert 'ThePlace: Annotated[skiros.Location, Key("the place")]' in text
+    assert "specified(ThePlace)" in text
+    text = migrated(f"from typing import Any\n{API}", "\n\nx: Any = 1\n", key="the place")
+    assert head(text)[0] == "from typing import Annotated, Any"
+    text = migrated(API, "\n\nAnnotated = 1\n", key="the place")
+    assert head(text) == ["import typing", "import ezskiros", "from world import skiros"]
+    assert 'typing.Annotated[skiros.Location, ezskiros.Key("the place")]' in text
+    text = migrated(f"from typing import Annotated\n{API}", key="the place")
+    assert 'ThePlace: Annotated[skiros.Location, Key("the place")]' in text
+    assert head(text).count("from typing import Annotated") == 1
 
 
 def test_a_file_without_descriptions_is_not_touched() -> None:
@@ -175,6 +247,15 @@ def test_implementations_are_not_touched() -> None:
     found = migrate_text("skills.py", text)
     assert found.text == text
     assert not found.left
+
+
+def test_properties_that_are_ambiguous_are_said_by_their_namespace() -> None:
+    said = 'self.addPreCondition(self.getHasPropCond("", "skiros:{}", "Place", True))'
+    lines = "".join(f"        {said.format(name)}\n" for name in ("Weight", "Height"))
+    text = API + SKILL.format(key="Place") + lines
+    found = migrate_text("skills.py", text, ambiguous={"Weight"}).text
+    assert "+= skiros.Weight(Place)\n" in found
+    assert "+= Place.Height\n" in found
 
 
 def test_properties_of_several_namespaces_are_said_by_their_namespace() -> None:

@@ -108,6 +108,26 @@ def test_no_name_of_an_ontology_is_hidden() -> None:
         assert isinstance(getattr(ontology.test, name)(thing, thing), Condition)
 
 
+def test_classes_that_mean_the_same_keep_their_names() -> None:
+    test = turtle(
+        ":B a owl:Class ; owl:equivalentClass :A . :A a owl:Class .\n"
+        ":C a owl:Class ; rdfs:subClassOf :B . :D a owl:Class ; rdfs:comment 'the same' ;\n"
+        "rdfs:subClassOf :A . :A rdfs:subClassOf :D . :Other a owl:Class ."
+    ).test
+    same = [test.A, test.B, test.D]
+    assert [each.iri for each in same] == [START + "A", START + "B", START + "D"]
+    assert [repr(each) for each in same] == ["test.A", "test.B", "test.D"]
+    assert (test.B.__doc__, test.D.__doc__) == (None, "the same")
+    assert test.B is test.B
+    for one in same:
+        assert all(issubclass(one, other) for other in same)
+        assert issubclass(test.C, one)
+        assert not issubclass(one, test.C)
+        assert not issubclass(test.Other, one)
+        assert all(isinstance(symbol(other, "It"), one) for other in (*same, test.C))
+        assert not isinstance(symbol(test.Other, "It"), one)
+
+
 def test_a_namespace_that_is_no_name_is_made_one(tmp_path: Path) -> None:
     text = "@prefix owl: <http://www.w3.org/2002/07/owl#> . <http://x/my-hall.owl#C> a owl:Class ."
     (tmp_path / "my-hall.ttl").write_text(text)

@@ -76,6 +76,23 @@ def test_an_exception_is_told_at_its_place(line: str, exception: str, text: str 
 def test_a_skill_without_a_description_is_told() -> None:
     result = checked(f"{HEADER}\nclass Skill(SkillDescription):\n    pass\n")
     assert found(result) == [("EZS201", "Skill")]
+    assert result.diagnostics[0].labels == ()
+
+
+@pytest.mark.parametrize(
+    ("name", "help"),
+    [
+        ("descripton", "write `def description(self, Robot: INFERRED[cora.Robot], ...):`"),
+        ("Description", "write `def description(self, Robot: INFERRED[cora.Robot], ...):`"),
+        ("createDescription", "`ezskiros migrate` translates `createDescription`"),
+    ],
+)
+def test_a_misspelt_description_is_told(name: str, help: str) -> None:
+    text = f"class Skill(SkillDescription):\n    def {name}(self):\n        pass\n"
+    (only,) = checked(f"{HEADER}\n{text}").diagnostics
+    assert (only.code, only.primary.span.text, only.help) == ("EZS201", "Skill", help)
+    (label,) = only.labels
+    assert (label.span.text, label.text) == (f"def {name}(self):", "did you mean `description`?")
 
 
 def test_a_branch_that_says_the_same_is_fine() -> None:

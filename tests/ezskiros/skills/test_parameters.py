@@ -8,6 +8,8 @@ from ezskiros.skills.interface import Parameter
 from ezskiros.skills.markers import Kind, Option
 from support.skill_files import HEADER, checked, described, found
 
+ANNOTATED = "__import__('typing').Annotated"
+
 
 def parameter(written: str) -> Parameter:
     result = described("", written)
@@ -31,6 +33,9 @@ def parameter(written: str) -> Parameter:
             (Option.RESPECT_TYPE, Option.UNSPECIFY),
         ),
         ("P: 'INFERRED[skiros.Product]'", Kind.INFERRED, ()),
+        ("P: INFERRED['skiros.Product']", Kind.INFERRED, ()),
+        ("P: OUTPUT[skiros.Product]", Kind.OPTIONAL, (Option.OUTPUT,)),
+        ("P: OPTIONAL[OUTPUT[skiros.Product]]", Kind.OPTIONAL, (Option.OUTPUT,)),
     ],
 )
 def test_a_thing_has_a_kind_and_options(
@@ -52,6 +57,7 @@ def test_a_thing_has_a_kind_and_options(
         ("P: bool = False", bool, False),
         ("P: str", str, None),
         ("*, P: int = 3", int, 3),
+        ("P: OUTPUT[int]", int, None),
     ],
 )
 def test_a_value_has_a_type_and_a_default(written: str, kind_of: type, default: object) -> None:
@@ -94,6 +100,30 @@ def test_types_may_be_texts_for_the_whole_file() -> None:
         ("P: object", "EZS204", "object"),
         ("P: 3", "EZS204", "3"),
         ("P: None", "EZS204", "None"),
+        ("P: OPTIONAL[list[float]]", "EZS204", "OPTIONAL[list[float]]"),
+        ("P: OPTIONAL[dict]", "EZS204", "OPTIONAL[dict]"),
+        ("P: OPTIONAL[[2.0, 8.0]]", "EZS204", "OPTIONAL[[2.0, 8.0]]"),
+        ("P: OUTPUT[{}]", "EZS204", "OUTPUT[{}]"),
+        ("P: INFERRED[cora.Robot, sumo.Agent]", "EZS204", "INFERRED[cora.Robot, sumo.Agent]"),
+        ("P: OPTIONAL[None]", "EZS204", "OPTIONAL[None]"),
+        ("P: INFERRED['cora:Robot']", "EZS203", "INFERRED['cora:Robot']"),
+        ("P: INFERRED", "EZS006", "INFERRED"),
+        ("P: INFERRED(cora.Robot)", "EZS006", "INFERRED(cora.Robot)"),
+        ("P: 'OPTIONAL(float)'", "EZS006", "'OPTIONAL(float)'"),
+        ("P: LOCK[INFERRED()]", "EZS006", "LOCK[INFERRED()]"),
+        ("P: CONSUME[INFERRED]", "EZS006", "CONSUME[INFERRED]"),
+        ("P: INFERRED[OUTPUT[cora.Robot]]", "EZS009", "INFERRED[OUTPUT[cora.Robot]]"),
+        ("P: OUTPUT[LOCK[cora.Robot]]", "EZS009", "OUTPUT[LOCK[cora.Robot]]"),
+        ("P: OUTPUT[cora.Robot] = None", "EZS009", "None"),
+        ("P: OUTPUT[float] = 0.0", "EZS009", "0.0"),
+        (f"P: {ANNOTATED}[float, Key]", "EZS008", f"{ANNOTATED}[float, Key]"),
+        (f"P: {ANNOTATED}[float, Key('')]", "EZS008", f"{ANNOTATED}[float, Key('')]"),
+        (f"P: {ANNOTATED}[float, Key(3)]", "EZS008", f"{ANNOTATED}[float, Key(3)]"),
+        (
+            f"P: {ANNOTATED}[float, Key('a'), Key('b')]",
+            "EZS008",
+            f"{ANNOTATED}[float, Key('a'), Key('b')]",
+        ),
         ("P: int = 0.5", "EZS205", "0.5"),
         ("P: int = True", "EZS205", "True"),
         ("P: float = 'x'", "EZS205", "'x'"),
@@ -111,6 +141,55 @@ def test_types_may_be_texts_for_the_whole_file() -> None:
 )
 def test_what_is_no_parameter_is_told(written: str, code: str, text: str) -> None:
     assert found(described("", written)) == [(code, text)]
+
+
+@pytest.mark.parametrize(
+    ("written", "help"),
+    [
+        ("P: INFERRED", "write `INFERRED[...]`"),
+        ("P: INFERRED()", "write `INFERRED[...]`"),
+        ("P: LOCK[INFERRED(cora.Robot)]", "write `INFERRED[cora.Robot]`"),
+        ("P: OPTIONAL(float)", "write `OPTIONAL[float]`"),
+        ("P: OPTIONAL(0.5)", "write `OPTIONAL[0.5]`"),
+    ],
+)
+def test_what_a_marker_needs_is_said(written: str, help: str) -> None:
+    (only,) = described("", written).diagnostics
+    assert only.help == help
+
+
+def test_the_thesis_says_why_there_are_no_lists() -> None:
+    (only,) = described("", "P: OPTIONAL[list[float]]").diagnostics
+    assert "(thesis, Paper IV, section 6)" in only.notes[0]
+
+
+@pytest.mark.parametrize(
+    ("written", "key"),
+    [
+        (f"P: {ANNOTATED}[skiros.Product, Key('the box')]", "the box"),
+        (f"P: {ANNOTATED}[INFERRED[skiros.Product], Key('class')]", "class"),
+        (f"P: INFERRED[{ANNOTATED}[skiros.Product, Key('object-1')]]", "object-1"),
+        (f"P: {ANNOTATED}[OPTIONAL[float], 'in m', Key('Max (m)')] = 1.0", "Max (m)"),
+        (f"P: {ANNOTATED}[skiros.Product, 'handled']", "P"),
+        ("P: skiros.Product", "P"),
+    ],
+)
+def test_a_parameter_has_a_key(written: str, key: str) -> None:
+    only = parameter(written)
+    assert (only.name, only.key) == ("P", key)
+
+
+@pytest.mark.parametrize("first", [f"{ANNOTATED}[str, Key('the box')]", "str"])
+def test_two_parameters_with_one_key_are_told_at_both_places(first: str) -> None:
+    key = "P" if first == "str" else "the box"
+    (only,) = described("", f"P: {first}, Q: {ANNOTATED}[float, Key({key!r})]").diagnostics
+    assert (only.code, only.primary.span.text) == ("EZS007", "Q")
+    assert [label.span.text for label in only.labels] == ["P"]
+
+
+def test_a_key_may_be_the_name_of_another_parameter_with_a_key() -> None:
+    written = f"P: {ANNOTATED}[str, Key('Q')], Q: {ANNOTATED}[str, Key('P')]"
+    assert not described("", written).diagnostics
 
 
 def test_texts_of_parameters_are_kept() -> None:

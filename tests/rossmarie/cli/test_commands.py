@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -32,6 +33,11 @@ def run(*arguments: str | Path, **environment: str) -> subprocess.CompletedProce
         timeout=120,
         check=False,
     )
+
+
+def test_the_version_is_printed() -> None:
+    done = run("--version")
+    assert (done.returncode, done.stdout) == (0, f"rossmarie {version('rossmarie')}\n")
 
 
 @pytest.fixture

@@ -1,0 +1,31 @@
+"""Outputs, which have no value before the skill: only post-conditions are about them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dslkit.diagnostics import Diagnostic, Label
+from ezskiros.check.inference import names
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.statements import Specified
+from ezskiros.skills.interface import Clause, Parameter, SkillInterface
+from ezskiros.skills.parameter_errors import WrongOutput
+
+
+def check_outputs(skill: SkillInterface, _ontology: Ontology) -> Iterator[Diagnostic]:
+    """Pre- and hold-conditions about outputs, save that there is none yet."""
+    outputs = {each.name: each for each in skill.parameters if each.is_output}
+    if not outputs:
+        return
+    for kind, clauses in (("pre", skill.pre), ("hold", skill.hold)):
+        for clause in clauses:
+            for name in names(clause.statement):
+                if name in outputs and clause.statement != Specified(name, is_true=False):
+                    yield _asked_before(outputs[name], kind, clause)
+
+
+def _asked_before(output: Parameter, kind: str, clause: Clause) -> Diagnostic:
+    reason = f"a {kind}-condition is about it"
+    found = WrongOutput(parameter=output.name, reason=reason, type=output.type.__qualname__)
+    help = f"say it as a post-condition, or declare `{output.name}` without OUTPUT"
+    return found.at(clause.span, Label(output.span, "declared here"), help=help)

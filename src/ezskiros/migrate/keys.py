@@ -1,0 +1,42 @@
+"""Keys of parameters in, which are any texts; the names of Python that they get out."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Collection, Iterable
+from itertools import chain, count
+
+from ezskiros.migrate.names import is_name
+
+ROBOT = "Robot"
+"""The parameter that each skill of SkiROS2 has, declared or not."""
+_RESERVED = {"self", "ezskiros"}
+
+
+def parameter_names(keys: Iterable[str]) -> dict[str, str]:
+    """For each key the name of its parameter: the key itself, if Python takes it."""
+    keys = list(dict.fromkeys(keys))
+    found = {key: key for key in keys if _is_parameter_name(key)}
+    for key in keys:
+        if key not in found:
+            found[key] = _free(_made_of(key), {*found.values(), ROBOT})
+    return found
+
+
+def _is_parameter_name(key: str) -> bool:
+    """Whether a parameter can be called so. Python changes names that begin with `__`."""
+    return is_name(key) and not key.startswith("__") and key not in _RESERVED
+
+
+def _made_of(key: str) -> str:
+    """A name for a key that is none: `StartPose` for `Start Pose`."""
+    words = re.findall(r"[^\W_]+", unicodedata.normalize("NFKC", key))
+    name = "".join(word[:1].upper() + word[1:] for word in words)
+    return name if is_name(name) else f"Parameter{name}"
+
+
+def _free(name: str, taken: Collection[str]) -> str:
+    """The name, with a number behind it if it is taken."""
+    numbered = (f"{name}_{number}" for number in count(2))
+    return next(each for each in chain([name], numbered) if each not in taken)

@@ -1,0 +1,52 @@
+"""EZS006 to EZS009: markers, keys and outputs of parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoBrackets(Error, code="EZS006", name="no-brackets"):
+    """`INFERRED(...)`, or `INFERRED` alone."""
+
+    title = "`{marker}` needs a type in square brackets"
+    help = "write `{meant}`"
+    marker: str
+    meant: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class DuplicateKey(Error, code="EZS007", name="duplicate-key"):
+    """Two parameters that are one for SkiROS2."""
+
+    title = "`{parameter}` has the key {key}, which another parameter has"
+    note = "SkiROS2 silently takes the last declaration of a key"
+    help = "give one of them another key"
+    parameter: str
+    key: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrongKey(Error, code="EZS008", name="wrong-key"):
+    """A key that is no text, is empty, or is not the only one."""
+
+    title = "the key of `{parameter}` is not one text"
+    help = 'write `{parameter}: Annotated[..., Key("Start Pose")]`'
+    parameter: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrongOutput(Error, code="EZS009", name="wrong-output"):
+    """An output that is asked for before the skill, or gets its value from elsewhere."""
+
+    title = "`{parameter}` is an output, and {reason}"
+    note = "an output has no value before the skill, which gives it one"
+    help = "write `{parameter}: OUTPUT[{type}]`"
+    parameter: str
+    reason: str
+    type: str
+
+
+ALL: tuple[type[Template], ...] = (NoBrackets, DuplicateKey, WrongKey, WrongOutput)
