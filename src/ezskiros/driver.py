@@ -19,7 +19,7 @@ from ezskiros.check.scenes import check_scene
 from ezskiros.ontology import load
 from ezskiros.ontology.load import VARIABLE
 from ezskiros.skills.interface import SkillInterface
-from ezskiros.skills.load import load_skills, skill_files
+from ezskiros.skills.load import load_skills, module_files, roots
 from ezskiros.skills.load_errors import NoFile, NoSkills
 from ezskiros.skills.markers import Kind
 from ezskiros.stubs import write_stub
@@ -37,18 +37,23 @@ class Checked:
 
 
 def check_paths(paths: Iterable[Path]) -> Checked:
-    """Check the skills of files and folders, and scenes; what skills print is dropped."""
+    """Check the skills of files, folders and packages, and scenes; what skills print is dropped."""
     paths = list(paths)
     scenes = [path for path in paths if path.suffix == SCENE]
     paths = [path for path in paths if path.suffix != SCENE]
     collector = Collector()
-    with session.collecting(collector), redirect_stdout(StringIO()):
+    files = module_files(paths)
+    with (
+        session.collecting(collector),
+        session.checking(roots(files)),
+        redirect_stdout(StringIO()),
+    ):
         skills = check_skills(load_skills(paths))
         collector.extend(found for scene in scenes for found in _scene(scene))
     if paths and not skills and not collector.sorted():
         shown = ", ".join(map(str, paths))
         collector.add(NoSkills(path=shown).at(Span(SourceFile(shown, ""), 0, 0)))
-    return Checked([*skill_files(paths), *scenes], skills, collector.sorted())
+    return Checked([*files, *scenes], skills, collector.sorted())
 
 
 def _scene(path: Path) -> Iterable[Diagnostic]:

@@ -6,8 +6,9 @@ from __future__ import annotations
 
 import os
 import site
+import sys
 import sysconfig
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
@@ -20,11 +21,18 @@ from dslkit.source.call_site import call_site
 _SOURCES = Path(__file__).parents[1]
 OURS = tuple(f"{_SOURCES / name}{os.sep}" for name in ("ezskiros", "dslkit"))
 _INSTALLED = ("stdlib", "platstdlib", "purelib", "platlib")
+_SITES = ("site-packages", "dist-packages")
 LIBRARIES = tuple(
     f"{folder}{os.sep}"
-    for folder in {*map(sysconfig.get_path, _INSTALLED), *site.getsitepackages()}
+    for folder in {
+        *map(sysconfig.get_path, _INSTALLED),
+        *site.getsitepackages(),
+        site.getusersitepackages(),
+        *(path for path in sys.path if Path(path).name in _SITES),  # such as those of ROS
+    }
 )
 """Where Python's own modules are, and installed ones."""
+_checked: ContextVar[tuple[str, ...]] = ContextVar("checked", default=())
 _collector: ContextVar[Collector | None] = ContextVar("collector", default=None)
 NOWHERE = Span(SourceFile("<no source>", ""), 0, 0)
 
@@ -48,6 +56,30 @@ def collecting(collector: Collector) -> Iterator[Collector]:
         _collector.reset(token)
 
 
+@contextmanager
+def trying() -> Iterator[Collector]:
+    """Within, findings are kept apart: they are of something that may be done again."""
+    with collecting(Collector()) as collector:
+        yield collector
+
+
+@contextmanager
+def checking(beginnings: Iterable[str]) -> Iterator[None]:
+    """Within, files whose paths begin like this are the user's, even if they are installed."""
+    token = _checked.set(tuple({each for each in beginnings if each.startswith(LIBRARIES)}))
+    try:
+        yield
+    finally:
+        _checked.reset(token)
+
+
+def is_of_user(path: str) -> bool:
+    """Whether a file is the user's: neither ours, nor of a library, nor Python's own."""
+    if path.startswith((*OURS, "<frozen")):
+        return False
+    return path.startswith(_checked.get()) or not path.startswith(LIBRARIES)
+
+
 def is_collecting() -> bool:
     """Whether findings are collected."""
     return _collector.get() is not None
@@ -65,15 +97,12 @@ def has_reported(span: Span) -> bool:
     """Whether a finding lies within a span."""
     collector = _collector.get()
     places = [found.primary.span for found in collector.sorted()] if collector else []
-    return any(
-        place.file is span.file and span.start <= place.start and place.end <= span.end
-        for place in places
-    )
+    return any(span.contains(place) for place in places)
 
 
 def here() -> Span:
     """The expression of the user's code that led here, by way of libraries or directly."""
-    span = call_site(*OURS, *LIBRARIES) or call_site(*OURS)
+    span = call_site(*OURS, *LIBRARIES, but=_checked.get()) or call_site(*OURS)
     return asked(span) if span else NOWHERE
 
 

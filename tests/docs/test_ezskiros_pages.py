@@ -14,7 +14,7 @@ import pytest
 from dslkit.diagnostics import Severity
 from ezskiros import catalog
 from ezskiros.ontology.load import VARIABLE
-from ezskiros.skills import describe
+from ezskiros.skills import describe, load
 from support import transcript
 from support.markdown import Block, blocks, replace_block
 from support.skills import ONTOLOGY, codes_in, compare_files, findings
@@ -30,6 +30,7 @@ def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv(VARIABLE, str(ONTOLOGY))
     monkeypatch.setattr(describe, "SECONDS", 1.0)
+    monkeypatch.setattr(load, "SECONDS", 1.0)
 
 
 def files(page: Path, heading: str) -> list[Block]:

@@ -49,6 +49,14 @@ def test_the_file_is_the_one_of_the_user(tmp_path: Path) -> None:
     assert (span.begin.line, span.begin.column) == (3, 1)
 
 
+def test_files_may_be_the_users_all_the_same() -> None:
+    def here(*but: str) -> Span | None:
+        return call_site(f"{Path(__file__).parent}", but=but)
+
+    places = [each.text if each else "" for each in (here(), here(__file__))]
+    assert [place.startswith("call_site(") for place in places] == [False, True]
+
+
 def test_code_without_a_source_has_no_place() -> None:
     found = []
     exec(

@@ -22,6 +22,38 @@ cora, rparts, scalable, skiros, sumo = (
 """
 PARAMETERS = "Object: skiros.Product, Gripper: rparts.GripperEffector, Place: skiros.Container"
 
+SKILL = """
+class Skill(SkillDescription):
+    def description(self, Object: skiros.Product, Place: skiros.Container):
+        {line}
+"""
+WRONG = "self.pre_conditions += Object.hasAA(Place)"
+TYPO = ("EZS301", "Object.hasAA")
+"""What is found in `WRONG`."""
+VENDOR = """\
+import socket
+
+class Arm:
+    def __init__(self, address):
+        self.socket = socket.create_connection((address, 1))
+        self.pose = None
+
+    def speed(self) -> float:
+        return float(self.socket.recv(8))
+
+class Sensor:
+    @property
+    def reading(self):
+        return socket.create_connection(("h", 1)).recv(8)
+
+    def connect(self):
+        socket.create_connection(("h", 1))
+
+    def value(self):
+        raise OSError("not connected")
+"""
+"""A library that talks to devices."""
+
 
 def checked(text: str, *, name: str = "skills.py") -> Checked:
     """What is found in the text of a module, with the ontology of the example."""
@@ -43,6 +75,20 @@ def described(body: str, parameters: str = PARAMETERS) -> Checked:
     lines = indent(dedent(body).strip() or "pass", " " * 8)
     text = f"class Skill(SkillDescription):\n    def description(self, {parameters}):\n{lines}\n"
     return checked(f"{HEADER}\n\n{text}")
+
+
+def skill(line: str) -> str:
+    """A module with a skill whose description is one line, or several that are indented like it."""
+    return HEADER + SKILL.format(line=line)
+
+
+def check_folder(folder: Path, **files: str) -> Checked:
+    """What is found in modules, by their names, in a new folder `own`."""
+    own = folder / "own"
+    own.mkdir()
+    for name, text in files.items():
+        (own / f"{name}.py").write_text(text)
+    return check_paths([own])
 
 
 def found(result: Checked) -> list[tuple[str, str]]:

@@ -1,4 +1,6 @@
-"""What `if`, `while` and `assert` ask for: Python takes the question to be all of the statement."""
+"""What `if`, `while`, `for` and `assert` ask for: Python takes the question to be all of the
+statement.
+"""
 
 from __future__ import annotations
 
@@ -9,8 +11,8 @@ from dslkit.source.call_site import node_span
 from dslkit.source.file import SourceFile
 from dslkit.source.span import Span
 
-_WORDS = ("if ", "if(", "elif ", "elif(", "while ", "while(", "assert ", "assert(")
-_STATEMENTS = (ast.If, ast.While, ast.Assert)
+_WORDS = ("if ", "if(", "elif ", "elif(", "while ", "while(", "assert ", "assert(", "for ")
+_STATEMENTS = (ast.If, ast.While, ast.Assert, ast.For)
 
 
 def asked(span: Span) -> Span:
@@ -28,4 +30,8 @@ def _questions(file: SourceFile) -> dict[int, Span]:
     except (SyntaxError, ValueError):
         return {}
     found = [node for node in ast.walk(tree) if isinstance(node, _STATEMENTS)]
-    return {node_span(file, node).start: node_span(file, node.test) for node in found}
+    return {node_span(file, node).start: node_span(file, _question(node)) for node in found}
+
+
+def _question(node: ast.If | ast.While | ast.Assert | ast.For) -> ast.expr:
+    return node.iter if isinstance(node, ast.For) else node.test

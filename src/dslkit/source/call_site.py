@@ -22,15 +22,17 @@ from dslkit.source.span import Span
 _OURS = f"{Path(__file__).parents[1]}{os.sep}"
 
 
-def call_site(*ours: str) -> Span | None:
+def call_site(*ours: str, but: tuple[str, ...] = ()) -> Span | None:
     """The expression in the user's code that led here; None if there is none with a source.
 
-    Frames of files in one of the folders `ours` are passed over, and those of this package.
+    Frames of files in one of the folders `ours` are passed over, and those of this package; files
+    whose paths begin as `but` says are the user's all the same.
     """
     passed = (_OURS, *ours, "<frozen")
     frame: FrameType | None = sys._getframe(1)  # noqa: SLF001
     while frame is not None:
-        if not frame.f_code.co_filename.startswith(passed):
+        path = frame.f_code.co_filename
+        if path.startswith(but) or not path.startswith(passed):
             return place_of(frame)
         frame = frame.f_back
     return None

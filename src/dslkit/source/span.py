@@ -34,5 +34,9 @@ class Span:
         """The smallest span that covers both; they lie in the same file."""
         return Span(self.file, min(self.start, other.start), max(self.end, other.end))
 
+    def contains(self, other: Span) -> bool:
+        """Whether all of the other one lies in it."""
+        return self.file is other.file and self.start <= other.start and other.end <= self.end
+
     def __str__(self) -> str:
         return f"{self.file.path}:{self.begin.line}:{self.begin.column}"

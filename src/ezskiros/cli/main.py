@@ -32,7 +32,15 @@ Paths = Annotated[
     list[Path],
     typer.Argument(
         metavar="PATHS...",
-        help="Python files, folders with them, and scenes (.turtle).",
+        help="Python files, and folders with them.",
+        readable=False,
+    ),
+]
+Skills = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="PATHS...",
+        help="Python files, folders with them, packages by their names, and scenes (.turtle).",
         readable=False,
     ),
 ]
@@ -49,7 +57,7 @@ def ezskiros(version: Annotated[bool, output.version_option()] = False) -> None:
 
 @app.command()
 def check(
-    paths: Paths,
+    paths: Skills,
     ontology: Folders = None,
     form: Annotated[
         Format, typer.Option("--format", help="How findings are printed.")
@@ -189,11 +197,11 @@ def _check_again_and_again(paths: list[Path], ontology: list[Path], form: Format
     """In a process of its own each time: Python keeps the modules that it has imported."""
     from ezskiros.cli.watch import watch
     from ezskiros.ontology.read import find
-    from ezskiros.skills.load import skill_files
+    from ezskiros.skills.load import module_files
 
     def files() -> list[Path]:
         known = [path for path in ontology if path.exists()]
-        return [*skill_files(paths), *filter(Path.is_file, paths), *find(known)]
+        return [*module_files(paths), *filter(Path.is_file, paths), *find(known)]
 
     named = [text for path in ontology for text in ("--ontology", str(path))]
     arguments = ["check", *map(str, paths), *named, "--format", form.value]

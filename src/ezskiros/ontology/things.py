@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
+from contextvars import ContextVar
 from typing import Any, Protocol, cast
 
 from dslkit.source import Span
@@ -179,7 +180,20 @@ class Condition:
 
     def __bool__(self) -> bool:
         session.report(errors.NoTruthValue().at(self.span))
+        _asked.set(session.here())
         return True
+
+
+_asked: ContextVar[Span | None] = ContextVar("asked", default=None)
+"""Where Python asked a condition last whether it is true."""
+
+
+def is_asked_here() -> bool:
+    """Whether Python has asked a condition for its truth in the expression that the user's code is
+    at: then only one part of that came of it.
+    """
+    asked = _asked.get()
+    return asked is not None and session.here().contains(asked)
 
 
 def _parts(statement: Statement) -> tuple[Statement, ...]:
@@ -245,7 +259,7 @@ class ValueOf(Condition):
         span = session.here()
         if isinstance(value, Unknown):
             return value
-        if not isinstance(value, (str, int, float, bool)):
+        if not isinstance(value, (str, int, float, bool)) or depends_on_symbol(value):
             session.report(errors.NoValue(property=self._property, found=described(value)).at(span))
             return UNKNOWN
         return Condition(self._statement(operator, value), span)
@@ -277,8 +291,19 @@ class ValueOf(Condition):
     __hash__ = None  # type: ignore[assignment]
 
 
+SYMBOL_IN_TEXT = "\ufdd0"
+"""What texts have in them that were made of symbols: no character, and in no text of a user."""
+
+
+def depends_on_symbol(value: object) -> bool:
+    """Whether a value is a text that is not known before the skill runs."""
+    return isinstance(value, str) and SYMBOL_IN_TEXT in value
+
+
 def described(value: object) -> str:
     """What something is, for a message."""
+    if depends_on_symbol(value):
+        return "a text that is not known before the skill runs"
     if isinstance(value, Thing):
         return f"the parameter `{value!r}`"
     if isinstance(value, ThingClass):

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from types import TracebackType
 
 from dslkit.source import Span
 from dslkit.source.call_site import place_of
 from ezskiros import session
+from ezskiros.ontology.things import SYMBOL_IN_TEXT
 
 
 def said(problem: BaseException) -> str:
@@ -15,15 +17,32 @@ def said(problem: BaseException) -> str:
         return "it calls itself without end"
     if isinstance(problem, KeyError) and problem.args:
         return f"there is no {problem.args[0]!r}"
-    return str(problem).partition("\n")[0] or "without a word"
+    text = str(problem).replace(SYMBOL_IN_TEXT, "")
+    return text.partition("\n")[0] or "without a word"
 
 
-def user_place(traceback: TracebackType | None) -> Span | None:
-    """The last place of the user's code in a traceback."""
-    found = None
+def user_place(problem: BaseException) -> Span | None:
+    """The last place of the user's code that an exception came from."""
+    steps = list(user_steps(problem.__traceback__))
+    if isinstance(problem, RecursionError):
+        steps = steps[:-1] or steps  # the last is wherever it was when there was no more room
+    return next(filter(None, map(place_of, reversed(steps))), None)
+
+
+def user_steps(traceback: TracebackType | None) -> Iterator[TracebackType]:
+    """The parts of a traceback that are in the user's code."""
     while traceback is not None:
         path = traceback.tb_frame.f_code.co_filename
-        if not path.startswith((*session.OURS, *session.LIBRARIES, "<")):
-            found = place_of(traceback) or found
+        if session.is_of_user(path) and not path.startswith("<"):
+            yield traceback
         traceback = traceback.tb_next
-    return found
+
+
+def user_files(problem: BaseException | None) -> list[str]:
+    """The files of the user's code that an exception came through; none if it has nothing to do
+    with symbols.
+    """
+    if not isinstance(problem, Exception) or isinstance(problem, RecursionError):
+        return []
+    steps = user_steps(problem.__traceback__)
+    return list(dict.fromkeys(each.tb_frame.f_code.co_filename for each in steps))

@@ -8,22 +8,27 @@ from __future__ import annotations
 
 import difflib
 import inspect
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from types import FunctionType
 
 from dslkit.diagnostics import Diagnostic, Label
+from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.things import UNKNOWN, ThingClass, symbol
 from ezskiros.skills import errors
-from ezskiros.skills.blame import said, user_place
+from ezskiros.skills.blame import said, user_files, user_place
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.guard import Interrupted, SideEffectError, TimeOverError, guarded
+from ezskiros.skills.importing import forget_since, importing
+from ezskiros.skills.intercept import intercept
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
 from ezskiros.skills.parameters import read_parameters, signature_of
-from ezskiros.skills.syntax import class_span, definition, docs_of
-from ezskiros.skills.values import MOST_PATHS, Decisions, SymbolicValue, deciding
+from ezskiros.skills.syntax import class_span, definition, docs_of, file_of
+from ezskiros.skills.values import MOST_PATHS, Decisions, Symbol, SymbolicValue, deciding
 
 SECONDS = 5.0
 """For one run of one description."""
@@ -109,6 +114,8 @@ class _Run:
     has_ended: bool
     are_whole: bool
     """Whether no condition is missing after a mistake."""
+    to_intercept: Sequence[str]
+    """The files in which it could go further if their calls were intercepted."""
 
     @property
     def is_whole(self) -> bool:
@@ -135,25 +142,38 @@ def _explored(
     runs: list[_Run] = []
     planned: list[bool] | None = []
     substitutes: dict[str, object] = {}
+    file, known = Path(file_of(skill)), dict(sys.modules)
     while planned is not None:
         decisions = Decisions(planned)
         names = len(substitutes)
-        run = _run(skill, method, parameters, classes, decisions, substitutes)
+        with importing(file), session.trying() as found:
+            run = _run(skill, method, parameters, classes, decisions, substitutes)
+        if intercept(run.to_intercept):
+            forget_since(known)
+            continue
+        for diagnostic in found.sorted():
+            session.report(diagnostic)
         if len(substitutes) > names:
             continue
         if not run.has_ended:
             return [run]
         if runs and run.statements() != runs[0].statements():
-            span, name = decisions.asked[len(planned) - 1]
-            session.report(errors.DependsOnValue(skill=skill.__name__, parameter=name).at(span))
+            session.report(_depends(skill, *decisions.asked[len(planned) - 1]))
             break
         runs.append(run)
         planned = decisions.following()
         if planned is not None and len(runs) >= MOST_PATHS:
-            found = errors.TooManyPaths(skill=skill.__name__, count=MOST_PATHS)
-            session.report(found.at(definition(method).whole))
+            cut = errors.TooManyPaths(skill=skill.__name__, count=MOST_PATHS)
+            session.report(cut.at(definition(method).whole))
             break
     return runs
+
+
+def _depends(skill: type, span: Span, symbol: Symbol) -> Diagnostic:
+    """The finding for conditions that are others if a symbol is true."""
+    if isinstance(symbol, SymbolicValue):
+        return errors.DependsOnValue(skill=skill.__name__, parameter=repr(symbol)).at(span)
+    return errors.DependsOnOutcome(skill=skill.__name__, call=repr(symbol)).at(span)
 
 
 def _run(
@@ -171,33 +191,32 @@ def _run(
         else SymbolicValue(each.name, each.type)
         for each in parameters
     }
-
-    def tell(deed: str) -> None:
-        session.report(errors.SideEffect(skill=skill.__name__, deed=deed).at(session.here()))
-
-    instance, has_ended = None, False
-    try:
-        with guarded(SECONDS, tell), deciding(decisions):
+    instance, problem = None, None
+    with guarded(SECONDS) as guard, deciding(decisions):
+        try:
             instance = skill()
             placed, named = _arguments(method, known)
             _with_names(method, substitutes)(instance, *placed, **named)
-            has_ended = True
-    except SideEffectError:
-        pass
-    except (Exception, Interrupted) as problem:
+        except (Exception, SystemExit, Interrupted) as raised:
+            problem = raised
+    for refusal in guard.refusals():
+        session.report(errors.SideEffect(skill=skill.__name__, deed=refusal.deed).at(refusal.span))
+    if problem is not None and not isinstance(problem, SideEffectError):
         session.report(_raised(skill, method, problem))
-        if missing := _missing_name(problem):
-            substitutes[missing] = UNKNOWN
-    if not isinstance(instance, SkillDescription):
-        return _Run((), (), (), has_ended, are_whole=False)
-    kinds = (instance.pre_conditions, instance.hold_conditions, instance.post_conditions)
+    missing = _missing_name(problem)
+    if missing:
+        substitutes[missing] = UNKNOWN
+    to_intercept = [*guard.files, *([] if missing else user_files(problem))]
+    conditions = instance if isinstance(instance, SkillDescription) else SkillDescription()
+    kinds = (conditions.pre_conditions, conditions.hold_conditions, conditions.post_conditions)
     pre, hold, post = (tuple(each) for each in kinds)
-    return _Run(pre, hold, post, has_ended, all(each.are_whole for each in kinds))
+    are_whole = conditions is instance and all(each.are_whole for each in kinds)
+    return _Run(pre, hold, post, problem is None, are_whole, to_intercept)
 
 
-def _missing_name(problem: BaseException) -> str | None:
+def _missing_name(problem: BaseException | None) -> str | None:
     """The name that is defined nowhere, if that is the problem."""
-    return problem.name if type(problem) is NameError else None
+    return problem.name if isinstance(problem, NameError) and type(problem) is NameError else None
 
 
 def _arguments(
@@ -230,7 +249,7 @@ def _with_names(method: FunctionType, names: Mapping[str, object]) -> FunctionTy
 
 def _raised(skill: type, method: FunctionType, problem: BaseException) -> Diagnostic:
     """The finding for an exception, at the last place of the user's code that it came from."""
-    span = user_place(problem.__traceback__) or definition(method).whole
+    span = user_place(problem) or definition(method).whole
     if isinstance(problem, TimeOverError):
         return errors.NeverEnds(skill=skill.__name__, seconds=SECONDS).at(span)
     if missing := _missing_name(problem):

@@ -17,6 +17,7 @@ from ezskiros.ontology.things import (
     ThingClass,
     Unknown,
     described,
+    is_asked_here,
 )
 from ezskiros.skills import errors
 from ezskiros.skills.interface import Clause
@@ -34,14 +35,14 @@ class Conditions:
 
     def __iadd__(self, condition: Condition | Unknown) -> Conditions:
         # Type checkers refuse all else; who has none is told here.
-        if isinstance(condition, Condition):
+        if isinstance(condition, Condition) and not is_asked_here():
             self._clauses.append(Clause(condition.statement, condition.span))
             return self
         self.are_whole = False
         span = added_value(session.here())
         if isinstance(condition, RelationOf):
             condition.report_not_called(span)
-        elif not isinstance(condition, Unknown) and not _is_told(condition, span):
+        elif not isinstance(condition, (Condition, Unknown)) and not _is_told(condition, span):
             found = described(condition)
             session.report(condition_errors.NoCondition(found=found).at(span))
         return self

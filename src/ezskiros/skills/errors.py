@@ -214,6 +214,18 @@ class TooManyPaths(Warning, code="EZS224", name="too-many-paths"):
 
 
 @dataclass(frozen=True, kw_only=True)
+class DependsOnOutcome(Error, code="EZS225", name="depends-on-outcome"):
+    """Conditions that depend on something that a check does not do."""
+
+    title = "the conditions of `{skill}` depend on what `{call}` gives"
+    label = "decided here"
+    note = "a check does nothing to the world, so that nobody knows before the robot runs"
+    help = "write two skills, a parameter, or conditions that hold in any case"
+    skill: str
+    call: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class DuplicateSkill(Error, code="EZS230", name="duplicate-skill"):
     """Two skills of one name: SkiROS2 takes the one that it loads first, Python the last."""
 
@@ -244,5 +256,6 @@ ALL: tuple[type[Template], ...] = (
     NeverEnds,
     DependsOnValue,
     TooManyPaths,
+    DependsOnOutcome,
     DuplicateSkill,
 )

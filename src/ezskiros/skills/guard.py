@@ -1,37 +1,55 @@
 """Runs code under check so that it does nothing to the world and ends.
 
 Python tells an audit hook before it opens a file, connects or starts a process (PEP 578).
-Within `guarded` the hook stops that, wherever it is called from; what our own code and the import
-of modules do is let through.
+Within `guarded` the hook refuses that, wherever it is called from; what our own code and the import
+of libraries do is let through. How code goes on without what is refused: see `intercept.py`.
 """
 
 from __future__ import annotations
 
+import os
 import signal
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+import tokenize
+from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
 from types import FrameType
 from typing import Any, SupportsIndex
 
+from dslkit.source import Span
 from ezskiros import session
 
 _DEEDS = {
     "open": "opens a file",
     "os.": "changes files or processes",
+    "os.listdir": "reads a folder",
+    "os.scandir": "reads a folder",
+    "os.walk": "reads a folder",
+    "os.putenv": "changes the environment",
+    "os.unsetenv": "changes the environment",
     "shutil.": "changes files",
     "subprocess.Popen": "starts a program",
     "socket.": "uses the network",
     "urllib.Request": "uses the network",
+    "webbrowser.open": "opens a browser",
     "builtins.input": "asks for input",
     "builtins.breakpoint": "stops in the debugger",
     "ctypes.dlopen": "loads a library",
+    "fcntl.": "talks to a device",
     "sqlite3.connect": "opens a database",
     "tempfile.": "makes a file",
 }
+_FOR_MODULES = frozenset(
+    ("os.listdir", "os.scandir", "os.walk", "os.putenv", "os.unsetenv", "socket.gethostname")
+)
+"""What changes nothing outside of the check: modules may do it when they are imported."""
+_CHANGING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 _IMPORTING = "<frozen importlib"
+_INTERCEPTING = str(Path(__file__).with_name("intercept.py"))
 
 
 class Interrupted(BaseException):
@@ -50,43 +68,98 @@ class TimeOverError(Interrupted):
     """The code under check runs for too long."""
 
 
-_is_guarded: list[Callable[[str], None]] = []
+@dataclass(frozen=True)
+class Refusal:
+    """Something that was not done: what, and where it was asked for."""
+
+    deed: str
+    span: Span
 
 
-def _hook(event: str, _arguments: tuple[Any, ...]) -> None:
-    if _is_guarded:
-        deed = _DEEDS.get(event) or _DEEDS.get(event.partition(".")[0] + ".")
-        if deed:
-            _stop(deed, sys._getframe(1))  # noqa: SLF001
+@dataclass
+class Guard:
+    """What one run of code under check was refused."""
+
+    is_import: bool
+    """Whether modules are imported, which may read files."""
+    stopped: list[Refusal] = field(default_factory=list)
+    """What the code under check may have been ended by."""
+    replaced: dict[Refusal, None] = field(default_factory=dict)
+    """What it went on without."""
+    files: dict[str, None] = field(default_factory=dict)
+    """Where the user's code is that led to what was refused."""
+    half_done: list[object] = field(default_factory=list)
+    """What one of the refused calls was a method of: nobody knows in what state it would be."""
+
+    def go_on(self, count: int) -> None:
+        """The code under check goes on without what it was refused after the first `count`."""
+        self.replaced.update(dict.fromkeys(self.stopped[count:]))
+        del self.stopped[count:]
+
+    def refusals(self) -> list[Refusal]:
+        """All that was not done."""
+        return [*self.replaced, *self.stopped]
+
+
+_guards: list[Guard] = []
+
+
+def current() -> Guard | None:
+    """The guard of the code under check that runs now."""
+    return _guards[-1] if _guards else None
+
+
+def _hook(event: str, arguments: tuple[Any, ...]) -> None:
+    if _guards and (deed := _DEEDS.get(event) or _DEEDS.get(event.partition(".")[0] + ".")):
+        if _guards[-1].is_import and (event in _FOR_MODULES or _reads(event, arguments)):
+            return
+        _stop(deed, sys._getframe(1))  # noqa: SLF001
+
+
+def _reads(event: str, arguments: tuple[Any, ...]) -> bool:
+    """Whether a file is opened that can be read without changing anything; devices cannot."""
+    if event != "open" or arguments[2] & _CHANGING:
+        return False
+    return isinstance(arguments[0], int) or _is_plain(arguments[0])
+
+
+def _is_plain(path: Any) -> bool:
+    return os.path.isfile(path) or not os.path.exists(path)  # noqa: PTH110, PTH113
 
 
 def _stop(deed: str, frame: FrameType) -> None:
     """Stop what a frame is about to do, if it is code under check."""
-    is_main = threading.current_thread() is threading.main_thread()
-    if _is_guarded and is_main and _is_of_user(frame):
-        _is_guarded[-1](deed)
+    if files := list(_files_of_user(frame)):
+        _guards[-1].files.update(dict.fromkeys(files))
+        _guards[-1].stopped.append(Refusal(deed, session.here()))
         raise SideEffectError(deed)
 
 
-def _is_of_user(frame: FrameType | None) -> bool:
-    """Whether code under check is behind it, rather than an import or ourselves."""
+def _files_of_user(frame: FrameType | None) -> Iterator[str]:
+    """The files of the code under check that is behind a frame; none if an import is, or Python
+    reads source for a message.
+    """
+    if not _guards or threading.current_thread() is not threading.main_thread():
+        return
     while frame is not None:
         path = frame.f_code.co_filename
-        if path.startswith((_IMPORTING, *session.OURS)):
-            return False
-        if not path.startswith((*session.LIBRARIES, "<frozen")):
-            return True
+        is_ours = path.startswith(session.OURS) and path != _INTERCEPTING
+        if is_ours or path.startswith(_IMPORTING) or path == tokenize.__file__:
+            return
+        if session.is_of_user(path):
+            yield path
         frame = frame.f_back
-    return False
 
 
 _sleep = time.sleep
 
 
 def _guarded_sleep(seconds: float | SupportsIndex, /) -> None:
-    """Before Python 3.13 no hook is told of sleeping."""
-    _stop("sleeps", sys._getframe(1))  # noqa: SLF001
-    _sleep(seconds)
+    """Before Python 3.13 no hook is told of sleeping. Nothing comes of it: all goes on at once."""
+    if any(_files_of_user(sys._getframe(1))):  # noqa: SLF001
+        _guards[-1].replaced.setdefault(Refusal("sleeps", session.here()))
+    else:
+        _sleep(seconds)
 
 
 _start = threading.Thread.start
@@ -118,18 +191,18 @@ def guarding_sleep() -> Iterator[None]:
 
 
 @contextmanager
-def guarded(seconds: float, tell: Callable[[str], None]) -> Iterator[None]:
-    """Within, side effects raise `SideEffectError`, after `tell` has been told of them, and code
-    that takes longer than `seconds` is ended by `TimeOverError` (in the main thread of systems that
-    have timers).
+def guarded(seconds: float, *, is_import: bool = False) -> Iterator[Guard]:
+    """Within, side effects raise `SideEffectError`, and code that takes longer than `seconds` is
+    ended by `TimeOverError` (in the main thread of systems that have timers).
     """
     _install()
-    _is_guarded.append(tell)
+    guard = Guard(is_import)
+    _guards.append(guard)
     try:
         with guarding_sleep(), _guarding_threads(), _limited(seconds):
-            yield
+            yield guard
     finally:
-        _is_guarded.pop()
+        _guards.pop()
 
 
 _installed: list[bool] = []
@@ -153,7 +226,8 @@ def _limited(seconds: float) -> Iterator[None]:
         raise TimeOverError
 
     before = signal.signal(signal.SIGALRM, end)
-    signal.setitimer(signal.ITIMER_REAL, seconds)
+    # Again and again: code with `except:` may go on after the first time.
+    signal.setitimer(signal.ITIMER_REAL, seconds, seconds)
     try:
         yield
     finally:

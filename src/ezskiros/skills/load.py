@@ -7,35 +7,49 @@ by stand-ins. A module that cannot be run does not hide the others.
 from __future__ import annotations
 
 import importlib
+import os
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from importlib.machinery import PathFinder
 from pathlib import Path
 from types import ModuleType
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import Collector, Diagnostic, Label
 from dslkit.source import SourceFile, Span, is_file, is_folder
 from dslkit.source.call_site import line_span, source_file
 from ezskiros import session
 from ezskiros.skills import errors as skill_errors
 from ezskiros.skills import load_errors as errors
-from ezskiros.skills.blame import said, user_place
+from ezskiros.skills.blame import said, user_files, user_place, user_steps
 from ezskiros.skills.description import SkillDescription
-from ezskiros.skills.guard import guarding_sleep
-from ezskiros.skills.stand_ins import standing_in
+from ezskiros.skills.guard import (
+    Guard,
+    Interrupted,
+    SideEffectError,
+    TimeOverError,
+    guarded,
+)
+from ezskiros.skills.importing import forget_since, importing, module_name
+from ezskiros.skills.intercept import intercept
 from ezskiros.skills.syntax import classes_of
+
+SECONDS = 20.0
+"""For the import of one module, with all that it imports."""
 
 
 def load_skills(paths: Iterable[Path]) -> list[type[SkillDescription]]:
-    """The skills of some files and folders, in the order in which they are written."""
+    """The skills of some files, folders and packages, in the order in which they are written."""
     paths = list(paths)
     for path in paths:
-        if not is_folder(path) and not is_file(path):
+        if located(path) is None:
             nowhere = Span(SourceFile(str(path), ""), 0, 0)
-            session.report(errors.NoFile(path=str(path)).at(nowhere))
+            help = _HELP if _is_name_of_module(path) else None
+            session.report(errors.NoFile(path=str(path)).at(nowhere, help=help))
     found: dict[type[SkillDescription], None] = {}
-    for file in skill_files(paths):
-        module = _module(file)
+    endless: dict[str, str] = {}
+    for file in module_files(paths):
+        module = _module(file.resolve(), endless)
         if module is not None:
             skills = _skills_of(module)
             _report_repeated(file, {skill.__name__ for skill in skills})
@@ -55,56 +69,111 @@ def skill_files(paths: Iterable[Path]) -> list[Path]:
     return list(found)
 
 
+def module_files(paths: Iterable[Path]) -> list[Path]:
+    """The Python files of some paths, and of modules and packages that are named instead."""
+    return skill_files(filter(None, map(located, paths)))
+
+
+def located(path: Path) -> Path | None:
+    """The file or folder of a path, or of the module or package of that name.
+
+    None if there is none. Nothing is imported to find it.
+    """
+    if is_folder(path) or is_file(path):
+        return path
+    parts = str(path).split(".")
+    if not _is_name_of_module(path) or parts[0] in sys.stdlib_module_names:
+        return None
+    places: Iterable[str] | None = [str(Path.cwd()), *sys.path]
+    spec = None
+    for count in range(1, len(parts) + 1):
+        spec = PathFinder.find_spec(".".join(parts[:count]), list(places or ()))
+        if spec is None:
+            return None
+        places = spec.submodule_search_locations
+    if places:
+        return Path(next(iter(places)))
+    return Path(spec.origin) if spec and spec.origin and spec.origin.endswith(".py") else None
+
+
+_HELP = (
+    "no module of this name is found either: install it, or run this in the folder that it is in"
+)
+
+
+def _is_name_of_module(path: Path) -> bool:
+    return path.suffix != ".py" and all(part.isidentifier() for part in str(path).split("."))
+
+
+def roots(files: Iterable[Path]) -> Iterator[str]:
+    """How the paths of all files begin that are of the same packages as some files."""
+    for file in map(Path.resolve, files):
+        name, folder = module_name(file)
+        package = folder / name.partition(".")[0]
+        yield f"{package}{os.sep}" if is_folder(package) else str(file)
+
+
 def _is_wanted(path: Path) -> bool:
     """Hidden folders and those of installed packages are left out."""
     return not any(part.startswith(".") or part == "__pycache__" for part in path.parts)
 
 
-def _module(file: Path) -> ModuleType | None:
-    """The module of a file; None if it cannot be run, after a finding."""
-    name, root = _name(file.resolve())
-    with _importable_from(root), standing_in(_tell_stand_in), guarding_sleep():
+def _module(file: Path, endless: dict[str, str]) -> ModuleType | None:
+    """The module of a file; None if it cannot be run, after a finding.
+
+    `endless` are names and files of modules whose import does not end: they are not tried again.
+    """
+    if str(file) in endless.values():
+        return None
+    is_again, known = True, dict(sys.modules)
+    while is_again:
+        with importing(file), _without(endless):
+            module, problem, guard, found = _imported(module_name(file)[0])
+        is_open = module is None and not isinstance(problem, TimeOverError)
+        is_again = is_open and intercept([*guard.files, *user_files(problem)])
+        if is_again:
+            forget_since(known)
+    for diagnostic in found.sorted():
+        session.report(diagnostic)
+    is_stopped = isinstance(problem, SideEffectError)
+    for refusal in guard.replaced if is_stopped else guard.refusals():
+        session.report(errors.ImportSideEffect(deed=refusal.deed).at(refusal.span))
+    if isinstance(problem, TimeOverError):
+        endless.update([_module_of(problem)])
+    if problem is not None:
+        session.report(_failed(problem, file, endless))
+    return module
+
+
+def _imported(name: str) -> tuple[ModuleType | None, BaseException | None, Guard, Collector]:
+    """A module, or why it cannot be imported; what it was refused, and what was found."""
+    module, problem = None, None
+    with session.trying() as found, guarded(SECONDS, is_import=True) as guard:
         try:
-            return importlib.import_module(name)
-        except SyntaxError as problem:
-            session.report(_syntax_error(problem, file))
-        except (Exception, SystemExit) as problem:
-            session.report(_failed(problem, file))
-    return None
-
-
-def _tell_stand_in(module: str, place: Span) -> None:
-    """The finding for a stand-in, at its name in the import."""
-    start = place.start + max(place.text.find(module), 0)
-    named = Span(place.file, start, min(start + len(module), place.end))
-    session.report(errors.StandIn(module=module).at(named))
-
-
-def _name(file: Path) -> tuple[str, Path]:
-    """How Python calls the module of a file, and the folder that it is found from."""
-    parts = [] if file.stem == "__init__" else [file.stem]
-    folder = file.parent
-    while (folder / "__init__.py").is_file():
-        parts.insert(0, folder.name)
-        folder = folder.parent
-    return ".".join(parts), folder
+            module = importlib.import_module(name)
+        except (Exception, SystemExit, Interrupted) as raised:
+            problem = raised
+    return module, problem, guard, found
 
 
 @contextmanager
-def _importable_from(root: Path) -> Iterator[None]:
-    """Within, modules are found from a folder first, even if others are loaded by their names."""
-    sys.path.insert(0, str(root))
-    for name, module in list(sys.modules.items()):
-        file = getattr(module, "__file__", None)
-        own = root / name.partition(".")[0]
-        is_other = file and not Path(file).is_relative_to(root)
-        if is_other and (own.with_suffix(".py").is_file() or own.is_dir()):
-            del sys.modules[name]
-    importlib.invalidate_caches()
+def _without(modules: Iterable[str]) -> Iterator[None]:
+    """Within, these modules are not there."""
+    for name in modules:
+        sys.modules[name] = None  # type: ignore[assignment]  # Python will not look for it
     try:
         yield
     finally:
-        sys.path.remove(str(root))
+        for name in modules:
+            sys.modules.pop(name, None)
+
+
+def _module_of(problem: BaseException) -> tuple[str, str]:
+    """The name and file of the module of the user that was being run when something happened."""
+    frames = [each.tb_frame for each in user_steps(problem.__traceback__)]
+    modules = [frame for frame in frames if frame.f_code.co_name == "<module>"]
+    found = modules[-1].f_globals if modules else {}
+    return found.get("__name__", ""), found.get("__file__", "")
 
 
 def _skills_of(module: ModuleType) -> list[type[SkillDescription]]:
@@ -139,9 +208,17 @@ def _syntax_error(problem: SyntaxError, file: Path) -> Diagnostic:
     return errors.NoPython(said=problem.msg).at(Span(source, start, max(start, line.end)))
 
 
-def _failed(problem: BaseException, file: Path) -> Diagnostic:
+def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> Diagnostic:
     """The finding for a module that raised, at the last line of the user's code."""
-    span = user_place(problem.__traceback__)
+    if isinstance(problem, SyntaxError):
+        return _syntax_error(problem, file)
     source = source_file(str(file)) or SourceFile(str(file), "")
-    found = errors.ModuleFailed(exception=type(problem).__name__, said=said(problem))
-    return found.at(span or Span(source, 0, 0))
+    span = user_place(problem) or Span(source, 0, 0)
+    if isinstance(problem, TimeOverError):
+        return errors.EndlessImport(seconds=SECONDS).at(span)
+    exception, why = type(problem).__name__, said(problem)
+    if isinstance(problem, SideEffectError):
+        exception, why = f"it {problem.deed}", "not done: a check does nothing to the world"
+    elif isinstance(problem, ModuleNotFoundError) and problem.name in endless:
+        why = f"the import of `{problem.name}` does not end"
+    return errors.ModuleFailed(exception=exception, said=why).at(span)

@@ -1,4 +1,4 @@
-"""EZS0xx: files of skills that cannot be loaded."""
+"""EZS0xx: files of skills that cannot be loaded; EZS23x: what modules do when they are imported."""
 
 from __future__ import annotations
 
@@ -54,4 +54,44 @@ class NoSkills(Warning, code="EZS005", name="no-skills"):
     path: str
 
 
-ALL: tuple[type[Template], ...] = (NoFile, NoPython, ModuleFailed, StandIn, NoSkills)
+@dataclass(frozen=True, kw_only=True)
+class ImportSideEffect(Warning, code="EZS231", name="import-side-effect"):
+    """A module that does something when it is imported."""
+
+    title = "the module {deed} when it is imported"
+    label = "not done: a check does nothing to the world"
+    help = "let the implementation of the skill do this when it runs"
+    deed: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndlessImport(Error, code="EZS232", name="endless-import"):
+    """A module whose import takes too long."""
+
+    title = "the import of the module does not end within {seconds:g} s"
+    label = "it was here when its time was over"
+    note = "the skills of this file are not checked"
+    help = "define classes and functions in a module, and let the implementation do what takes long"
+    seconds: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class ClientStandIn(Warning, code="EZS233", name="client-stand-in"):
+    """An import that talks to ROS."""
+
+    title = "`{module}` talks to ROS: a stand-in takes its place"
+    label = "what it does is not checked"
+    help = "import it in the implementation, where it is used: skills are checked without ROS"
+    module: str
+
+
+ALL: tuple[type[Template], ...] = (
+    NoFile,
+    NoPython,
+    ModuleFailed,
+    StandIn,
+    NoSkills,
+    ImportSideEffect,
+    EndlessImport,
+    ClientStandIn,
+)

@@ -1,4 +1,5 @@
-"""Stand-ins for modules that are not installed: whatever is asked of them is there and idle.
+"""Stand-ins for modules that are not installed, and for those that talk to a robot: whatever is
+asked of them is there and idle.
 
 The mock generator of Early Dynamic Checking (thesis, Paper IV, section 4.2), for modules.
 """
@@ -8,6 +9,7 @@ from __future__ import annotations
 import importlib.abc
 import importlib.machinery
 import sys
+from abc import ABCMeta
 from collections.abc import Callable, Iterator, MutableSequence, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,9 +18,29 @@ from typing import Any, ClassVar, cast
 
 from dslkit.source import Span
 from ezskiros import session
+from ezskiros.skills.mocks import Mock
+from ezskiros.skills.values import Symbol
+
+CLIENTS = frozenset(
+    (
+        "actionlib",
+        "moveit",
+        "moveit_commander",
+        "rclpy",
+        "ros2_numpy",
+        "roscpp",
+        "rospy",
+        "tf",
+        "tf2_py",
+        "tf2_ros",
+    )
+)
+"""The modules through which Python talks to ROS. Much of them is compiled: no audit hook hears what
+it does.
+"""
 
 
-class StandInClass(type):
+class StandInClass(ABCMeta):
     """The type of stand-ins: classes, so that others can inherit them."""
 
     def __getattr__(cls, name: str) -> Any:
@@ -33,9 +55,27 @@ class StandInClass(type):
     def __repr__(cls) -> str:
         return f"<stand-in for {cls.__name__}>"
 
+    def _operated(cls, *_others: object) -> Mock:
+        return Mock(cls.__name__)
 
-class _Anything(metaclass=StandInClass):
+    def __iter__(cls) -> Iterator[Symbol]:
+        return Mock(cls.__name__).__parts__(sys._getframe(1))  # noqa: SLF001
+
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = _operated
+    __truediv__ = __rtruediv__ = __neg__ = __getitem__ = _operated
+    __lt__ = __le__ = __gt__ = __ge__ = _operated
+
+
+class _Anything(Symbol, metaclass=StandInClass):
     """An instance of a class that is not there."""
+
+    def __derived__(self) -> Mock:
+        """What depends on it."""
+        return Mock(type(self).__name__)
+
+    def described(self) -> str:
+        """For messages."""
+        return self.__derived__().described()
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
@@ -45,9 +85,6 @@ class _Anything(metaclass=StandInClass):
     def __call__(self, *arguments: object, **_named: object) -> Any:
         """As a decorator it leaves what it decorates."""
         return arguments[0] if len(arguments) == 1 and callable(arguments[0]) else self
-
-    def __iter__(self) -> Iterator[Any]:
-        return iter(())
 
 
 def _class(name: str) -> Any:
@@ -72,6 +109,7 @@ class _Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
     def __init__(self, tell: Callable[[str, Span], object]) -> None:
         self._tell = tell
+        self.made: list[str] = []
 
     def find_spec(
         self, name: str, path: Sequence[str] | None = None, _target: ModuleType | None = None
@@ -84,17 +122,36 @@ class _Finder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
             return None
         if path is None:
             place = session.directly_here()
-            if str(Path.cwd() / place.file.path).startswith(session.LIBRARIES):
+            if not session.is_of_user(str(Path.cwd() / place.file.path)):
                 return None
             self._tell(name, place)
         return importlib.machinery.ModuleSpec(name, self, is_package=True)
 
     def create_module(self, spec: importlib.machinery.ModuleSpec) -> ModuleType:
         """The stand-in."""
+        self.made.append(spec.name)
         return _Module(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
         """Does nothing."""
+
+
+class _ClientFinder(_Finder):
+    """Finds clients of ROS before anybody else does: what is not there cannot do anything."""
+
+    def find_spec(
+        self, name: str, _path: Sequence[str] | None = None, _target: ModuleType | None = None
+    ) -> importlib.machinery.ModuleSpec | None:
+        """A stand-in for a client of ROS that is installed, whoever imports it."""
+        if name not in CLIENTS or not is_installed(name):
+            return None
+        self._tell(name, session.here())
+        return importlib.machinery.ModuleSpec(name, self, is_package=True)
+
+
+def is_installed(module: str) -> bool:
+    """Whether there is a top-level module of this name."""
+    return importlib.machinery.PathFinder.find_spec(module) is not None
 
 
 @contextmanager
@@ -104,11 +161,13 @@ def standing_in(tell: Callable[[str, Span], object]) -> Iterator[None]:
 
     Afterwards they are gone again, so that each module that needs one is told of.
     """
-    finder = _Finder(tell)
-    sys.meta_path.append(finder)
+    first, last = _ClientFinder(tell), _Finder(tell)
+    sys.meta_path.insert(0, first)
+    sys.meta_path.append(last)
     try:
         yield
     finally:
-        sys.meta_path.remove(finder)
-        for name in [name for name, module in sys.modules.items() if isinstance(module, _Module)]:
-            del sys.modules[name]
+        sys.meta_path.remove(first)
+        sys.meta_path.remove(last)
+        for name in [*first.made, *last.made]:
+            sys.modules.pop(name, None)

@@ -46,12 +46,19 @@ def definition(function: FunctionType) -> Definition:
 
 def class_span(found: type) -> Span:
     """Where a class is named; its module's beginning if that is not found."""
-    module = sys.modules.get(found.__module__)
-    path = getattr(module, "__file__", None) or "<no source>"
+    path = file_of(found)
     file = source_file(path)
     if file is None:
         return Span(SourceFile(path, ""), 0, 0)
     return _classes(file).get(found.__name__, Span(file, 0, 0))
+
+
+def file_of(found: type) -> str:
+    """Where a class is defined. Its module may be another one of that name by now."""
+    for each in vars(found).values():
+        if isinstance(each, FunctionType) and each.__module__ == found.__module__:
+            return each.__code__.co_filename
+    return getattr(sys.modules.get(found.__module__), "__file__", None) or "<no source>"
 
 
 def classes_of(file: SourceFile) -> Iterator[tuple[str, Span]]:

@@ -1,4 +1,5 @@
-"""Symbols for parameters of basic types: numbers, texts, truth values and enumerations.
+"""Symbols for what is not known before the skill runs: the values of parameters of basic types, and
+what calls give that a check does not make (see `mocks.py`).
 
 What is done to them gives more of them. Where Python asks one whether it is true, both answers are
 followed, one after the other.
@@ -6,16 +7,21 @@ followed, one after the other.
 
 from __future__ import annotations
 
+import dis
 import enum
+import sys
+from abc import abstractmethod
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
+from types import FrameType
+from typing import Any
 
 from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology import condition_errors as errors
-from ezskiros.ontology.things import UNKNOWN, Described, Unknown
+from ezskiros.ontology.things import SYMBOL_IN_TEXT, UNKNOWN, Described, Unknown
 from ezskiros.skills.guard import TimeOverError
 
 MOST_PATHS = 64
@@ -29,16 +35,16 @@ class Decisions:
 
     planned: list[bool] = field(default_factory=list)
     taken: list[bool] = field(default_factory=list)
-    asked: list[tuple[Span, str]] = field(default_factory=list)
+    asked: list[tuple[Span, Symbol]] = field(default_factory=list)
 
-    def decide(self, span: Span, name: str) -> bool:
+    def decide(self, span: Span, symbol: Symbol) -> bool:
         """The next answer: as planned, then always true."""
         number = len(self.taken)
         if number >= MOST_DECISIONS:
             raise TimeOverError
         answer = self.planned[number] if number < len(self.planned) else True
         self.taken.append(answer)
-        self.asked.append((span, name))
+        self.asked.append((span, symbol))
         return answer
 
     def following(self) -> list[bool] | None:
@@ -62,17 +68,66 @@ def deciding(decisions: Decisions) -> Iterator[None]:
         _decisions.reset(token)
 
 
-def _example(value_type: type) -> object:
-    """Some value of a basic type, or of an enumeration (its first, if it has any)."""
-    if issubclass(value_type, enum.Enum):
-        return next(iter(value_type), value_type)
-    return value_type()
+class Symbol(Described):
+    """Something that is not known before the skill runs.
 
-
-class SymbolicValue(Described):
-    """A value that is not known before the skill runs. Of what is computed from it the type is not
-    known either.
+    What is ours of it has names that what it stands for cannot have.
     """
+
+    @abstractmethod
+    def __derived__(self) -> Symbol:
+        """What depends on it."""
+
+    def __bool__(self) -> bool:
+        decisions = _decisions.get()
+        return decisions is None or decisions.decide(session.here(), self)
+
+    def __iter__(self) -> Iterator[Symbol]:
+        return self.__parts__(sys._getframe(1))  # noqa: SLF001
+
+    def __parts__(self, frame: FrameType) -> Iterator[Symbol]:
+        """As many as there are names for them in a frame that asks; for a loop, none or one."""
+        count = _names_for_parts(frame)
+        if count is None:
+            count = int(_decisions.get() is not None and bool(self))
+        return iter([self.__derived__() for _ in range(count)])
+
+    def __str__(self) -> str:
+        return f"{SYMBOL_IN_TEXT}{self!r}"
+
+    def __contains__(self, _part: object) -> bool:
+        return bool(self)
+
+    def __enter__(self) -> Symbol:
+        return self.__derived__()
+
+    def __exit__(self, *_problem: object) -> None:
+        """Hides no exception."""
+
+    def __setitem__(self, _key: object, _value: object) -> None:
+        """Changes nothing that is known."""
+
+    # What comes of operators is not typed: stand-ins for classes (`stand_ins.py`) use them, too.
+    def _operated(self, *_others: object) -> Any:
+        return self.__derived__()
+
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = _operated
+    __truediv__ = __rtruediv__ = __floordiv__ = __rfloordiv__ = __mod__ = __rmod__ = _operated
+    __pow__ = __rpow__ = __neg__ = __pos__ = __abs__ = __getitem__ = _operated
+    __lt__ = __le__ = __gt__ = __ge__ = _operated
+    __eq__ = __ne__ = _operated
+    __hash__ = object.__hash__
+
+
+def _names_for_parts(frame: FrameType) -> int | None:
+    """How many parts `a, b = ...` in a frame asks for; None if that is not where the frame is."""
+    code, place = frame.f_code.co_code, frame.f_lasti
+    is_unpacking = dis.opname[code[place]] in ("UNPACK_SEQUENCE", "UNPACK_EX")
+    return code[place + 1] if is_unpacking else None
+
+
+class SymbolicValue(Symbol):
+    """The value of a parameter. Of what is computed from it the type is not known either."""
 
     def __init__(self, name: str, kind: type | None = None) -> None:
         self._name, self._kind = name, kind
@@ -83,32 +138,29 @@ class SymbolicValue(Described):
             return f"a value that depends on the parameter `{self._name}`"
         return f"the parameter `{self._name}`, of type {self._kind.__name__}"
 
+    def __derived__(self) -> SymbolicValue:
+        """What is computed from it."""
+        return SymbolicValue(self._name)
+
     def __repr__(self) -> str:
         return self._name
-
-    def __bool__(self) -> bool:
-        decisions = _decisions.get()
-        return decisions is None or decisions.decide(session.here(), self._name)
 
     def __getattr__(self, name: str) -> SymbolicValue | Unknown:
         if name.startswith("__"):
             raise AttributeError(name)
         if self._kind is None or hasattr(_example(self._kind), name):
-            return SymbolicValue(self._name)
+            return self.__derived__()
         found = errors.ValueRelates(parameter=self._name, type=self._kind.__name__, spelled=name)
         session.report(found.at(session.here()))
         return UNKNOWN
 
     def __call__(self, *_arguments: object, **_named: object) -> SymbolicValue:
         """Whatever comes of it depends on the value as well."""
-        return SymbolicValue(self._name)
+        return self.__derived__()
 
-    def _derived(self, *_others: object) -> SymbolicValue:
-        return SymbolicValue(self._name)
 
-    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = _derived
-    __truediv__ = __rtruediv__ = __floordiv__ = __rfloordiv__ = __mod__ = __rmod__ = _derived
-    __pow__ = __rpow__ = __neg__ = __pos__ = __abs__ = __getitem__ = _derived
-    __lt__ = __le__ = __gt__ = __ge__ = _derived
-    __eq__ = __ne__ = _derived  # type: ignore[assignment]
-    __hash__ = object.__hash__
+def _example(value_type: type) -> object:
+    """Some value of a basic type, or of an enumeration (its first, if it has any)."""
+    if issubclass(value_type, enum.Enum):
+        return next(iter(value_type), value_type)
+    return value_type()

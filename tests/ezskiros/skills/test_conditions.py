@@ -119,3 +119,26 @@ def test_all_that_is_wrong_is_told_at_once() -> None:
         """
     )
     assert [code for code, _ in found(result)] == ["EZS301", "EZS213"]
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        "Place.contain(Object) and ~Place.contain(Object)",
+        "Place.contain(Object) or Object.Weight",
+        "~(Object.Weight and Place.contain(Object))",
+        "(Object.Weight and ~Place.contain(Object)) | Object.Weight",
+        "0.1 < Object.Weight < 0.2",
+    ],
+)
+def test_what_is_left_of_a_question_of_truth_is_no_condition(wrong: str) -> None:
+    result = described(
+        f"""
+        self.pre_conditions += Place.contain(Object)
+        self.pre_conditions += {wrong}
+        self.pre_conditions += Object.Weight > 3.0
+        self.hold_conditions += Gripper.at(Place)
+        """
+    )
+    assert [each.code for each in result.diagnostics] == ["EZS307"]
+    assert len(result.skills[0].pre) == 2

@@ -42,13 +42,23 @@ def test_modules_may_be_imported_late() -> None:
     assert found(result) == []
 
 
+def test_source_may_be_read_for_messages() -> None:
+    body = "import linecache, traceback; linecache.clearcache(); traceback.format_stack()"
+    assert found(described(body)) == []
+
+
 def test_what_it_prints_is_dropped(capsys: pytest.CaptureFixture[str]) -> None:
     assert found(described("print('hello')")) == []
     assert capsys.readouterr().out == ""
 
 
 @pytest.mark.parametrize(
-    "line", ["while True: pass", "while True:\n    try:\n        x = 1\n    except Exception: pass"]
+    "line",
+    [
+        "while True: pass",
+        "while True:\n    try:\n        x = 1\n    except Exception: pass",
+        "try:\n    while True: sum(range(10**6))\nexcept: pass\nwhile True: pass",
+    ],
 )
 def test_a_description_that_never_ends_is_told(line: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(describe, "SECONDS", 0.2)

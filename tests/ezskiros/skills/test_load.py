@@ -106,6 +106,15 @@ def test_files_without_a_skill_are_told(tmp_path: Path) -> None:
     assert [code for code, _ in warned(check(tmp_path, {"a": "x = 1"}))] == ["EZS005"]
 
 
+def test_skills_of_modules_of_one_name_are_told_apart(tmp_path: Path) -> None:
+    for name in ("one", "two"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "skills.py").write_text(f"# {name}\n{HEADER}{FINE}")
+    (twice,) = check_paths([tmp_path / "one", tmp_path / "two"]).diagnostics
+    places = [twice.primary.span, *(label.span for label in twice.labels)]
+    assert [Path(place.file.path).parent.name for place in places] == ["two", "one"]
+
+
 def test_packages_of_one_name_in_two_folders_are_two(tmp_path: Path) -> None:
     for name in ("one", "one_more"):
         skill = SKILL.format(name=name.title(), body="        self.pre_conditions += specified(P)")

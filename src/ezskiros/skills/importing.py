@@ -1,0 +1,86 @@
+"""How modules of users are imported while they are checked: from their own folders, with stand-ins
+for what is not installed.
+"""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from functools import lru_cache
+from pathlib import Path
+from types import ModuleType
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import Span
+from ezskiros import session
+from ezskiros.skills import load_errors as errors
+from ezskiros.skills.intercept import Finder
+from ezskiros.skills.stand_ins import is_installed, standing_in
+
+
+def module_name(file: Path) -> tuple[str, Path]:
+    """How Python calls the module of a file, and the folder that it is found from."""
+    parts = [] if file.stem == "__init__" else [file.stem]
+    folder = file.parent
+    while (folder / "__init__.py").is_file():
+        parts.insert(0, folder.name)
+        folder = folder.parent
+    return ".".join(parts), folder
+
+
+@contextmanager
+def importing(file: Path) -> Iterator[None]:
+    """Within, modules are imported as the module of this file does it; afterwards stand-ins are
+    told of.
+    """
+    _, root = module_name(file)
+    finder, found = Finder(), list[Diagnostic]()
+    with _importable_from(root), standing_in(lambda *told: found.append(_stand_in(*told))):
+        sys.meta_path.insert(0, finder)
+        try:
+            yield
+        finally:
+            sys.meta_path.remove(finder)
+    for each in found:
+        session.report(each)
+
+
+def forget_since(known: Mapping[str, ModuleType]) -> None:
+    """Forget the user's modules that were imported since only these were: all is done again."""
+    for name, module in list(sys.modules.items()):
+        file = getattr(module, "__file__", None)
+        if known.get(name) is not module and file and session.is_of_user(file):
+            del sys.modules[name]
+
+
+def _stand_in(module: str, place: Span) -> Diagnostic:
+    """The finding for a stand-in, at its name in the import, if it stands there."""
+    start = place.start + place.text.find(module)
+    named = Span(place.file, start, start + len(module)) if module in place.text else place
+    if is_installed(module):
+        return errors.ClientStandIn(module=module).at(named)
+    return errors.StandIn(module=module).at(named)
+
+
+@contextmanager
+def _importable_from(root: Path) -> Iterator[None]:
+    """Within, modules are found from a folder first, even if others are loaded by their names."""
+    sys.path.insert(0, str(root))
+    _forget_others(root, root.stat().st_mtime_ns)
+    try:
+        yield
+    finally:
+        sys.path.remove(str(root))
+
+
+@lru_cache(maxsize=1)  # once is enough, until another folder has its turn
+def _forget_others(root: Path, _changed: int) -> None:
+    """Forget the modules of other folders that are called like those of this one."""
+    own = {each.stem for each in root.iterdir() if each.suffix == ".py" or each.is_dir()}
+    for name in [name for name in sys.modules if name.partition(".")[0] in own]:
+        file = getattr(sys.modules[name], "__file__", None)
+        if file and not Path(file).is_relative_to(root):
+            del sys.modules[name]
+    importlib.invalidate_caches()

@@ -1,0 +1,204 @@
+"""Lets code under check go on without what it was refused.
+
+The calls in a file are compiled as calls of `called`, which makes them, and gives a mock if
+something was refused on the way. What the thesis's map does for nonlocal names (Paper IV, section
+4.2), this does for all. Only files in which something was refused, or raised, are compiled again:
+the others stay as they are.
+"""
+
+from __future__ import annotations
+
+import ast
+import gc
+import importlib.abc
+import importlib.machinery
+import operator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
+from types import CodeType, FunctionType, ModuleType
+
+from ezskiros import session
+from ezskiros.skills import guard
+from ezskiros.skills.blame import user_place
+from ezskiros.skills.mocks import mock_of
+from ezskiros.skills.values import Symbol
+
+_CALLED, _GOT, _TAKEN = "__ezskiros_called__", "__ezskiros_got__", "__ezskiros_taken__"
+_AS_WRITTEN = frozenset(("super", "locals", "globals", "vars", "dir", "eval", "exec"))
+"""What looks at the frame that calls it."""
+_intercepted: set[str] = set()
+
+
+def called(function: Callable[..., object], /, *arguments: object, **named: object) -> object:
+    """What a call gives; a mock if it would have done something, or cannot do with a symbol."""
+    current = guard.current()
+    if current is None:
+        return function(*arguments, **named)
+    owner = getattr(function, "__self__", None)
+    if any(owner is each for each in current.half_done):
+        return mock_of(function, _source())
+    count = len(current.stopped)
+    try:
+        found = function(*arguments, **named)
+    except (Exception, guard.SideEffectError) as problem:
+        if len(current.stopped) == count:
+            for each in (*arguments, *named.values()):
+                if isinstance(each, Symbol) and user_place(problem) is None:
+                    return each.__derived__()
+            raise
+    else:
+        if len(current.stopped) == count:
+            return found
+    current.go_on(count)
+    if not isinstance(owner, (ModuleType, type(None))):
+        current.half_done.append(owner)
+    return mock_of(function, _source())
+
+
+def got(owner: object, name: str) -> object:
+    """An attribute, which may be an accessor that does something."""
+    return getattr(owner, name) if isinstance(owner, Symbol) else called(getattr, owner, name)
+
+
+def taken(owner: object, key: object) -> object:
+    """What is under a key, which may be a symbol."""
+    return called(operator.getitem, owner, key)
+
+
+def _source() -> str:
+    """The call that the user's code is at, without what it is given."""
+    return session.here().text.partition("(")[0].strip()
+
+
+def intercept(paths: Iterable[str]) -> bool:
+    """Have the calls in some files made by `called`, from now on and whenever they are imported.
+
+    False if nothing changes: they are already, or there is no source.
+    """
+    changed = [_intercept(path) for path in paths]
+    return any(changed)
+
+
+def _intercept(path: str) -> bool:
+    if path in _intercepted or not Path(path).is_file():
+        return False
+    _intercepted.add(path)
+    known = _functions(_rewritten(path))
+    for each in gc.get_objects():
+        if type(each) is FunctionType and each.__code__.co_filename == path:
+            code = known.get(_place(each.__code__))
+            if code is not None and code.co_freevars == each.__code__.co_freevars:
+                each.__code__ = code
+                each.__globals__.update(_NAMES)
+    return True
+
+
+_NAMES = {_CALLED: called, _GOT: got, _TAKEN: taken}
+
+
+class _Loader(importlib.machinery.SourceFileLoader):
+    """Loads files whose calls are intercepted."""
+
+    def get_code(self, _name: str) -> CodeType:
+        """The code, as it is rewritten."""
+        return _rewritten(self.path)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Run it, with what its calls are made by."""
+        vars(module).update(_NAMES)
+        super().exec_module(module)
+
+
+class Finder(importlib.abc.MetaPathFinder):
+    """Finds the files whose calls are intercepted."""
+
+    def find_spec(
+        self, name: str, path: Sequence[str] | None = None, _target: ModuleType | None = None
+    ) -> importlib.machinery.ModuleSpec | None:
+        """Where a module is, if it is one of these files."""
+        if not _intercepted:
+            return None
+        spec = importlib.machinery.PathFinder.find_spec(name, path)
+        if spec is None or spec.origin not in _intercepted:
+            return None
+        spec.loader = _Loader(name, spec.origin)
+        return spec
+
+
+def _rewritten(path: str) -> CodeType:
+    """The code of a module whose calls are made by `called`."""
+    tree = ast.parse(Path(path).read_bytes(), path)
+    return compile(_Calls().visit(tree), path, "exec", dont_inherit=True)
+
+
+def _functions(code: CodeType) -> dict[tuple[str, int], CodeType | None]:
+    """The functions of a module by where they are; None where there are several."""
+    found: dict[tuple[str, int], CodeType | None] = {}
+    for each in _inside(code):
+        place = _place(each)
+        found[place] = None if place in found else each
+    return found
+
+
+def _inside(code: CodeType) -> Iterator[CodeType]:
+    for each in code.co_consts:
+        if isinstance(each, CodeType):
+            yield each
+            yield from _inside(each)
+
+
+def _place(code: CodeType) -> tuple[str, int]:
+    return code.co_name, code.co_firstlineno
+
+
+class _Calls(ast.NodeTransformer):
+    """Replaces calls and attributes. All keep their places: findings are where they were."""
+
+    def visit_Call(self, node: ast.Call) -> ast.AST:
+        self.generic_visit(node)
+        if isinstance(node.func, ast.Name) and node.func.id in _AS_WRITTEN:
+            return node
+        return _call(_CALLED, [node.func, *node.args], node.keywords, node)
+
+    def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
+        self.generic_visit(node)
+        is_private = node.attr.startswith("__") and not node.attr.endswith("__")
+        if is_private or not isinstance(node.ctx, ast.Load):
+            return node
+        name = ast.copy_location(ast.Constant(node.attr), node)
+        return _call(_GOT, [node.value, name], [], node)
+
+    def visit_Subscript(self, node: ast.Subscript) -> ast.AST:
+        self.generic_visit(node)
+        has_slices = any(isinstance(each, ast.Slice) for each in ast.walk(node.slice))
+        if has_slices or not isinstance(node.ctx, ast.Load):
+            return node
+        return _call(_TAKEN, [node.value, node.slice], [], node)
+
+    def visit_arg(self, node: ast.arg) -> ast.AST:
+        """Types stay as they are written."""
+        return node
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:
+        returns, node.returns = node.returns, None
+        self.generic_visit(node)
+        node.returns = returns
+        return node
+
+    def visit_AnnAssign(self, node: ast.AnnAssign) -> ast.AST:
+        if node.value is not None:
+            node.value = self.visit(node.value)
+        return node
+
+    def visit_match_case(self, node: ast.match_case) -> ast.AST:
+        """Patterns stay as they are written."""
+        node.guard = self.visit(node.guard) if node.guard else None
+        node.body = [self.visit(each) for each in node.body]
+        return node
+
+
+def _call(
+    name: str, arguments: list[ast.expr], keywords: list[ast.keyword], place: ast.expr
+) -> ast.Call:
+    function = ast.copy_location(ast.Name(name, ast.Load()), place)
+    return ast.copy_location(ast.Call(function, arguments, keywords), place)
