@@ -12,7 +12,7 @@ help:
 	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked"
 	@echo "make test    all tests"
 	@echo "make check   format, lint, types, import layers, and all tests"
-	@echo "make bench   measure, and write docs/reference/performance.md"
+	@echo "make bench   measure, and write docs/reference/performance*.md"
 	@echo "make fmt     put the code into the one layout"
 	@echo "make fuzz    look for inputs that crash 'rossmarie check', for SECONDS=60"
 	@echo "make clean   remove everything that make made"
@@ -61,6 +61,7 @@ check: $(READY) compiler browser ros1
 bench: $(READY) compiler ros1
 	@benchmarks/peers/setup.sh
 	PYTHONPATH=tests $(RUN)/python benchmarks/run.py --out docs/reference/performance.md
+	$(RUN)/python benchmarks/ezskiros_run.py --out docs/reference/performance-ezskiros.md
 
 fmt: $(READY)
 	$(RUN)/ruff format

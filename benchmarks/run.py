@@ -27,6 +27,7 @@ from generated import (
     python_steps,
 )
 from in_process import Columns, Hand, Round, closure_steps, numpy_whole_columns
+from machine import processor
 from workload import SAMPLES, trace, write_trace
 
 HERE = Path(__file__).parent
@@ -217,16 +218,9 @@ the fourth and the fifth. 30 and 300 rules are copies with other constants, on t
 
 def describe_machine() -> str:
     """The processor, the compiler and Python."""
-    processor = platform.processor() or platform.machine()
-    information = Path("/proc/cpuinfo")
-    if information.is_file():
-        for line in information.read_text(encoding="utf-8").splitlines():
-            if line.startswith("model name"):
-                processor = line.partition(":")[2].strip()
-                break
     done = subprocess.run(["cc", "--version"], capture_output=True, text=True, check=True)
     compiler = done.stdout.splitlines()[0]
-    return f"{processor}; {compiler}; Python {platform.python_version()}"
+    return f"{processor()}; {compiler}; Python {platform.python_version()}"
 
 
 def main() -> None:

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Installs the peers by name into build/bench: rtamt and reelay from PyPI, R2U2 and RTLola from
-# crates.io. A peer that cannot be installed is left out of the table, which says so.
+# Installs the peers by name into build/bench: rtamt, reelay, rdflib and owlready2 from PyPI, R2U2
+# and RTLola from crates.io. A peer that cannot be installed is left out of the table, which says so.
 set -u
 cd "$(dirname "$0")/../.."
 bench=$PWD/build/bench
@@ -10,6 +10,9 @@ echo "bench: installing rtamt and reelay from PyPI into build/bench/venv"
 [ -x "$bench/venv/bin/python" ] || "${PYTHON:-python3}" -m venv "$bench/venv"
 "$bench/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
     numpy rtamt==0.4.10 reelay==25.0.0 || echo "bench: rtamt and reelay are left out"
+echo "bench: installing rdflib and owlready2 from PyPI into build/bench/venv"
+"$bench/venv/bin/python" -m pip install --quiet --disable-pip-version-check \
+    rdflib==7.6.0 owlready2==0.51 || echo "bench: rdflib and owlready2 are left out"
 
 if command -v cargo >/dev/null; then
     echo "bench: building R2U2 and RTLola from crates.io (some minutes the first time)"

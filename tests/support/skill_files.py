@@ -9,7 +9,7 @@ from textwrap import dedent, indent
 
 from ezskiros.driver import Checked, check_paths
 from ezskiros.ontology.load import VARIABLE
-from support.ontologies import HALL
+from support.ontologies import HALL, PREFIXES
 
 HEADER = """\
 from ezskiros import *
@@ -107,3 +107,19 @@ def warned(result: Checked) -> list[tuple[str, str]]:
         for each in result.diagnostics
         if each.severity.value == "warning"
     ]
+
+
+def described_in(ontology: str, body: str, parameters: str) -> Checked:
+    """The same, with an ontology in Turtle of its own: its namespace is `test`."""
+    lines = indent(dedent(body).strip() or "pass", " " * 8)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "test.ttl"
+        path.write_text(PREFIXES + ontology, encoding="utf-8")
+        header = (
+            "from ezskiros import *\nfrom ezskiros.ontology import load\n"
+            f"test = load({str(path)!r}).test\n"
+        )
+        text = (
+            f"class Skill(SkillDescription):\n    def description(self, {parameters}):\n{lines}\n"
+        )
+        return checked(f"{header}\n\n{text}")

@@ -78,7 +78,6 @@ else:
             return _at(file, where.tb_frame.f_code, where.tb_lasti)
         return _at(file, where.f_code, where.f_lasti)
 
-    @lru_cache(maxsize=65536)
     def _at(file: SourceFile, code: CodeType, instruction: int) -> Span | None:
         table = _positions(code)
         found = table[instruction // 2] if instruction // 2 < len(table) else (None,)
@@ -87,7 +86,7 @@ else:
         first, last, begin, end = (number or 0 for number in found)
         return Span(file, _offset(file, first, begin), _offset(file, last, end))
 
-    @lru_cache(maxsize=4096)
+    @lru_cache(maxsize=64)
     def _positions(code: CodeType) -> list[tuple[int | None, ...]]:
         """By instruction: first and last line, counted from 1, begin and end column in bytes."""
         return list(code.co_positions())
@@ -95,10 +94,10 @@ else:
 
 def _offset(file: SourceFile, line: int, byte: int) -> int:
     """An offset in code points of a column that counts the bytes of UTF-8."""
-    text, start = file.line_text(line), file.line_starts[line - 1]
-    if text.isascii():
-        return start + min(byte, len(text))
-    return start + len(text.encode()[:byte].decode("utf-8", "ignore"))
+    start = file.line_starts[line - 1]
+    if file.text.isascii():
+        return min(start + byte, len(file.text))
+    return start + len(file.line_text(line).encode()[:byte].decode("utf-8", "ignore"))
 
 
 def line_span(file: SourceFile, line: int) -> Span:

@@ -6,7 +6,7 @@ from dslkit.catalog import Catalog
 from dslkit.diagnostics import Template
 from ezskiros.catalog import errors as catalog_errors
 from ezskiros.check import errors as check_errors
-from ezskiros.check import scene_errors
+from ezskiros.check import scene_errors, world_errors
 from ezskiros.migrate import errors as migrate_errors
 from ezskiros.ontology import condition_errors
 from ezskiros.ontology import errors as ontology_errors
@@ -19,6 +19,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *skills_errors.ALL,
     *parameter_errors.ALL,
     *condition_errors.ALL,
+    *world_errors.ALL,
     *check_errors.ALL,
     *scene_errors.ALL,
     *migrate_errors.ALL,

@@ -1,111 +1,201 @@
-"""Conditions against each other: repeated ones, contradictions, two things where one can be."""
+"""Conditions against each other: repeated ones, and those that no world satisfies together.
+
+When a skill starts its pre-conditions hold, and its hold-conditions too; after it its
+post-conditions hold. What these exclude of what was before, they end: only that they end a
+hold-condition is told. The classes of things never change.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from math import inf
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TypeAlias
 
-from dslkit.diagnostics import Diagnostic, Label
-from ezskiros.check import errors
+from dslkit.diagnostics import Diagnostic, Label, Severity
+from ezskiros.check import errors, world_errors
+from ezskiros.check.clash import Clash, Reason
+from ezskiros.check.clash_findings import ClashFindings, Moment, Places, places_of
+from ezskiros.check.entailed import Fact
+from ezskiros.check.relations import misfit, simple, wanted
+from ezskiros.check.spelled import spelled_iri
+from ezskiros.check.thing_classes import class_clashes
+from ezskiros.check.worlds import Literals, World, alternatives, known_classes
 from ezskiros.ontology import Ontology
-from ezskiros.ontology.statements import TURNED, Comparison, Relation, Statement, negated
+from ezskiros.ontology.model import Union
+from ezskiros.ontology.statements import Relation, Statement
 from ezskiros.skills.interface import Clause, SkillInterface
 
-_CONSEQUENCES = {
-    "pre": "the skill can never start",
-    "hold": "the skill fails as soon as it starts",
-    "post": "the skill can never succeed",
-}
-
-
-_REASONS = {
-    False: "a thing is so related to at most one other",
-    True: "at most one other is so related to a thing",
-}
+Said: TypeAlias = frozenset[Statement]
+MOST_WAYS = 64
+"""To combine the alternatives of several `or`; more are not looked into."""
 
 
 def check_consistency(skill: SkillInterface, ontology: Ontology) -> Iterator[Diagnostic]:
     """What is wrong with the conditions as sets."""
-    for kind, before, clauses in (
-        ("pre", (), skill.pre),
-        ("hold", skill.pre, skill.hold),
-        ("post", (), skill.post),
-    ):
-        others = list(before)
+    for kind, clauses in (("pre", skill.pre), ("hold", skill.hold), ("post", skill.post)):
         seen: dict[Statement, Clause] = {}
         for clause in clauses:
-            yield from _repeated(clause, seen, kind)
-            yield from _contradicted(clause, others, kind)
-            others.append(clause)
-    yield from _functional(skill, ontology)
+            first = seen.setdefault(clause.statement, clause)
+            if first is not clause:
+                yield errors.Repeated(kind=kind).at(clause.span, Label(first.span, "it is here"))
+    yield from _Consistency(skill, ontology).check()
 
 
-def _repeated(clause: Clause, seen: dict[Statement, Clause], kind: str) -> Iterator[Diagnostic]:
-    first = seen.setdefault(clause.statement, clause)
-    if first is not clause:
-        yield errors.Repeated(kind=kind).at(clause.span, Label(first.span, "it is here"))
+class _Consistency:
+    """The conditions of one skill."""
+
+    def __init__(self, skill: SkillInterface, ontology: Ontology) -> None:
+        self._skill, self._ontology, self._model = skill, ontology, ontology.model
+        self._declared = {each.name: {each.iri: Reason()} for each in skill.parameters if each.iri}
+        self._findings = ClashFindings(skill, ontology)
+        self._facts: dict[Fact, Reason] = {}
+        """What holds at any moment: classes of things are the same at all of them."""
+        name = skill.name
+        self._before = Moment("pre", f"before `{name}`", "the skill can never start")
+        self._during = Moment(
+            "hold", f"while `{name}` runs", "the skill fails as soon as it starts"
+        )
+        self._after = Moment("post", f"after `{name}`", "the skill can never succeed")
+
+    def check(self) -> Iterator[Diagnostic]:
+        skill = self._skill
+        start = (*skill.pre, *skill.hold)
+        before: list[Said] = []
+        after: list[Said] = []
+        yield from self._checked(self._before, skill.pre, before)
+        if skill.hold:
+            yield from self._checked(self._during, start, before)
+        yield from self._checked(self._after, skill.post, after)
+        yield from self._empty_classes()
+        yield from self._classes(places_of([*start, *skill.post]))
+        if skill.hold:
+            yield from self._ended((*skill.hold, *skill.post), [*before, *after])
+
+    def _checked(
+        self, moment: Moment, clauses: Sequence[Clause], told: list[Said]
+    ) -> Iterator[Diagnostic]:
+        places = places_of(clauses)
+        world = self._world(places)
+        for fact, reason in world.facts.items():
+            self._facts.setdefault(fact, reason)
+        for clash in _new(world.clashes(), told):
+            yield self._findings.found(clash, moment, places)
+        ors = [each for each in clauses if len(alternatives(each.statement)) > 1]
+        if ors and not self._is_impossible(world):
+            yield from self._alternatives(moment, ors, places, told)
+
+    def _world(self, said: Iterable[Statement]) -> World:
+        return World(self._declared, self._model, said)
+
+    # --- classes, which hold at all times
+
+    def _empty_classes(self) -> Iterator[Diagnostic]:
+        for parameter in self._skill.parameters if self._model.has_disjoint_classes else ():
+            if parameter.iri and self._model.is_empty(parameter.iri):
+                conflict = self._model.conflict(parameter.iri)
+                both = " and ".join(
+                    f"a {spelled_iri(each, self._model)}" for each in conflict or ()
+                )
+                why = f"{both}, which are disjoint" if conflict else "below owl:Nothing"
+                owl_class = spelled_iri(parameter.iri, self._model)
+                found = world_errors.EmptyClass(owl_class=owl_class, why=why)
+                label = self._ontology.label(parameter.iri, "declared here")
+                yield found.at(parameter.span, *filter(None, [label]))
+
+    def _classes(self, places: Places) -> Iterator[Diagnostic]:
+        classes = known_classes(self._declared, places)
+        clashes = class_clashes(self._facts, classes, self._model, self._is_misfit)
+        for clash in _new(clashes, []):
+            yield self._findings.found(clash, self._before, places)
+
+    def _is_misfit(self, name: str, union: Union) -> bool:
+        """Whether a relation needs this and the parameter does not fit: `check_relations` tells."""
+        skill, model = self._skill, self._model
+        if misfit(model, skill.class_of(name), union) is not errors.DoesNotFit:
+            return False
+        clauses = (*skill.pre, *skill.hold, *skill.post)
+        said = (each for clause in clauses for each in simple(clause.statement))
+        return any(
+            (each.subject == name and union in model.domain(each.relation))
+            or (each.object == name and union in wanted(skill, model, each.subject, each.relation))
+            for each in said
+            if isinstance(each, Relation)
+        )
+
+    # --- alternatives
+
+    def _alternatives(
+        self,
+        moment: Moment,
+        ors: Sequence[Clause],
+        places: Places,
+        told: list[Said],
+    ) -> Iterator[Diagnostic]:
+        """Each `or` of which nothing is left, by what is certain and what is left of others."""
+        ways: list[Literals] = [()]
+        others: list[Clause] = []
+        for clause in ors:
+            parts = alternatives(clause.statement)
+            if len(parts) * len(ways) > MOST_WAYS:
+                continue
+            further = [(*way, *part) for way in ways for part in parts]
+            left = [
+                each for each in further if not self._is_impossible(self._world([*places, *each]))
+            ]
+            if left:
+                ways = left
+                others.append(clause)
+            elif frozenset({clause.statement}) not in told:
+                told.append(frozenset({clause.statement}))
+                yield self._none_left(clause, moment, places, others)
+
+    def _is_impossible(self, world: World) -> bool:
+        return next(self._impossible(world), None) is not None
+
+    def _impossible(self, world: World) -> Iterator[Clash]:
+        """Why there is no such world."""
+        yield from filter(_is_error, world.clashes())
+        yield from class_clashes(world.facts, world.classes, self._model)
+
+    def _none_left(
+        self,
+        clause: Clause,
+        moment: Moment,
+        places: Places,
+        others: Sequence[Clause],
+    ) -> Diagnostic:
+        labels: dict[Label, None] = {}
+        whys: dict[str, None] = {}
+        for part in alternatives(clause.statement):
+            world = self._world([*places, *part])
+            clash = next(self._impossible(world), None)
+            if clash is None:
+                text = "excludes it together with others"
+                labels |= {Label(each.span, text): None for each in others}
+                continue
+            text = f"excludes {self._findings.listed(part)}"
+            labels |= {
+                Label(places[each].span, text): None for each in places if each in clash.said
+            }
+            whys[clash.reason(self._model)] = None
+        found = world_errors.NoAlternative(kind=moment.kind, when=moment.when)
+        return found.at(clause.span, *labels, notes=tuple(filter(None, whys)))
+
+    # --- the end of what is held
+
+    def _ended(self, clauses: Sequence[Clause], told: list[Said]) -> Iterator[Diagnostic]:
+        places = places_of(clauses)
+        clashes = (each for each in self._world(places).clashes() if _is_error(each))
+        for clash in _new(clashes, told):
+            yield self._findings.ended(clash, places)
 
 
-def _contradicted(clause: Clause, others: Sequence[Clause], kind: str) -> Iterator[Diagnostic]:
-    for other in others:
-        if _exclude(clause.statement, other.statement):
-            found = errors.Contradiction(kind=kind, consequence=_CONSEQUENCES[kind])
-            yield found.at(clause.span, Label(other.span, "this cannot hold at the same time"))
-            return
+def _new(clashes: Iterable[Clash], told: list[Said]) -> Iterator[Clash]:
+    """Those of which no part has been told."""
+    for clash in clashes:
+        if not any(each <= clash.said for each in told):
+            told.append(clash.said)
+            yield clash
 
 
-def _exclude(one: Statement, other: Statement) -> bool:
-    """Whether two statements cannot both hold."""
-    if negated(one) == other:
-        return True
-    if not isinstance(one, Comparison) or not isinstance(other, Comparison):
-        return False
-    if (one.subject, one.property) != (other.subject, other.property):
-        return False
-    bounds = [*_bounds(one), *_bounds(other)]
-    lowest = max((bound for sign, bound, _ in bounds if sign == ">"), default=-inf)
-    highest = min((bound for sign, bound, _ in bounds if sign == "<"), default=inf)
-    is_open = any(is_strict for _, bound, is_strict in bounds if bound == lowest)
-    return lowest > highest or (lowest == highest and is_open)
-
-
-def _bounds(said: Comparison) -> Iterator[tuple[str, float, bool]]:
-    """From where, or up to where, a number is; and whether that is left out."""
-    if isinstance(said.value, (str, bool)) or said.operator == "=":
-        return
-    operator = said.operator if said.is_true else TURNED[said.operator]
-    yield operator[0], float(said.value), len(operator) == 1
-
-
-def _functional(skill: SkillInterface, ontology: Ontology) -> Iterator[Diagnostic]:
-    """After a skill nothing may have two objects of a functional relation, nor two subjects."""
-    yield from _doubled(skill, skill.post, ontology, by_object=False)
-    yield from _doubled(skill, skill.post, ontology, by_object=True)
-
-
-def _doubled(
-    skill: SkillInterface, clauses: Sequence[Clause], ontology: Ontology, *, by_object: bool
-) -> Iterator[Diagnostic]:
-    seen: dict[tuple[str, str], Clause] = {}
-    for clause in clauses:
-        said = clause.statement
-        if not isinstance(said, Relation) or not said.is_true:
-            continue
-        declared = ontology.model.relations.get(said.relation)
-        if declared is None:
-            continue
-        is_single = declared.is_inverse_functional if by_object else declared.is_functional
-        if not is_single:
-            continue
-        one = said.object if by_object else said.subject
-        first = seen.setdefault((said.relation, one), clause)
-        if first.statement != said:
-            found = errors.TwoPlaces(
-                skill=skill.name,
-                first=f"`{first.span.text}`",
-                second=f"`{clause.span.text}`",
-                relation=ontology.model.short(said.relation).replace(":", "."),
-                kind="inverse functional" if by_object else "functional",
-                reason=_REASONS[by_object],
-            )
-            yield found.at(clause.span, Label(first.span, "said here"))
+def _is_error(clash: Clash) -> bool:
+    return clash.kind.severity is Severity.ERROR

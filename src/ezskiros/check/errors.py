@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from dslkit.diagnostics import Error, Template, Warning
+from ezskiros.check.world_errors import Clashing
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,27 +76,19 @@ class Repeated(Warning, code="EZS410", name="repeated-condition"):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Contradiction(Error, code="EZS411", name="contradiction"):
+class Contradiction(Clashing, code="EZS411", name="contradiction"):
     """A condition and its opposite."""
 
     title = "this {kind}-condition contradicts another"
     note = "no world satisfies both, so that {consequence}"
-    kind: str
-    consequence: str
 
 
 @dataclass(frozen=True, kw_only=True)
-class TwoPlaces(Error, code="EZS412", name="two-places"):
+class TwoPlaces(Clashing, code="EZS412", name="two-places"):
     """A functional relation with two objects, or an inverse functional one with two subjects."""
 
-    title = "after `{skill}` both {first} and {second} would be so"
-    note = "{relation} is {kind}: {reason}"
-    skill: str
-    first: str
-    second: str
-    relation: str
-    kind: str
-    reason: str
+    title = "{together} cannot be so at once {when}"
+    help = "leave out what is not meant, or say with `~` which of them does not hold"
 
 
 @dataclass(frozen=True, kw_only=True)

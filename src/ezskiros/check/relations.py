@@ -5,13 +5,14 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import TypeAlias
 
 from dslkit.diagnostics import Diagnostic, Label, Template
 from ezskiros.check import errors
 from ezskiros.check.values import is_value_of, spelled_types
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import split
-from ezskiros.ontology.model import DataProperty, Union
+from ezskiros.ontology.model import DataProperty, Model, Union
 from ezskiros.ontology.python_names import identifier
 from ezskiros.ontology.statements import AnyOf, Comparison, HasProperty, Relation, Statement
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
@@ -22,16 +23,33 @@ def check_relations(skill: SkillInterface, ontology: Ontology) -> Iterator[Diagn
     """What does not fit, in the order of the conditions."""
     checker = _Checker(skill, ontology)
     for clause in (*skill.pre, *skill.hold, *skill.post):
-        for statement in _simple(clause.statement):
+        for statement in simple(clause.statement):
             yield from checker.check(statement, clause)
 
 
-def _simple(statement: Statement) -> Iterator[Statement]:
+def simple(statement: Statement) -> Iterator[Statement]:
+    """A statement, or the parts of an `or`."""
     if isinstance(statement, AnyOf):
         for part in statement.parts:
-            yield from _simple(part)
+            yield from simple(part)
     else:
         yield statement
+
+
+def wanted(skill: SkillInterface, model: Model, subject: str, iri: str) -> tuple[Union, ...]:
+    """What a parameter relates to by a relation has to be, by its range and by the class."""
+    return (*model.range(iri), *model.only(skill.class_of(subject), iri))
+
+
+Misfit: TypeAlias = type[errors.DoesNotFit] | type[errors.MayNotFit]
+
+
+def misfit(model: Model, owl_class: str, union: Union) -> Misfit | None:
+    """What is wrong with things of a class where one of some classes is needed."""
+    if any(model.is_a(owl_class, each) for each in union):
+        return None
+    is_wider = any(model.is_a(each, owl_class) for each in union)
+    return errors.MayNotFit if is_wider else errors.DoesNotFit
 
 
 class _Checker:
@@ -60,18 +78,7 @@ class _Checker:
 
     def _related(self, subject: str, iri: str, other: str, clause: Clause) -> Iterator[Diagnostic]:
         yield from self._fits(subject, iri, self._model.domain(iri), clause)
-        wanted = (*self._model.range(iri), *self._only(subject, iri))
-        yield from self._fits(other, iri, wanted, clause)
-
-    def _only(self, subject: str, iri: str) -> tuple[Union, ...]:
-        """What the class of the subject says of the values of this property."""
-        above = self._model.above(self._class_of(subject))
-        classes = (self._model.classes[each] for each in above if each in self._model.classes)
-        return tuple(union for each in classes for union in each.only.get(iri, ()))
-
-    def _class_of(self, parameter: str) -> str:
-        found = self._skill.parameter(parameter)
-        return (found.iri if found else None) or ""
+        yield from self._fits(other, iri, wanted(self._skill, self._model, subject, iri), clause)
 
     def _fits(
         self, name: str, iri: str, wanted: tuple[Union, ...], clause: Clause
@@ -81,15 +88,14 @@ class _Checker:
         if parameter is None or parameter.iri is None:
             return
         for union in wanted:
-            if not any(self._model.is_a(parameter.iri, each) for each in union):
-                yield self._misfit(parameter, iri, union, clause)
+            if kind := misfit(self._model, parameter.iri, union):
+                yield self._misfit(kind, parameter, iri, union, clause)
                 return
 
-    def _misfit(self, parameter: Parameter, iri: str, union: Union, clause: Clause) -> Diagnostic:
-        model = self._model
+    def _misfit(
+        self, kind: Misfit, parameter: Parameter, iri: str, union: Union, clause: Clause
+    ) -> Diagnostic:
         assert parameter.iri is not None
-        is_wider = any(model.is_a(each, parameter.iri) for each in union)
-        kind = errors.MayNotFit if is_wider else errors.DoesNotFit
         found = kind(
             parameter=parameter.name,
             found=self._spelled(parameter.iri),

@@ -6,7 +6,7 @@ from ezskiros.ontology.iris import XSD
 from ezskiros.ontology.model import Union
 
 _NUMBERS = {"float", "double", "decimal"}
-_WHOLE = {
+WHOLE = {
     "integer",
     "int",
     "long",
@@ -22,7 +22,7 @@ _WHOLE = {
     "unsignedByte",
 }
 _TEXTS = {"string", "normalizedString", "token", "anyURI", "Name", "NCName"}
-_KNOWN = {"boolean"} | _NUMBERS | _WHOLE | _TEXTS
+_KNOWN = {"boolean"} | _NUMBERS | WHOLE | _TEXTS
 
 
 def spelled_types(union: Union) -> frozenset[str]:
@@ -36,5 +36,5 @@ def is_value_of(value: object, names: frozenset[str]) -> bool:
     if isinstance(value, bool):
         return "boolean" in names
     if isinstance(value, int):
-        return bool(names & (_NUMBERS | _WHOLE))
+        return bool(names & (_NUMBERS | WHOLE))
     return bool(names & (_NUMBERS if isinstance(value, float) else _TEXTS))

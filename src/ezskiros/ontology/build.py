@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 
 import pyoxigraph
 
-from ezskiros.ontology.iris import OWL, RDF, RDFS, RESERVED, split, stem
+from ezskiros.ontology.iris import NOTHING, OWL, RDF, RDFS, RESERVED, split, stem
 from ezskiros.ontology.model import (
     DataProperty,
     Individual,
@@ -22,6 +23,7 @@ from ezskiros.ontology.read import Document
 
 Node = "pyoxigraph.NamedNode | pyoxigraph.BlankNode"
 
+_TYPE = RDF + "type"
 _CLASSES = (OWL + "Class", RDFS + "Class")
 _DATA_PROPERTY = OWL + "DatatypeProperty"
 _RELATION = OWL + "ObjectProperty"
@@ -32,7 +34,7 @@ def build(documents: Sequence[Document]) -> Model:
     """The model of what some documents say together."""
     graph = Graph(documents)
     classes = {iri: _owl_class(graph, iri) for iri in graph.of_types(*_CLASSES)}
-    relations = {iri: _relation(graph, iri) for iri in graph.of_types(_RELATION, *_TURNING)}
+    relations = {iri: _relation(graph, iri) for iri in graph.of_types(_RELATION, *_OF_RELATIONS)}
     values = {iri: _data_property(graph, iri) for iri in graph.of_types(_DATA_PROPERTY)}
     individuals = {each.iri: each for each in _individuals(graph)}
     declared = [*classes, *relations, *values, *individuals]
@@ -78,15 +80,14 @@ class Graph:
         for number, document in enumerate(documents):
             for triple in document.triples:
                 subject, value = _name(triple.subject, number), _name(triple.object, number)
-                self._found[subject][triple.predicate.value].append(value)
-                if triple.predicate.value == RDF + "type":
+                predicate = triple.predicate.value
+                self._found[subject][predicate].append(value)
+                if predicate == _TYPE:
                     self._typed[value][subject] = None
 
     def all(self, subject: str, predicate: str) -> list[str]:
         """The objects of a subject: nodes, or the texts of literals."""
-        if subject not in self._found or predicate not in self._found[subject]:
-            return []
-        return self._found[subject][predicate]
+        return self._found.get(subject, {}).get(predicate, [])
 
     def first(self, subject: str, predicate: str) -> str | None:
         """One of the objects, if there is any."""
@@ -113,6 +114,16 @@ class Graph:
     def types(self) -> Mapping[str, Mapping[str, None]]:
         """What is declared to be of each type."""
         return self._typed
+
+    @cached_property
+    def disjoint_groups(self) -> Mapping[str, Sequence[frozenset[str]]]:
+        """By class the owl:AllDisjointClasses that it is a member of."""
+        found: dict[str, list[frozenset[str]]] = defaultdict(list)
+        for group in self._typed.get(OWL + "AllDisjointClasses", ()):
+            members = frozenset(self.items(self.first(group, OWL + "members")))
+            for member in members:
+                found[member].append(members)
+        return found
 
     def named(self, subject: str, predicate: str) -> frozenset[str]:
         """The objects that have an IRI."""
@@ -154,6 +165,7 @@ def _owl_class(graph: Graph, iri: str) -> OwlClass:
         disjoint=disjoint,
         only=_restrictions(graph, [*parents, *same], OWL + "allValuesFrom"),
         some=_restrictions(graph, [*parents, *same], OWL + "someValuesFrom"),
+        most=_most(graph, [*parents, *same]),
         comment=graph.comment(iri),
     )
 
@@ -169,12 +181,7 @@ def _meets(graph: Graph, expressions: Iterable[str]) -> frozenset[str]:
 
 def _all_disjoint(graph: Graph, iri: str) -> frozenset[str]:
     """The other members of the groups of disjoint classes that a class belongs to."""
-    found: set[str] = set()
-    for group in graph.types.get(OWL + "AllDisjointClasses", ()):
-        members = set(graph.items(graph.first(group, OWL + "members")))
-        if iri in members:
-            found |= members - {iri}
-    return frozenset(found)
+    return frozenset[str]().union(*graph.disjoint_groups.get(iri, ())) - {iri}
 
 
 def _restrictions(
@@ -184,15 +191,36 @@ def _restrictions(
     found: dict[str, list[Union]] = defaultdict(list)
     for each in expressions:
         on, what = graph.first(each, OWL + "onProperty"), graph.first(each, kind)
-        if on and what and (union := graph.union(what)):
+        if on and what and what != NOTHING and (union := graph.union(what)):
             found[on].append(union)
     return {iri: tuple(unions) for iri, unions in found.items()}
+
+
+_LIMITS = (OWL + "maxCardinality", OWL + "cardinality")
+_LIMITS_OF_DATA = (OWL + "maxQualifiedCardinality", OWL + "qualifiedCardinality")
+
+
+def _most(graph: Graph, expressions: Iterable[str]) -> dict[str, int]:
+    """By property: how many values it can have. How many things of a class says nothing."""
+    found: dict[str, int] = {}
+    for each in expressions:
+        on = graph.first(each, OWL + "onProperty")
+        kinds = (*_LIMITS, *(_LIMITS_OF_DATA if graph.all(each, OWL + "onDataRange") else ()))
+        limits = [limit for kind in kinds for limit in graph.all(each, kind)]
+        limits += ["0"] if NOTHING in graph.all(each, OWL + "allValuesFrom") else []
+        for limit in limits:
+            if on and limit.isdecimal():
+                found[on] = min(int(limit), found.get(on, int(limit)))
+    return found
 
 
 _FUNCTIONAL = OWL + "FunctionalProperty"
 _INVERSE_FUNCTIONAL = OWL + "InverseFunctionalProperty"
 _SYMMETRIC = OWL + "SymmetricProperty"
-_TURNING = (_INVERSE_FUNCTIONAL, _SYMMETRIC, OWL + "TransitiveProperty")
+_ASYMMETRIC = OWL + "AsymmetricProperty"
+_IRREFLEXIVE = OWL + "IrreflexiveProperty"
+_TRANSITIVE = OWL + "TransitiveProperty"
+_OF_RELATIONS = (_INVERSE_FUNCTIONAL, _SYMMETRIC, _ASYMMETRIC, _IRREFLEXIVE, _TRANSITIVE)
 """Only relations are of these types."""
 
 
@@ -214,6 +242,9 @@ def _relation(graph: Graph, iri: str) -> ObjectProperty:
         inverses=graph.named(iri, OWL + "inverseOf"),
         is_inverse_functional=_INVERSE_FUNCTIONAL in types,
         is_symmetric=_SYMMETRIC in types,
+        is_asymmetric=_ASYMMETRIC in types,
+        is_irreflexive=_IRREFLEXIVE in types,
+        is_transitive=_TRANSITIVE in types,
     )
 
 
@@ -249,12 +280,13 @@ def _with_both_sides(classes: Mapping[str, OwlClass]) -> dict[str, OwlClass]:
             same[target].add(iri)
         for target in each.disjoint:
             other[target].add(iri)
-    return {
-        iri: replace(
+    found = dict(classes)
+    for iri in classes.keys() & {*same, *other}:
+        each = classes[iri]
+        found[iri] = replace(
             each, equivalents=each.equivalents | same[iri], disjoint=each.disjoint | other[iri]
         )
-        for iri, each in classes.items()
-    }
+    return found
 
 
 def _turned_both_ways(relations: Mapping[str, ObjectProperty]) -> dict[str, ObjectProperty]:

@@ -7,6 +7,7 @@ RDFS = "http://www.w3.org/2000/01/rdf-schema#"
 OWL = "http://www.w3.org/2002/07/owl#"
 XSD = "http://www.w3.org/2001/XMLSchema#"
 THING = OWL + "Thing"
+NOTHING = OWL + "Nothing"
 
 RESERVED = (RDF, RDFS, OWL, XSD, "http://www.w3.org/XML/1998/namespace")
 """Namespaces of the language itself: nothing of theirs is a thing of the world."""

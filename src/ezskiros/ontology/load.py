@@ -8,6 +8,8 @@ from functools import cache
 from importlib.resources import files
 from pathlib import Path
 
+import pyoxigraph
+
 from dslkit.diagnostics import Diagnostic, Severity
 from dslkit.source import Span
 from ezskiros import session
@@ -19,7 +21,7 @@ from ezskiros.ontology.world import Ontology
 VARIABLE = "EZSKIROS_ONTOLOGY"
 """Names the files and folders of the ontology, separated like those of PATH."""
 
-_IMPORTS = OWL + "imports"
+_IMPORTS = pyoxigraph.NamedNode(OWL + "imports")
 _TYPE = RDF + "type"
 _DECLARED = {OWL + kind for kind in ("Class", "ObjectProperty", "DatatypeProperty")}
 
@@ -90,15 +92,15 @@ def _empty(documents: Iterable[Document]) -> Iterable[Diagnostic]:
 
 def _missing_imports(documents: list[Document]) -> Iterable[Diagnostic]:
     """Imports that are none of the files: by the IRI of an ontology, or by the name of its file."""
-    own = {str(triple.subject).strip("<>") for each in documents for triple in each.triples}
+    own = {triple.subject for each in documents for triple in each.triples}
     stems = {Path(each.file.path).stem.lower() for each in documents}
     for document in documents:
         for triple in document.triples:
-            if triple.predicate.value != _IMPORTS:
+            if triple.predicate != _IMPORTS:
                 continue
             iri = str(triple.object).strip("<>")
             stem = iri.rstrip("#/").rpartition("/")[2].partition(".")[0].lower()
-            if iri not in own and stem not in stems:
+            if triple.object not in own and stem not in stems:
                 start = max(document.file.text.find(iri), 0)
                 span = Span(document.file, start, start + len(iri))
                 yield errors.MissingImport(iri=iri).at(span)

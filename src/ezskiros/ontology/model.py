@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TypeAlias
 
-from ezskiros.ontology.iris import THING
+from ezskiros.ontology.iris import NOTHING, THING
 
 Union: TypeAlias = frozenset[str]
 
@@ -27,6 +28,8 @@ class OwlClass:
     """For a property the classes that its values have to be of (owl:allValuesFrom)."""
     some: Mapping[str, tuple[Union, ...]] = field(default_factory=dict)
     """For a property the classes that it has a value of (owl:someValuesFrom)."""
+    most: Mapping[str, int] = field(default_factory=dict)
+    """For a property how many values it can have (owl:maxCardinality, owl:cardinality)."""
     comment: str = ""
 
 
@@ -49,6 +52,9 @@ class ObjectProperty(Property):
     inverses: frozenset[str] = frozenset()
     is_inverse_functional: bool = False
     is_symmetric: bool = False
+    is_asymmetric: bool = False
+    is_irreflexive: bool = False
+    is_transitive: bool = False
 
 
 @dataclass(frozen=True)
@@ -95,6 +101,31 @@ class Model:
         found = self.property(iri)
         return found.parents if found else ()
 
+    def only(self, owl_class: str, iri: str) -> tuple[Union, ...]:
+        """What a class and those above it say of the values of a property."""
+        if iri not in self._with_only:
+            return ()
+        known = (self.classes[each] for each in sorted(self.above(owl_class) & self.classes.keys()))
+        return tuple(union for each in known for union in each.only.get(iri, ()))
+
+    @cached_property
+    def limited(self) -> frozenset[str]:
+        """The properties of which there cannot be as many as one likes."""
+        found = {iri for each in self.classes.values() for iri in each.most}
+        found |= {each.iri for each in self.values.values() if each.is_functional}
+        for each in self.relations.values():
+            found |= {each.iri} if each.is_functional or each.is_inverse_functional else set()
+        return frozenset(found)
+
+    @cached_property
+    def _with_only(self) -> frozenset[str]:
+        return frozenset(iri for each in self.classes.values() for iri in each.only)
+
+    def most(self, owl_class: str, iri: str) -> int | None:
+        """How many values of a property things of a class can have; None if nothing is said."""
+        known = [self.classes[each] for each in self.above(owl_class) if each in self.classes]
+        return min((each.most[iri] for each in known if iri in each.most), default=None)
+
     _known_bounds: dict[tuple[str, bool], tuple[Union, ...]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
@@ -108,8 +139,55 @@ class Model:
 
     def are_disjoint(self, iri: str, other: str) -> bool:
         """Whether nothing can be of both classes."""
-        here, there = self.above(iri), self.above(other)
-        return self._excludes(here, there) or self._excludes(there, here)
+        if (iri, other) not in self._disjoint:
+            here, there = self.above(iri), self.above(other)
+            self._disjoint[iri, other] = (
+                self._excludes(here, there)
+                or self._excludes(there, here)
+                or self.is_empty(iri)
+                or self.is_empty(other)
+            )
+        return self._disjoint[iri, other]
+
+    def exclude(self, one: Union, other: Union) -> bool:
+        """Whether nothing can be of one of some classes and of one of others.
+
+        Not because there is nothing at all of the ones, or of the others.
+        """
+        if (one, other) not in self._excluded:
+            self._excluded[one, other] = all(
+                self.are_disjoint(iri, another) for iri in one for another in other
+            ) and not (all(map(self.is_empty, one)) or all(map(self.is_empty, other)))
+        return self._excluded[one, other]
+
+    _excluded: dict[tuple[Union, Union], bool] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
+    _disjoint: dict[tuple[str, str], bool] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
+
+    def is_empty(self, iri: str) -> bool:
+        """Whether nothing can be of a class: it is below disjoint ones, or below owl:Nothing."""
+        if iri not in self._empty:
+            self._empty[iri] = NOTHING in self.above(iri) or self.conflict(iri) is not None
+        return self._empty[iri]
+
+    _empty: dict[str, bool] = field(default_factory=dict, init=False, repr=False, compare=False)
+
+    def conflict(self, iri: str) -> tuple[str, str] | None:
+        """Two disjoint classes that a class is below, if there are any."""
+        above = self.above(iri)
+        for each in sorted(above & self.classes.keys()):
+            if others := self.classes[each].disjoint & above:
+                return each, min(others)
+        return None
+
+    @cached_property
+    def has_disjoint_classes(self) -> bool:
+        """Whether there is anything that cannot be of two classes, or of one."""
+        known = self.classes.values()
+        return any(each.disjoint or NOTHING in each.parents for each in known)
 
     def _excludes(self, classes: frozenset[str], others: frozenset[str]) -> bool:
         known = (self.classes[each] for each in classes if each in self.classes)

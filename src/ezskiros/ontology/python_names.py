@@ -8,7 +8,9 @@ from collections.abc import Iterable
 
 def identifier(name: str) -> str:
     """A name that Python takes: `Large-Box` is `Large_Box`, `class` is `class_`, `3D` is `_3D`."""
-    found = "".join(each if f"_{each}".isidentifier() else "_" for each in name)
+    found = name
+    if not name.isidentifier():
+        found = "".join(each if f"_{each}".isidentifier() else "_" for each in name)
     if not found.isidentifier():
         found = f"_{found}"
     return f"{found}_" if keyword.iskeyword(found) else found

@@ -29,6 +29,8 @@ FORMATS = {
 SEARCHED = (".owl", ".rdf", ".ttl", ".nt", ".jsonld")
 """What is taken from folders: SkiROS2's scenes are `.turtle`, and are no part of the ontology."""
 
+_CHUNK = 10_000
+"""Bytes of XML that are looked at for its first element, until that is found."""
 _PLACE = re.compile(
     r" ?at line \d+ (column \d+|between columns \d+ and (line \d+ column )?\d+)|^Parser error:?"
 )
@@ -88,7 +90,10 @@ def _xml_header(content: bytes) -> tuple[dict[str, str], str | None]:
     found: list[dict[str, str]] = []
     parser = expat.ParserCreate()
     parser.StartElementHandler = lambda _, attributes: found.append(attributes)
-    parser.Parse(content, True)
+    for start in range(0, len(content), _CHUNK):
+        parser.Parse(content[start : start + _CHUNK])
+        if found:
+            break
     attributes = found[0] if found else {}
     prefixes = {
         name.partition(":")[2]: iri for name, iri in attributes.items() if name.startswith("xmlns")

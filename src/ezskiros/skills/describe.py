@@ -57,7 +57,8 @@ def describe(skill: type[SkillDescription]) -> Described | None:
         return None
     docs = docs_of(inspect.getdoc(skill) or "")
     parameters = [
-        replace(each, doc=each.doc or docs.get(each.name, "")) for each in read_parameters(method)
+        replace(each, doc=docs[each.name]) if each.name in docs and not each.doc else each
+        for each in read_parameters(method)
     ]
     classes = _classes(parameters)
     runs = _explored(skill, method, parameters, classes)

@@ -5,6 +5,7 @@ for what is not installed.
 from __future__ import annotations
 
 import importlib
+import os
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -79,8 +80,9 @@ def _importable_from(root: Path) -> Iterator[None]:
 def _forget_others(root: Path, _changed: int) -> None:
     """Forget the modules of other folders that are called like those of this one."""
     own = {each.stem for each in root.iterdir() if each.suffix == ".py" or each.is_dir()}
+    start = f"{root}{os.sep}"
     for name in [name for name in sys.modules if name.partition(".")[0] in own]:
         file = getattr(sys.modules[name], "__file__", None)
-        if file and not Path(file).is_relative_to(root):
+        if file and not file.startswith(start):
             del sys.modules[name]
     importlib.invalidate_caches()

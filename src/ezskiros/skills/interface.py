@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from dslkit.source import Span
+from ezskiros.ontology.iris import THING
 from ezskiros.ontology.statements import Statement, Value
 from ezskiros.ontology.things import ThingClass
 from ezskiros.skills.markers import Kind, Option
@@ -78,3 +79,8 @@ class SkillInterface:
     def parameter(self, name: str) -> Parameter | None:
         """The parameter of that name."""
         return next((each for each in self.parameters if each.name == name), None)
+
+    def class_of(self, name: str) -> str:
+        """The class of the thing that a parameter stands for; of something else, owl:Thing."""
+        found = self.parameter(name)
+        return (found.iri if found else None) or THING

@@ -6,7 +6,6 @@ import ast
 import inspect
 import re
 import sys
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from types import FunctionType
@@ -36,11 +35,11 @@ def definition(function: FunctionType) -> Definition:
     file = source_file(code.co_filename)
     if file is None:
         return Definition(Span(SourceFile(code.co_filename, ""), 0, 0))
-    node = _function_at(file, code.co_firstlineno)
-    whole = line_span(file, node.lineno if node else code.co_firstlineno)
+    line, arguments = _written(file).functions.get(code.co_firstlineno, (None, None))
+    whole = line_span(file, line or code.co_firstlineno)
     found = Definition(whole, docs=docs_of(inspect.getdoc(function) or ""))
-    if node is not None:
-        _fill(found, file, node.args)
+    if arguments is not None:
+        _fill(found, file, arguments)
     return found
 
 
@@ -50,7 +49,7 @@ def class_span(found: type) -> Span:
     file = source_file(path)
     if file is None:
         return Span(SourceFile(path, ""), 0, 0)
-    return _classes(file).get(found.__name__, Span(file, 0, 0))
+    return _written(file).classes.get(found.__name__, Span(file, 0, 0))
 
 
 def file_of(found: type) -> str:
@@ -61,37 +60,43 @@ def file_of(found: type) -> str:
     return getattr(sys.modules.get(found.__module__), "__file__", None) or "<no source>"
 
 
-def classes_of(file: SourceFile) -> Iterator[tuple[str, Span]]:
+def classes_of(file: SourceFile) -> list[tuple[str, Span]]:
     """The names of the classes that a file defines, in order; nested ones are left out."""
-    for node in (tree_of(file) or ast.Module([], [])).body:
-        if isinstance(node, ast.ClassDef):
-            start = node_span(file, node).start + len("class ")
-            yield node.name, Span(file, start, start + len(node.name))
+    return _written(file).outer_classes
 
 
-def _classes(file: SourceFile) -> dict[str, Span]:
-    """The names of classes, where they are defined first."""
-    return _definitions(file)[0]
+@dataclass
+class _Written:
+    """What a file defines; the rest of its syntax tree, which is large, is not kept."""
+
+    classes: dict[str, Span] = field(default_factory=dict)
+    """Where they are defined first."""
+    outer_classes: list[tuple[str, Span]] = field(default_factory=list)
+    functions: dict[int, tuple[int, ast.arguments]] = field(default_factory=dict)
+    """By the first line, decorators included: the line of `def`, and the parameters."""
 
 
-@lru_cache(maxsize=256)
-def _definitions(file: SourceFile) -> tuple[dict[str, Span], dict[int, ast.FunctionDef]]:
-    """The names of classes; and functions by their first lines, decorators included."""
-    classes: dict[str, Span] = {}
-    functions: dict[int, ast.FunctionDef] = {}
-    work: list[ast.AST] = [tree_of(file) or ast.Module([], [])]
+@lru_cache(maxsize=4096)
+def _written(file: SourceFile) -> _Written:
+    found = _Written()
+    tree = _tree_of(file)
+    outer = set(tree.body)
+    work: list[ast.AST] = [tree]
     while work:
         node = work.pop()
         if isinstance(node, ast.ClassDef):
             start = node_span(file, node).start + len("class ")
-            classes.setdefault(node.name, Span(file, start, start + len(node.name)))
+            span = Span(file, start, start + len(node.name))
+            found.classes.setdefault(node.name, span)
+            if node in outer:
+                found.outer_classes.append((node.name, span))
         elif isinstance(node, ast.FunctionDef):
             first = min([node.lineno, *(each.lineno for each in node.decorator_list)])
-            functions[first] = node
+            found.functions[first] = (node.lineno, node.args)
         for part in ("body", "orelse", "finalbody", "handlers"):
             inside = getattr(node, part, ())
             work += reversed(inside) if isinstance(inside, list) else ()
-    return classes, functions
+    return found
 
 
 def names_in(span: Span) -> dict[str, Span]:
@@ -137,18 +142,12 @@ def _inside(span: Span, node: ast.AST) -> Span:
     return Span(span.file, span.start + inner.start - 1, span.start + inner.end - 1)
 
 
-@lru_cache(maxsize=256)
-def tree_of(file: SourceFile) -> ast.Module | None:
-    """The syntax tree of a file; None if it is none of Python."""
+def _tree_of(file: SourceFile) -> ast.Module:
+    """The syntax tree of a file; an empty one if it is none of Python."""
     try:
         return ast.parse(file.text)
     except (SyntaxError, ValueError):
-        return None
-
-
-def _function_at(file: SourceFile, line: int) -> ast.FunctionDef | None:
-    """The function whose first line, decorators included, is this one."""
-    return _definitions(file)[1].get(line)
+        return ast.Module([], [])
 
 
 def _fill(found: Definition, file: SourceFile, written: ast.arguments) -> None:

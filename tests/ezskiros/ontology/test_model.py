@@ -60,6 +60,17 @@ def test_disjoint_classes_have_disjoint_subclasses() -> None:
     assert not model.are_disjoint(START + "D", START + "C")
 
 
+def test_what_two_classes_are_to_each_other_holds_whichever_says_so() -> None:
+    ontology = turtle(
+        ":A a owl:Class ; owl:equivalentClass :B ; owl:disjointWith :C .\n"
+        ":B a owl:Class . :C a owl:Class ."
+    )
+    model = ontology.model
+    assert model.is_a(START + "A", START + "B")
+    assert model.is_a(START + "B", START + "A")
+    assert model.classes[START + "C"].disjoint == {START + "A"}
+
+
 def test_parts_of_an_intersection_are_superclasses() -> None:
     ontology = turtle(
         ":A a owl:Class . :B a owl:Class .\n"
@@ -75,6 +86,45 @@ def test_a_restriction_bounds_the_values_of_a_class() -> None:
         "[ a owl:Restriction ; owl:onProperty :p ; owl:allValuesFrom :A ] ."
     )
     assert ontology.model.classes[START + "B"].only == {START + "p": (union("A"),)}
+
+
+def test_a_class_says_how_many_values_there_are() -> None:
+    ontology = turtle(
+        ":A a owl:Class . :p a owl:ObjectProperty . :q a owl:ObjectProperty .\n"
+        ":v a owl:DatatypeProperty . :B a owl:Class ; rdfs:subClassOf\n"
+        "[ owl:onProperty :p ; owl:cardinality 2 ] ,\n"
+        "[ owl:onProperty :p ; owl:maxCardinality 3 ] ,\n"
+        "[ owl:onProperty :q ; owl:allValuesFrom owl:Nothing ] ,\n"
+        "[ owl:onProperty :v ; owl:qualifiedCardinality 1 ; owl:onDataRange xsd:float ] .\n"
+        ":C a owl:Class ; rdfs:subClassOf :B ,\n"
+        "[ owl:onProperty :p ; owl:maxQualifiedCardinality 1 ; owl:onClass :A ] ."
+    )
+    most = [ontology.model.most(START + "C", START + name) for name in "pqv"]
+    assert most == [2, 0, 1]
+    assert ontology.model.most(START + "A", START + "p") is None
+    assert ontology.model.limited == {START + name for name in "pqv"}
+
+
+def test_a_class_below_disjoint_ones_is_empty() -> None:
+    ontology = turtle(
+        ":A a owl:Class . :B a owl:Class ; owl:disjointWith :A . :C a owl:Class ;\n"
+        "rdfs:subClassOf :A , :B . :D a owl:Class ; rdfs:subClassOf owl:Nothing ."
+    )
+    assert [ontology.model.is_empty(START + name) for name in "ABCD"] == [False, False, True, True]
+    assert ontology.model.conflict(START + "C") == (START + "A", START + "B")
+    assert ontology.model.are_disjoint(START + "A", START + "C")
+    assert not ontology.model.exclude(union("A"), union("C"))
+    assert ontology.model.exclude(union("A"), union("B", "C"))
+
+
+def test_kinds_of_relations_are_known() -> None:
+    ontology = turtle(
+        ":A a owl:Class . :p a owl:AsymmetricProperty .\n"
+        ":q a owl:IrreflexiveProperty , owl:TransitiveProperty ."
+    )
+    p, q = (ontology.model.relations[START + name] for name in "pq")
+    assert (p.is_asymmetric, p.is_irreflexive, p.is_transitive) == (True, False, False)
+    assert (q.is_asymmetric, q.is_irreflexive, q.is_transitive) == (False, True, True)
 
 
 NAMES = "ABCDEFGH"

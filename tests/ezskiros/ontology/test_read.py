@@ -26,6 +26,7 @@ RDF_XML = """\
     </owl:ObjectProperty>
 </rdf:RDF>
 """
+BEGINS_LATE = RDF_XML.replace("<rdf:RDF", f"<!-- {'Ä' * 20_000} -->\n<rdf:RDF")
 TURTLE = f"""{PREFIXES}
 :Robot a owl:Class .
 :Arm a owl:Class ; rdfs:comment "A part." .
@@ -61,6 +62,7 @@ def test_all_forms_say_the_same(text: str, suffix: str) -> None:
         (RDF_XML, ".owl", "Robot", 7),
         (RDF_XML, ".owl", "Arm", 8),
         (RDF_XML, ".owl", "hasA", 9),
+        (BEGINS_LATE, ".owl", "Robot", 8),
         (TURTLE, ".ttl", "hasA", 9),
         (JSON_LD, ".jsonld", "hasA", 7),
     ],

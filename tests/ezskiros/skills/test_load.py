@@ -97,6 +97,11 @@ def test_two_skills_of_one_name_are_told(tmp_path: Path) -> None:
     assert found(result) == [("EZS230", "Fine")]
 
 
+def test_a_nested_class_is_no_other_skill(tmp_path: Path) -> None:
+    names = "class Names:\n    class Fine:\n        pass\n\n\n"
+    assert found(check(tmp_path, {"a": HEADER + names + FINE})) == []
+
+
 def test_a_path_that_leads_nowhere_is_told(tmp_path: Path) -> None:
     result = check_paths([tmp_path / "nowhere.py"])
     assert [each.code for each in result.diagnostics] == ["EZS001"]

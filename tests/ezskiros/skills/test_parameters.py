@@ -203,3 +203,15 @@ def test_texts_of_parameters_are_kept() -> None:
     (skill,) = checked(text).skills
     assert skill.doc == "Does something.\n\nAnd more."
     assert [each.doc for each in skill.parameters] == ["what is handled", "in m/s"]
+
+
+def test_a_text_of_the_method_goes_before_one_of_the_class() -> None:
+    text = (
+        f"{HEADER}\nclass Skill(SkillDescription):\n"
+        '    """Does something.\n\n    Args:\n        P: of the class\n        Q: in m/s\n'
+        '    """\n\n'
+        "    def description(self, P: skiros.Product, Q: float = 1.0):\n"
+        '        """Says how.\n\n        Args:\n            P: of the method\n        """\n'
+    )
+    (skill,) = checked(text).skills
+    assert [each.doc for each in skill.parameters] == ["of the method", "in m/s"]

@@ -1,0 +1,217 @@
+"""`make bench`, its second half: measure EzSkiROS in one run and write the page.
+
+CPU time of processes that do one thing each, in turn, medians over the rounds. Libraries that load
+ontologies are asked for the same: that their answers agree is part of the run.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import statistics
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from machine import processor
+from ontology_workload import Size, write_ontology, write_skills
+
+HERE = Path(__file__).parent
+BENCH = HERE.parent / "build" / "bench"
+FOLDER = BENCH / "ontologies"
+SHARED = HERE.parents[1] / "shared" / "ontologies"
+PEERS = BENCH / "venv" / "bin" / "python"
+LIBRARIES = {
+    "**EzSkiROS**": (sys.executable, "ezskiros"),
+    "rdflib 7.6.0": (PEERS, "rdflib"),
+    "owlready2 0.51": (PEERS, "owlready2"),
+}
+OURS = next(iter(LIBRARIES))
+ROUNDS = 5
+SIZES = (1_000, 10_000, 100_000)
+
+Measured = dict[str, float]
+
+
+def measured(command: Sequence[object], environment: Mapping[str, str]) -> Measured | None:
+    """What a program says; None if it is not there or failed."""
+    done = subprocess.run(
+        [str(word) for word in command],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, **environment},
+    )
+    if done.returncode:
+        print(done.stderr.strip().rpartition("\n")[2])
+        return None
+    found: Measured = json.loads(done.stdout.strip().rpartition("\n")[2])
+    return found
+
+
+def in_turn(
+    commands: Mapping[str, Sequence[object]], environment: Mapping[str, str]
+) -> dict[str, Measured]:
+    """Each program once a round; medians of what they say."""
+    found: dict[str, list[Measured]] = {name: [] for name in commands}
+    for _ in range(ROUNDS):
+        for name, command in commands.items():
+            found[name] += filter(None, [measured(command, environment)])
+    for name in [name for name, all_of_it in found.items() if not all_of_it]:
+        print(f"bench: {name} is not installed or did not finish")
+        del found[name]
+    return {
+        name: {key: statistics.median(each[key] for each in rounds) for key in rounds[0]}
+        for name, rounds in found.items()
+    }
+
+
+def loaded(files: Sequence[Path]) -> dict[str, Measured]:
+    """The files of an ontology, by all libraries that are there."""
+    there = {name: each for name, each in LIBRARIES.items() if Path(each[0]).exists()}
+    commands = {
+        name: (python, HERE / "ontology_loading.py", library, *files)
+        for name, (python, library) in there.items()
+    }
+    return in_turn(commands, {})
+
+
+COLUMNS = "| load, ms | ratio | ask, ms | import, ms | MiB | classes | above them |"
+RULE = "---|---|---|---|---|---|---|---|"
+
+
+def loading_rows(found: Mapping[str, Measured], first: str = "") -> Iterator[str]:
+    """The rows of one ontology; `first` is the first cell of each."""
+    ours = found[OURS]
+    for name, each in found.items():
+        cells = [
+            f"{each['load'] * 1000:,.1f}",
+            f"{each['load'] / ours['load']:.2f}",
+            f"{each['ask'] * 1000:,.1f}",
+            f"{each['import'] * 1000:,.0f}",
+            f"{each['mebibytes']:,.0f}",
+            f"{each['classes']:,.0f}",
+            f"{each['above']:,.0f}",
+        ]
+        yield f"| {first}{name} | {' | '.join(cells)} |"
+
+
+def own_ontology() -> Iterator[str]:
+    """The table of SkiROS2's ontology."""
+    yield "## SkiROS2's ontology"
+    yield ""
+    files = sorted(SHARED.glob("*.owl"))
+    if not files:
+        print("bench: SkiROS2's ontology is left out: there is no ../shared/ontologies")
+        yield "Left out: there is no `../shared/ontologies`."
+        return
+    found = loaded(files)
+    yield f"The {len(files)} files of the released one. To reach: loaded by us in under 100 ms."
+    yield ""
+    yield f"| {COLUMNS}"
+    yield f"|{RULE}"
+    yield from loading_rows(found)
+
+
+def growing(sizes: Mapping[Path, Size]) -> Iterator[str]:
+    """The table of generated ontologies."""
+    yield "## Larger ontologies"
+    yield ""
+    yield f"| triples | {COLUMNS}"
+    yield f"|---|{RULE}"
+    for path, size in sizes.items():
+        found = loaded([path])
+        answers = {(each["classes"], each["above"]) for each in found.values()}
+        assert len(answers) == 1, f"the libraries do not agree on {path}: {answers}"
+        yield from loading_rows(found, f"{size.triples:,} | ")
+
+
+def checked(folder: Path, ontology: Path) -> Measured:
+    """The skills of a folder."""
+    command = (sys.executable, HERE / "skill_checking.py", folder)
+    return in_turn({folder.name: command}, {"EZSKIROS_ONTOLOGY": str(ontology)})[folder.name]
+
+
+def thousand(ontology: Path) -> Iterator[str]:
+    """The table of many skills."""
+    folders = {"in 100 files": FOLDER / "right", "in 1,000 files": FOLDER / "single"}
+    folders["in 100 files, with a misspelt relation in each"] = FOLDER / "mistaken"
+    write_skills(FOLDER / "right", 100, 10)
+    write_skills(FOLDER / "single", 1_000, 1)
+    write_skills(FOLDER / "mistaken", 100, 10, with_mistakes=True)
+    yield "## 1,000 descriptions"
+    yield ""
+    yield "Of 10 parameters and 10 conditions each. To load the ontology (1,000 triples) is"
+    yield "counted, to import EzSkiROS is not."
+    yield ""
+    yield "| | CPU seconds | to reach | compared with Python's `compile` of the files | findings |"
+    yield "|---|---|---|---|---|"
+    for name, folder in folders.items():
+        found = checked(folder, ontology)
+        assert found["skills"] == 1_000, found
+        took = found["load"] + found["check"]
+        wanted = "under 2" if folder.name == "right" else ""
+        ratio, findings = took / found["compile"], found["findings"]
+        yield f"| {name} | {took:.2f} | {wanted} | {ratio:.1f} | {findings:,.0f} |"
+    yield f"| import of the command line | {found['import']:.2f} | | | |"
+
+
+def checks_of_growing(sizes: Mapping[Path, Size]) -> Iterator[str]:
+    """The table of the same skills with ever more ontology."""
+    folders = (FOLDER / "hundred", FOLDER / "hundred_mistaken")
+    for folder in folders:
+        write_skills(folder, 10, 10, with_mistakes=folder.name.endswith("mistaken"))
+    yield "The same 100 skills with each of them, loaded already:"
+    yield ""
+    yield "| triples | check, ms | with a misspelt relation in each, ms |"
+    yield "|---|---|---|"
+    for path, size in sizes.items():
+        cells = [f"{checked(folder, path)['check'] * 1000:,.0f}" for folder in folders]
+        yield f"| {size.triples:,} | {' | '.join(cells)} |"
+
+
+PREFACE = """# Performance of EzSkiROS
+
+Written by `make bench`; do not edit. CPU time of processes that do one thing each, everything in
+one run on one machine, contenders in turn, medians of {rounds} rounds. Absolute figures are those
+of this machine ({machine}); ratios carry over.
+
+*load* reads the files; then EzSkiROS has the model that its checks use, rdflib and owlready2 have
+triples. *ratio* compares that with ours. *ask* is for all classes and all that is above each: by
+`rdfs:subClassOf`, and where the library knows of them also by equivalent classes and intersections.
+The ontologies are generated, but for SkiROS2's own.
+"""
+
+
+def main() -> None:
+    """Measure, print and write."""
+    parser = argparse.ArgumentParser(description="Measure EzSkiROS beside its peers.")
+    parser.add_argument("--out", type=Path, required=True, help="the page to write")
+    out: Path = parser.parse_args().out
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    sizes = {
+        path: write_ontology(path, count)
+        for count in SIZES
+        for path in [FOLDER / f"bench_{count}.owl"]
+    }
+    machine = f"{processor()}; Python {platform.python_version()}"
+    lines = [
+        PREFACE.format(rounds=ROUNDS, machine=machine),
+        *thousand(next(iter(sizes))),
+        "",
+        *own_ontology(),
+        "",
+        *growing(sizes),
+        "",
+        *checks_of_growing(sizes),
+    ]
+    text = "\n".join(lines) + "\n"
+    out.write_text(text, encoding="utf-8")
+    print(text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,116 @@
+"""Loads an ontology by one library, in a process of its own: `ontology_loading.py LIBRARY FILE...`.
+
+Prints a line of JSON: the CPU time of the import, of loading, and of asking for all classes and all
+that is above each of them; how many these are; and the most memory that the process had.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Callable, Iterable
+from itertools import pairwise
+from pathlib import Path
+
+Classes = dict[str, Iterable[str]]
+"""The classes, and the names of their superclasses, themselves included."""
+Load = Callable[[], Callable[[], Classes]]
+"""Loads the files; what comes back asks for the classes."""
+
+
+def ezskiros(files: list[Path]) -> Load:
+    """Ours, with what it knows of SkiROS2's relations."""
+    from ezskiros.ontology import load
+
+    def run() -> Callable[[], Classes]:
+        model = load(*files).model
+        return lambda: {iri: model.above(iri) for iri in model.classes}
+
+    return run
+
+
+def rdflib(files: list[Path]) -> Load:
+    """One graph; superclasses are followed in it."""
+    from rdflib import OWL, RDF, RDFS, Graph, URIRef
+
+    def run() -> Callable[[], Classes]:
+        graph = Graph()
+        for file in files:
+            graph.parse(file, format="xml")
+
+        def classes() -> Classes:
+            found = set(graph.subjects(RDF.type, OWL.Class))
+            return {
+                str(each): [
+                    str(above)
+                    for above in graph.transitive_objects(each, RDFS.subClassOf)
+                    if isinstance(above, URIRef)
+                ]
+                for each in found
+                if isinstance(each, URIRef)
+            }
+
+        return classes
+
+    return run
+
+
+def owlready2(files: list[Path]) -> Load:
+    """One world. It follows imports, by the names of files, so that some are there already."""
+    import owlready2 as library
+
+    library.onto_path += sorted({str(file.parent) for file in files})
+
+    def run() -> Callable[[], Classes]:
+        world = library.World()
+        for file in files:
+            if file.stem not in {each.name for each in world.ontologies.values() if each.loaded}:
+                world.get_ontology(file.as_uri()).load(only_local=True)
+        return lambda: {
+            each.iri: [above.iri for above in each.ancestors()] for each in world.classes()
+        }
+
+    return run
+
+
+LIBRARIES = {"ezskiros": ezskiros, "rdflib": rdflib, "owlready2": owlready2}
+THING = "http://www.w3.org/2002/07/owl#Thing"
+
+
+def most_memory() -> float:
+    """What Linux says of this program (`getrusage` would count what started it, too)."""
+    lines = Path("/proc/self/status").read_text(encoding="utf-8").splitlines()
+    (most,) = (line for line in lines if line.startswith("VmHWM:"))
+    return int(most.split()[1]) / 1024
+
+
+def main() -> None:
+    """Measure, and print."""
+    library, *names = sys.argv[1:]
+    files = [Path(name).resolve() for name in names]
+    instants = [time.process_time()]
+    load = LIBRARIES[library](files)
+    instants.append(time.process_time())
+    ask = load()
+    instants.append(time.process_time())
+    classes = ask()
+    instants.append(time.process_time())
+    imported, loaded, asked = (b - a for a, b in pairwise(instants))
+    above = sum(len({*each} - {THING}) for each in classes.values())
+    print(
+        json.dumps(
+            {
+                "import": imported,
+                "load": loaded,
+                "ask": asked,
+                "classes": len(classes),
+                "above": above,
+                "mebibytes": most_memory(),
+            }
+        )
+    )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,67 @@
+"""Statements that cannot all hold, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
+
+from ezskiros.check.spelled import spelled_iri
+from ezskiros.check.world_errors import Together
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.statements import Statement
+
+
+class Axiom(NamedTuple):
+    """What the ontology says: a text with places for the names of what it says it of."""
+
+    text: str
+    iris: tuple[str, ...]
+
+    def told(self, model: Model) -> str:
+        """As a clause of a sentence."""
+        return self.text.format(*(spelled_iri(iri, model) for iri in self.iris))
+
+
+class Reason(NamedTuple):
+    """Why something holds: what is said, and what the ontology says."""
+
+    said: frozenset[Statement] = frozenset()
+    axioms: tuple[Axiom, ...] = ()
+
+
+@dataclass(frozen=True)
+class Clash:
+    """What cannot be: `said` cannot hold together, by `axioms` of the ontology, and by `why`.
+
+    `iris` are what else the ontology says something of; `thing` is the parameter whose class is
+    part of the reason.
+    """
+
+    said: frozenset[Statement]
+    kind: type[Together]
+    axioms: tuple[Axiom, ...] = ()
+    why: str = ""
+    iris: tuple[str, ...] = ()
+    thing: str | None = None
+
+    def reason(self, model: Model) -> str:
+        """All that is to be said of it, in one sentence."""
+        told = dict.fromkeys(axiom.told(model) for axiom in self.axioms)
+        return "; ".join([*told, *filter(None, [self.why])])
+
+    def declared(self) -> Iterable[str]:
+        """What the ontology says something of, each once."""
+        found = [iri for axiom in self.axioms for iri in axiom.iris]
+        return dict.fromkeys([*found, *self.iris])
+
+
+def joined(*reasons: Reason, axiom: Axiom | None = None) -> Reason:
+    """All of some reasons together, and what the ontology says besides."""
+    said = frozenset[Statement]().union(*(each.said for each in reasons))
+    axioms = tuple(axiom for each in reasons for axiom in each.axioms)
+    return Reason(said, (*axioms, axiom) if axiom else axioms)
+
+
+KnownClasses: TypeAlias = Mapping[str, Mapping[str, Reason]]
+"""By things: the classes that they are of, and why. That of a parameter needs no reason."""

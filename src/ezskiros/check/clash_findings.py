@@ -1,0 +1,91 @@
+"""The findings of clashes: their words, and the places that they show."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from dslkit.diagnostics import Diagnostic, Label, Template, listed
+from ezskiros.check import world_errors
+from ezskiros.check.clash import Clash
+from ezskiros.check.spelled import spelled, spelled_iri
+from ezskiros.check.worlds import certain
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.statements import Statement
+from ezskiros.skills.interface import Clause, SkillInterface
+
+Places: TypeAlias = Mapping[Statement, Clause]
+"""What certainly holds, in order, and by which conditions."""
+
+
+def places_of(clauses: Iterable[Clause]) -> Places:
+    """What some conditions say together."""
+    found: dict[Statement, Clause] = {}
+    for clause in clauses:
+        for each in certain([clause.statement]):
+            found.setdefault(each, clause)
+    return found
+
+
+@dataclass(frozen=True)
+class Moment:
+    """When conditions hold together, and what comes of it if they cannot."""
+
+    kind: str
+    when: str
+    consequence: str
+
+
+class ClashFindings:
+    """For one skill."""
+
+    def __init__(self, skill: SkillInterface, ontology: Ontology) -> None:
+        self._skill, self._ontology, self._model = skill, ontology, ontology.model
+
+    def listed(self, said: Iterable[Statement]) -> str:
+        """Statements as they are written."""
+        return listed([spelled(each, self._model) for each in said])
+
+    def found(self, clash: Clash, moment: Moment, places: Places) -> Diagnostic:
+        """That conditions cannot hold together at a moment."""
+        found = clash.kind(
+            together=self.listed(_in_order(clash, places)),
+            when=moment.when,
+            why=clash.reason(self._model),
+            kind=moment.kind,
+            consequence=moment.consequence,
+        )
+        return self._at(found, clash, places)
+
+    def ended(self, clash: Clash, places: Places) -> Diagnostic:
+        """That post-conditions end what has to hold."""
+        why = clash.reason(self._model)
+        found = world_errors.EndsItsHold(
+            together=self.listed(_in_order(clash, places)),
+            skill=self._skill.name,
+            why=f"{why}. " if why else "",
+        )
+        return self._at(found, clash, places)
+
+    def _at(self, found: Template, clash: Clash, places: Places) -> Diagnostic:
+        """At the last of the conditions, with the others and what the ontology declares."""
+        *others, last = (places[each].span for each in _in_order(clash, places))
+        is_of_thing = clash.kind is world_errors.ImpossibleThing
+        text = "this cannot be so of the same thing" if is_of_thing else _AT_ONE_TIME
+        labels = [Label(span, text) for span in others if span != last]
+        thing = self._skill.parameter(clash.thing) if clash.thing else None
+        if thing is not None and thing.iri:
+            labels.append(Label(thing.span, f"declared as a {spelled_iri(thing.iri, self._model)}"))
+        for iri in clash.declared():
+            label = self._ontology.label(iri, f"{spelled_iri(iri, self._model)} is declared here")
+            labels += [label] if label else []
+        return found.at(last, *labels)
+
+
+_AT_ONE_TIME = "this cannot hold at the same time"
+
+
+def _in_order(clash: Clash, places: Places) -> list[Statement]:
+    """As they are written."""
+    return [each for each in places if each in clash.said]

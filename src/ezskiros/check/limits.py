@@ -1,0 +1,49 @@
+"""How many values, or other things, a thing can have by a property."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from ezskiros.check import errors, world_errors
+from ezskiros.check.clash import Axiom, Clash, Reason, joined
+from ezskiros.ontology.model import Model
+
+
+class Limit(NamedTuple):
+    """At most so many, and what says so."""
+
+    most: int
+    axiom: Axiom
+    reason: Reason = Reason()
+    is_of_class: bool = False
+
+    def exceeded(self, reasons: Iterable[Reason], thing: str) -> Clash:
+        """That a thing has more."""
+        whole = joined(*reasons, self.reason, axiom=self.axiom)
+        kind = errors.TwoPlaces if self.most else world_errors.HasNone
+        return Clash(whole.said, kind, whole.axioms, thing=thing if self.is_of_class else None)
+
+
+def limits(iri: str, classes: Mapping[str, Reason], model: Model) -> Iterator[Limit]:
+    """The limits of a property, for a thing of some classes."""
+    declared = model.property(iri)
+    if declared is not None and declared.is_functional:
+        is_relation = iri in model.relations
+        one = "is so related to at most one other" if is_relation else "has at most one value"
+        yield Limit(1, Axiom(f"{{}} is functional: a thing {one}", (iri,)))
+    for owl_class, reason in classes.items() if iri in model.limited else ():
+        most = model.most(owl_class, iri)
+        if most is not None:
+            count = f"at most {most}" if most else "no"
+            axiom = Axiom(f"a {{}} has {count} {{}}", (owl_class, iri))
+            yield Limit(most, axiom, reason, is_of_class=not reason.said)
+
+
+def limit_of_subjects(iri: str, model: Model) -> Limit | None:
+    """That of an inverse functional relation."""
+    declared = model.relations.get(iri)
+    if declared is None or not declared.is_inverse_functional:
+        return None
+    text = "{} is inverse functional: at most one other is so related to a thing"
+    return Limit(1, Axiom(text, (iri,)))

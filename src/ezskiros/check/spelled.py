@@ -1,0 +1,56 @@
+"""Statements as they are written in a description."""
+
+from __future__ import annotations
+
+from ezskiros.ontology.iris import split
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.python_names import identifier
+from ezskiros.ontology.statements import (
+    AnyOf,
+    Comparison,
+    Generated,
+    HasProperty,
+    OfType,
+    Relation,
+    Specified,
+    Statement,
+    negated,
+)
+
+
+def spelled_iri(iri: str, model: Model) -> str:
+    """`skiros.Product`."""
+    return model.short(iri).replace(":", ".")
+
+
+def spelled(statement: Statement, model: Model) -> str:
+    """`~Gripper.contain(Object)`."""
+    opposite = negated(statement)
+    if opposite is not None and not statement.is_true:
+        return _denied(opposite, spelled(opposite, model))
+    match statement:
+        case Relation(subject=subject, relation=iri, object=other, is_abstract=is_abstract):
+            found = f"{subject}.{_bare(iri)}({other})"
+            return f"abstract({found})" if is_abstract else found
+        case Comparison(subject=subject, property=iri, operator=operator, value=value):
+            return f"{subject}.{_bare(iri)} {'==' if operator == '=' else operator} {value!r}"
+        case HasProperty(subject=subject, property=iri):
+            return f"{subject}.{_bare(iri)}"
+        case OfType(subject=subject, owl_class=iri):
+            return f"of_type({subject}, {spelled_iri(iri, model)})"
+        case Specified(subject=subject):
+            return f"specified({subject})"
+        case Generated(subject=subject):
+            return f"generated({subject})"
+        case AnyOf(parts=parts):
+            return " | ".join(f"({spelled(part, model)})" for part in parts)
+
+
+def _denied(opposite: Statement, text: str) -> str:
+    if isinstance(opposite, Comparison) and opposite.operator == "=":
+        return text.replace(" == ", " != ", 1)
+    return f"~({text})" if isinstance(opposite, (Comparison, AnyOf)) else f"~{text}"
+
+
+def _bare(iri: str) -> str:
+    return identifier(split(iri)[1])

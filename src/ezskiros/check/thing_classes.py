@@ -1,0 +1,69 @@
+"""Of which classes a thing has to be, by all that is said of it; and which are disjoint."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Mapping
+from itertools import combinations
+from typing import NamedTuple, TypeAlias
+
+from ezskiros.check.clash import Clash, KnownClasses, Reason, joined
+from ezskiros.check.entailed import Facts
+from ezskiros.check.spelled import spelled_iri
+from ezskiros.check.world_errors import ImpossibleThing
+from ezskiros.ontology.model import Model, Union
+
+IsTold: TypeAlias = Callable[[str, Union], bool]
+
+
+class Need(NamedTuple):
+    """Why a thing has to be of one of some classes: also by a relation that is declared so."""
+
+    reasons: tuple[Reason, ...]
+    relation: tuple[str, ...] = ()
+
+
+def class_clashes(
+    facts: Facts, classes: KnownClasses, model: Model, is_told: IsTold | None = None
+) -> Iterator[Clash]:
+    """Things of which nothing can be of all classes that they have to be of.
+
+    Classes that are empty by themselves are a fault of the ontology. `is_told` knows the needs that
+    the class of a parameter does not fit, which `check_relations` tells.
+    """
+    if not model.has_disjoint_classes:
+        return
+    for thing, needs in _needs(facts, classes, model).items():
+        for one, other in combinations(needs, 2):
+            if model.exclude(one, other) and not (
+                is_told and (is_told(thing, one) or is_told(thing, other))
+            ):
+                first, second = (_named(each, model) for each in (one, other))
+                why = f"`{thing}` would be a {first} and a {second}, and nothing is both"
+                whole = joined(*needs[one].reasons, *needs[other].reasons)
+                iris = (*needs[one].relation, *needs[other].relation)
+                yield Clash(whole.said, ImpossibleThing, whole.axioms, why, iris, thing)
+
+
+def _needs(facts: Facts, classes: KnownClasses, model: Model) -> Mapping[str, Mapping[Union, Need]]:
+    """By things; what the class of the parameter says comes first."""
+    found: dict[str, dict[Union, Need]] = defaultdict(dict)
+    for thing, known in classes.items():
+        for owl_class, reason in known.items():
+            found[thing].setdefault(frozenset({owl_class}), Need((reason,)))
+    for fact, reason in facts.items():
+        declared = model.relations.get(fact.relation)
+        if declared is None:
+            continue
+        for union in declared.domain:
+            found[fact.subject].setdefault(union, Need((reason,), (declared.iri,)))
+        for union in declared.range:
+            found[fact.object].setdefault(union, Need((reason,), (declared.iri,)))
+        for owl_class, why in classes.get(fact.subject, {}).items():
+            for union in model.only(owl_class, fact.relation):
+                found[fact.object].setdefault(union, Need((reason, why), (owl_class,)))
+    return found
+
+
+def _named(union: Union, model: Model) -> str:
+    return " or ".join(spelled_iri(each, model) for each in sorted(union))

@@ -1,0 +1,163 @@
+"""Conditions on data properties that no value satisfies.
+
+As in SkiROS2 a thing has a list of values. `==` asks whether a value is among them, `!=` whether it
+is not; `<` and its like ask for the first one, and that there is one.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import combinations
+from math import ceil, floor, inf
+from typing import TypeAlias
+
+from ezskiros.check import errors, world_errors
+from ezskiros.check.clash import Clash, KnownClasses, Reason
+from ezskiros.check.limits import limits
+from ezskiros.check.spelled import spelled_iri
+from ezskiros.check.values import WHOLE, spelled_types
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.statements import TURNED, Comparison, HasProperty, negated
+
+Said: TypeAlias = Comparison | HasProperty
+_COMPARES = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+
+
+def value_clashes(said: Iterable[Said], classes: KnownClasses, model: Model) -> Iterator[Clash]:
+    """What cannot be among conditions on values."""
+    found: dict[tuple[str, str], list[Said]] = defaultdict(list)
+    for each in said:
+        found[each.subject, each.property].append(each)
+    for (thing, iri), about in found.items():
+        values = _Values(thing, iri, classes, model)
+        accepted: list[Said] = []
+        for each in about:
+            clash = values.clash(accepted, each)
+            if clash:
+                yield clash
+            else:
+                accepted.append(each)
+        yield from values.several(accepted)
+
+
+class _Values:
+    """The values that a thing can have of a property."""
+
+    def __init__(self, thing: str, iri: str, classes: KnownClasses, model: Model) -> None:
+        self._thing, self._iri, self._name = thing, iri, spelled_iri(iri, model)
+        known = limits(iri, classes.get(thing, {}), model)
+        self._limit = min(known, key=lambda limit: limit.most, default=None)
+        declared = model.values.get(iri)
+        self._listed = declared.values if declared else None
+        types = [spelled_types(union) for union in model.range(iri)]
+        self._is_whole = any(names and names <= WHOLE for names in types)
+        self._is_truth = any(names == {"boolean"} for names in types)
+
+    def clash(self, accepted: Sequence[Said], said: Said) -> Clash | None:
+        """What a further condition cannot hold with: as few as are seen to exclude it."""
+        for others in ([], *([other] for other in accepted), accepted):
+            if found := self._excluded([*others, said]):
+                return found
+        return None
+
+    def _excluded(self, said: Sequence[Said]) -> Clash | None:
+        """Why some conditions cannot hold together."""
+        together, asked = frozenset(said), _Asked(said)
+        if any(negated(each) in together for each in said) or asked.leaves_no_number():
+            return Clash(together, errors.Contradiction)
+        if not asked.some:
+            return None
+        if self._limit and self._limit.most == 0:
+            return self._limit.exceeded([Reason(together)], self._thing)
+        if asked.none:
+            return self._none(together, f"where there is no {self._name}, there is none to compare")
+        if not self._has_first(asked):
+            return self._none(together, f"there is no such value of {self._name}")
+        if asked.needs_several() and self._limit and self._limit.most == 1:
+            found = self._limit.exceeded([Reason(together)], self._thing)
+            return replace(found, kind=world_errors.NoCommonValue)
+        return None
+
+    def several(self, accepted: Sequence[Said]) -> Iterator[Clash]:
+        """That there is more than one value, by two conditions at least."""
+        for pair in combinations(accepted, 2):
+            if _Asked(pair).needs_several():
+                why = f"{self._name} is not declared functional: SkiROS2 keeps a list of values"
+                yield Clash(frozenset(pair), world_errors.TwoValues, (), why, (self._iri,))
+                return
+
+    def _none(self, said: frozenset[Said], why: str) -> Clash:
+        return Clash(said, world_errors.NoCommonValue, (), why, (self._iri,))
+
+    def _has_first(self, asked: _Asked) -> bool:
+        """Whether a value can be the first one."""
+        if self._listed is not None and asked.named() <= self._listed:
+            return any(map(asked.takes_text, self._listed))
+        if self._is_truth:
+            return any(map(asked.takes, (True, False)))
+        if self._is_whole and -inf < asked.lowest and asked.highest < inf:
+            numbers = range(ceil(asked.lowest), floor(asked.highest) + 1)
+            return any(map(asked.takes, numbers[: len(asked.unequal) + 3]))
+        return asked.lowest < asked.highest or asked.takes(asked.lowest)
+
+
+class _Asked:
+    """What some conditions ask of the values of a thing."""
+
+    def __init__(self, said: Iterable[Said]) -> None:
+        compared = [each for each in said if isinstance(each, Comparison)]
+        self.equal = {each.value for each in compared if each.operator == "=" and each.is_true}
+        self.unequal = {
+            each.value for each in compared if each.operator == "=" and not each.is_true
+        }
+        self.bounds = [
+            (each.operator if each.is_true else TURNED[each.operator], each.value)
+            for each in compared
+            if each.operator != "=" and not isinstance(each.value, (str, bool))
+        ]
+        self.lowest = max((each for sign, each in self.bounds if sign[0] == ">"), default=-inf)
+        self.highest = min((each for sign, each in self.bounds if sign[0] == "<"), default=inf)
+        asked = {each.is_true for each in said if isinstance(each, HasProperty)}
+        self.some = True in asked or bool(self.equal or self.bounds)
+        self.none = False in asked
+
+    def leaves_no_number(self) -> bool:
+        """Whether no number is as the comparisons by order ask."""
+        if self.lowest == self.highest:
+            return not self._is_within(self.lowest)
+        return self.lowest > self.highest
+
+    def takes(self, value: float) -> bool:
+        """Whether the first value can be this one."""
+        return value not in self.unequal and self._is_within(value)
+
+    def takes_text(self, text: str) -> bool:
+        """Whether the first value can be what is written so."""
+        if text in set(map(str, self.unequal)):
+            return False
+        return not self.bounds or (_is_number(text) and self._is_within(float(text)))
+
+    def needs_several(self) -> bool:
+        """Whether one value cannot be all that is asked for."""
+        numbers = [each for each in self.equal if not isinstance(each, (str, bool))]
+        return len(self.equal) > 1 or not all(map(self._is_within, numbers))
+
+    def named(self) -> set[str]:
+        """The values that are compared with, as texts."""
+        return {
+            str(each) for each in (*self.equal, *self.unequal, *(each for _, each in self.bounds))
+        }
+
+    def _is_within(self, value: float) -> bool:
+        return all(_COMPARES[sign](value, bound) for sign, bound in self.bounds)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True

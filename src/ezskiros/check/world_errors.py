@@ -1,0 +1,124 @@
+"""EZS315 to EZS323: conditions that no world satisfies together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+@dataclass(frozen=True, kw_only=True)
+class Together(Template):
+    """Conditions that do not go together at one time, and what the ontology says of it."""
+
+    note = "{why}"
+    help = "leave out what is not meant"
+    together: str
+    when: str
+    why: str
+    kind: str
+    consequence: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Clashing(Together, Error):
+    """Conditions that exclude each other."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class OppositeFollows(Clashing, code="EZS315", name="opposite-follows"):
+    """What follows from conditions, by inverses and the like, is forbidden."""
+
+    title = "by the ontology {together} contradict each other {when}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class BothWays(Clashing, code="EZS316", name="both-ways"):
+    """An asymmetric relation there and back."""
+
+    title = "{together} cannot hold both ways {when}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class ToItself(Clashing, code="EZS317", name="to-itself"):
+    """An irreflexive relation of a thing to itself."""
+
+    title = "by {together} a thing would be related to itself"
+
+
+@dataclass(frozen=True, kw_only=True)
+class HasNone(Clashing, code="EZS318", name="has-none"):
+    """A relation, or a value, that things of a class do not have."""
+
+    title = "{together} cannot hold {when}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class ImpossibleThing(Clashing, code="EZS319", name="impossible-thing"):
+    """A thing of two disjoint classes."""
+
+    title = "by {together} a thing would be of disjoint classes"
+    help = "declare the parameter, or relate it, as a thing of one of them"
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoCommonValue(Clashing, code="EZS320", name="no-common-value"):
+    """Comparisons that no value of a property satisfies."""
+
+    title = "no value satisfies {together} {when}"
+
+
+@dataclass(frozen=True, kw_only=True)
+class TwoValues(Together, Warning, code="EZS321", name="two-values"):
+    """Comparisons that only a thing with several values of a property satisfies."""
+
+    title = "{together} hold together only of a thing with two values"
+    note = "{why}"
+    help = "leave out what is not meant; what has one value at a time is an owl:FunctionalProperty"
+
+
+@dataclass(frozen=True, kw_only=True)
+class EndsItsHold(Warning, code="EZS322", name="ends-its-hold"):
+    """A post-condition that excludes a hold-condition."""
+
+    title = "{together} cannot hold together: `{skill}` ends what has to hold while it runs"
+    note = "{why}SkiROS2 looks at hold-conditions in each tick: unless what changes does so in the \
+last one, the skill fails"
+    help = "leave the hold-condition out, and hold it in those parts of the skill that need it"
+    together: str
+    skill: str
+    why: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoAlternative(Error, code="EZS323", name="no-alternative"):
+    """An `or` of which each part is excluded."""
+
+    title = "none of the alternatives of this {kind}-condition can hold {when}"
+    help = "leave out the `or`, or what excludes it"
+    kind: str
+    when: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class EmptyClass(Warning, code="EZS324", name="empty-class"):
+    """A parameter of a class that nothing can be of."""
+
+    title = "by the ontology nothing is a {owl_class}: it is {why}"
+    help = "correct the ontology; SkiROS2 itself does not look at it"
+    owl_class: str
+    why: str
+
+
+ALL: tuple[type[Template], ...] = (
+    OppositeFollows,
+    BothWays,
+    ToItself,
+    HasNone,
+    ImpossibleThing,
+    NoCommonValue,
+    TwoValues,
+    EndsItsHold,
+    NoAlternative,
+    EmptyClass,
+)

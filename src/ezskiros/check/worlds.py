@@ -1,0 +1,99 @@
+"""Which conditions hold together: those of one moment, with one alternative of each `or`.
+
+Things are those that parameters stand for. A parameter that a condition says to stand for nothing
+is left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import product
+
+from ezskiros.check import errors
+from ezskiros.check.clash import Clash, KnownClasses, Reason
+from ezskiros.check.entailed import entailed, relation_clashes
+from ezskiros.check.inference import names
+from ezskiros.check.value_clashes import value_clashes
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.statements import (
+    AnyOf,
+    Comparison,
+    Generated,
+    HasProperty,
+    OfType,
+    Relation,
+    Specified,
+    Statement,
+    negated,
+)
+
+Literals = tuple[Statement, ...]
+"""Statements none of which is an `or`."""
+
+
+def alternatives(statement: Statement) -> tuple[Literals, ...]:
+    """The ways in which a statement can hold."""
+    if not isinstance(statement, AnyOf):
+        return ((statement,),)
+    if statement.is_true:
+        return tuple(each for part in statement.parts for each in alternatives(part))
+    parts = (negated(part) for part in statement.parts)
+    ways = product(*(alternatives(part) for part in parts if part is not None))
+    return tuple(sum(each, ()) for each in ways)
+
+
+def certain(statements: Iterable[Statement]) -> Iterator[Statement]:
+    """What holds in each alternative, as far as it is said by one of the statements."""
+    for each in statements:
+        ways = alternatives(each)
+        if len(ways) == 1:
+            yield from ways[0]
+
+
+def known_classes(declared: KnownClasses, said: Iterable[Statement]) -> KnownClasses:
+    """The classes of things: those that are declared, and those that conditions ask for."""
+    found = dict(declared)
+    for each in said:
+        if isinstance(each, OfType):
+            known = found.get(each.subject, {})
+            if each.owl_class not in known:
+                found[each.subject] = {**known, each.owl_class: Reason(frozenset({each}))}
+    return found
+
+
+class World:
+    """Statements that hold together, about things of which the classes are declared."""
+
+    def __init__(self, declared: KnownClasses, model: Model, said: Iterable[Statement]) -> None:
+        self._model, self._said = model, dict.fromkeys(said)
+        self._present = list(_present(self._said))
+        self._relations = [
+            each for each in self._present if isinstance(each, Relation) and not each.is_abstract
+        ]
+        self.classes = known_classes(declared, self._present)
+        self.facts = entailed((each for each in self._relations if each.is_true), model)
+
+    def clashes(self) -> Iterator[Clash]:
+        """What cannot be."""
+        yield from self._opposites()
+        forbidden = [each for each in self._relations if not each.is_true]
+        yield from relation_clashes(self.facts, forbidden, self.classes, self._model)
+        values = (each for each in self._present if isinstance(each, (Comparison, HasProperty)))
+        yield from value_clashes(values, self.classes, self._model)
+
+    def _opposites(self) -> Iterator[Clash]:
+        for each in self._said:
+            opposite = None if each.is_true else negated(each)
+            if opposite is not None and opposite in self._said:
+                yield Clash(frozenset({each, opposite}), errors.Contradiction)
+
+
+def _present(said: Iterable[Statement]) -> Iterator[Statement]:
+    """Without what is said of parameters that stand for nothing: it is about any such thing."""
+    said = list(said)
+    absent = {
+        each.subject
+        for each in said
+        if isinstance(each, (Specified, Generated)) and not each.is_true
+    }
+    yield from (each for each in said if absent.isdisjoint(names(each)))
