@@ -23,7 +23,16 @@ VARIABLE = "EZSKIROS_ONTOLOGY"
 
 _IMPORTS = pyoxigraph.NamedNode(OWL + "imports")
 _TYPE = RDF + "type"
+_PROPERTIES = (
+    "Functional",
+    "InverseFunctional",
+    "Symmetric",
+    "Asymmetric",
+    "Transitive",
+    "Irreflexive",
+)
 _DECLARED = {OWL + kind for kind in ("Class", "ObjectProperty", "DatatypeProperty")}
+_DECLARED |= {f"{OWL}{kind}Property" for kind in _PROPERTIES}
 
 
 def load(*paths: str | os.PathLike[str], relations: bool = True) -> Ontology:

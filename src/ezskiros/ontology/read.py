@@ -77,11 +77,11 @@ def read(path: Path) -> tuple[Document | None, list[Diagnostic]]:
     try:
         parser = pyoxigraph.parse(content, format=kind, base_iri=base)
         triples = list(parser)
-    except (SyntaxError, ValueError) as problem:
+        prefixes, written = dict(parser.prefixes), parser.base_iri
+        if kind is pyoxigraph.RdfFormat.RDF_XML:
+            prefixes, written = _xml_header(content)
+    except (SyntaxError, ValueError, expat.ExpatError) as problem:
         return None, [_syntax_error(file, content, kind, problem)]
-    prefixes, written = dict(parser.prefixes), parser.base_iri
-    if kind is pyoxigraph.RdfFormat.RDF_XML:
-        prefixes, written = _xml_header(content)
     return Document(file, triples, prefixes, written or base), []
 
 
@@ -94,7 +94,9 @@ def _xml_header(content: bytes) -> tuple[dict[str, str], str | None]:
         parser.Parse(content[start : start + _CHUNK])
         if found:
             break
-    attributes = found[0] if found else {}
+    else:
+        parser.Parse(b"", True)  # a file without elements, which pyoxigraph takes, is no XML
+    attributes = found[0]
     prefixes = {
         name.partition(":")[2]: iri for name, iri in attributes.items() if name.startswith("xmlns")
     }
@@ -111,7 +113,7 @@ def _syntax_error(
     """What the parser says, at its place; of XML it does not know the place."""
     line, column = getattr(problem, "lineno", None), getattr(problem, "offset", None)
     said = _PLACE.sub("", str(getattr(problem, "msg", problem))).strip(" :")
-    if line is None and kind is pyoxigraph.RdfFormat.RDF_XML:
+    if kind is pyoxigraph.RdfFormat.RDF_XML:
         line, column, xml_said = _xml_error(content)
         said = xml_said or said
     span = _span(file, line or 1, column or 1)

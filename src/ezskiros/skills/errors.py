@@ -86,6 +86,16 @@ class MarkedBasic(Error, code="EZS207", name="marked-basic"):
 
 
 @dataclass(frozen=True, kw_only=True)
+class TwoKinds(Error, code="EZS216", name="two-kinds"):
+    """A parameter that is inferred and optional."""
+
+    title = "`{parameter}` cannot be both INFERRED and OPTIONAL"
+    label = "the type of `{parameter}`"
+    help = "write `OPTIONAL[...]` if the skill can do without it, `INFERRED[...]` if it cannot"
+    parameter: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class PackedParameters(Error, code="EZS208", name="packed-parameters"):
     """`*args` or `**kwargs` in a description."""
 
@@ -243,6 +253,7 @@ ALL: tuple[type[Template], ...] = (
     WrongDefault,
     ThingDefault,
     MarkedBasic,
+    TwoKinds,
     PackedParameters,
     ReplacedConditions,
     NoClass,

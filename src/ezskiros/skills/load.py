@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -32,6 +33,7 @@ from ezskiros.skills.guard import (
 )
 from ezskiros.skills.importing import forget_since, importing, module_name
 from ezskiros.skills.intercept import intercept
+from ezskiros.skills.stand_ins import is_installed
 from ezskiros.skills.syntax import classes_of
 
 SECONDS = 20.0
@@ -221,4 +223,14 @@ def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> D
         exception, why = f"it {problem.deed}", "not done: a check does nothing to the world"
     elif isinstance(problem, ModuleNotFoundError) and problem.name in endless:
         why = f"the import of `{problem.name}` does not end"
-    return errors.ModuleFailed(exception=exception, said=why).at(span)
+    help = _star_help(source) if isinstance(problem, NameError) else None
+    return errors.ModuleFailed(exception=exception, said=why).at(span, help=help)
+
+
+def _star_help(source: SourceFile) -> str | None:
+    """What to do about `from rospy import *`: nobody knows which names a stand-in would have."""
+    stars = re.findall(r"(?m)^\s*from\s+([\w.]+)\s+import\s+\*", source.text)
+    missing = [each for each in stars if not is_installed(each.partition(".")[0])]
+    if not missing:
+        return None
+    return f"`{missing[0]}` is not installed, and gives no names to `import *`: import them by name"

@@ -123,6 +123,8 @@ class _Reader:
         kinds = [each for each in marks if isinstance(each, Kind)]
         options = tuple(each for each in marks if isinstance(each, Option))
         kind = kinds[0] if kinds else Kind.REQUIRED
+        if len({*kinds}) > 1:
+            session.report(errors.TwoKinds(parameter=self.name).at(self.annotation_span))
         is_enumeration = isinstance(kind_of, type) and issubclass(kind_of, enum.Enum)
         if not isinstance(kind_of, ThingClass) and kind_of not in BASIC and not is_enumeration:
             wrong = errors.NoParameterType(parameter=self.name, found=_spelled(kind_of))

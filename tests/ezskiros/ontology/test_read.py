@@ -154,3 +154,9 @@ def test_a_list_that_runs_in_a_circle_ends() -> None:
         "_:l rdf:first :R ; rdf:rest _:l ."
     )
     assert ontology.model.domain(START + "p") == (frozenset({START + "R"}),)
+
+
+@pytest.mark.parametrize("text", ["", '<?xml version="1.0"?>\n'])
+def test_a_file_without_elements_is_no_xml(text: str) -> None:
+    _, (wrong,) = loaded(text, ".owl")
+    assert (wrong.code, wrong.title) == ("EZS102", "this is not RDF/XML: no element found")

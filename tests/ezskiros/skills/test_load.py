@@ -11,7 +11,7 @@ from ezskiros import session
 from ezskiros.driver import Checked, check_paths
 from ezskiros.ontology.load import VARIABLE
 from support.ontologies import HALL
-from support.skill_files import HEADER, found, warned
+from support.skill_files import HEADER, checked, found, warned
 
 SKILL = "class {name}(SkillDescription):\n    def description(self, P: skiros.Product):\n{body}\n"
 FINE = SKILL.format(name="Fine", body="        self.pre_conditions += specified(P)")
@@ -163,3 +163,13 @@ def test_libraries_get_no_stand_ins_wherever_one_stands(
     user = "import with_an_option\nassert with_an_option.not_there is None\n"
     result = check(tmp_path / "own", {"a": user + HEADER + FINE})
     assert (found(result), warned(result)) == ([], [])
+
+
+def test_names_of_a_star_import_that_is_not_installed_are_explained() -> None:
+    result = checked("from not_there_at_all.part import *\nclass Pick(Base): pass\n")
+    (failed,) = (each for each in result.diagnostics if each.code == "EZS003")
+    assert failed.primary.span.text == "Base"
+    assert failed.help == (
+        "`not_there_at_all.part` is not installed, and gives no names to `import *`: "
+        "import them by name"
+    )

@@ -136,6 +136,7 @@ def test_types_may_be_texts_for_the_whole_file() -> None:
         ("**P: int", "EZS208", "P"),
         ("P: skiros.Produkt", "EZS111", "skiros.Produkt"),
         ("P: INFERRED[skiros.Produkt]", "EZS111", "skiros.Produkt"),
+        ("P: INFERRED[OPTIONAL[skiros.Product]]", "EZS216", "INFERRED[OPTIONAL[skiros.Product]]"),
         ("P: skirso.Product", "EZS003", "skirso"),
     ],
 )
