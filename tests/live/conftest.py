@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import cast
@@ -11,12 +10,6 @@ import pytest
 
 from support import ros1_live, ros2_live
 from support.live import Process, Robot, Ros
-
-
-@pytest.fixture(scope="session", autouse=True)
-def interruptible() -> None:
-    """What tests start can be interrupted, also if a shell runs the tests in the background."""
-    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
