@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import os
-from collections.abc import Iterable, Sequence
-from contextlib import redirect_stdout
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager, redirect_stdout
 from dataclasses import dataclass
 from io import StringIO
 from pathlib import Path
@@ -36,6 +37,18 @@ class Checked:
     diagnostics: Sequence[Diagnostic]
 
 
+@contextmanager
+def _without_collections() -> Iterator[None]:
+    """Within, nobody looks for garbage: a check needs nearly all that it makes until its end."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
+
+
 def check_paths(paths: Iterable[Path]) -> Checked:
     """Check the skills of files, folders and packages, and scenes; what skills print is dropped."""
     paths = list(paths)
@@ -47,6 +60,7 @@ def check_paths(paths: Iterable[Path]) -> Checked:
         session.collecting(collector),
         session.checking(roots(files)),
         redirect_stdout(StringIO()),
+        _without_collections(),
     ):
         skills = check_skills(load_skills(paths))
         collector.extend(found for scene in scenes for found in _scene(scene))
