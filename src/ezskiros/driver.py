@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import gc
 import os
 from collections.abc import Iterable, Iterator, Sequence
@@ -98,11 +99,18 @@ def ambiguous_names() -> tuple[frozenset[str], Sequence[Diagnostic]]:
     return ontology.ambiguous(), collector.sorted()
 
 
-def explain_skill(name: str, paths: Iterable[Path]) -> str | None:
-    """How each inferred parameter of a skill gets its value; None if there is no such skill."""
-    checked = check_paths(paths)
-    skill = next((each for each in checked.skills if each.name == name), None)
-    return None if skill is None else "\n".join(_lines(skill))
+class UnknownSkillError(LookupError):
+    """There is no such skill; the text says so, and which one may be meant."""
+
+
+def explain_skill(name: str, paths: Iterable[Path]) -> str:
+    """How each inferred parameter of a skill gets its value. Raises `UnknownSkillError`."""
+    skills = {each.name: each for each in check_paths(paths).skills}
+    if name not in skills:
+        near = difflib.get_close_matches(name, skills, n=1)
+        hint = f"; did you mean `{near[0]}`?" if near else ""
+        raise UnknownSkillError(f"there is no skill `{name}` in these files{hint}")
+    return "\n".join(_lines(skills[name]))
 
 
 def _lines(skill: SkillInterface) -> Iterable[str]:

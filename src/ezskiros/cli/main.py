@@ -90,13 +90,13 @@ def explain(
     if not paths:
         output.explain(what)
         return
-    from ezskiros.driver import explain_skill
+    from ezskiros.driver import UnknownSkillError, explain_skill
 
     _name_ontology(ontology)
-    text = explain_skill(what, paths)
-    if text is None:
-        output.fail(f"there is no skill `{what}` in these files", exit_code=2)
-    typer.echo(text)
+    try:
+        typer.echo(explain_skill(what, paths))
+    except UnknownSkillError as problem:
+        output.fail(str(problem), exit_code=2)
 
 
 @app.command()

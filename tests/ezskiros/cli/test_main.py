@@ -95,7 +95,7 @@ def test_keys_and_outputs_are_explained(tmp_path: Path) -> None:
 def test_a_skill_that_is_not_there() -> None:
     done = run("explain", "Pikc", "skills", folder=EXAMPLE)
     assert (done.returncode, done.stdout) == (2, "")
-    assert "there is no skill `Pikc`" in done.stderr
+    assert "there is no skill `Pikc` in these files; did you mean `Pick`?" in done.stderr
 
 
 def test_the_ontology_may_be_named_by_an_option(tmp_path: Path) -> None:
