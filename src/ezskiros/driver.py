@@ -14,7 +14,7 @@ from pathlib import Path
 from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import SourceFile, Span, is_file
 from ezskiros import session
-from ezskiros.check import check_skills
+from ezskiros.check import check_implementations, check_skills
 from ezskiros.check.inference import chains
 from ezskiros.check.scene_errors import NoOntologyForScene
 from ezskiros.check.scenes import check_scene
@@ -25,17 +25,22 @@ from ezskiros.skills.load import load_skills, module_files, roots
 from ezskiros.skills.load_errors import NoFile, NoSkills
 from ezskiros.skills.markers import Kind
 from ezskiros.stubs import write_stub
+from ezskiros.trees.launch import read_launch_values
+from ezskiros.trees.library import Library
+from ezskiros.trees.tree import Tree
 
 SCENE = ".turtle"
 
 
 @dataclass(frozen=True)
 class Checked:
-    """The skills of some files, and what is wrong with them."""
+    """The skills of some files with the trees of compound ones, and what is wrong with them."""
 
     files: Sequence[Path]
     skills: Sequence[SkillInterface]
     diagnostics: Sequence[Diagnostic]
+    library: Library
+    trees: Sequence[Tree]
 
 
 @contextmanager
@@ -50,8 +55,11 @@ def _without_collections() -> Iterator[None]:
             gc.enable()
 
 
-def check_paths(paths: Iterable[Path]) -> Checked:
-    """Check the skills of files, folders and packages, and scenes; what skills print is dropped."""
+def check_paths(paths: Iterable[Path], values: Path | None = None) -> Checked:
+    """Check the skills of files, folders and packages, and scenes; what skills print is dropped.
+
+    `values` is a file of values of parameters that are known at launch.
+    """
     paths = list(paths)
     scenes = [path for path in paths if path.suffix == SCENE]
     paths = [path for path in paths if path.suffix != SCENE]
@@ -63,12 +71,19 @@ def check_paths(paths: Iterable[Path]) -> Checked:
         redirect_stdout(StringIO()),
         _without_collections(),
     ):
-        skills = check_skills(load_skills(paths))
+        loaded = load_skills(paths)
+        described = check_skills(loaded.descriptions)
+        library = Library(described)
+        interfaces = [each.interface for each in described.values()]
+        known = read_launch_values(values, interfaces) if values else {}
+        trees = check_implementations(loaded.implementations, library, known)
         collector.extend(found for scene in scenes for found in _scene(scene))
-    if paths and not skills and not collector.sorted():
+    is_empty = not loaded.descriptions and not loaded.implementations
+    if paths and is_empty and not collector.sorted():
         shown = ", ".join(map(str, paths))
         collector.add(NoSkills(path=shown).at(Span(SourceFile(shown, ""), 0, 0)))
-    return Checked([*files, *scenes], skills, collector.sorted())
+    skills = list({each.name: each for each in reversed(interfaces)}.values())[::-1]
+    return Checked([*files, *scenes], skills, collector.sorted(), library, trees)
 
 
 def _scene(path: Path) -> Iterable[Diagnostic]:

@@ -59,12 +59,19 @@ ROSSMARIE = Tool(
         "catalog": {9},
     },
 )
-# 0 files of skills, 1 ontologies, 2 descriptions, 3 what is said about things, 4 meaning, 6 scenes,
-# 9 defects of the tool.
+# 0 files of skills, 1 ontologies, 2 descriptions, 3 what is said about things, 4 meaning,
+# 5 behavior trees, 6 scenes, 7 migration, 9 defects of the tool.
 EZSKIROS = Tool(
     ezskiros.catalog.CATALOG,
     "EZS",
-    {"skills": {0, 2}, "ontology": {1, 3}, "check": {3, 4, 6}, "migrate": {7}, "catalog": {9}},
+    {
+        "skills": {0, 2, 5},
+        "ontology": {1, 3},
+        "trees": {5},
+        "check": {3, 4, 5, 6},
+        "migrate": {7},
+        "catalog": {9},
+    },
 )
 TOOLS = (ROSSMARIE, EZSKIROS)
 SECTIONS = ["What it means", "Example", "Write instead"]

@@ -9,7 +9,9 @@ from typing import Any
 import pytest
 
 from dslkit.diagnostics import Diagnostic
-from support.skill_files import described
+from ezskiros.driver import Checked
+from support.skill_files import HEADER, checked, described
+from support.trees import PARAMETERS, primitive, tree
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -24,19 +26,30 @@ FAULTS: list[dict[str, Any]] = tomllib.loads(
 HEAD = """\
 # Compared with SkiROS2
 
-What becomes of a fault in the description of a skill. The column of SkiROS2 was measured with its
-core (master of 2024-09-24, c4438e7), loaded without ROS; loading said "ok" to all of them. EzSkiROS
-finds each before anything runs; its column is made by running it
-(`pytest tests/docs/test_comparison.py --bless`).
+What becomes of a fault in a skill: in its description, its behavior tree, its methods, its module.
+The column of SkiROS2 was measured with its core (master of 2024-09-24, c4438e7), without ROS;
+it loaded all of them but those where the second column says so. EzSkiROS finds each before anything
+runs; its column is made by running it.
 
 | fault | SkiROS2 notices | and says | EzSkiROS says, at the place |
 |---|---|---|---|
 """
 
 
+def checked_fault(fault: dict[str, Any]) -> Checked:
+    """What is found where the fault is."""
+    if "tree" in fault:
+        return tree(fault["tree"], fault.get("parameters", PARAMETERS))
+    if "methods" in fault:
+        return primitive(fault["methods"])
+    if "module" in fault:
+        return checked(f"{HEADER}\n\n{fault['module']}\n")
+    return described(fault["body"], fault["parameters"])
+
+
 def finding(fault: dict[str, Any]) -> Diagnostic:
     """The first finding, errors before warnings."""
-    found = described(fault["body"], fault["parameters"]).diagnostics
+    found = checked_fault(fault).diagnostics
     assert found, f"nothing is found: {fault['fault']}"
     return min(found, key=lambda each: (each.severity.value, each.primary.span.start))
 
@@ -45,7 +58,7 @@ def row(fault: dict[str, Any]) -> str:
     found = finding(fault)
     link = f"[{found.code}](../../src/ezskiros/catalog/pages/{found.code}.md)"
     place = found.primary.span.text.partition("\n")[0]
-    said = f"{link} {found.title}: `{place}`"
+    said = f"{link} {found.title}" + (f": `{place}`" if place else "")
     if found.help and found.help.startswith("did you mean"):
         said += f" ({found.help})"
     return f"| {fault['fault']} | {fault['when']} | {fault['says']} | {said} |".replace("\\|", "|")

@@ -14,14 +14,14 @@ import pytest
 from dslkit.diagnostics import Severity
 from ezskiros import catalog
 from ezskiros.ontology.load import VARIABLE
-from ezskiros.skills import describe, load
+from ezskiros.skills import load, tracing
 from support import transcript
 from support.markdown import Block, blocks, replace_block
 from support.skills import ONTOLOGY, codes_in, compare_files, findings
 
 PAGES = sorted((Path(catalog.__file__).parent / "pages").glob("EZS[!7]*.md"))
 """All but those of migrations, of which tests/ezskiros/migrate/test_pages.py takes care."""
-LANGUAGES = ("python", "turtle")
+LANGUAGES = ("python", "turtle", "yaml")
 
 
 @pytest.fixture(autouse=True)
@@ -29,7 +29,7 @@ def in_a_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Examples load the ontology of the fixtures, and files beside them; none takes long."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv(VARIABLE, str(ONTOLOGY))
-    monkeypatch.setattr(describe, "SECONDS", 1.0)
+    monkeypatch.setattr(tracing, "SECONDS", 1.0)
     monkeypatch.setattr(load, "SECONDS", 1.0)
 
 

@@ -18,8 +18,12 @@ CHECKED = (".py", ".turtle")
 
 
 def findings(paths: Iterable[Path]) -> Sequence[Diagnostic]:
-    """What is wrong with the skills and scenes among some files."""
-    return check_paths([path for path in paths if path.suffix in CHECKED]).diagnostics
+    """What is wrong with the skills and scenes among some files, with the values that one of them
+    may have.
+    """
+    paths = list(paths)
+    values = next((path for path in paths if path.suffix == ".yaml"), None)
+    return check_paths([path for path in paths if path.suffix in CHECKED], values).diagnostics
 
 
 def compare_files(files: Sequence[Path], *, bless: bool) -> list[str]:

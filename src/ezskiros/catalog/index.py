@@ -7,11 +7,13 @@ from dslkit.diagnostics import Template
 from ezskiros.catalog import errors as catalog_errors
 from ezskiros.check import errors as check_errors
 from ezskiros.check import scene_errors, world_errors
+from ezskiros.check import tree_errors as tree_check_errors
 from ezskiros.migrate import errors as migrate_errors
 from ezskiros.ontology import condition_errors
 from ezskiros.ontology import errors as ontology_errors
 from ezskiros.skills import errors as skills_errors
-from ezskiros.skills import load_errors, parameter_errors
+from ezskiros.skills import load_errors, parameter_errors, tree_errors
+from ezskiros.trees import errors as launch_errors
 
 DIAGNOSTICS: tuple[type[Template], ...] = (
     *load_errors.ALL,
@@ -20,6 +22,9 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *parameter_errors.ALL,
     *condition_errors.ALL,
     *world_errors.ALL,
+    *tree_errors.ALL,
+    *launch_errors.ALL,
+    *tree_check_errors.ALL,
     *check_errors.ALL,
     *scene_errors.ALL,
     *migrate_errors.ALL,

@@ -1,5 +1,6 @@
-"""Skills against the ontology and against themselves; all that is wrong at once."""
+"""Checks of skills against the ontology and against each other."""
 
 from ezskiros.check.skills import check_skills
+from ezskiros.check.trees import check_implementations
 
-__all__ = ["check_skills"]
+__all__ = ["check_implementations", "check_skills"]

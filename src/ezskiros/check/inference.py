@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from dataclasses import dataclass
 
 from dslkit.diagnostics import Diagnostic
@@ -44,11 +44,16 @@ def chains(skill: SkillInterface) -> dict[str, Step]:
     return found
 
 
-def check_inference(skill: SkillInterface, ontology: Ontology) -> Iterator[Diagnostic]:
-    """Inferred parameters that nothing leads to, and parameters that no condition is about."""
+def check_inference(
+    skill: SkillInterface, ontology: Ontology, implemented_with: Set[str]
+) -> Iterator[Diagnostic]:
+    """Inferred parameters that nothing leads to, and parameters that no condition is about.
+
+    Those are left out whose names are in `implemented_with`: names that implementations use.
+    """
     reached = chains(skill)
     clauses = (*skill.pre, *skill.hold, *skill.post)
-    used = {name for clause in clauses for name in names(clause.statement)}
+    used = implemented_with | {name for clause in clauses for name in names(clause.statement)}
     for parameter in skill.parameters:
         if parameter.iri is None:
             continue

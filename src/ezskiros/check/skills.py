@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from dslkit.diagnostics import Diagnostic, Label
@@ -11,32 +11,47 @@ from ezskiros.check.consistency import check_consistency
 from ezskiros.check.inference import check_inference
 from ezskiros.check.outputs import check_outputs
 from ezskiros.check.relations import check_relations
+from ezskiros.ontology import Ontology
 from ezskiros.skills import SkillDescription, errors
-from ezskiros.skills.describe import describe
+from ezskiros.skills.describe import Described, describe
 from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.syntax import attributes_in
+from ezskiros.trees.library import implementations
 
 CHECKS = (check_relations, check_consistency, check_outputs)
 
 
-def check_skills(skills: Iterable[type[SkillDescription]]) -> list[SkillInterface]:
-    """The interfaces of skills; what is wrong is reported."""
-    found: dict[str, SkillInterface] = {}
+def check_skills(
+    skills: Iterable[type[SkillDescription]],
+) -> dict[type[SkillDescription], Described]:
+    """What skills say of themselves; what is wrong is reported."""
+    found: dict[type[SkillDescription], Described] = {}
+    names: dict[str, SkillInterface] = {}
     for skill in skills:
         described = describe(skill)
         if described is None:
             continue
         interface = described.interface
-        if interface.name in found:
-            label = Label(found[interface.name].span, "the other one")
+        if interface.name in names:
+            label = Label(names[interface.name].span, "the other one")
             session.report(errors.DuplicateSkill(skill=interface.name).at(interface.span, label))
-        found.setdefault(interface.name, interface)
+        names.setdefault(interface.name, interface)
+        found[skill] = described
         if described.ontology is not None:
-            # A condition that was not understood may be the one that leads to a parameter.
-            checks = (*CHECKS, check_inference) if described.is_whole else CHECKS
-            for check in checks:
-                for diagnostic in check(interface, described.ontology):
-                    session.report(_with_keys(diagnostic, interface))
-    return list(found.values())
+            for diagnostic in _findings(skill, described, described.ontology):
+                session.report(_with_keys(diagnostic, interface))
+    return found
+
+
+def _findings(
+    skill: type[SkillDescription], described: Described, ontology: Ontology
+) -> Iterator[Diagnostic]:
+    for check in CHECKS:
+        yield from check(described.interface, ontology)
+    # A condition that was not understood may be the one that leads to a parameter.
+    if described.is_whole:
+        used = frozenset[str]().union(*map(attributes_in, implementations(skill).values()))
+        yield from check_inference(described.interface, ontology, used)
 
 
 def _with_keys(found: Diagnostic, skill: SkillInterface) -> Diagnostic:

@@ -59,6 +59,10 @@ def ezskiros(version: Annotated[bool, output.version_option()] = False) -> None:
 def check(
     paths: Skills,
     ontology: Folders = None,
+    values: Annotated[
+        Path | None,
+        typer.Option("--config", metavar="FILE", help="Values that are known at launch (YAML)."),
+    ] = None,
     form: Annotated[
         Format, typer.Option("--format", help="How findings are printed.")
     ] = Format.TEXT,
@@ -71,9 +75,9 @@ def check(
 
     _name_ontology(ontology)
     if watched:
-        _check_again_and_again(paths, ontology or [], form)
+        _check_again_and_again(paths, ontology or [], values, form)
         return
-    found = check_paths(paths)
+    found = check_paths(paths, values)
     output.print_diagnostics(found.diagnostics, form, file_count=len(found.files))
     raise typer.Exit(output.exit_code(found.diagnostics))
 
@@ -193,7 +197,9 @@ def stubs(
         output.fail(f"{out} cannot be used: {reason}", exit_code=2)
 
 
-def _check_again_and_again(paths: list[Path], ontology: list[Path], form: Format) -> None:
+def _check_again_and_again(
+    paths: list[Path], ontology: list[Path], values: Path | None, form: Format
+) -> None:
     """In a process of its own each time: Python keeps the modules that it has imported."""
     from ezskiros.cli.watch import watch
     from ezskiros.ontology.read import find
@@ -201,10 +207,12 @@ def _check_again_and_again(paths: list[Path], ontology: list[Path], form: Format
 
     def files() -> list[Path]:
         known = [path for path in ontology if path.exists()]
-        return [*module_files(paths), *filter(Path.is_file, paths), *find(known)]
+        named = [*paths, *([values] if values else [])]
+        return [*module_files(paths), *filter(Path.is_file, named), *find(known)]
 
     named = [text for path in ontology for text in ("--ontology", str(path))]
-    arguments = ["check", *map(str, paths), *named, "--format", form.value]
+    config = ["--config", str(values)] if values else []
+    arguments = ["check", *map(str, paths), *named, *config, "--format", form.value]
 
     def check_once() -> None:
         subprocess.run([sys.executable, "-m", "ezskiros", *arguments], check=False)

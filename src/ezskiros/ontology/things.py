@@ -132,13 +132,18 @@ class Unknown:
     def _same(self, _other: object = None) -> Unknown:
         return self
 
+    def _equal(self, other: object) -> Unknown | bool:
+        # `typing` asks whether what it is given is one of its own classes.
+        return False if isinstance(other, type) else self
+
     def __iter__(self) -> Iterator[Unknown]:
         return iter(())
 
     __invert__ = __or__ = __ror__ = __lt__ = __le__ = __gt__ = __ge__ = __getitem__ = _same
     __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __neg__ = _same
     __truediv__ = __rtruediv__ = _same
-    __eq__ = __ne__ = _same  # type: ignore[assignment]
+    __eq__ = _equal  # type: ignore[assignment]
+    __ne__ = _same  # type: ignore[assignment]
     __hash__ = object.__hash__
 
 

@@ -20,6 +20,8 @@ from ezskiros.ontology.things import (
     is_asked_here,
 )
 from ezskiros.skills import errors
+from ezskiros.skills.calls import SkillClass
+from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Clause
 from ezskiros.skills.syntax import added_value
 
@@ -70,7 +72,7 @@ def _is_told(condition: object, span: Span) -> bool:
     return isinstance(condition, bool) and session.has_reported(span)
 
 
-class SkillDescription:
+class SkillDescription(metaclass=SkillClass):
     """What a skill needs and what it does.
 
         class Drive(SkillDescription):
@@ -84,6 +86,13 @@ class SkillDescription:
     pre_conditions: Conditions
     hold_conditions: Conditions
     post_conditions: Conditions
+
+    class SkillBase(SkillImplementation):
+        """From this the implementations of the skill are derived; each skill has its own."""
+
+    def __init_subclass__(cls) -> None:
+        parts = {"description": cls, "__module__": cls.__module__}
+        cls.SkillBase = type("SkillBase", (SkillImplementation,), parts)  # type: ignore[misc, assignment]
 
     def __init__(self) -> None:
         self.pre_conditions = Conditions("pre")

@@ -171,33 +171,34 @@ class AddedOtherwise(Error, code="EZS215", name="added-otherwise"):
 
 @dataclass(frozen=True, kw_only=True)
 class Raised(Error, code="EZS220", name="description-raised"):
-    """A description that ends with an exception."""
+    """A method that ends with an exception."""
 
-    title = "the description of `{skill}` raises {exception}"
+    title = "{method} raises {exception}"
     label = "{said}"
-    skill: str
+    method: str
     exception: str
     said: str
 
 
 @dataclass(frozen=True, kw_only=True)
 class SideEffect(Error, code="EZS221", name="side-effect"):
-    """A description that does something besides describing."""
+    """A method that does something to the world while it is checked."""
 
-    title = "the description of `{skill}` {deed}"
+    title = "{method} {deed}"
     label = "not done: a check does nothing to the world"
-    help = "a description only says what a skill needs and does; move this to its implementation"
-    skill: str
+    help = "{advice}"
+    method: str
+    advice: str
     deed: str
 
 
 @dataclass(frozen=True, kw_only=True)
 class NeverEnds(Error, code="EZS222", name="never-ends"):
-    """A description that runs for too long."""
+    """A method that runs for too long."""
 
-    title = "the description of `{skill}` does not end within {seconds} s"
+    title = "{method} does not end within {seconds} s"
     label = "it was here when its time was over"
-    skill: str
+    method: str
     seconds: float
 
 
@@ -217,9 +218,9 @@ class DependsOnValue(Error, code="EZS223", name="depends-on-value"):
 class TooManyPaths(Warning, code="EZS224", name="too-many-paths"):
     """More branches than are looked into."""
 
-    title = "the description of `{skill}` branches so often that only {count} ways are checked"
-    help = "leave out what the conditions do not depend on"
-    skill: str
+    title = "{method} branches so often that only {count} ways are checked"
+    help = "leave out what does not matter for what comes of it"
+    method: str
     count: int
 
 

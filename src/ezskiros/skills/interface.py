@@ -53,6 +53,16 @@ class Parameter:
         """The class of the thing that it stands for; None if it stands for none."""
         return self.type.iri if isinstance(self.type, ThingClass) else None
 
+    def takes(self, value: object) -> bool:
+        """Whether it can have a basic value, or one of an enumeration. A whole number is a float as
+        well; in SkiROS2 it is none.
+        """
+        if self.type is float and type(value) is int:
+            return True
+        if issubclass(self.type, enum.Enum):
+            return isinstance(value, self.type)
+        return self.type in BASIC and type(value) is self.type
+
 
 @dataclass(frozen=True)
 class Clause:
@@ -75,6 +85,8 @@ class SkillInterface:
     hold: Sequence[Clause]
     post: Sequence[Clause]
     doc: str = ""
+    unclear: frozenset[str] = frozenset()
+    """The names of parameters whose types were not understood, which has been reported."""
 
     def parameter(self, name: str) -> Parameter | None:
         """The parameter of that name."""

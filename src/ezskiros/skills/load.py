@@ -1,4 +1,4 @@
-"""Python files and packages in, the skills that they define out.
+"""Python files and packages in, the skills that they define and implement out.
 
 Modules are run, as Python does when it imports them, without ROS: what is not installed is replaced
 by stand-ins. A module that cannot be run does not hide the others.
@@ -10,11 +10,13 @@ import importlib
 import os
 import re
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from importlib.machinery import PathFinder
 from pathlib import Path
 from types import ModuleType
+from typing import TypeVar
 
 from dslkit.diagnostics import Collector, Diagnostic, Label
 from dslkit.source import SourceFile, Span, is_file, is_folder
@@ -31,6 +33,7 @@ from ezskiros.skills.guard import (
     TimeOverError,
     guarded,
 )
+from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.importing import forget_since, importing, module_name
 from ezskiros.skills.intercept import intercept
 from ezskiros.skills.stand_ins import is_installed
@@ -39,24 +42,37 @@ from ezskiros.skills.syntax import classes_of
 SECONDS = 20.0
 """For the import of one module, with all that it imports."""
 
+T = TypeVar("T")
 
-def load_skills(paths: Iterable[Path]) -> list[type[SkillDescription]]:
-    """The skills of some files, folders and packages, in the order in which they are written."""
+
+@dataclass(frozen=True)
+class Loaded:
+    """What some modules define, in the order in which it is written."""
+
+    descriptions: Sequence[type[SkillDescription]]
+    implementations: Sequence[type[SkillImplementation]]
+
+
+def load_skills(paths: Iterable[Path]) -> Loaded:
+    """The skills of some files, folders and packages."""
     paths = list(paths)
     for path in paths:
         if located(path) is None:
             nowhere = Span(SourceFile(str(path), ""), 0, 0)
             help = _HELP if _is_name_of_module(path) else None
             session.report(errors.NoFile(path=str(path)).at(nowhere, help=help))
-    found: dict[type[SkillDescription], None] = {}
+    descriptions: dict[type[SkillDescription], None] = {}
+    implementations: dict[type[SkillImplementation], None] = {}
     endless: dict[str, str] = {}
     for file in module_files(paths):
         module = _module(file.resolve(), endless)
         if module is not None:
-            skills = _skills_of(module)
-            _report_repeated(file, {skill.__name__ for skill in skills})
-            found.update(dict.fromkeys(skills))
-    return list(found)
+            described = _own(module, SkillDescription)
+            implementing = _own(module, SkillImplementation)
+            _report_repeated(file, {each.__name__ for each in (*described, *implementing)})
+            descriptions.update(dict.fromkeys(described))
+            implementations.update(dict.fromkeys(implementing))
+    return Loaded(list(descriptions), list(implementations))
 
 
 def skill_files(paths: Iterable[Path]) -> list[Path]:
@@ -178,19 +194,17 @@ def _module_of(problem: BaseException) -> tuple[str, str]:
     return found.get("__name__", ""), found.get("__file__", "")
 
 
-def _skills_of(module: ModuleType) -> list[type[SkillDescription]]:
-    """The skills that a module defines itself."""
+def _own(module: ModuleType, base: type[T]) -> list[type[T]]:
+    """The classes that a module itself derives from another one."""
     return [
         each
         for each in vars(module).values()
-        if isinstance(each, type)
-        and issubclass(each, SkillDescription)
-        and each.__module__ == module.__name__
+        if isinstance(each, type) and issubclass(each, base) and each.__module__ == module.__name__
     ]
 
 
 def _report_repeated(file: Path, skills: set[str]) -> None:
-    """Skills that a module defines again: of the first ones Python knows nothing any more."""
+    """Classes that a module defines again: of the first ones Python knows nothing any more."""
     source = source_file(str(file.resolve())) or SourceFile(str(file), "")
     seen: dict[str, Span] = {}
     for name, span in classes_of(source):

@@ -72,6 +72,10 @@ class _Written:
     classes: dict[str, Span] = field(default_factory=dict)
     """Where they are defined first."""
     outer_classes: list[tuple[str, Span]] = field(default_factory=list)
+    attributes: dict[str, frozenset[str]] = field(default_factory=dict)
+    """By the names of classes: all names that stand behind a dot in them."""
+    parameters_set: dict[str, frozenset[str]] = field(default_factory=dict)
+    """By the names of classes: which parameters they set, as in `self.params.Force = 3.5`."""
     functions: dict[int, tuple[int, ast.arguments]] = field(default_factory=dict)
     """By the first line, decorators included: the line of `def`, and the parameters."""
 
@@ -88,6 +92,11 @@ def _written(file: SourceFile) -> _Written:
             start = node_span(file, node).start + len("class ")
             span = Span(file, start, start + len(node.name))
             found.classes.setdefault(node.name, span)
+            dotted = [each for each in ast.walk(node) if isinstance(each, ast.Attribute)]
+            found.attributes[node.name] = frozenset(each.attr for each in dotted)
+            found.parameters_set[node.name] = frozenset(
+                each.attr for each in dotted if _is_parameter_set(each)
+            )
             if node in outer:
                 found.outer_classes.append((node.name, span))
         elif isinstance(node, ast.FunctionDef):
@@ -97,6 +106,23 @@ def _written(file: SourceFile) -> _Written:
             inside = getattr(node, part, ())
             work += reversed(inside) if isinstance(inside, list) else ()
     return found
+
+
+def attributes_in(owner: type) -> frozenset[str]:
+    """All names that stand behind a dot in a class that users wrote."""
+    file = source_file(file_of(owner))
+    return _written(file).attributes.get(owner.__name__, frozenset()) if file else frozenset()
+
+
+def set_in(owner: type) -> frozenset[str]:
+    """The parameters that a class that users wrote sets: `self.params.Force = 3.5`."""
+    file = source_file(file_of(owner))
+    return _written(file).parameters_set.get(owner.__name__, frozenset()) if file else frozenset()
+
+
+def _is_parameter_set(node: ast.Attribute) -> bool:
+    is_set = isinstance(node.ctx, ast.Store)
+    return is_set and isinstance(node.value, ast.Attribute) and node.value.attr == "params"
 
 
 def names_in(span: Span) -> dict[str, Span]:
@@ -183,4 +209,17 @@ def docs_of(text: str) -> dict[str, str]:
             found[name] = f"{found[name]} {line.strip()}"
         elif line.strip():
             break
+    return found
+
+
+def argument_places(call: Span) -> dict[str, tuple[Span, Span]]:
+    """Where the named arguments of a call stand: their names, and their values."""
+    found = {}
+    expression = _expression(call)
+    node = expression.body if isinstance(expression, ast.Expression) else None
+    for each in node.keywords if isinstance(node, ast.Call) else ():
+        value = _inside(call, each.value)
+        if each.arg is not None:
+            start = call.start + node_span(SourceFile("", f"({call.text})"), each).start - 1
+            found[each.arg] = (Span(call.file, start, start + len(each.arg)), value)
     return found

@@ -35,9 +35,9 @@ class Decisions:
 
     planned: list[bool] = field(default_factory=list)
     taken: list[bool] = field(default_factory=list)
-    asked: list[tuple[Span, Symbol]] = field(default_factory=list)
+    asked: list[tuple[Span, Described]] = field(default_factory=list)
 
-    def decide(self, span: Span, symbol: Symbol) -> bool:
+    def decide(self, span: Span, symbol: Described) -> bool:
         """The next answer: as planned, then always true."""
         number = len(self.taken)
         if number >= MOST_DECISIONS:
@@ -54,6 +54,10 @@ class Decisions:
             found.pop()
         return [*found[:-1], False] if found else None
 
+    def last_planned(self) -> tuple[Span, Described]:
+        """What the last answer that was planned was given to, and where."""
+        return self.asked[len(self.planned) - 1]
+
 
 _decisions: ContextVar[Decisions | None] = ContextVar("decisions", default=None)
 
@@ -68,6 +72,14 @@ def deciding(decisions: Decisions) -> Iterator[None]:
         _decisions.reset(token)
 
 
+def decided(symbol: Described) -> bool:
+    """What becomes of something that is not known before the skill runs, where it is asked for its
+    truth.
+    """
+    decisions = _decisions.get()
+    return decisions is None or decisions.decide(session.here(), symbol)
+
+
 class Symbol(Described):
     """Something that is not known before the skill runs.
 
@@ -79,8 +91,7 @@ class Symbol(Described):
         """What depends on it."""
 
     def __bool__(self) -> bool:
-        decisions = _decisions.get()
-        return decisions is None or decisions.decide(session.here(), self)
+        return decided(self)
 
     def __iter__(self) -> Iterator[Symbol]:
         return self.__parts__(sys._getframe(1))  # noqa: SLF001

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from ezskiros.skills import describe
+from ezskiros.skills import tracing
 from support.skill_files import HEADER, checked, described, found, warned
 
 VALUES = "Object: skiros.Product, Place: skiros.Container, Speed: float = 1.0, Fast: bool = True"
@@ -61,7 +61,7 @@ def test_what_it_prints_is_dropped(capsys: pytest.CaptureFixture[str]) -> None:
     ],
 )
 def test_a_description_that_never_ends_is_told(line: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(describe, "SECONDS", 0.2)
+    monkeypatch.setattr(tracing, "SECONDS", 0.2)
     assert [code for code, _ in found(described(line))] == ["EZS222"]
 
 

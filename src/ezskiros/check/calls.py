@@ -1,0 +1,169 @@
+"""The children of behavior trees against the descriptions of the skills that they name."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Diagnostic, Label
+from dslkit.source import Span
+from ezskiros.check import tree_errors as errors
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.things import Unknown, described
+from ezskiros.skills.interface import Parameter, SkillInterface
+from ezskiros.skills.markers import Kind
+from ezskiros.skills.nodes import SkillCall, calls
+from ezskiros.skills.syntax import argument_places, class_span
+from ezskiros.skills.values import SymbolicValue
+from ezskiros.trees.library import Implementations, Library
+from ezskiros.trees.tree import ThingReference, Tree, ValueReference
+
+
+def check_calls(tree: Tree, library: Library) -> Iterator[Diagnostic]:
+    """What does not fit, child by child."""
+    for call in calls(tree.root):
+        skill = library.skill(call.skill)
+        if skill is not None:
+            yield from _Checker(tree, call, skill, library, library.ontology()).check()
+
+
+@dataclass(frozen=True)
+class _Checker:
+    """The checks of one child."""
+
+    tree: Tree
+    call: SkillCall
+    skill: SkillInterface
+    library: Library
+    ontology: Ontology | None
+
+    def check(self) -> Iterator[Diagnostic]:
+        """In the order in which it is written."""
+        yield from self._implementation()
+        places = argument_places(self.call.span)
+        for name, value in self.call.arguments.items():
+            name_span, value_span = places.get(name, (self.call.span, self.call.span))
+            parameter = self.skill.parameter(name)
+            if parameter is not None:
+                yield from self._argument(parameter, value, value_span)
+            elif name not in self.skill.unclear:
+                yield self._unknown(name, name_span)
+        for parameter in self.skill.parameters:
+            if parameter.name not in self.call.arguments:
+                yield from self._inherited(parameter)
+
+    # --- which implementation ---------------------------------------------------------------------
+
+    def _implementation(self) -> Iterator[Diagnostic]:
+        wanted = self.call.implementation
+        known = self.library.implementations(self.call.skill)
+        if wanted is None and not known:
+            found = errors.NotImplementedAnywhere(skill=self.skill.name)
+            yield found.at(self.call.span, self._declaration())
+        if wanted is None or wanted in known:
+            return
+        owner = self.library.owner(wanted)
+        if owner is not None:
+            other = errors.OtherSkillsImplementation(
+                spelled=wanted, skill=self.skill.name, owner=owner.name
+            )
+            yield other.at(self._named_implementation())
+            return
+        near = difflib.get_close_matches(wanted, known, n=1)
+        missing = errors.UnknownImplementation(spelled=wanted, skill=self.skill.name)
+        labels = [Label(class_span(known[near[0]]), "it is written here")] if near else []
+        help = f"did you mean `{near[0]}`?" if near else self._known_ones(known)
+        yield missing.at(self._named_implementation(), *labels, help=help)
+
+    def _known_ones(self, known: Implementations) -> str | None:
+        return f"`{self.skill.name}` is implemented by {', '.join(known)}" if known else None
+
+    def _named_implementation(self) -> Span:
+        """The name in `Skill.name(...)`."""
+        spelled = f".{self.call.implementation}"
+        start = self.call.span.text.find(spelled)
+        if start < 0:
+            return self.call.span
+        start += self.call.span.start + 1
+        return Span(self.call.span.file, start, start + len(spelled) - 1)
+
+    # --- what its parameters get --------------------------------------------------------------
+
+    def _unknown(self, name: str, span: Span) -> Diagnostic:
+        names = [each.name for each in self.skill.parameters]
+        near = difflib.get_close_matches(name, names, n=1)
+        help = f"did you mean `{near[0]}`?" if near else f"it has {', '.join(names) or 'none'}"
+        found = errors.UnknownArgument(skill=self.skill.name, spelled=name)
+        return found.at(span, self._declaration(), help=help)
+
+    def _argument(self, parameter: Parameter, value: object, span: Span) -> Iterator[Diagnostic]:
+        match value:
+            case Unknown():
+                return
+            case ThingReference(parameter=given) | ValueReference(parameter=given):
+                yield from self._passed(parameter, given, span)
+            case SymbolicValue() if not parameter.is_thing:
+                return  # it is known when the robot runs
+            case _ if parameter.is_thing:
+                found = errors.NoThingGiven(
+                    parameter=parameter.name,
+                    wanted=self._spelled(parameter),
+                    found=described(value),
+                )
+                yield found.at(span, _declared(parameter))
+            case _ if not parameter.takes(value):
+                wrong = errors.WrongArgument(
+                    parameter=parameter.name,
+                    wanted=parameter.type.__name__,
+                    found=described(value),
+                )
+                yield wrong.at(span, _declared(parameter))
+            case _:
+                return
+
+    def _inherited(self, parameter: Parameter) -> Iterator[Diagnostic]:
+        """What a parameter gets for which the child says nothing: the compound's of this name."""
+        given = self.tree.skill.parameter(parameter.name)
+        if given is not None and not (parameter.default is not None and not parameter.is_thing):
+            yield from self._passed(parameter, given, self.call.span)
+
+    def _passed(self, parameter: Parameter, given: Parameter, span: Span) -> Iterator[Diagnostic]:
+        """Whether a parameter of the child can stand for what one of the compound stands for."""
+        labels = [_declared(parameter), _declared(given)]
+        if parameter.iri is None or given.iri is None:
+            if parameter.type is not given.type:
+                wrong = errors.PassedMisfit(
+                    given=given.name,
+                    found=self._spelled(given),
+                    parameter=parameter.name,
+                    wanted=self._spelled(parameter),
+                )
+                yield wrong.at(span, *labels)
+            return
+        model = self.ontology.model if self.ontology else None
+        if model is None or model.is_a(given.iri, parameter.iri):
+            return
+        is_wider = model.is_a(parameter.iri, given.iri)
+        if is_wider and parameter.kind is Kind.OPTIONAL:
+            return  # what the child finds out is what the compound asks for
+        kind = errors.PassedMayNotFit if is_wider else errors.PassedMisfit
+        found = kind(
+            given=given.name,
+            found=self._spelled(given),
+            parameter=parameter.name,
+            wanted=self._spelled(parameter),
+        )
+        yield found.at(span, *labels)
+
+    def _spelled(self, parameter: Parameter) -> str:
+        if parameter.iri is not None and self.ontology is not None:
+            return self.ontology.model.short(parameter.iri).replace(":", ".")
+        return parameter.type.__name__
+
+    def _declaration(self) -> Label:
+        return Label(self.skill.span, "declared here")
+
+
+def _declared(parameter: Parameter) -> Label:
+    return Label(parameter.span, f"`{parameter.name}` is declared here")

@@ -1,0 +1,232 @@
+"""What the children of a behavior tree read and write, along all ways through it.
+
+A child that fails has written nothing: its outputs are passed on when it has succeeded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from dslkit.diagnostics import Diagnostic, Label
+from dslkit.source import Span
+from ezskiros.check import tree_errors as errors
+from ezskiros.skills.interface import Parameter, SkillInterface
+from ezskiros.skills.markers import Kind
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall, calls
+from ezskiros.skills.syntax import set_in
+from ezskiros.trees.library import Library
+from ezskiros.trees.names import Shared, shared_names
+from ezskiros.trees.tree import Tree
+
+_SEQUENCES = {Flow.SERIAL, Flow.SERIAL_STAR}
+_SELECTORS = {Flow.SELECTOR, Flow.SELECTOR_STAR}
+_PARALLELS = {Flow.PARALLEL_FF, Flow.PARALLEL_FS}
+
+Names = frozenset[str]
+Known = Names | None
+"""What certainly has a value somewhere; None if nothing gets there."""
+
+
+@dataclass(frozen=True)
+class After:
+    """What certainly has a value after a node, by its result."""
+
+    success: Known
+    failure: Known
+
+
+def check_dataflow(tree: Tree, library: Library) -> Iterator[Diagnostic]:
+    """Values that are read and that nobody has written, or written and never read."""
+    flow = _Dataflow(tree, library)
+    after = flow.after(tree.root, tree.given | set(_known(tree.skill))).success
+    yield from flow.found
+    for parameter in tree.skill.parameters:
+        if parameter.is_output and after is not None and parameter.name not in after:
+            found = errors.OutputMissing(skill=tree.skill.name, parameter=parameter.name)
+            yield found.at(tree.span, Label(parameter.span, "declared here"))
+    yield from flow.unread()
+
+
+def _known(skill: SkillInterface) -> Iterator[str]:
+    """What has a value when the compound starts."""
+    yield from skill.unclear
+    for parameter in skill.parameters:
+        if not parameter.is_output and parameter.kind is not Kind.OPTIONAL:
+            yield parameter.name
+
+
+def writes(call: SkillCall, parameter: Parameter, library: Library) -> bool:
+    """Whether a child may give a parameter its value: it says so; or the parameter is optional, as
+    those often are in SkiROS2 that a skill finds out, and an implementation sets it.
+    """
+    if parameter.is_output or parameter.kind is not Kind.OPTIONAL:
+        return parameter.is_output
+    known = library.implementations(call.skill)
+    named = [each for each in known.values() if call.implementation in (None, each.__name__)]
+    sets = any(parameter.name in set_in(each) or hasattr(each, "expandBT") for each in named)
+    return sets or not named
+
+
+def reads(parameter: Parameter) -> bool:
+    """Whether the skill cannot do without a value."""
+    return parameter.kind is Kind.REQUIRED and parameter.default is None and not parameter.is_output
+
+
+@dataclass
+class _Dataflow:
+    """One walk through a tree."""
+
+    tree: Tree
+    library: Library
+    found: list[Diagnostic] = field(default_factory=list)
+    _writers: dict[str, SkillCall] = field(default_factory=dict)
+    _read: set[str] = field(default_factory=set)
+
+    def after(self, node: Node, before: Known) -> After:
+        """What certainly has a value after a node, given what has before."""
+        match node:
+            case SkillCall():
+                return After(self._after_skill(node, before), before)
+            case Decorator(decoration=Decoration.INVERTER, child=child):
+                inner = self.after(child, before)
+                return After(inner.failure, inner.success)
+            case Decorator(decoration=Decoration.TIMEOUT, child=child):
+                return After(self.after(child, before).success, before)  # stopped anywhere
+            case Decorator(child=child):
+                return self.after(child, before)
+            case Processor(flow=flow, children=children) if flow in _SEQUENCES:
+                return self._after_sequence(children, before)
+            case Processor(flow=flow, children=children) if flow in _SELECTORS:
+                return self._after_selector(children, before)
+            case Processor(flow=flow, children=children) if flow in _PARALLELS:
+                return self._after_parallel(flow, children, before)
+            case Processor(children=children):
+                inner = self._after_sequence(children, before)
+                return After(_in_all([inner.success, inner.failure]), None)  # NoFail
+        raise AssertionError(node)
+
+    def _after_sequence(self, children: Iterable[Node], before: Known) -> After:
+        failures = []
+        for child in children:
+            inner = self.after(child, before)
+            failures.append(inner.failure)
+            before = inner.success
+        return After(before, _in_all(failures))
+
+    def _after_selector(self, children: Iterable[Node], before: Known) -> After:
+        successes = []
+        for child in children:
+            inner = self.after(child, before)
+            successes.append(inner.success)
+            before = inner.failure
+        return After(_in_all(successes), before)
+
+    def _after_parallel(self, flow: Flow, children: Sequence[Node], before: Known) -> After:
+        if before is not None:
+            before |= self._races(children)
+        inner = [self.after(child, before) for child in children]
+        successes = [each.success for each in inner]
+        if flow is Flow.PARALLEL_FS:
+            return After(_in_all(successes), _in_all([each.failure for each in inner]))
+        all_at_once = (
+            None if None in successes else frozenset[str]().union(*filter(None, successes))
+        )
+        return After(all_at_once, before)
+
+    def _after_skill(self, call: SkillCall, before: Known) -> Known:
+        if before is None:
+            return None
+        after = set(before)
+        for shared in self._shared(call):
+            if reads(shared.parameter):
+                self._read.add(shared.shared)
+                if shared.shared not in before:
+                    self.found.append(self._unwritten(call, shared))
+            elif writes(call, shared.parameter, self.library):
+                if shared.parameter.is_output:
+                    self._writers.setdefault(shared.shared, call)
+            elif shared.parameter.kind is Kind.INFERRED:
+                self._read.add(shared.shared)  # it was given, or has been found in the world
+            else:
+                continue
+            after.add(shared.shared)
+        return frozenset(after)
+
+    def _shared(self, call: SkillCall) -> Iterable[Shared]:
+        skill = self.library.skill(call.skill)
+        return shared_names(call, skill) if skill else ()
+
+    def _unwritten(self, call: SkillCall, shared: Shared) -> Diagnostic:
+        """The finding for a value that is read: nobody gives it, or not on all ways."""
+        parameter = shared.parameter
+        labels = [Label(parameter.span, "declared here")]
+        skill = call.skill.__name__
+        writer = self._writer_before(shared.shared, call)
+        own = self.tree.skill.parameter(shared.shared)
+        if writer is None and own is not None and not own.is_output:
+            nothing = errors.MayBeNothing(skill=skill, parameter=parameter.name, given=own.name)
+            return nothing.at(call.span, *labels, Label(own.span, "declared as optional here"))
+        if writer is None:
+            missing = errors.MissingArgument(skill=skill, parameter=parameter.name)
+            return missing.at(call.span, *labels)
+        labels.append(Label(writer.span, "this gives it a value, if it gets there"))
+        found = errors.NotWrittenOnAllWays(skill=skill, parameter=parameter.name)
+        return found.at(call.span, *labels)
+
+    def _writer_before(self, name: str, call: SkillCall) -> SkillCall | None:
+        """A child that writes a name somewhere else in the tree."""
+        for other in calls(self.tree.root):
+            if other is not call and any(
+                each.shared == name
+                and (
+                    each.parameter.kind is Kind.INFERRED
+                    or writes(other, each.parameter, self.library)
+                )
+                for each in self._shared(other)
+            ):
+                return other
+        return None
+
+    def _races(self, children: Iterable[Node]) -> Names:
+        """Values that one child of a parallel writes and another one reads at the same time."""
+        told = set()
+        by_child = [list(calls(child)) for child in children]
+        for index, own in enumerate(by_child):
+            others = [call for other in by_child[:index] + by_child[index + 1 :] for call in other]
+            written = dict(self._written(others))
+            for call in own:
+                for shared in self._shared(call):
+                    writer = written.get(shared.shared)
+                    if writer is not None and reads(shared.parameter):
+                        self._tell_race(call, writer, shared)
+                        told.add(shared.shared)
+        return frozenset(told)
+
+    def _tell_race(self, call: SkillCall, writer: SkillCall, shared: Shared) -> None:
+        found = errors.ReadBesides(
+            skill=call.skill.__name__, parameter=shared.parameter.name,
+            writer=writer.skill.__name__,
+        )  # fmt: skip
+        label = Label(writer.span, "this gives it its value, at the same time")
+        self.found.append(found.at(call.span, label))
+
+    def _written(self, those: Iterable[SkillCall]) -> Iterator[tuple[str, SkillCall]]:
+        for call in those:
+            for shared in self._shared(call):
+                if writes(call, shared.parameter, self.library):
+                    yield shared.shared, call
+
+    def unread(self) -> Iterator[Diagnostic]:
+        """What is written and used by nobody."""
+        own: Mapping[str, Span] = {each.name: each.span for each in self.tree.skill.parameters}
+        for name, call in self._writers.items():
+            if name not in self._read and name not in own:
+                found = errors.WrittenNeverRead(skill=call.skill.__name__, parameter=name)
+                yield found.at(call.span)
+
+
+def _in_all(outcomes: Iterable[Known]) -> Known:
+    """What has a value on all ways that there are; None if there are none."""
+    ways = [each for each in outcomes if each is not None]
+    return frozenset.intersection(*ways) if ways else None

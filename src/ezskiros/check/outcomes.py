@@ -1,0 +1,118 @@
+"""Which results the nodes of behavior trees can have, as far as implementations show it.
+
+A skill can always fail: its pre-conditions may not hold when it starts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from ezskiros.skills.implementation import SkillImplementation, State
+from ezskiros.skills.methods import told_states
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall, children
+from ezskiros.trees.library import Library
+from ezskiros.trees.tree import Tree
+
+Results = frozenset[State]
+_NONE: Results = frozenset()
+_FAILURE: Results = frozenset({State.FAILURE})
+_SUCCESS: Results = frozenset({State.SUCCESS})
+_OTHER = {State.SUCCESS: State.FAILURE, State.FAILURE: State.SUCCESS}
+_SEQUENCES = {Flow.SERIAL, Flow.SERIAL_STAR}
+_SELECTORS = {Flow.SELECTOR, Flow.SELECTOR_STAR}
+
+
+class Outcomes:
+    """The results of the nodes of some trees, which may call each other."""
+
+    def __init__(self, trees: Iterable[Tree], library: Library) -> None:
+        self._library = library
+        self._trees: dict[type[SkillImplementation], list[Node]] = {}
+        for tree in trees:
+            self._trees.setdefault(tree.owner, []).append(tree.root)
+        self._succeeding: set[type[SkillImplementation]] = set()
+        self._long: set[type[SkillImplementation]] = set()
+        while self._grow():
+            pass
+
+    def _grow(self) -> bool:
+        """One more step to the least solution: who calls itself succeeds only if it need not."""
+        before = len(self._succeeding) + len(self._long)
+        for owner, roots in self._trees.items():
+            if any(State.SUCCESS in self.results(root) for root in roots):
+                self._succeeding.add(owner)
+            if any(self.is_long(root) for root in roots):
+                self._long.add(owner)
+        return len(self._succeeding) + len(self._long) > before
+
+    def results(self, node: Node) -> Results:
+        """How a node can end."""
+        match node:
+            case SkillCall():
+                return _FAILURE | (_SUCCESS if self._can_succeed(node) else _NONE)
+            case Decorator(decoration=Decoration.INVERTER, child=child):
+                return frozenset(_OTHER[each] for each in self.results(child))
+            case Decorator(decoration=Decoration.TIMEOUT, child=child):
+                return self.results(child) | _FAILURE
+            case Decorator(child=child):
+                return self.results(child)
+            case Processor(flow=flow, children=below):
+                return _joined(flow, [self.results(child) for child in below])
+        raise AssertionError(node)
+
+    def is_long(self, node: Node) -> bool:
+        """Whether an implementation shows that it may take more than one tick."""
+        if not isinstance(node, SkillCall):
+            return any(self.is_long(child) for child in children(node))
+        return any(
+            each in self._long if each in self._trees else "step" in (told_states(each) or ())
+            for each in self._implementations(node)
+        )
+
+    def _can_succeed(self, call: SkillCall) -> bool:
+        known = list(self._implementations(call))
+        return not known or any(map(self._succeeds, known))
+
+    def _succeeds(self, implementation: type[SkillImplementation]) -> bool:
+        if implementation in self._trees:
+            return implementation in self._succeeding
+        told = told_states(implementation)
+        return told is None or "success" in told
+
+    def _implementations(self, call: SkillCall) -> Iterator[type[SkillImplementation]]:
+        known = self._library.implementations(call.skill)
+        if call.implementation is None:
+            yield from known.values()
+        elif call.implementation in known:
+            yield known[call.implementation]
+
+
+def _joined(flow: Flow, results: Sequence[Results]) -> Results:
+    """How a processor can end whose children can end so."""
+    can_fail = any(State.FAILURE in each for each in results[: _reached(results, State.SUCCESS)])
+    if flow in _SEQUENCES or flow is Flow.PARALLEL_FF:
+        all_can = all(State.SUCCESS in each for each in results)
+        return (_SUCCESS if all_can else _NONE) | (_FAILURE if can_fail else _NONE)
+    if flow in _SELECTORS:
+        all_can = all(State.FAILURE in each for each in results)
+        reached = results[: _reached(results, State.FAILURE)]
+        can_succeed = any(State.SUCCESS in each for each in reached)
+        return (_SUCCESS if can_succeed else _NONE) | (_FAILURE if all_can else _NONE)
+    if flow is Flow.PARALLEL_FS:
+        return _NONE.union(*results)
+    return _SUCCESS if all(results) else _NONE  # NoFail
+
+
+def _reached(results: Sequence[Results], wanted: State) -> int:
+    """How many children are started, if each needs that all before it can end so."""
+    for index, each in enumerate(results):
+        if wanted not in each:
+            return index + 1
+    return len(results)
+
+
+def goes_on_with(flow: Flow) -> State | None:
+    """The result of a child with which a processor goes on to the next one."""
+    if flow in _SEQUENCES:
+        return State.SUCCESS
+    return State.FAILURE if flow in _SELECTORS else None

@@ -1,0 +1,90 @@
+"""The methods of primitive skills: whether they return what SkiROS2 waits for.
+
+`execute` returns what `self.success`, `self.step` and `self.fail` give, `onStart` and `onEnd`
+whether they succeeded.
+"""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import inspect
+from collections.abc import Iterator
+from types import FunctionType
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import Span
+from dslkit.source.call_site import node_span
+from ezskiros.check import tree_errors as errors
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.methods import Written, own_method, told_state, written
+from ezskiros.skills.syntax import class_span, definition
+
+STATE, TRUTH = "execute", ("onStart", "onEnd")
+METHODS = ("expandBT", STATE, *TRUTH, "onPreempt")
+_NO_STATE = (
+    ast.Constant, ast.Compare, ast.JoinedStr, ast.List, ast.Tuple, ast.Dict, ast.Set, ast.Lambda,
+)  # fmt: skip
+_PROGRESS = ((str, "a text"), (int, "a whole number"))
+
+
+def check_protocol(implementation: type[SkillImplementation]) -> Iterator[Diagnostic]:
+    """What the methods return that nobody waits for, in the order of the protocol."""
+    if not any(own_method(implementation, name) for name in ("expandBT", STATE)):
+        yield _nothing_to_do(implementation)
+    for name in (STATE, *TRUTH):
+        method = own_method(implementation, name)
+        found = written(method) if method else None
+        if found is not None:
+            yield from _wrong_returns(implementation.__name__, name, found)
+
+
+def _nothing_to_do(implementation: type[SkillImplementation]) -> Diagnostic:
+    """The finding for an implementation that does nothing, with the method that may be meant."""
+    found = errors.NothingToDo(implementation=implementation.__name__)
+    for name, method in vars(implementation).items():
+        near = difflib.get_close_matches(name, ("expandBT", STATE), n=1, cutoff=0.7)
+        if near and inspect.isfunction(method) and isinstance(method, FunctionType):
+            return found.at(definition(method).whole, help=f"did you mean `{near[0]}`?")
+    return found.at(class_span(implementation))
+
+
+def _wrong_returns(implementation: str, method: str, found: Written) -> Iterator[Diagnostic]:
+    wrong = errors.NoState if method == STATE else errors.NoTruth
+    for each in found.returns():
+        if each.value is None:
+            problem = wrong(implementation=implementation, method=method, found="nothing")
+            yield problem.at(node_span(found.file, each))
+    for value in filter(None, found.returned()):
+        if _is_wrong(method, value):
+            spelled = _spelled(found, value)
+            problem = wrong(implementation=implementation, method=method, found=spelled)
+            yield problem.at(node_span(found.file, value))
+        yield from _wrong_progress(found, value)
+    if not found.ends_with_return():
+        problem = wrong(implementation=implementation, method=method, found="nothing at its end")
+        start = node_span(found.file, found.node).start + len("def ")
+        yield problem.at(Span(found.file, start, start + len(found.node.name)))
+
+
+def _wrong_progress(found: Written, value: ast.expr) -> Iterator[Diagnostic]:
+    """What `self.success(5)` says that is no text, or no number where one is expected."""
+    name = told_state(value)
+    arguments = value.args if isinstance(value, ast.Call) and name else []
+    for argument, (wanted, called) in zip(arguments, _PROGRESS, strict=False):
+        given = argument.value if isinstance(argument, ast.Constant) else None
+        if given is not None and type(given) is not wanted:
+            wrong = errors.WrongProgress(
+                method=name or "", found=_spelled(found, argument), wanted=called
+            )
+            yield wrong.at(node_span(found.file, argument))
+
+
+def _is_wrong(method: str, value: ast.expr) -> bool:
+    if method == STATE:
+        return isinstance(value, _NO_STATE)
+    return isinstance(value, ast.Constant) and value.value is None
+
+
+def _spelled(found: Written, value: ast.expr) -> str:
+    return f"`{node_span(found.file, value).text}`"

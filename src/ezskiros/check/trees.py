@@ -1,0 +1,84 @@
+"""All checks of implementations, in one order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from types import MappingProxyType
+from typing import cast
+
+from dslkit.diagnostics import Label
+from ezskiros import session
+from ezskiros.check.calls import check_calls
+from ezskiros.check.dataflow import check_dataflow
+from ezskiros.check.outcomes import Outcomes
+from ezskiros.check.protocol import check_protocol
+from ezskiros.check.reach import check_reach
+from ezskiros.check.sharing import check_sharing
+from ezskiros.skills import errors, tree_errors
+from ezskiros.skills.calls import SkillClass
+from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.syntax import class_span
+from ezskiros.trees.expand import expand
+from ezskiros.trees.launch import Known
+from ezskiros.trees.library import Library
+from ezskiros.trees.tree import Tree
+
+CHECKS = (check_calls, check_sharing, check_dataflow)
+NOTHING: Known = MappingProxyType({})
+
+
+def check_implementations(
+    implementations: Iterable[type[SkillImplementation]],
+    library: Library,
+    known: Known = NOTHING,
+) -> list[Tree]:
+    """The trees of compound skills; what is wrong with these and with primitives is reported."""
+    found: list[Tree] = []
+    implementations = list(implementations)
+    _report_repeated(implementations)
+    for implementation in _leaves(implementations):
+        for diagnostic in check_protocol(implementation):
+            session.report(diagnostic)
+        skill = _implemented(implementation, library)
+        for tree in expand(implementation, skill, known.get(skill.name, {})) if skill else ():
+            found.append(tree)
+            for check in CHECKS:
+                for diagnostic in check(tree, library):
+                    session.report(diagnostic)
+    for diagnostic in check_reach(found, Outcomes(found, library)):
+        session.report(diagnostic)
+    return found
+
+
+def _leaves(
+    implementations: Iterable[type[SkillImplementation]],
+) -> list[type[SkillImplementation]]:
+    """Those that no other one is derived from: as in SkiROS2 only these are run."""
+    found = list(implementations)
+    bases = {base for each in found for base in each.__mro__[1:]}
+    return [each for each in found if each not in bases]
+
+
+def _implemented(
+    implementation: type[SkillImplementation], library: Library
+) -> SkillInterface | None:
+    """The skill that something implements; None, after a finding, if there is none."""
+    description = getattr(implementation, "description", None)
+    if not isinstance(description, SkillClass):
+        found = tree_errors.NoSkillImplemented(implementation=implementation.__name__)
+        session.report(found.at(class_span(implementation)))
+        return None
+    return library.skill(cast("type[SkillDescription]", description))
+
+
+def _report_repeated(implementations: Iterable[type[SkillImplementation]]) -> None:
+    """Implementations of one name: SkiROS2 looks them up by that alone."""
+    seen: dict[str, type] = {}
+    for each in implementations:
+        other = seen.setdefault(each.__name__, each)
+        if other is not each:
+            label = Label(class_span(other), "the other one")
+            found = errors.DuplicateSkill(skill=each.__name__)
+            session.report(found.at(class_span(each), label))

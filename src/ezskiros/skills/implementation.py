@@ -1,0 +1,160 @@
+"""The class behind `Pick.SkillBase`, from which implementations of a skill are derived."""
+
+from __future__ import annotations
+
+import enum
+from typing import Any, ClassVar
+
+from ezskiros import session
+from ezskiros.ontology.things import UNKNOWN, Unknown, described
+from ezskiros.skills import tree_errors as errors
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, is_growing, made
+
+
+class State(enum.Enum):
+    """How far a skill is; the numbers are those of SkiROS2."""
+
+    SUCCESS = 1
+    FAILURE = 2
+    RUNNING = 3
+
+
+class ImplementationClass(type):
+    """The type of all implementations."""
+
+    def __call__(cls, *arguments: object, **named: object) -> Any:
+        """An instance that runs; in a behavior tree skills are named instead, and that is told."""
+        if not is_growing():
+            return super().__call__(*arguments, **named)
+        skill = getattr(cls, "description", SkillImplementation).__name__
+        found = errors.ImplementationNamed(implementation=cls.__name__, skill=skill)
+        session.report(found.at(session.here()))
+        return UNKNOWN
+
+
+class SkillImplementation(metaclass=ImplementationClass):
+    """How a skill does what its description says.
+
+        class pick(Pick.SkillBase):
+            def expandBT(self, params):
+                self.serialstar(
+                    ApproachMovement.go_to_linear(Target=params.GraspPose),
+                    ActuateGripper(Open=False),
+                )
+
+    A compound has the method `expandBT`, which writes its behavior tree (thesis, Paper IV, listing
+    7). The children of a processor are skills, processors and decorators, nested at will; what they
+    do with the results of their children is what SkiROS2's processors of these names do.
+    """
+
+    description: ClassVar[type]
+    """The skill that is implemented."""
+    params: Any
+    """The values of its parameters, while it runs: `self.params.Speed`. Those that it finds out are
+    set: `self.params.Force = 3.5`."""
+    progress: tuple[int, str] = (0, "")
+    """How far it is, in its own numbers, and what it says of that."""
+
+    # --- primitives -------------------------------------------------------------------------------
+
+    def onStart(self) -> bool:  # noqa: N802 - as in SkiROS2
+        """Called before the first `execute`; whether the skill can start."""
+        return True
+
+    def onPreempt(self) -> State:  # noqa: N802
+        """Called when the skill is stopped while it runs."""
+        return self.fail("stopped", -406)
+
+    def onEnd(self) -> bool:  # noqa: N802
+        """Called after the last `execute`, or after `onPreempt`; whether all is well."""
+        return True
+
+    def success(self, text: str = "") -> State:
+        """What `execute` returns when it is done."""
+        return self._told(State.SUCCESS, self.progress[0] + 1, text)
+
+    def step(self, text: str = "") -> State:
+        """What `execute` returns while it is at it: it is called again at the next tick."""
+        return self._told(State.RUNNING, self.progress[0] + 1, text)
+
+    def fail(self, text: str, code: int = -405) -> State:
+        """What `execute` returns when it has failed; `code` is made negative."""
+        return self._told(State.FAILURE, -abs(code), text)
+
+    def _told(self, state: State, code: int, text: str) -> State:
+        self.progress = (code, text)
+        return state
+
+    # --- compounds --------------------------------------------------------------------------------
+
+    def serial(self, *children: Node) -> Node:
+        """One after the other until one fails; from the first again on each tick."""
+        return _processor(Flow.SERIAL, children)
+
+    def serialstar(self, *children: Node) -> Node:
+        """One after the other until one fails; those that succeeded are not ticked again."""
+        return _processor(Flow.SERIAL_STAR, children)
+
+    def selector(self, *children: Node) -> Node:
+        """One after the other until one succeeds; from the first again on each tick."""
+        return _processor(Flow.SELECTOR, children)
+
+    def selectorstar(self, *children: Node) -> Node:
+        """One after the other until one succeeds; those that failed are not ticked again."""
+        return _processor(Flow.SELECTOR_STAR, children)
+
+    def parallelff(self, *children: Node) -> Node:
+        """All at once until all succeed; the first that fails stops the others."""
+        return _processor(Flow.PARALLEL_FF, children)
+
+    def parallelfs(self, *children: Node) -> Node:
+        """All at once until the first has a result, which is that of all."""
+        return _processor(Flow.PARALLEL_FS, children)
+
+    def nofail(self, *children: Node) -> Node:
+        """One after the other; a failure counts as success."""
+        return _processor(Flow.NO_FAIL, children)
+
+    def inverter(self, child: Node) -> Node:
+        """Success is failure, and failure success."""
+        return _decorator(Decoration.INVERTER, child, None)
+
+    def retry(self, child: Node, count: int) -> Node:
+        """Again when it fails, `count` times at most in all."""
+        return _decorator(Decoration.RETRY, child, count)
+
+    def timeout(self, child: Node, seconds: float) -> Node:
+        """A failure when it has no result after these seconds."""
+        return _decorator(Decoration.TIMEOUT, child, seconds)
+
+
+def _processor(flow: Flow, children: tuple[Any, ...]) -> Node:
+    span = session.here()
+    below = tuple(child for child in children if _is_node(child))
+    if not children:
+        session.report(errors.NoChildren(processor=flow.value).at(span))
+    return made(Processor(flow, below, span))
+
+
+def _decorator(decoration: Decoration, child: Node, limit: Any) -> Node:
+    span = session.here()
+    if decoration is not Decoration.INVERTER and not _is_positive(limit):
+        found = errors.WrongLimit(decorator=decoration.value.lower(), found=described(limit))
+        session.report(found.at(span))
+        limit = 1
+    if not _is_node(child):
+        return child
+    return made(Decorator(decoration, child, limit, span))
+
+
+def _is_positive(limit: object) -> bool:
+    return isinstance(limit, (int, float)) and not isinstance(limit, bool) and limit > 0
+
+
+def _is_node(child: object) -> bool:
+    """Whether it can be part of a tree; if not that is told."""
+    if isinstance(child, Node):
+        return True
+    if not isinstance(child, Unknown):
+        session.report(errors.NoNode(found=described(child)).at(session.here()))
+    return False

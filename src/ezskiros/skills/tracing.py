@@ -1,0 +1,146 @@
+"""Runs methods that users wrote, with symbols for what is not known before the robot runs.
+
+The patterns Early Dynamic Checking and Symbolic Tracing (thesis, Paper IV, section 4.2): a method
+is run as often as its branches ask for, side effects are refused, told and replaced, and what does
+not end is ended.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from types import FunctionType
+from typing import Generic, TypeVar
+
+from dslkit.diagnostics import Diagnostic, Template
+from ezskiros import session
+from ezskiros.ontology.things import UNKNOWN
+from ezskiros.skills import errors
+from ezskiros.skills.blame import said, user_files, user_place
+from ezskiros.skills.guard import Interrupted, SideEffectError, TimeOverError, guarded
+from ezskiros.skills.importing import forget_since, importing
+from ezskiros.skills.intercept import intercept
+from ezskiros.skills.syntax import definition, file_of
+from ezskiros.skills.values import MOST_PATHS, Decisions, deciding
+
+SECONDS = 5.0
+"""For one run of one method."""
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Method:
+    """A method under check, and the class that it is of.
+
+    Messages call it `called`, and give `advice` on what to do with a side effect of it; `undefined`
+    is the finding for a name that is nowhere, with its help.
+    """
+
+    owner: type
+    function: FunctionType
+    called: str
+    advice: str
+    undefined: Callable[[str], tuple[Template, str | None]]
+
+
+@dataclass(frozen=True)
+class Way(Generic[T]):
+    """One way through a method: what it was run on, None if that could not be made; whether it came
+    to its end, and whether nothing was wrong until there.
+    """
+
+    instance: T | None
+    decisions: Decisions
+    has_ended: bool
+    is_right: bool = True
+
+
+def ways(
+    method: Method, make: Callable[[], T], run: Callable[[T, FunctionType], object]
+) -> Iterator[Way[T]]:
+    """All ways through a method, as far as they are looked into; what is wrong is reported.
+
+    For each, `make` makes what the method is run on, and `run` runs it. A name that is nowhere is
+    told, and gets a substitute, so that what comes after it is looked at.
+    """
+    planned: list[bool] | None = []
+    substitutes: dict[str, object] = {}
+    file, known = Path(file_of(method.owner)), dict(sys.modules)
+    count = 0
+    while planned is not None:
+        names = len(substitutes)
+        with importing(file), session.trying() as found:
+            way, to_intercept = _way(method, make, run, Decisions(planned), substitutes)
+        if intercept(to_intercept):
+            forget_since(known)
+            continue
+        for diagnostic in found.sorted():
+            session.report(diagnostic)
+        if len(substitutes) > names:
+            continue
+        yield replace(way, is_right=not found.sorted() and not substitutes)
+        count += 1
+        planned = way.decisions.following() if way.has_ended else None
+        if planned is not None and count >= MOST_PATHS:
+            cut = errors.TooManyPaths(method=method.called, count=MOST_PATHS)
+            session.report(cut.at(definition(method.function).whole))
+            return
+
+
+def _way(
+    method: Method,
+    make: Callable[[], T],
+    run: Callable[[T, FunctionType], object],
+    decisions: Decisions,
+    substitutes: dict[str, object],
+) -> tuple[Way[T], Sequence[str]]:
+    """One way, and the files in which it could go further if their calls were intercepted."""
+    instance, problem = None, None
+    with guarded(SECONDS) as guard, deciding(decisions):
+        try:
+            instance = make()
+            run(instance, _with_names(method.function, substitutes))
+        except (Exception, SystemExit, Interrupted) as raised:
+            problem = raised
+    for refusal in guard.refusals():
+        found = errors.SideEffect(method=method.called, deed=refusal.deed, advice=method.advice)
+        session.report(found.at(refusal.span))
+    if problem is not None and not isinstance(problem, SideEffectError):
+        session.report(_raised(method, problem))
+    missing = _missing_name(problem)
+    if missing:
+        substitutes[missing] = UNKNOWN
+    to_intercept = [*guard.files, *([] if missing else user_files(problem))]
+    return Way(instance, decisions, problem is None), to_intercept
+
+
+def _missing_name(problem: BaseException | None) -> str | None:
+    """The name that is defined nowhere, if that is the problem."""
+    return problem.name if isinstance(problem, NameError) and type(problem) is NameError else None
+
+
+def _with_names(function: FunctionType, names: Mapping[str, object]) -> FunctionType:
+    """The function, for which some more names are defined in its module."""
+    if not names:
+        return function
+    more = {**function.__globals__, **names}
+    found = FunctionType(
+        function.__code__, more, function.__name__, function.__defaults__, function.__closure__
+    )
+    found.__kwdefaults__ = function.__kwdefaults__
+    return found
+
+
+def _raised(method: Method, problem: BaseException) -> Diagnostic:
+    """The finding for an exception, at the last place of the user's code that it came from."""
+    span = user_place(problem) or definition(method.function).whole
+    if isinstance(problem, TimeOverError):
+        return errors.NeverEnds(method=method.called, seconds=SECONDS).at(span)
+    if missing := _missing_name(problem):
+        found, help = method.undefined(missing)
+        return found.at(span, help=help)
+    kind = type(problem).__name__
+    return errors.Raised(method=method.called, exception=kind, said=said(problem)).at(span)

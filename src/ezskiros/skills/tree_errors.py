@@ -1,0 +1,141 @@
+"""EZS5xx: behavior trees, as they are written."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoChildren(Error, code="EZS501", name="no-children"):
+    """A processor over nothing."""
+
+    title = "{processor} has no children"
+    note = "in SkiROS2 a skill without children runs forever"
+    help = "name the skills that it consists of: `self.serialstar(Drive(...), Pick(...))`"
+    processor: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoNode(Error, code="EZS502", name="no-node"):
+    """A child that is no skill, processor or decorator."""
+
+    title = "a behavior tree consists of skills, and this is {found}"
+    help = "write `Skill(Parameter=...)`, `Skill.implementation(...)` or `self.serialstar(...)`"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class WrongLimit(Error, code="EZS503", name="wrong-limit"):
+    """A number of tries or seconds that is none."""
+
+    title = "{decorator} needs a number above 0, not {found}"
+    help = "write `self.retry(child, 3)` or `self.timeout(child, 5.0)`"
+    decorator: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoSkillBase(Error, code="EZS504", name="no-skill-base"):
+    """A class that is derived from something of a skill that is not there."""
+
+    title = "`{skill}` has no `{spelled}` that a class can be derived from"
+    help = "write `class name({skill}.SkillBase):`"
+    skill: str
+    spelled: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NamelessArgument(Error, code="EZS505", name="nameless-argument"):
+    """A value for a parameter that is not named."""
+
+    title = "`{skill}` gets a value without the name of its parameter"
+    help = "write `{skill}(Parameter=value)`"
+    skill: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class LooseSkill(Error, code="EZS506", name="loose-skill"):
+    """A skill, or a part of a tree, that is written down and not part of the tree."""
+
+    title = "this is no part of the behavior tree of `{implementation}`"
+    note = "a skill that stands alone is never run"
+    help = "make it a child of a processor: `self.serialstar(...)`; a tree has one processor on top"
+    implementation: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class EmptyTree(Error, code="EZS507", name="empty-tree"):
+    """An `expandBT` that builds nothing."""
+
+    title = "`{implementation}` has no behavior tree"
+    note = "in SkiROS2 a skill without children runs forever"
+    help = "write the tree: `self.serialstar(Drive(...), Pick(...))`"
+    implementation: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoSuchParameter(Error, code="EZS508", name="no-such-parameter"):
+    """A parameter of the compound skill that its description does not have."""
+
+    title = "`{skill}` has no parameter `{spelled}`"
+    skill: str
+    spelled: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoSkillImplemented(Error, code="EZS509", name="no-skill-implemented"):
+    """An implementation of which nobody knows the skill."""
+
+    title = "it is not known which skill `{implementation}` implements"
+    help = (
+        "derive it from the base of a skill, `class name(Pick.SkillBase):`, "
+        "and call nothing in it `description`"
+    )
+    implementation: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnknownSkill(Error, code="EZS510", name="unknown-skill"):
+    """A name in a behavior tree that is defined nowhere."""
+
+    title = "`{spelled}` is not defined"
+    note = "in SkiROS2 a skill that is not there ends the task when it gets to this tree"
+    spelled: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ImplementationNamed(Error, code="EZS515", name="implementation-named"):
+    """An implementation that is named like a skill."""
+
+    title = "`{implementation}` is an implementation: a behavior tree names its skill"
+    help = "write `{skill}(...)`, or `{skill}.{implementation}(...)` if it has to be this one"
+    implementation: str
+    skill: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ComparedByIdentity(Error, code="EZS516", name="compared-by-identity"):
+    """A parameter of the compound that is compared by `is`."""
+
+    title = "`{spelled}` is the same whatever the parameter is"
+    note = "`is` asks whether two names are one object, and `params` has what stands for parameters"
+    help = "write `==` for a value, `if params.Name:` for a thing that may be there"
+    spelled: str
+
+
+ALL: tuple[type[Template], ...] = (
+    NoChildren,
+    NoNode,
+    WrongLimit,
+    NoSkillBase,
+    NamelessArgument,
+    LooseSkill,
+    EmptyTree,
+    NoSuchParameter,
+    NoSkillImplemented,
+    UnknownSkill,
+    ImplementationNamed,
+    ComparedByIdentity,
+)

@@ -1,0 +1,1 @@
+"""Behavior trees: what `expandBT` of an implementation builds."""

@@ -1,0 +1,142 @@
+"""An implementation that users wrote in, its behavior trees out.
+
+`expandBT` is run with references in place of parameters, as often as its branches ask for, as
+descriptions are (thesis, Paper IV, sections 4.2 and 7).
+"""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+from collections.abc import Iterator, Mapping
+from types import FunctionType, MappingProxyType
+
+from dslkit.diagnostics import Label, Template
+from dslkit.source import Span
+from ezskiros import session
+from ezskiros.ontology.things import UNKNOWN, Unknown
+from ezskiros.skills import tree_errors as errors
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.methods import written
+from ezskiros.skills.nodes import Node, growing
+from ezskiros.skills.syntax import class_span, definition
+from ezskiros.skills.tracing import Method, ways
+from ezskiros.skills.values import Decisions
+from ezskiros.trees.library import known_skills
+from ezskiros.trees.tree import Reference, Tree, reference
+
+
+class References:
+    """The parameters of the compound: `params.GraspPose`."""
+
+    def __init__(self, skill: SkillInterface, known: Mapping[str, object]) -> None:
+        self._skill, self._known = skill, known
+
+    def __getattr__(self, name: str) -> Reference | Unknown:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        parameter = self._skill.parameter(name)
+        if parameter is not None:
+            return reference(parameter, self._known)
+        if name in self._skill.unclear:
+            return UNKNOWN
+        near = difflib.get_close_matches(name, [each.name for each in self._skill.parameters], n=1)
+        found = errors.NoSuchParameter(skill=self._skill.name, spelled=name)
+        help = f"did you mean `{near[0]}`?" if near else None
+        session.report(found.at(session.here(), help=help))
+        return UNKNOWN
+
+
+class _Written:
+    """An implementation, and what its `expandBT` has left without a parent, in order."""
+
+    def __init__(self, implementation: type[SkillImplementation]) -> None:
+        self.instance = implementation()
+        self.loose: list[Node] = []
+
+
+def expand(
+    implementation: type[SkillImplementation],
+    skill: SkillInterface,
+    known: Mapping[str, object] = MappingProxyType({}),
+) -> Iterator[Tree]:
+    """The trees of a compound skill; what is wrong with how they are written is reported.
+
+    Branches on parameters whose values are `known` go one way, those on others go all ways.
+    """
+    function = inspect.getattr_static(implementation, "expandBT", None)
+    if not isinstance(function, FunctionType):
+        return
+    method = Method(
+        implementation,
+        function,
+        f"`expandBT` of `{implementation.__name__}`",
+        "`expandBT` only builds a tree; move this to a primitive skill",
+        lambda spelled: _undefined(spelled, function),
+    )
+
+    def run(written: _Written, expand_by: FunctionType) -> None:
+        with growing() as tree:
+            try:
+                expand_by(written.instance, References(skill, known))
+            finally:
+                written.loose = tree.loose
+
+    _report_identities(function)
+    for way in ways(method, lambda: _Written(implementation), run):
+        if way.has_ended and way.instance is not None:
+            branch = _branch(way.decisions)
+            if way.instance.loose:
+                *loose, root = way.instance.loose
+                _report_loose(implementation, loose)
+                given = _given(way.decisions)
+                yield Tree(implementation, skill, root, class_span(implementation), branch, given)
+            elif way.is_right:
+                _report_empty(implementation, function, branch)
+
+
+def _undefined(spelled: str, function: FunctionType) -> tuple[Template, str | None]:
+    """The finding for a name that is nowhere, with the skill that may be meant."""
+    found = errors.UnknownSkill(spelled=spelled)
+    modules = {each.__name__: each.__module__ for each in known_skills()}
+    if spelled in modules:
+        return found, f"import it: `from {modules[spelled]} import {spelled}`"
+    near = difflib.get_close_matches(spelled, [*function.__globals__, *modules], n=1)
+    return found, f"did you mean `{near[0]}`?" if near else None
+
+
+def _branch(decisions: Decisions) -> tuple[tuple[Span, bool], ...]:
+    asked = (span for span, _ in decisions.asked)
+    return tuple(zip(asked, decisions.taken, strict=True))
+
+
+def _given(decisions: Decisions) -> frozenset[str]:
+    """The parameters that were asked for and that are there."""
+    asked = (symbol for _, symbol in decisions.asked)
+    answered = zip(asked, decisions.taken, strict=True)
+    true = (symbol for symbol, answer in answered if answer)
+    return frozenset(each.parameter.name for each in true if isinstance(each, Reference))
+
+
+def _report_identities(function: FunctionType) -> None:
+    """Tell of `params.Start is None`: what stands for a parameter is never something else."""
+    method = written(function)
+    for span in method.compared_by_identity() if method else ():
+        session.report(errors.ComparedByIdentity(spelled=span.text).at(span))
+
+
+def _report_loose(implementation: type[SkillImplementation], loose: list[Node]) -> None:
+    """Tell of what is written beside the tree, which is what was written last."""
+    for node in loose:
+        session.report(errors.LooseSkill(implementation=implementation.__name__).at(node.span))
+
+
+def _report_empty(
+    implementation: type[SkillImplementation],
+    function: FunctionType,
+    branch: tuple[tuple[Span, bool], ...],
+) -> None:
+    labels = (Label(span, f"where this is {str(answer).lower()}") for span, answer in branch)
+    empty = errors.EmptyTree(implementation=implementation.__name__)
+    session.report(empty.at(definition(function).whole, *labels))

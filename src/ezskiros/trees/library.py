@@ -1,0 +1,76 @@
+"""All skills that are known, and what implements them."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Mapping
+from typing import TypeVar
+
+from ezskiros import session
+from ezskiros.ontology import Ontology
+from ezskiros.skills.describe import Described, describe
+from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.interface import SkillInterface
+
+T = TypeVar("T")
+Implementations = Mapping[str, type[SkillImplementation]]
+
+
+class Library:
+    """Skills by their descriptions, and what implements them.
+
+    `described` are those that are checked. Others, which trees name and which come from libraries,
+    are looked at when they are asked for; what is wrong with them is told where they are checked.
+    """
+
+    def __init__(self, described: Mapping[type[SkillDescription], Described]) -> None:
+        self._described: dict[type, Described | None] = {**described}
+
+    def skill(self, description: type[SkillDescription]) -> SkillInterface | None:
+        """The interface of a skill; None if its description says nothing."""
+        found = self._known(description)
+        return found.interface if found else None
+
+    def ontology(self) -> Ontology | None:
+        """The ontology that the types of the skills are from; None if no skill has things."""
+        found = (each.ontology for each in self._described.values() if each)
+        return next(filter(None, found), None)
+
+    def implementations(self, description: type[SkillDescription]) -> Implementations:
+        """What implements a skill, by name, in the order in which it was loaded."""
+        return implementations(description)
+
+    def owner(self, implementation: str) -> SkillInterface | None:
+        """The skill that something of this name implements."""
+        for description in list(self._described):
+            if implementation in self.implementations(description):
+                return self.skill(description)
+        return None
+
+    def _known(self, description: type[SkillDescription]) -> Described | None:
+        if description not in self._described:
+            with session.trying():
+                self._described[description] = describe(description)
+        return self._described[description]
+
+
+def implementations(description: type[SkillDescription]) -> Implementations:
+    """What implements a skill, by name, of all modules that have been imported."""
+    return {each.__name__: each for each in _derived(description.SkillBase)}
+
+
+def known_skills() -> Iterator[type[SkillDescription]]:
+    """All skills of all modules that have been imported."""
+    return _derived(SkillDescription)
+
+
+def _derived(base: type[T]) -> Iterator[type[T]]:
+    """The classes derived from one that nothing is derived from, as far as modules still have them:
+    those of a module that was run again are not meant.
+    """
+    for each in type.__subclasses__(base):
+        module = sys.modules.get(each.__module__)
+        if vars(module or object).get(each.__name__) is each:
+            below = list(_derived(each))
+            yield from below or [each]

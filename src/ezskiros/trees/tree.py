@@ -1,0 +1,142 @@
+"""The behavior trees of an implementation, as data."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from dslkit.source import Span
+from ezskiros.ontology.things import Described
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.interface import Parameter, SkillInterface
+from ezskiros.skills.markers import Kind
+from ezskiros.skills.nodes import Node
+from ezskiros.skills.values import SymbolicValue, decided
+
+
+class ThingReference(Described):
+    """A parameter of the compound that stands for a thing: `params.GraspPose`.
+
+    One that may stand for nothing can be asked for that: `if params.Start:`.
+    """
+
+    def __init__(self, parameter: Parameter) -> None:
+        self.parameter = parameter
+
+    def __bool__(self) -> bool:
+        may_be_nothing = self.parameter.kind is Kind.OPTIONAL or self.parameter.is_output
+        return decided(self) if may_be_nothing else True
+
+    def described(self) -> str:
+        """For messages."""
+        return f"the parameter `{self.parameter.name}`, a {self.parameter.type!r}"
+
+    def __repr__(self) -> str:
+        return f"params.{self.parameter.name}"
+
+
+class ValueReference(SymbolicValue):
+    """A parameter of the compound that has a value: `params.Speed`."""
+
+    def __init__(self, parameter: Parameter) -> None:
+        super().__init__(parameter.name, parameter.type)
+        self.parameter = parameter
+
+
+class KnownThing(ThingReference):
+    """A parameter of the compound of which it is known whether it stands for a thing."""
+
+    def __init__(self, parameter: Parameter, is_there: bool) -> None:
+        super().__init__(parameter)
+        self._is_there = is_there
+
+    def __bool__(self) -> bool:
+        return self._is_there
+
+
+class KnownReference(ValueReference):
+    """A parameter of the compound whose value is known: branches and operators use that."""
+
+    def __init__(self, parameter: Parameter, value: object) -> None:
+        super().__init__(parameter)
+        self.value = value
+
+    def __bool__(self) -> bool:
+        return bool(self.value)
+
+    def __iter__(self) -> Any:
+        return iter(self.value)  # type: ignore[call-overload]
+
+    def __str__(self) -> str:
+        return str(self.value)
+
+    def __contains__(self, part: object) -> bool:
+        return operator.contains(self.value, plain(part))  # type: ignore[arg-type]
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.value, name)
+
+    def __hash__(self) -> int:
+        return hash(self.value)
+
+
+def plain(value: object) -> object:
+    """What a reference refers to, if that is known; all else stays."""
+    return value.value if isinstance(value, KnownReference) else value
+
+
+def _operate(name: str) -> None:
+    """Give references an operator, with what it is reflected to if there is that."""
+    of_values: Callable[..., object] = getattr(operator, name)
+
+    def operated(*operands: object) -> object:
+        return of_values(*map(plain, operands))
+
+    def reflected(own: object, other: object) -> object:
+        return of_values(plain(other), plain(own))
+
+    setattr(KnownReference, f"__{name}__", operated)
+    if hasattr(int, f"__r{name}__"):
+        setattr(KnownReference, f"__r{name}__", reflected)
+
+
+for _name in (
+    *("add", "sub", "mul", "truediv", "floordiv", "mod", "pow", "neg", "pos", "abs"),
+    *("lt", "le", "gt", "ge", "eq", "ne", "getitem"),
+):
+    _operate(_name)
+
+
+Reference = ThingReference | ValueReference
+
+
+def reference(parameter: Parameter, known: Mapping[str, object]) -> Reference:
+    """What stands for a parameter in `expandBT`, where the values of some are known: None of those
+    that stand for nothing.
+    """
+    is_known, value = parameter.name in known, known.get(parameter.name)
+    if parameter.is_thing:
+        return KnownThing(parameter, value is not None) if is_known else ThingReference(parameter)
+    return KnownReference(parameter, value) if is_known else ValueReference(parameter)
+
+
+@dataclass(frozen=True)
+class Tree:
+    """One way in which a compound skill does its work: there are several if `expandBT` branches."""
+
+    owner: type[SkillImplementation]
+    skill: SkillInterface
+    root: Node
+    span: Span
+    """Where the implementation is named."""
+    branch: tuple[tuple[Span, bool], ...] = ()
+    """The questions on the way to it, in their order, and their answers."""
+    given: frozenset[str] = frozenset()
+    """The parameters that these say have a value."""
+
+    @property
+    def implementation(self) -> str:
+        """The name of the implementation."""
+        return self.owner.__name__

@@ -1,0 +1,236 @@
+"""Behavior trees that are wired wrong, each way, and those that are not."""
+
+from __future__ import annotations
+
+import pytest
+
+from support.skill_files import HEADER, checked
+from support.trees import findings, primitive, tree
+
+FINE = [
+    "self.serialstar(Drive(Target=params.Place), Grip(Force=params.Force), Grip(Force=2.0))",
+    "self.serialstar(Drive.drive(Target=params.Place, Speed=1), Grip())",
+    "self.serial(Measure(), Grip(), self.nofail(Watch()))",
+    "self.selector(Drive(Target=params.Place), self.inverter(Grip()))",
+    "self.selectorstar(self.retry(Drive(Target=params.Place), 3), Grip())",
+    "self.parallelff(self.timeout(Drive(Target=params.Place), 5.0), Grip())",
+    "self.parallelfs(Watch(), Drive(Target=params.Place))",
+    "Grip()",
+    "steps = [Grip(Force=2.0 * each) for each in (1, 2)]\nself.serialstar(*steps, *steps)",
+    "Grip(Force=params.Speed * 2)",
+    "if params.Speed > 1:\n    Grip()\nelse:\n    self.nofail(Grip())",
+    "self.serialstar(self.selector(Measure(), Grip(Force=1.0)), Grip())",
+    "self.serialstar(Drive(Target=params.Place, Speed=params.Speed))",
+]
+"""Trees in which nothing is wrong."""
+WRONG = [
+    ("Gripp(Force=2.0)", "EZS510", "Gripp"),
+    ("grip(Force=2.0)", "EZS515", "grip(Force=2.0)"),
+    ("Grip.grop(Force=2.0)", "EZS521", "grop"),
+    ("Grip.drive(Force=2.0)", "EZS522", "drive"),
+    ("Dream()", "EZS520", "Dream()"),
+    ("Dream.dream()", "EZS521", "dream"),
+    ("Grip(Force=2.0, Fource=3.0)", "EZS523", "Fource"),
+    ("Grip(2.0, Force=2.0)", "EZS505", "Grip(2.0, Force=2.0)"),
+    ("Grip(Force=params.Forse)", "EZS508", "params.Forse"),
+    ("Grip(Force='2')", "EZS524", "'2'"),
+    ("Grip(Force=True)", "EZS524", "True"),
+    ("Grip(Force=params.Name)", "EZS526", "params.Name"),
+    ("Grip(Force=params.Place)", "EZS526", "params.Place"),
+    ("Drive(Target=params.Force)", "EZS526", "params.Force"),
+    ("Drive(Target=params.Box)", "EZS526", "params.Box"),
+    ("Drive(Target='shelf')", "EZS525", "'shelf'"),
+    ("Drive(Target=None)", "EZS525", "None"),
+    ("Say()", "EZS526", "Say()"),
+    ("Drive()", "EZS530", "Drive()"),
+    ("self.serialstar()", "EZS501", "self.serialstar()"),
+    ("self.serialstar('Grip')", "EZS502", "self.serialstar('Grip')"),
+    ("self.serialstar([Grip()])", "EZS502", "self.serialstar([Grip()])"),
+    ("self.retry(Grip(), 0)", "EZS503", "self.retry(Grip(), 0)"),
+    ("self.timeout(Grip(), 'long')", "EZS503", "self.timeout(Grip(), 'long')"),
+    ("Grip()\nself.nofail(Watch())", "EZS506", "Grip()"),
+    ("pass", "EZS507", "def expandBT(self, params):"),
+    ("if params.Speed > 1:\n    Grip()", "EZS507", "def expandBT(self, params):"),
+    ("open('x').read()\nGrip()", "EZS221", "open('x')"),
+    ("raise ValueError('no')", "EZS220", "raise ValueError('no')"),
+    ("Drive(Target=params.Place, Start=params.Place)", "EZS529", "params.Place"),
+    ("self.selector(self.nofail(Grip()), Watch())", "EZS544", "Watch()"),
+    ("self.serialstar(Watch(), Grip())", "EZS544", "Grip()"),
+    ("self.serialstar(Watch())", "EZS543", "task"),
+    ("self.parallelff(Watch(), Grip())", "EZS543", "task"),
+    (
+        "self.serial(Drive(Target=params.Place), Drive(Target=params.Place))",
+        "EZS545",
+        "Drive(Target=params.Place)",
+    ),
+    ("self.serialstar(Grip(), Task())", "EZS546", "Task()"),
+]
+
+
+@pytest.mark.parametrize("body", FINE)
+def test_nothing_is_found_in_a_tree_that_is_right(body: str) -> None:
+    assert findings(tree(body)) == []
+
+
+@pytest.mark.parametrize(("body", "code", "place"), WRONG, ids=[body for body, _, _ in WRONG])
+def test_what_is_wrong_is_found_at_its_place(body: str, code: str, place: str) -> None:
+    assert (code, place) in findings(tree(body))
+
+
+OUTPUTS = [
+    ("self.serialstar(Measure(), Grip())", []),
+    ("self.serialstar(Grip(), Measure(), Grip())", [("EZS531", "Grip()")]),
+    ("self.serialstar(self.nofail(Measure()), Grip())", [("EZS531", "Grip()")]),
+    ("self.serialstar(self.inverter(Measure()), Grip())", [("EZS531", "Grip()")]),
+    (
+        "self.serialstar(self.selector(Measure(), Dream.dream()), Grip())",
+        [("EZS521", "dream"), ("EZS531", "Grip()")],
+    ),
+    ("self.serialstar(self.parallelff(Measure(), Watch()), Grip())", [("EZS544", "Grip()")]),
+    ("self.parallelff(Measure(), Grip())", [("EZS532", "Grip()")]),
+    ("self.parallelff(Measure(), self.serialstar(Measure(), Grip()))",
+     [("EZS536", "Measure()"), ("EZS532", "Grip()")]),
+    ("Measure()", [("EZS533", "Measure()")]),
+    ("self.serialstar(Measure(), Say())", [("EZS528", "Say()")]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("body", "expected"), OUTPUTS, ids=[body for body, _ in OUTPUTS])
+def test_values_that_are_found_out_are_there_when_they_are_read(
+    body: str, expected: list[tuple[str, str]]
+) -> None:
+    assert sorted(findings(tree(body, ""))) == sorted(expected)
+
+
+def test_an_output_of_the_compound_has_a_value_on_all_ways_to_its_end() -> None:
+    output = "Force: OUTPUT[float]"
+    assert findings(tree("Measure()", output)) == []
+    assert findings(tree("Measure(Force=params.Force)", output)) == []
+    missing = [("EZS534", "task")]
+    assert findings(tree("Grip(Force=2.0)", output)) == missing
+    assert findings(tree("self.selector(Measure(), Grip(Force=2.0))", output)) == missing
+
+
+def test_both_ends_are_shown() -> None:
+    (found,) = tree("Grip(Force=params.Name)").diagnostics
+    labels = {(label.span.text, label.text) for label in found.labels}
+    assert ("Force", "`Force` is declared here") in labels
+    assert ("Name", "`Name` is declared here") in labels
+
+
+def test_all_branches_are_looked_at() -> None:
+    body = """
+        if params.Speed > 1:
+            Grip(Forse=2.0)
+        elif params.Name == "slow":
+            Grip(Fource=2.0)
+        else:
+            Grip()
+    """
+    assert {place for code, place in findings(tree(body)) if code == "EZS523"} == {
+        "Forse",
+        "Fource",
+    }
+
+
+def test_without_a_tree_the_way_there_is_told() -> None:
+    (found,) = tree("if params.Speed > 1:\n    Grip()").diagnostics
+    assert [(each.span.text, each.text) for each in found.labels] == [
+        ("params.Speed > 1", "where this is false")
+    ]
+
+
+PROTOCOL = [
+    ("def execute(self):\n    return True", [("EZS540", "True")]),
+    ("def execute(self):\n    return None", [("EZS540", "None")]),
+    ("def execute(self):\n    self.success('done')", [("EZS540", "execute")]),
+    ("def execute(self):\n    return", [("EZS540", "return")]),
+    ("def execute(self):\n    return self.success(5)", [("EZS547", "5")]),
+    ("def execute(self):\n    return self.fail('no', 'no')", [("EZS547", "'no'")]),
+    (
+        "def execute(self):\n    return self.success('a') if self.ok else False",
+        [("EZS540", "False")],
+    ),
+    ("def exeucte(self):\n    return self.success('a')", [("EZS542", "def exeucte(self):")]),
+    ("pass", [("EZS542", "skill")]),
+    (
+        "def onStart(self):\n    self.count = 0\ndef execute(self):\n    return self.success('a')",
+        [("EZS541", "onStart")],
+    ),
+    (
+        "def execute(self):\n    return self.success('a')\ndef onEnd(self):\n    return None",
+        [("EZS541", "None")],
+    ),
+    ("def execute(self):\n    while True:\n        return self.step('a')", []),
+    ("def execute(self):\n    raise NotImplementedError", []),
+    (
+        "def execute(self):\n    if self.ok:\n        return self.success('a')\n    "
+        "return self.fail('b')",
+        [],
+    ),
+    ("def execute(self):\n    def inner():\n        return 5\n    return self.success('a')", []),
+    ("def execute(self):\n    return self.helped()\ndef helped(self):\n    return 5", []),
+]
+
+
+@pytest.mark.parametrize(("methods", "expected"), PROTOCOL, ids=[each for each, _ in PROTOCOL])
+def test_primitives_return_what_is_waited_for(
+    methods: str, expected: list[tuple[str, str]]
+) -> None:
+    assert findings(primitive(methods)) == expected
+
+
+@pytest.mark.parametrize(
+    ("sets", "expected"),
+    [("self.params.Pose = self.found", []), ("self.found = 1", [("EZS530", "Use()")])],
+)
+def test_an_optional_parameter_that_is_set_has_a_value(
+    sets: str, expected: list[tuple[str, str]]
+) -> None:
+    text = f"""
+class Make(SkillDescription):
+    def description(self, Pose: OPTIONAL[skiros.Location]): ...
+
+class make(Make.SkillBase):
+    def execute(self):
+        {sets}
+        return self.success("made")
+
+class Use(SkillDescription):
+    def description(self, Pose: skiros.Location): ...
+
+class use(Use.SkillBase):
+    def execute(self):
+        return self.success(str(self.params.Pose))
+
+class Both(SkillDescription):
+    def description(self): ...
+
+class both(Both.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Make(), Use())
+"""
+    found = findings(checked(HEADER + text))
+    assert [each for each in found if each[0] not in ("EZS420", "EZS533")] == expected
+
+
+def test_a_parameter_whose_type_is_unknown_is_told_once() -> None:
+    text = """
+from typing import Annotated
+
+class Drive(SkillDescription):
+    def description(self, Target: skiros.Locatoin, Start: Annotated[skiros.Place, Key("a b")]): ...
+
+class drive(Drive.SkillBase):
+    def execute(self):
+        return self.success(f"{self.params.Target} {self.params.Start}")
+
+class Go(SkillDescription):
+    def description(self, Place: skiros.Locatoin): ...
+
+class go(Go.SkillBase):
+    def expandBT(self, params):
+        Drive(Target=params.Place, Start=params.Place)
+"""
+    found = findings(checked(HEADER + text))
+    assert {code for code, _ in found} == {"EZS111"}
