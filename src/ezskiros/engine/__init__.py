@@ -1,0 +1,1 @@
+"""Runs skills without ROS, in a world model of their own."""
