@@ -9,6 +9,7 @@ from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown, described
 from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, is_growing, made
+from ezskiros.skills.values import has_decided
 
 
 class State(enum.Enum):
@@ -131,7 +132,7 @@ class SkillImplementation(metaclass=ImplementationClass):
 def _processor(flow: Flow, children: tuple[Any, ...]) -> Node:
     span = session.here()
     below = tuple(child for child in children if _is_node(child))
-    if not children:
+    if not children and not has_decided():  # a loop that depends on a value may have none
         session.report(errors.NoChildren(processor=flow.value).at(span))
     return made(Processor(flow, below, span))
 

@@ -80,6 +80,12 @@ def decided(symbol: Described) -> bool:
     return decisions is None or decisions.decide(session.here(), symbol)
 
 
+def has_decided() -> bool:
+    """Whether the way on which the running method is depends on something that is not known."""
+    decisions = _decisions.get()
+    return decisions is not None and bool(decisions.asked)
+
+
 class Symbol(Described):
     """Something that is not known before the skill runs.
 

@@ -18,6 +18,8 @@ FINE = [
     "Grip()",
     "steps = [Grip(Force=2.0 * each) for each in (1, 2)]\nself.serialstar(*steps, *steps)",
     "Grip(Force=params.Speed * 2)",
+    "self.serialstar(*(Grip(Force=1.0 * each) for each in range(int(params.Speed))))",
+    "steps = [Grip(Force=1.0) for each in params.Name.split()]\nself.serialstar(*steps, Grip())",
     "if params.Speed > 1:\n    Grip()\nelse:\n    self.nofail(Grip())",
     "self.serialstar(self.selector(Measure(), Grip(Force=1.0)), Grip())",
     "self.serialstar(Drive(Target=params.Place, Speed=params.Speed))",
