@@ -128,6 +128,23 @@ def explain_skill(name: str, paths: Iterable[Path]) -> str:
     return "\n".join(_lines(skills[name]))
 
 
+def trees_of(name: str, checked: Checked) -> list[Tree]:
+    """The trees of a skill, or of one implementation. Raises `UnknownSkillError` if there is none:
+    it is unknown, or a primitive.
+    """
+    found = [tree for tree in checked.trees if name in (tree.implementation, tree.skill.name)]
+    if found:
+        return found
+    known = {each.name for each in checked.skills} | {each.implementation for each in checked.trees}
+    owner = checked.library.owner(name)
+    if owner is not None or name in known:
+        what = "is primitive" if owner else "has no compound implementation in these files"
+        raise UnknownSkillError(f"`{name}` {what}: it has no behavior tree")
+    near = difflib.get_close_matches(name, sorted(known), n=1)
+    hint = f"; did you mean `{near[0]}`?" if near else ""
+    raise UnknownSkillError(f"there is no skill `{name}` in these files{hint}")
+
+
 def _lines(skill: SkillInterface) -> Iterable[str]:
     steps = chains(skill)
     for parameter in skill.parameters:

@@ -60,7 +60,7 @@ ROSSMARIE = Tool(
     },
 )
 # 0 files of skills, 1 ontologies, 2 descriptions, 3 what is said about things, 4 meaning,
-# 5 behavior trees, 6 scenes, 7 migration, 9 defects of the tool.
+# 5 behavior trees, 6 scenes, 7 migration, 8 running, drawing and planning, 9 defects of the tool.
 EZSKIROS = Tool(
     ezskiros.catalog.CATALOG,
     "EZS",
@@ -70,6 +70,11 @@ EZSKIROS = Tool(
         "trees": {5},
         "check": {3, 4, 5, 6},
         "migrate": {7},
+        "contracts": {5},
+        "drawing": {8},
+        "engine": {8},
+        "hosts": {8},
+        "planning": {8},
         "catalog": {9},
     },
 )

@@ -8,9 +8,11 @@ from ezskiros.catalog import errors as catalog_errors
 from ezskiros.check import errors as check_errors
 from ezskiros.check import scene_errors, world_errors
 from ezskiros.check import tree_errors as tree_check_errors
+from ezskiros.drawing import errors as drawing_errors
 from ezskiros.migrate import errors as migrate_errors
 from ezskiros.ontology import condition_errors
 from ezskiros.ontology import errors as ontology_errors
+from ezskiros.planning import errors as planning_errors
 from ezskiros.skills import errors as skills_errors
 from ezskiros.skills import load_errors, parameter_errors, tree_errors
 from ezskiros.trees import errors as launch_errors
@@ -28,6 +30,8 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *check_errors.ALL,
     *scene_errors.ALL,
     *migrate_errors.ALL,
+    *drawing_errors.ALL,
+    *planning_errors.ALL,
     *catalog_errors.ALL,
 )
 

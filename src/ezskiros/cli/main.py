@@ -6,7 +6,6 @@ itself was called wrongly or a file could not be read, 70 a defect of this tool.
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -15,7 +14,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dslkit.command_line import Format
+from ezskiros.cli.arguments import Folders, Skills, name_ontology
 from ezskiros.cli.output import output
+from ezskiros.cli.plan import plan
+from ezskiros.cli.show import show
 
 if TYPE_CHECKING:  # libcst is loaded only where it is needed
     from ezskiros.migrate.files import MigratedFile
@@ -35,18 +37,6 @@ Paths = Annotated[
         help="Python files, and folders with them.",
         readable=False,
     ),
-]
-Skills = Annotated[
-    list[Path],
-    typer.Argument(
-        metavar="PATHS...",
-        help="Python files, folders with them, packages by their names, and scenes (.turtle).",
-        readable=False,
-    ),
-]
-Folders = Annotated[
-    list[Path] | None,
-    typer.Option("--ontology", metavar="PATH", help="Files and folders for `load()`."),
 ]
 
 
@@ -73,7 +63,7 @@ def check(
     """Check the skills of Python files: all that is wrong with them, without ROS."""
     from ezskiros.driver import check_paths
 
-    _name_ontology(ontology)
+    name_ontology(ontology)
     if watched:
         _check_again_and_again(paths, ontology or [], values, form)
         return
@@ -96,11 +86,15 @@ def explain(
         return
     from ezskiros.driver import UnknownSkillError, explain_skill
 
-    _name_ontology(ontology)
+    name_ontology(ontology)
     try:
         typer.echo(explain_skill(what, paths))
     except UnknownSkillError as problem:
         output.fail(str(problem), exit_code=2)
+
+
+app.command()(show)
+app.command()(plan)
 
 
 @app.command()
@@ -149,7 +143,7 @@ def _ambiguous(ontology: list[Path] | None) -> frozenset[str]:
         return frozenset()
     from ezskiros.driver import ambiguous_names
 
-    _name_ontology(ontology)
+    name_ontology(ontology)
     names, found = ambiguous_names()
     if output.exit_code(found):
         output.reject(found)
@@ -182,7 +176,7 @@ def stubs(
     """Write the stub (`.pyi`) from which editors and type checkers know the ontology."""
     from ezskiros.driver import stub_of
 
-    _name_ontology(ontology)
+    name_ontology(ontology)
     text, found = stub_of(relations=relations)
     if output.exit_code(found):
         output.reject(found)
@@ -218,14 +212,6 @@ def _check_again_and_again(
         subprocess.run([sys.executable, "-m", "ezskiros", *arguments], check=False)
 
     watch(files, check_once)
-
-
-def _name_ontology(paths: list[Path] | None) -> None:
-    """What `load()` loads without a path."""
-    from ezskiros.ontology.load import VARIABLE
-
-    if paths:
-        os.environ[VARIABLE] = os.pathsep.join(map(str, paths))
 
 
 def main() -> None:

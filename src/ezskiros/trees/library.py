@@ -25,7 +25,9 @@ class Library:
     """
 
     def __init__(self, described: Mapping[type[SkillDescription], Described]) -> None:
-        self._described: dict[type, Described | None] = {**described}
+        self.checked = tuple(described)
+        """The skills that are checked, in the order in which they are written."""
+        self._described: dict[type[SkillDescription], Described | None] = {**described}
 
     def skill(self, description: type[SkillDescription]) -> SkillInterface | None:
         """The interface of a skill; None if its description says nothing."""

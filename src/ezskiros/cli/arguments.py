@@ -1,0 +1,39 @@
+"""Arguments that several commands take."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+Skills = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="PATHS...",
+        help="Python files, folders with them, packages by their names, and scenes (.turtle).",
+        readable=False,
+    ),
+]
+OptionalSkills = Annotated[
+    list[Path] | None,
+    typer.Argument(
+        metavar="[PATHS...]",
+        help="Python files, folders with them, and packages by their names; else this folder.",
+        readable=False,
+        show_default=False,
+    ),
+]
+Folders = Annotated[
+    list[Path] | None,
+    typer.Option("--ontology", metavar="PATH", help="Files and folders for `load()`."),
+]
+
+
+def name_ontology(paths: list[Path] | None) -> None:
+    """What `load()` loads without a path."""
+    from ezskiros.ontology.load import VARIABLE
+
+    if paths:
+        os.environ[VARIABLE] = os.pathsep.join(map(str, paths))

@@ -1,0 +1,160 @@
+"""A behavior tree as a picture: SVG that needs nothing else, laid out from left to right.
+
+The layout is that of tidy trees in its simplest form: leaves stand below each other in the order in
+which they are ticked, a node stands in the middle of its children, and these begin where it ends.
+Text is in a font of equal widths, so that its size is known without a browser.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from xml.sax.saxutils import escape
+
+from ezskiros.drawing.outline import Box, Line, Outline
+
+FONT, LINE, PADDING = 13, 18, 10
+CHARACTER = 0.62 * FONT
+"""At most, in the fonts of equal widths that browsers have."""
+BESIDE, BELOW, MARGIN = 44, 14, 24
+MOST_CHARACTERS = 64
+"""Of a line; more are in its tooltip."""
+
+_STYLE = """
+text { font: 13px ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace; fill: #1c2733; }
+.title { font-weight: bold; }
+.caption { fill: #8a5a00; font-weight: bold; }
+.passed { fill: #0b5c8a; }
+.value { fill: #7a2a7a; }
+.pre, .hold, .post { fill: #55606c; }
+rect.skill { fill: #eaf3fb; stroke: #4a7fb0; }
+rect.flow { fill: #fdf3dc; stroke: #c08a1e; }
+path { fill: none; stroke: #8a95a1; stroke-width: 1.4; }
+"""
+
+
+@dataclass
+class _Placed:
+    """A box with its place, in pixels."""
+
+    box: Box
+    texts: list[tuple[str, str]]
+    children: list[_Placed] = field(default_factory=list)
+    x: float = 0.0
+    y: float = 0.0
+
+    @property
+    def width(self) -> float:
+        longest = max(len(_shortened(text)) for _, text in self.texts)
+        return longest * CHARACTER + 2 * PADDING
+
+    @property
+    def height(self) -> float:
+        return len(self.texts) * LINE + 2 * PADDING - 4
+
+    @property
+    def middle(self) -> float:
+        return self.y + self.height / 2
+
+    def all(self) -> Iterator[_Placed]:
+        """It and all below it."""
+        yield self
+        for child in self.children:
+            yield from child.all()
+
+
+def svg(outlines: Sequence[Outline]) -> str:
+    """A picture of some trees, one below the other."""
+    parts: list[str] = []
+    top, right = float(MARGIN), 0.0
+    for found in outlines:
+        if found.branch:
+            caption = "if " + " and ".join(found.branch)
+            parts.append(_text(MARGIN, top + FONT, "caption", caption))
+            right = max(right, MARGIN + len(_shortened(caption)) * CHARACTER)
+            top += 2 * LINE
+        root = _measured(found.root)
+        bottom = _place(root, top)
+        _indent(root, MARGIN)
+        nodes = list(root.all())
+        parts += [_edge(node, child) for node in nodes for child in node.children]
+        parts += [part for node in nodes for part in _drawn(node)]
+        right = max(right, *(node.x + node.width for node in nodes))
+        top = bottom + 2 * LINE
+    width, height = round(right + MARGIN), round(top - 2 * LINE + MARGIN)
+    name = escape(outlines[0].root.title) if outlines else ""
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+        f'viewBox="0 0 {width} {height}" role="img">\n<title>{name}</title>\n'
+        f"<style>{_STYLE}</style>\n"
+        f'<rect width="{width}" height="{height}" fill="#ffffff"/>\n'
+        + "\n".join(parts)
+        + "\n</svg>\n"
+    )
+
+
+def _measured(box: Box) -> _Placed:
+    title = f"{box.token} {box.title}" if box.token else box.title
+    texts = [("title", title), *((line.role.value, _line(line)) for line in box.lines)]
+    return _Placed(box, texts, [_measured(child) for child in box.children])
+
+
+def _line(line: Line) -> str:
+    return f"{line.role.value:<4} {line.text}" if line.role.is_condition else line.text
+
+
+def _place(node: _Placed, top: float) -> float:
+    """Place a node and all below it from a height downwards; the height at which they end."""
+    bottom = top
+    for child in node.children:
+        bottom = _place(child, bottom) + BELOW
+    bottom -= BELOW if node.children else 0.0
+    if node.children:
+        node.y = (node.children[0].middle + node.children[-1].middle - node.height) / 2
+    missing = max(top - node.y, 0.0) if node.children else 0.0
+    for each in node.all() if missing else ():
+        each.y += missing
+    if not node.children:
+        node.y = top
+    return max(bottom + missing, node.y + node.height)
+
+
+def _indent(node: _Placed, left: float) -> None:
+    """Children begin where their parent has ended."""
+    node.x = left
+    for child in node.children:
+        _indent(child, left + node.width + BESIDE)
+
+
+def _edge(node: _Placed, child: _Placed) -> str:
+    start, end = node.x + node.width, child.x
+    bend = end - BESIDE / 2
+    return (
+        f'<path d="M{start:.1f} {node.middle:.1f} '
+        f"C{bend:.1f} {node.middle:.1f} {bend:.1f} {child.middle:.1f} {end:.1f} "
+        f'{child.middle:.1f}"/>'
+    )
+
+
+def _drawn(node: _Placed) -> Iterator[str]:
+    kind, corner = ("flow", 14) if node.box.token else ("skill", 4)
+    yield (
+        f'<rect class="{kind}" x="{node.x:.1f}" y="{node.y:.1f}" width="{node.width:.1f}" '
+        f'height="{node.height:.1f}" rx="{corner}"/>'
+    )
+    for number, (style, text) in enumerate(node.texts):
+        base = node.y + PADDING + FONT - 2 + number * LINE
+        yield _text(node.x + PADDING, base, style, text)
+
+
+def _text(x: float, y: float, style: str, text: str) -> str:
+    shown = _shortened(text)
+    whole = f"<title>{escape(text)}</title>" if shown != text else ""
+    return (
+        f'<text class="{style}" x="{x:.1f}" y="{y:.1f}" xml:space="preserve">{whole}'
+        f"{escape(shown)}</text>"
+    )
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) <= MOST_CHARACTERS else text[: MOST_CHARACTERS - 3] + "..."

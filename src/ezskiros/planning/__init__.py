@@ -1,0 +1,1 @@
+"""Plans: which skills lead from a scene to a goal."""

@@ -1,0 +1,232 @@
+"""Skills as actions of a planner: what each needs, and what it makes so.
+
+Parameters that stand for things are parameters of the action. `OPTIONAL` ones are left out, unless
+a condition is about them. Hold-conditions are needed at the start.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Diagnostic
+from ezskiros.check.inference import names
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.statements import (
+    AnyOf,
+    Comparison,
+    Generated,
+    HasProperty,
+    OfType,
+    Relation,
+    Specified,
+    Statement,
+)
+from ezskiros.planning import errors
+from ezskiros.planning.facts import EVERYTHING, About, Clause, Fluent, Literal, implied
+from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.interface import Parameter, SkillInterface
+from ezskiros.skills.markers import Kind, Option
+from ezskiros.trees.library import Library
+
+GONE = Fluent(About.GONE)
+
+
+@dataclass(frozen=True)
+class Action:
+    """A skill. All of `needs` have to be so; afterwards all `effects` are, the later ones first."""
+
+    skill: SkillInterface
+    description: type[SkillDescription]
+    things: tuple[Parameter, ...]
+    needs: tuple[Clause, ...]
+    effects: tuple[Literal, ...]
+    asserted: tuple[Literal, ...]
+    """Of the effects those that the skill says itself: the others follow."""
+    apart: tuple[tuple[str, str], ...]
+    """Parameters that stand for different things: each does, unless their classes exclude it."""
+
+
+class _NotPlannableError(Exception):
+    """A skill says something that has no translation; the text says what."""
+
+
+def actions(library: Library, model: Model) -> tuple[list[Action], list[Diagnostic]]:
+    """The actions of the skills that are checked, and which ones no planner can make use of.
+
+    As in SkiROS2, a skill needs pre- and post-conditions for that; and something that implements
+    it, so that the plan can be run.
+    """
+    drafts, found = [], []
+    for description in library.checked:
+        skill = library.skill(description)
+        if skill is None or not (skill.pre and skill.post):
+            continue
+        try:
+            if not library.implementations(description):
+                raise _NotPlannableError("nothing in these files implements it")
+            drafts.append(_draft(skill, description, model))
+        except _NotPlannableError as why:
+            found.append(errors.SkillLeftOut(skill=skill.name, why=str(why)).at(skill.span))
+    return [_with_consequences(each, drafts, model) for each in drafts], found
+
+
+def _draft(skill: SkillInterface, description: type[SkillDescription], model: Model) -> Action:
+    """An action with what the skill says itself."""
+    for parameter in skill.parameters:
+        if parameter.is_thing and parameter.is_output:
+            raise _NotPlannableError(f"`{parameter.name}` is something that it finds out")
+    clauses = [*skill.pre, *skill.hold, *skill.post]
+    named = {name for each in clauses for name in names(each.statement)}
+    things = tuple(
+        each
+        for each in skill.parameters
+        if each.is_thing and (each.kind is not Kind.OPTIONAL or each.name in named)
+    )
+    needs = [_clause(each.statement) for each in (*skill.pre, *skill.hold)]
+    needs += [(Literal(GONE, (each.name,), False),) for each in things]
+    needs += [(_of_class(each),) for each in things]
+    asserted = [effect for each in skill.post for effect in _effects(each.statement)]
+    asserted += [Literal(GONE, (e.name,)) for e in things if Option.CONSUME in e.options]
+    return Action(
+        skill,
+        description,
+        things,
+        tuple(each for each in needs if each is not None),
+        (),
+        tuple(asserted),
+        tuple(_apart(things, model)),
+    )
+
+
+def _of_class(parameter: Parameter) -> Literal:
+    return Literal(Fluent(About.CLASS, parameter.iri or ""), (parameter.name,))
+
+
+def _apart(things: Sequence[Parameter], model: Model) -> Iterator[tuple[str, str]]:
+    for number, one in enumerate(things):
+        for other in things[number + 1 :]:
+            if not model.are_disjoint(one.iri or "", other.iri or ""):
+                yield one.name, other.name
+
+
+def _clause(statement: Statement) -> Clause | None:
+    """What a condition needs; None if that is always so."""
+    if isinstance(statement, AnyOf):
+        if not statement.is_true:
+            raise _NotPlannableError("it needs that none of several conditions holds")
+        parts = [_clause(part) for part in statement.parts]
+        return None if None in parts else tuple(e for part in parts if part for e in part)
+    if isinstance(statement, Specified):
+        if not statement.is_true:
+            raise _NotPlannableError(f"it needs that `{statement.subject}` is not given")
+        return None
+    return (literal(statement),)
+
+
+def literal(statement: Statement) -> Literal:
+    """A single condition as a literal of parameters."""
+    match statement:
+        case Relation(subject=subject, relation=iri, object=other):
+            return Literal(Fluent(About.RELATION, iri), (subject, other), statement.is_true)
+        case Comparison(subject=subject, property=iri, operator=sign, value=value):
+            compared = Fluent(About.COMPARISON, iri, sign, value)
+            return Literal(compared, (subject,), statement.is_true)
+        case HasProperty(subject=subject, property=iri):
+            return Literal(Fluent(About.PROPERTY, iri), (subject,), statement.is_true)
+        case OfType(subject=subject, owl_class=iri):
+            return Literal(Fluent(About.CLASS, iri), (subject,))
+        case Generated(subject=subject):
+            return Literal(GONE, (subject,), not statement.is_true)
+        case _:
+            raise _NotPlannableError("it has a condition of an unknown kind")
+
+
+def _effects(statement: Statement) -> Iterator[Literal]:
+    match statement:
+        case AnyOf():
+            raise _NotPlannableError("which of several post-conditions will hold is not known")
+        case OfType():
+            raise _NotPlannableError("it changes the class of something")
+        case Generated(is_true=True):
+            raise _NotPlannableError(f"`{statement.subject}` comes into being")
+        case Comparison(operator=sign) if sign != "=":
+            raise _NotPlannableError("which number a property will have is not known")
+        case Specified():
+            return
+        case _:
+            yield literal(statement)
+
+
+# --- what follows ---------------------------------------------------------------------------------
+
+
+def _with_consequences(action: Action, all_of: Sequence[Action], model: Model) -> Action:
+    """An action with all that follows from what the skill says, of what others are about."""
+    known = {
+        each.fluent
+        for other in all_of
+        for each in (*other.asserted, *(part for clause in other.needs for part in clause))
+    }
+    effects: dict[tuple[Fluent, tuple[str, ...]], Literal] = {}
+    for asserted in action.asserted:
+        for each in (*_before(asserted, known, model), asserted, *_after(asserted, known, model)):
+            effects.pop((each.fluent, each.arguments), None)
+            effects[each.fluent, each.arguments] = each
+    return Action(
+        action.skill,
+        action.description,
+        action.things,
+        action.needs,
+        tuple(effects.values()),
+        action.asserted,
+        action.apart,
+    )
+
+
+def _before(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Literal]:
+    """What a new value of a functional relation pushes out."""
+    if asserted.fluent.about is not About.RELATION or not asserted.is_true:
+        return
+    subject, other = asserted.arguments
+    for iri, is_forward in implied(asserted.fluent.iri, model):
+        declared = model.relations.get(iri)
+        fluent = Fluent(About.RELATION, iri)
+        if declared is None or (fluent not in known and iri != asserted.fluent.iri):
+            continue
+        ends = (subject, other) if is_forward else (other, subject)
+        if declared.is_functional:
+            yield Literal(fluent, (ends[0], EVERYTHING), False)
+        if declared.is_inverse_functional:
+            yield Literal(fluent, (EVERYTHING, ends[1]), False)
+
+
+def _after(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Literal]:
+    fluent = asserted.fluent
+    if fluent.about is About.RELATION:
+        yield from _related(asserted, known, model)
+        return
+    about_same = [each for each in known if each.iri == fluent.iri and each != fluent]
+    for each in sorted(about_same, key=repr):
+        if each.about is About.COMPARISON and fluent.about is About.COMPARISON:
+            if asserted.is_true:
+                is_so = each.compares(fluent.value)
+                yield Literal(each, asserted.arguments, is_so)
+        elif each.about is About.COMPARISON and not asserted.is_true:
+            yield Literal(each, asserted.arguments, False)
+        elif each.about is About.PROPERTY and fluent.about is About.COMPARISON:
+            yield Literal(each, asserted.arguments, asserted.is_true)
+
+
+def _related(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Literal]:
+    """Relations that hold, or hold no more, with one."""
+    iri, ends = asserted.fluent.iri, asserted.arguments
+    relations = sorted({each.iri for each in known if each.about is About.RELATION})
+    for other in relations:
+        if other == iri and not model.relations.get(iri):
+            continue
+        source, target = (iri, other) if asserted.is_true else (other, iri)
+        for each, is_forward in implied(source, model):
+            if each == target and (other, is_forward) != (iri, True):
+                turned = ends if is_forward else (ends[1], ends[0])
+                yield Literal(Fluent(About.RELATION, other), turned, asserted.is_true)

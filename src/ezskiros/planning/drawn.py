@@ -1,0 +1,34 @@
+"""A plan as a drawing of a behavior tree, with the things of the scene."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ezskiros.drawing.outline import TOKENS, Box, Line, Outline, Role
+from ezskiros.planning.facts import spelled
+from ezskiros.planning.plan import Plan
+from ezskiros.planning.solve import Step
+from ezskiros.skills.nodes import Flow
+
+
+def drawn(plan: Plan) -> Outline:
+    """The steps, one after the other; what they lead to stands above them."""
+    model = plan.scene.ontology.model
+    wanted = (spelled(each.literal, model, model.short) for each in plan.goals)
+    steps = tuple(
+        Box(step.action.skill.name, "", tuple(_lines(step, plan)), ()) for step in plan.steps
+    )
+    flow = Flow.SERIAL_STAR
+    root = Box(flow.value.lower(), TOKENS[flow], (), steps)
+    return Outline(Box("plan", "", tuple(Line(Role.POST, each) for each in wanted), (root,)), ())
+
+
+def _lines(step: Step, plan: Plan) -> Iterator[Line]:
+    model = plan.scene.ontology.model
+    for name, iri in step.things.items():
+        yield Line(Role.VALUE, f"{name} = {model.short(iri)}")
+    for each in step.action.skill.parameters:
+        if not each.is_thing and not each.is_output:
+            is_open = each.default is None
+            value = f": {each.type.__name__}" if is_open else f" = {each.default!r}"
+            yield Line(Role.PASSED if is_open else Role.VALUE, each.name + value)

@@ -1,0 +1,153 @@
+"""What a planner can say of a world: facts that are true or false of things.
+
+A fact about relations and properties of the ontology is asked of a world model, and changed there.
+"""
+
+from __future__ import annotations
+
+import enum
+import operator
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from ezskiros.engine.world import World
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.statements import Value
+
+EVERYTHING = "*"
+"""In an effect, in place of a thing: of all but the one that the next effect is about."""
+_COMPARED: dict[str, Callable[[Value, Value], bool]] = {
+    "=": operator.eq,
+    "<": operator.lt,
+    ">": operator.gt,
+    "<=": operator.le,
+    ">=": operator.ge,
+}
+
+
+class About(enum.Enum):
+    """What a fact is about."""
+
+    RELATION = "relation"
+    COMPARISON = "comparison"
+    PROPERTY = "property"
+    CLASS = "class"
+    GONE = "gone"
+
+
+@dataclass(frozen=True)
+class Fluent:
+    """What can be true of things: of two for a relation, else of one."""
+
+    about: About
+    iri: str = ""
+    operator: str = ""
+    value: Value = ""
+
+    def compares(self, value: Value) -> bool:
+        """Whether a value of its property compares as it says."""
+        try:
+            return _COMPARED[self.operator](value, self.value)
+        except TypeError:  # values that have no order
+            return False
+
+
+@dataclass(frozen=True)
+class Literal:
+    """A fluent of some things, or parameters, that is true or false."""
+
+    fluent: Fluent
+    arguments: tuple[str, ...]
+    is_true: bool = True
+
+    def negated(self) -> Literal:
+        """The opposite."""
+        return replace(self, is_true=not self.is_true)
+
+    def bound(self, things: dict[str, str]) -> Literal:
+        """With things in the place of parameters."""
+        return replace(self, arguments=tuple(things.get(each, each) for each in self.arguments))
+
+
+Clause = tuple[Literal, ...]
+"""At least one of these is so."""
+
+
+def is_so(literal: Literal, world: World) -> bool:
+    """Whether it is so in a world."""
+    fluent, subject = literal.fluent, literal.arguments[0]
+    match fluent.about:
+        case About.RELATION:
+            found = world.are_related(subject, fluent.iri, literal.arguments[1])
+        case About.COMPARISON:
+            found = any(map(fluent.compares, world.values(subject, fluent.iri)))
+        case About.PROPERTY:
+            found = bool(world.values(subject, fluent.iri))
+        case About.CLASS:
+            found = world.is_a(subject, fluent.iri)
+        case About.GONE:
+            found = not world.exists(subject)
+    return found == literal.is_true
+
+
+def make_so(literal: Literal, world: World) -> None:
+    """Change a world so that it is so; what follows from that is for the world to know."""
+    fluent, subject = literal.fluent, literal.arguments[0]
+    match fluent.about, literal.is_true:
+        case About.RELATION, True:
+            world.relate(subject, fluent.iri, literal.arguments[1])
+        case About.RELATION, False:
+            world.unrelate(subject, fluent.iri, literal.arguments[1])
+        case About.COMPARISON, True:
+            world.set_value(subject, fluent.iri, fluent.value)
+        case (About.COMPARISON, False) if fluent.value in world.values(subject, fluent.iri):
+            world.unset(subject, fluent.iri)
+        case About.PROPERTY, False:
+            world.unset(subject, fluent.iri)
+        case About.GONE, True:
+            world.remove(subject)
+
+
+def implied(relation: str, model: Model) -> Sequence[tuple[str, bool]]:
+    """The relations that hold where one does, itself first, and whether in the same direction."""
+    found: dict[tuple[str, bool], None] = {}
+    left = [(relation, True)]
+    while left:
+        each = left.pop()
+        if each not in found:
+            found[each] = None
+            left += _next(*each, model)
+    return list(found)
+
+
+def _next(relation: str, is_forward: bool, model: Model) -> Iterator[tuple[str, bool]]:
+    declared = model.relations.get(relation)
+    if declared is None:
+        return
+    yield from ((each, is_forward) for each in declared.parents)
+    yield from ((each, not is_forward) for each in declared.inverses)
+    yield from (
+        (iri, not is_forward)
+        for iri, other in model.relations.items()
+        if relation in other.inverses
+    )
+    if declared.is_symmetric:
+        yield relation, not is_forward
+
+
+def spelled(literal: Literal, model: Model, shown: Callable[[str], str] = str) -> str:
+    """`skiros:Gripper-1 skiros:contain skiros:Product-4`, and so on, for messages."""
+    fluent, names = literal.fluent, [shown(each) for each in literal.arguments]
+    iri = model.short(fluent.iri)
+    match fluent.about:
+        case About.RELATION:
+            text = f"{names[0]} {iri} {names[1]}"
+        case About.COMPARISON:
+            text = f"{names[0]} {iri} {fluent.operator} {fluent.value!r}"
+        case About.PROPERTY:
+            text = f"{names[0]} {iri}"
+        case About.CLASS:
+            text = f"{names[0]} is a {iri}"
+        case About.GONE:
+            text = f"{names[0]} is gone"
+    return text if literal.is_true else f"not ({text})"

@@ -1,0 +1,188 @@
+"""Why a goal cannot be reached: what no skill makes so, and the scene does not say.
+
+Delete relaxation: what has been so at some time stays possible, both that something is true and
+that it is not. What is not possible even then is not to be had. One action after the other is
+tried with all things that its needs allow, until nothing new becomes possible.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from ezskiros.engine.world import World
+from ezskiros.planning.actions import Action
+from ezskiros.planning.facts import EVERYTHING, About, Clause, Literal, is_so
+
+
+@dataclass(frozen=True)
+class Missing:
+    """What is missing for a goal: a fact, which no skill makes so."""
+
+    literal: Literal
+    chain: tuple[tuple[str, Literal], ...] = ()
+    """The skills that would help, each with what it needs, the last one first."""
+    without: str | None = None
+    """The class of which there is nothing: the last skill needs something of it."""
+    circular: tuple[str, ...] = ()
+    """Skills that make the fact so, and need it, or what it was needed for, before."""
+
+
+class TimeOverError(Exception):
+    """It took too long."""
+
+
+@dataclass
+class Reach:
+    """What is possible in a world, with some actions; until a time of `time.monotonic`."""
+
+    world: World
+    things: Sequence[str]
+    actions: Sequence[Action]
+    until: float
+    _new: dict[Literal, None] = field(default_factory=dict)
+    """What was not so at the start and has become possible."""
+    _initially: dict[Literal, bool] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        count = -1
+        while count < len(self._new):
+            count = len(self._new)
+            for action in self.actions:
+                for bound in self._ways(action):
+                    for effect in action.effects:
+                        self._new.update(dict.fromkeys(self._grounded(effect.bound(bound))))
+
+    def is_possible(self, literal: Literal) -> bool:
+        """Whether it is so at some time."""
+        return literal in self._new or self._is_initially(literal)
+
+    def missing(self, goal: Literal, seen: frozenset[Literal] = frozenset()) -> Missing:
+        """What is missing for something that is not possible."""
+        best: Missing | None = None
+        circular: list[str] = []
+        for action in self.actions:
+            for effect in action.effects:
+                bound = _matched(effect, goal)
+                lacking = None if bound is None else self._lacking(action, bound, goal)
+                if lacking is None:
+                    continue
+                if isinstance(lacking, Literal) and lacking in seen | {goal}:
+                    circular.append(action.skill.name)
+                    continue
+                found = self._below(action, lacking, goal, seen | {goal})
+                if best is None or len(found.chain) < len(best.chain):
+                    best = found
+        return best or Missing(goal, circular=tuple(dict.fromkeys(circular)))
+
+    def _below(
+        self, action: Action, lacking: Literal | str, goal: Literal, seen: frozenset[Literal]
+    ) -> Missing:
+        """What is missing for what an action lacks: a fact, or something of a class."""
+        if isinstance(lacking, str):
+            return Missing(goal, ((action.skill.name, goal),), lacking)
+        found = self.missing(lacking, seen)
+        return replace(found, chain=(*found.chain, (action.skill.name, lacking)))
+
+    def _lacking(
+        self, action: Action, bound: dict[str, str], goal: Literal
+    ) -> Literal | str | None:
+        """One of the needs that are not possible, for things for which those are the fewest; or the
+        class of which there is nothing. None if the action has nothing to do with the goal.
+        """
+        for parameter in action.things:
+            if parameter.name not in bound and not self._candidates(parameter.iri or ""):
+                return parameter.iri
+        for spare in range(1, len(action.needs) + 1):
+            things = next(self._bindings(action, bound, spare), None)
+            if things is not None:
+                needs = (tuple(e.bound(things) for e in clause) for clause in action.needs)
+                lacking = [each[0] for each in needs if not any(map(self.is_possible, each))]
+                return next((each for each in lacking if each != goal), lacking[0])
+        return None
+
+    # --- ways -------------------------------------------------------------------------------------
+
+    def _ways(self, action: Action) -> Iterator[dict[str, str]]:
+        """Things for which all that an action needs is possible."""
+        return self._bindings(action, {}, 0)
+
+    def _bindings(
+        self, action: Action, bound: dict[str, str], spare: int
+    ) -> Iterator[dict[str, str]]:
+        """Things for the parameters for which all but `spare` of the needs are possible: classes
+        are never spared.
+        """
+        decided = [e for e in action.needs if _names(e) <= bound.keys()]
+        left = self._left(decided, bound, spare)
+        if left is not None:
+            yield from self._extended(action, dict(bound), left)
+
+    def _extended(
+        self, action: Action, bound: dict[str, str], spare: int
+    ) -> Iterator[dict[str, str]]:
+        if time.monotonic() > self.until:
+            raise TimeOverError
+        free = [each for each in action.things if each.name not in bound]
+        if not free:
+            yield dict(bound)
+            return
+        parameter = min(free, key=lambda each: len(self._candidates(each.iri or "")))
+        name = parameter.name
+        for thing in self._candidates(parameter.iri or ""):
+            bound[name] = thing
+            if self._are_apart(action, bound, name):
+                decided = [each for each in action.needs if name in _names(each) <= bound.keys()]
+                left = self._left(decided, bound, spare)
+                if left is not None:
+                    yield from self._extended(action, bound, left)
+            del bound[name]
+
+    def _left(self, needs: Sequence[Clause], bound: dict[str, str], spare: int) -> int | None:
+        """How many more needs may be impossible; None if these are too many already."""
+        for clause in needs:
+            if not any(self.is_possible(each.bound(bound)) for each in clause):
+                spare -= 1
+                if spare < 0 or clause[0].fluent.about is About.CLASS:
+                    return None
+        return spare
+
+    def _candidates(self, owl_class: str) -> list[str]:
+        if owl_class not in self._of_class:
+            self._of_class[owl_class] = self.world.things(owl_class)
+        return self._of_class[owl_class]
+
+    _of_class: dict[str, list[str]] = field(default_factory=dict)
+
+    def _are_apart(self, action: Action, bound: Mapping[str, str], name: str) -> bool:
+        pairs = (pair for pair in action.apart if name in pair)
+        return all(bound.get(one) != bound.get(other) for one, other in pairs)
+
+    def _is_initially(self, literal: Literal) -> bool:
+        if literal not in self._initially:
+            self._initially[literal] = is_so(literal, self.world)
+        return self._initially[literal]
+
+    def _grounded(self, effect: Literal) -> Iterator[Literal]:
+        """An effect, for all things if it is about everything."""
+        if EVERYTHING not in effect.arguments:
+            yield effect
+            return
+        for thing in self.things:
+            yield effect.bound({EVERYTHING: thing})
+
+
+def _names(clause: Clause) -> set[str]:
+    return {each for literal in clause for each in literal.arguments}
+
+
+def _matched(effect: Literal, goal: Literal) -> dict[str, str] | None:
+    """What parameters stand for if an effect is the goal; None if it never is."""
+    if effect.fluent != goal.fluent or effect.is_true != goal.is_true:
+        return None
+    found: dict[str, str] = {}
+    for name, thing in zip(effect.arguments, goal.arguments, strict=True):
+        if name != EVERYTHING and found.setdefault(name, thing) != thing:
+            return None
+    return found

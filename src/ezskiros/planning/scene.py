@@ -1,0 +1,58 @@
+"""The world that a plan starts in: a scene, and the names of what is in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import pyoxigraph
+
+from dslkit.diagnostics import Diagnostic
+from ezskiros.check.scenes import check_scene
+from ezskiros.engine.world import World
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.iris import RDFS, THING
+from ezskiros.ontology.read import Document, read
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A scene that can be looked at, and started from again and again."""
+
+    ontology: Ontology
+    document: Document
+
+    def world(self) -> World:
+        """A fresh world model with what the scene says."""
+        found = World(self.ontology)
+        found.load(self.document)
+        return found
+
+    def names(self) -> Mapping[str, str]:
+        """The things by their names: IRIs, short or whole, and labels."""
+        model = self.ontology.model
+        things = self.world().things(THING)
+        label = pyoxigraph.NamedNode(RDFS + "label")
+        found = {
+            triple.object.value: triple.subject.value
+            for triple in self.document.triples
+            if triple.predicate == label
+            and isinstance(triple.subject, pyoxigraph.NamedNode)
+            and isinstance(triple.object, pyoxigraph.Literal)
+            and triple.subject.value in things
+        }
+        for iri in things:
+            found[iri] = iri
+            found[model.short(iri)] = iri
+            for prefix, start in self.document.prefixes.items():
+                if iri.startswith(start):
+                    found[f"{prefix}:{iri[len(start) :]}"] = iri
+        return found
+
+
+def read_scene(path: Path, ontology: Ontology) -> tuple[Scene | None, Sequence[Diagnostic]]:
+    """A scene, and what is wrong with it. Raises `OSError` if it cannot be read."""
+    found = check_scene(path, ontology)
+    document, _ = read(path)
+    return (Scene(ontology, document) if document else None), found

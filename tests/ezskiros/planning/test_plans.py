@@ -1,0 +1,316 @@
+"""Plans lead to their goals; without one it is said what is missing."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from ezskiros.driver import Checked
+from ezskiros.planning import solve as planner
+from ezskiros.planning.facts import is_so
+from ezskiros.planning.plan import Plan
+from ezskiros.planning.solve import Step, tried
+from ezskiros.planning.source import source
+from support.golden import assert_golden
+from support.ontologies import HALL
+from support.planning import names, planned, skill, world
+from support.tree_files import TREES
+
+GOLDEN = Path(__file__).parent / "golden"
+ROBOT = """\
+cora:Robot-9 a cora:Robot ; skiros:at skiros:Location-1 .
+skiros:Location-1 a skiros:Location . skiros:Location-2 a skiros:Location .
+skiros:Location-3 a skiros:Location .
+skiros:Product-4 a skiros:Product ; skiros:Weight 2.0 . skiros:Product-5 a skiros:Product .
+"""
+DRIVE = skill(
+    "Drive",
+    "Robot: cora.Robot, Start: INFERRED[skiros.Location], Target: skiros.Location",
+    "pre Robot.at(Start)",
+    "post Robot.at(Target)",
+)
+
+
+def test_a_plan_leads_to_its_goal(gripping: Checked) -> None:
+    plan, said = planned(gripping, "(skiros:contain shelf starter)")
+    assert list(said) == []
+    assert plan is not None
+    assert names(plan) in (["Fetch", "Release"], ["Approach", "Grip", "Approach", "Release"])
+    goals = [each.literal for each in plan.goals]
+    assert tried(plan.steps, goals, plan.scene.world()) is None
+    assert not is_so(goals[0], plan.scene.world())
+
+
+@pytest.mark.parametrize(
+    "goal",
+    [
+        "(skiros:contain skiros:Location-2 skiros:Product-3)",
+        "( contain shelf   starter ),",
+        '(contain "shelf" "starter")',
+        "(contain http://rvmi.aau.dk/ontologies/skiros.owl#Location-2 starter)",
+    ],
+)
+def test_the_same_goal_in_other_words(gripping: Checked, goal: str) -> None:
+    assert len(names(planned(gripping, goal)[0])) >= 2
+
+
+def test_several_goals_and_one_that_is_not_to_be(gripping: Checked) -> None:
+    goal = "(contain shelf starter), (at gripper bench) (not (contain gripper starter))"
+    found = names(planned(gripping, goal)[0])
+    assert found[-1] == "Approach"
+    assert "Release" in found
+
+
+def test_functional_relations_push_out_the_old_value(tmp_path: Path) -> None:
+    """A robot is at one place: driving to the second leaves the first."""
+    found, scene = world(tmp_path, ROBOT, DRIVE)
+    plan, _ = planned(found, "(not (at cora:Robot-9 skiros:Location-1))", scene)
+    assert names(plan) == ["Drive"]
+
+
+def test_a_property_has_one_value_at_a_time(tmp_path: Path) -> None:
+    heat = skill(
+        "Heat", "Object: skiros.Product", "pre Object.Weight == 2.0", "post Object.Weight == 5.0"
+    )
+    lift = skill(
+        "Lift",
+        "Object: skiros.Product, Place: skiros.Location",
+        "pre Object.Weight > 4.0",
+        "pre Object.Weight != 2.0",
+        "post Place.contain(Object)",
+    )
+    found, scene = world(tmp_path, ROBOT, heat + lift)
+    plan, _ = planned(found, "(contain skiros:Location-1 skiros:Product-4)", scene)
+    assert names(plan) == ["Heat", "Lift"]
+    plan, _ = planned(found, "(skiros:Weight skiros:Product-4 5.0)", scene)
+    assert names(plan) == ["Heat"]
+
+
+def test_one_of_several_conditions_is_enough(tmp_path: Path) -> None:
+    either = skill(
+        "Move",
+        "Robot: cora.Robot, A: skiros.Location, Object: skiros.Product",
+        "pre Robot.at(A) | Object.Weight",
+        "post A.contain(Object)",
+    )
+    found, scene = world(tmp_path, ROBOT, either)
+    assert names(
+        planned(
+            found,
+            "(contain Location-2 Product-4)".replace("Location", "skiros:Location").replace(
+                "Product", "skiros:Product"
+            ),
+            scene,
+        )[0]
+    ) == ["Move"]
+
+
+def test_what_is_consumed_cannot_be_used_again(tmp_path: Path) -> None:
+    eat = skill(
+        "Eat",
+        "Robot: cora.Robot, Object: CONSUME[skiros.Product]",
+        "pre Object.Weight",
+        "post ~Robot.at(Object)",
+    ).replace("~Robot.at(Object)", "Robot.hasA(Object)")
+    found, scene = world(tmp_path, ROBOT, eat)
+    _, said = planned(found, "(hasA cora:Robot-9 skiros:Product-4)", scene)
+    assert [each.code for each in said] == ["EZS858"]
+
+
+@pytest.mark.parametrize(
+    ("goal", "code", "said"),
+    [
+        ("", "EZS850", "there is nothing in it"),
+        ("(contain shelf)", "EZS850", "a relation has two things"),
+        ("(contain shelf starter", "EZS850", "`)` is missing here"),
+        ("contain shelf starter", "EZS850", "`(` is missing here"),
+        ("(not contain shelf starter)", "EZS850", "`(` is missing here"),
+        ("(contain shelf starter bench)", "EZS850", "in brackets stand a relation and two things"),
+        ("(contain shelf stater)", "EZS851", "the scene has no `stater`"),
+        ("(contains shelf starter)", "EZS852", "no relation or data property `contains`"),
+        ("(contain gripper bench)", "EZS853", "no skill leads to this"),
+        ("(at gripper shelf)", "EZS859", "this is so already"),
+        (
+            "(contain shelf starter), (contain gripper starter)",
+            "EZS854",
+            "no sequence of skills leads to this",
+        ),
+    ],
+)
+def test_goals_without_a_plan(gripping: Checked, goal: str, code: str, said: str) -> None:
+    _, found = planned(gripping, goal)
+    assert [each.code for each in found] == [code]
+    assert said in found[0].title
+
+
+@pytest.mark.parametrize("goal", ["((((", '"', "(not", "(not (", ",,,", ")", "(a b c d)", "(())"])
+def test_no_goal_is_too_strange(gripping: Checked, goal: str) -> None:
+    assert [each.code for each in planned(gripping, goal)[1]] == ["EZS850"]
+
+
+def test_the_condition_that_blocks_is_said(tmp_path: Path) -> None:
+    place = skill(
+        "Place",
+        "Robot: cora.Robot, Spot: skiros.Location, Object: skiros.Product",
+        "pre Robot.at(Spot)",
+        "pre Robot.contain(Object)",
+        "post Spot.contain(Object)",
+    )
+    grip = skill(
+        "Grip",
+        "Robot: cora.Robot, Object: skiros.Product",
+        "pre Object.Weight < 1.0",
+        "post Robot.contain(Object)",
+    )
+    found, scene = world(tmp_path, ROBOT, DRIVE + place + grip)
+    _, said = planned(found, "(contain skiros:Location-2 skiros:Product-4)", scene)
+    assert [each.code for each in said] == ["EZS853"]
+    assert list(said[0].notes) == [
+        "`Place` needs `cora:Robot-9 skiros:contain skiros:Product-4`",
+        "`Grip` needs `skiros:Product-4 skiros:Weight < 1.0`",
+        "`skiros:Product-4 skiros:Weight < 1.0` is not so in the scene, and no skill makes it so",
+    ]
+
+
+def test_a_class_of_which_there_is_nothing_is_said(tmp_path: Path) -> None:
+    tool = skill(
+        "Screw",
+        "Tool: rparts.GripperEffector, Spot: skiros.Location, Object: skiros.Product",
+        "pre ~Tool.contain(Object)",
+        "post Spot.contain(Object)",
+    )
+    found, scene = world(tmp_path, ROBOT, tool)
+    _, said = planned(found, "(contain skiros:Location-2 skiros:Product-4)", scene)
+    assert said[0].notes == ("`Screw` needs a rparts:GripperEffector, and the scene has none",)
+
+
+def test_skills_that_cannot_be_planned_with_are_said_if_there_is_no_plan(tmp_path: Path) -> None:
+    vague = skill(
+        "Vague",
+        "Robot: cora.Robot, Spot: skiros.Location, Object: skiros.Product",
+        "pre Robot.at(Spot)",
+        "post Spot.contain(Object) | Robot.contain(Object)",
+    )
+    found, scene = world(tmp_path, ROBOT, DRIVE + vague)
+    _, said = planned(found, "(contain skiros:Location-2 skiros:Product-4)", scene)
+    assert [each.code for each in said] == ["EZS856", "EZS853"]
+    plan, said = planned(found, "(at cora:Robot-9 skiros:Location-2)", scene)
+    assert (names(plan), list(said)) == (["Drive"], [])
+
+
+def test_nothing_to_plan_with(tmp_path: Path) -> None:
+    found, scene = world(tmp_path, ROBOT, skill("Idle", "Robot: cora.Robot"))
+    _, said = planned(found, "(at cora:Robot-9 skiros:Location-2)", scene)
+    assert [each.code for each in said] == ["EZS857"]
+
+
+def test_time_is_limited(gripping: Checked) -> None:
+    _, said = planned(gripping, "(contain shelf starter)", seconds=1e-6)
+    assert [each.code for each in said] == ["EZS855"]
+
+
+def test_the_planner_is_ended(gripping: Checked) -> None:
+    _, said = planned(gripping, "(contain shelf starter)", seconds=0.05)
+    assert [each.code for each in said] == ["EZS855"]
+
+
+def test_without_the_planner_it_is_said_how_to_install_it(
+    gripping: Checked, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "up_fast_downward", None)
+    with pytest.raises(planner.NoPlannerError, match=r"pip install 'rossmarie\[plan\]'"):
+        planned(gripping, "(contain shelf starter)")
+
+
+def test_a_plan_that_the_world_model_denies_is_not_given(
+    gripping: Checked, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def half(*arguments: object) -> list[Step]:
+        return real(*arguments)[-1:]  # type: ignore[arg-type, index]
+
+    real = planner.solve
+    monkeypatch.setattr("ezskiros.planning.plan.solve", half)
+    plan, said = planned(gripping, "(contain shelf starter)")
+    assert plan is None
+    assert [each.code for each in said] == ["EZS858"]
+
+
+def test_steps_that_need_not_be_are_left_out(
+    gripping: Checked, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def with_detour(*arguments: object) -> list[Step]:
+        steps = real(*arguments)  # type: ignore[arg-type]
+        assert steps is not None
+        (approach,) = (each for each in arguments[0] if each.skill.name == "Approach")  # type: ignore[attr-defined]
+        there = {
+            "Gripper": steps[0].things["Gripper"],
+            "Target": "http://rvmi.aau.dk/ontologies/skiros.owl#Location-1",
+        }
+        back = {**there, "Target": "http://rvmi.aau.dk/ontologies/skiros.owl#Location-2"}
+        return [Step(approach, there), Step(approach, back), *steps]
+
+    short = names(planned(gripping, "(contain shelf starter)")[0])
+    real = planner.solve
+    monkeypatch.setattr("ezskiros.planning.plan.solve", with_detour)
+    assert names(planned(gripping, "(contain shelf starter)")[0]) == short
+
+
+# --- as a skill -----------------------------------------------------------------------------------
+
+
+def written(gripping: Checked) -> str:
+    plan, _ = planned(gripping, "(contain shelf starter)")
+    assert isinstance(plan, Plan)
+    return source(plan, "tidy_up", "(contain shelf starter)")
+
+
+def test_a_plan_as_a_skill(gripping: Checked, bless: bool) -> None:
+    assert_golden(GOLDEN / "tidy_up.txt", written(gripping), bless=bless)
+
+
+def run(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    command = [str(Path(sys.executable).with_name("ezskiros")), *arguments]
+    command += ["--ontology", str(HALL)]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True)
+
+
+@pytest.fixture
+def lab(tmp_path: Path) -> Path:
+    for each in TREES.iterdir():
+        if each.is_file():
+            (tmp_path / each.name).write_text(each.read_text("utf-8"), encoding="utf-8")
+    return tmp_path
+
+
+GOAL = ("--scene", "lab.turtle", "--goal", "(skiros:contain shelf starter)")
+
+
+def test_what_is_written_is_checked(lab: Path) -> None:
+    done = run("plan", *GOAL, "--write", "tidy_up.py", folder=lab)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.endswith("no errors in 2 files\n")
+    shown = run("show", "tidy_up", folder=lab)
+    assert re.search(r"serialstar\n.*Fetch", shown.stdout)
+
+
+def test_a_file_from_which_the_skills_cannot_be_imported(lab: Path) -> None:
+    done = run("plan", *GOAL, "--write", "other/tidy_up.py", folder=lab)
+    assert done.returncode == 2
+    assert f"the skills cannot be imported: write to {lab}" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("--write", "tidy-up.py"), "is no file for a module of Python"),
+        (("--scene", "nowhere.turtle"), "there is no file nowhere.turtle"),
+    ],
+)
+def test_wrong_calls(lab: Path, arguments: tuple[str, ...], said: str) -> None:
+    done = run("plan", *GOAL, *arguments, folder=lab)
+    assert done.returncode == 2
+    assert said in done.stdout + done.stderr
