@@ -9,7 +9,7 @@ HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 .PHONY: help demo test check bench fmt fuzz clean browser compiler ros1
 
 help:
-	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked"
+	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run"
 	@echo "make test    all tests"
 	@echo "make check   format, lint, types, import layers, and all tests"
 	@echo "make bench   measure, and write docs/reference/performance*.md"
@@ -43,6 +43,9 @@ ifneq ($(wildcard $(HUSKY_RECORDING)),)
 	@echo "the real drive:  open $(CURDIR)/build/husky/timeline.html in a browser"
 endif
 	$(RUN)/ezskiros check examples/pick_place/skills
+	$(RUN)/ezskiros run PickAndPlace examples/pick_place/skills \
+		--scene examples/pick_place/lab.turtle --save build/demo/lab_after.turtle \
+		Object=starter Gripper=gripper PlacingLocation=shelf
 	@echo "mistakes that are planted, in rules and in skills:"
 	@$(RUN)/rossmarie check examples/thesis/arm_as_printed.ross || true
 	@$(RUN)/ezskiros check examples/pick_place/planted || true

@@ -173,6 +173,64 @@ def checks_of_growing(sizes: Mapping[Path, Size]) -> Iterator[str]:
         yield f"| {size.triples:,} | {' | '.join(cells)} |"
 
 
+TREES = {
+    "parallel": "ParallelFf, all run",
+    "serial": "Serial, all succeed",
+    "serialstar": "SerialStar, the first one runs",
+    "nested": "Serial in Serial, as deep as that",
+}
+SKIROS2 = {
+    ("parallel", 10): (7, 0.65),
+    ("parallel", 100): (51, 7.0),
+    ("parallel", 1000): (976, 69.8),
+    ("serial", 10): (5.9, None),
+    ("serial", 100): (43, None),
+    ("serial", 1000): (425, None),
+    ("serialstar", 10): (4, 0.09),
+    ("serialstar", 100): (17, 0.16),
+    ("serialstar", 1000): (148, 0.23),
+    ("nested", 10): (4, 0.13),
+    ("nested", 100): (21, 1.0),
+}
+"""Milliseconds of the first tick and of a later one."""
+TO_REACH = {("parallel", 1000): (None, 7), ("serial", 1000): (40, None)}
+ENGINE = """## Trees that run
+
+Of primitives that do nothing, in ms: *first* is the first tick, with the building of the tree,
+*next* a later one. *py_trees* are behaviors that do nothing in the composites of py_trees alone,
+without skills, parameters and conditions: the floor. *SkiROS2* was measured once, in its own core
+without ROS (master, c4438e7, Python 3.11) on another machine; with 300 levels it ends with a
+RecursionError.
+
+| tree | nodes | first | to reach | py_trees | SkiROS2 | next | to reach | py_trees | SkiROS2 |
+|---|---|---|---|---|---|---|---|---|---|"""
+
+
+def engine() -> Iterator[str]:
+    """The table of trees."""
+    yield ENGINE
+    for tree, called in TREES.items():
+        for nodes in (10, 100, 1_000):
+            commands = {
+                name: (sys.executable, HERE / "ezskiros_engine.py", name, tree, nodes)
+                for name in ("ezskiros", "py_trees")
+            }
+            found = in_turn(commands, {})
+            columns = [called, f"{nodes:,}"]
+            for index, key in enumerate(("start", "tick")):
+                columns += [
+                    f"{found['ezskiros'][key] * 1000:.2f}",
+                    _number(TO_REACH.get((tree, nodes), (None, None))[index], "under "),
+                    f"{found['py_trees'][key] * 1000:.2f}",
+                    _number(SKIROS2.get((tree, nodes), (None, None))[index]),
+                ]
+            yield f"| {' | '.join(columns)} |"
+
+
+def _number(found: float | None, before: str = "") -> str:
+    return "" if found is None else f"{before}{found:g}"
+
+
 PREFACE = """# Performance of EzSkiROS
 
 Written by `make bench`; do not edit. CPU time of processes that do one thing each, everything in
@@ -207,6 +265,8 @@ def main() -> None:
         *growing(sizes),
         "",
         *checks_of_growing(sizes),
+        "",
+        *engine(),
     ]
     text = "\n".join(lines) + "\n"
     out.write_text(text, encoding="utf-8")

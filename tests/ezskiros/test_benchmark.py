@@ -85,3 +85,11 @@ def test_generated_skills_are_right_or_have_one_mistake(
         EZSKIROS_ONTOLOGY=str(ontology),
     )
     assert (found["skills"], found["findings"]) == (10, 10 if is_mistaken else 0)
+
+
+@pytest.mark.parametrize("tree", ["parallel", "serial", "serialstar", "nested"])
+@pytest.mark.parametrize("engine", ["ezskiros", "py_trees"])
+def test_trees_are_ticked(engine: str, tree: str) -> None:
+    found = ran(sys.executable, BENCHMARKS / "ezskiros_engine.py", engine, tree, 20)
+    assert found["start"] > 0
+    assert found["tick"] > 0

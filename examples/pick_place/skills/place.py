@@ -2,7 +2,10 @@
 
 from ezskiros import INFERRED, SkillDescription
 
+from .motions import ActuateGripper, ApproachMovement, SwitchController
+from .waiting import Wait
 from .world import cora, rparts, skiros
+from .world_model import WmMoveObject
 
 
 class Place(SkillDescription):
@@ -27,3 +30,16 @@ class Place(SkillDescription):
         self.hold_conditions += Robot.at(PlacingLocation)
         self.post_conditions += ~Gripper.contain(Object)
         self.post_conditions += PlacingLocation.contain(Object)
+
+
+class place(Place.SkillBase):
+    """Lets go of the product when it is there."""
+
+    def expandBT(self, params):
+        self.serialstar(
+            SwitchController(Controller="compliant"),
+            ApproachMovement.go_to_linear(Target=params.PlacingLocation, Speed=params.Speed),
+            ActuateGripper(Open=True),
+            Wait(Duration=1.0),
+            WmMoveObject(TargetLocation=params.PlacingLocation),
+        )

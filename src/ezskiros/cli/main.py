@@ -18,6 +18,7 @@ from ezskiros.cli.arguments import Folders, Skills, name_ontology
 from ezskiros.cli.output import output
 from ezskiros.cli.plan import plan
 from ezskiros.cli.show import show
+from ezskiros.cli.run import run
 
 if TYPE_CHECKING:  # libcst is loaded only where it is needed
     from ezskiros.migrate.files import MigratedFile
@@ -30,6 +31,7 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+app.command()(run)
 Paths = Annotated[
     list[Path],
     typer.Argument(

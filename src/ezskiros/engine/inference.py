@@ -1,50 +1,102 @@
 """Things for the parameters of a skill that are not given: what its pre-conditions allow.
 
-A search through the things of the right classes, those with the fewest candidates first. Of several
-solutions the first is taken, in the order of the parameters and of the names of things; the others
-are told, unlike in SkiROS2, which takes one of them silently.
+A search through the things of the right classes. Of several solutions the first is taken, by the
+names of the things in the order of the parameters; the others are told, unlike in SkiROS2, which
+takes one of them silently.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from ezskiros.check.inference import names
+from ezskiros.engine.conditions import holds
 from ezskiros.engine.world import World
-from ezskiros.ontology.statements import Statement
+from ezskiros.ontology.statements import Comparison, Relation, Statement
 from ezskiros.skills.interface import Parameter, SkillInterface
 
 MOST_SOLUTIONS = 10
-"""More are not looked for."""
+"""More are not told of."""
+
+Solution = Mapping[str, str]
 
 
 @dataclass(frozen=True)
 class Inferred:
     """What the search has found: for each free parameter a thing, in each solution."""
 
-    solutions: tuple[Mapping[str, str], ...]
+    solutions: tuple[Solution, ...]
     without_candidates: tuple[Parameter, ...] = ()
     """Parameters for which the world has nothing of their class."""
 
 
 def infer(
-    skill: SkillInterface, free: list[Parameter], given: Mapping[str, str], world: World
+    skill: SkillInterface,
+    free: Sequence[Parameter],
+    given: Mapping[str, str],
+    world: World,
+    *,
+    is_equality: bool = False,
 ) -> Inferred:
-    """Things for the free parameters so that all pre-conditions about things hold."""
+    """Things for the free parameters so that all pre-conditions about things hold.
+
+    With `is_equality` properties have to be equal to what they are compared with, as in SkiROS2.
+    """
     candidates = {each.name: world.things(each.iri or "") for each in free}
     empty = tuple(each for each in free if not candidates[each.name])
     if empty:
         return Inferred((), empty)
     statements = [clause.statement for clause in skill.pre]
-    order = sorted((each.name for each in free), key=lambda name: len(candidates[name]))
-    search = _Search(world, statements, order, candidates)
-    found = []
+    if is_equality:
+        statements = [_as_equality(each) for each in statements]
+    candidates = _narrowed(candidates, given, statements, world)
+    search = _Search(world, statements, list(candidates), candidates)
+    solutions = []
     for solution in search.solutions(dict(given)):
-        found.append({name: solution[name] for name in candidates})
-        if len(found) == MOST_SOLUTIONS:
+        solutions.append({name: solution[name] for name in candidates})
+        if len(solutions) == MOST_SOLUTIONS:
             break
-    return Inferred(tuple(sorted(found, key=lambda each: [each[name] for name in candidates])))
+    return Inferred(tuple(solutions))
+
+
+def _as_equality(statement: Statement) -> Statement:
+    return replace(statement, operator="=") if isinstance(statement, Comparison) else statement
+
+
+def _narrowed(
+    candidates: Mapping[str, list[str]],
+    given: Mapping[str, str],
+    statements: Sequence[Statement],
+    world: World,
+) -> dict[str, list[str]]:
+    """The candidates without those that are not related as a condition asks for.
+
+    The search would leave them out too, but only after it has tried them with all others.
+    """
+    known = {name: {thing} for name, thing in given.items()}
+    known |= {name: set(things) for name, things in candidates.items()}
+    before = 0
+    while before != (before := sum(map(len, known.values()))):
+        for said in statements:
+            if isinstance(said, Relation) and said.is_true and not said.is_abstract:
+                _narrow(known, said, world)
+    return {name: [each for each in candidates[name] if each in known[name]] for name in candidates}
+
+
+def _narrow(known: dict[str, set[str]], said: Relation, world: World) -> None:
+    """Leave only what is related."""
+    if said.subject not in known or said.object not in known:
+        return
+    subjects, objects = known[said.subject], known[said.object]
+    pairs = [
+        (subject, other)
+        for subject in subjects
+        for other in world.related(subject, said.relation)
+        if other in objects
+    ]
+    known[said.subject] = {subject for subject, _ in pairs}
+    known[said.object] = {other for _, other in pairs}
 
 
 @dataclass(frozen=True)
@@ -64,7 +116,7 @@ class _Search:
         asked = [each for each in self.statements if self._is_decided_by(each, name, bound)]
         for thing in self.candidates[name]:
             bound[name] = thing
-            if all(self.world.holds(each, bound) for each in asked):
+            if all(holds(each, bound, self.world) for each in asked):
                 yield from self.solutions(bound, depth + 1)
         bound.pop(name, None)
 

@@ -1,4 +1,4 @@
-"""The processors of SkiROS2 as behaviors of py_trees.
+"""The processors of SkiROS2, and decorators, as behaviors of py_trees.
 
 Sequences and selectors of py_trees do what SkiROS2's do, with memory for those with a star. Its
 parallel ticks all children before it looks at results, that of SkiROS2 stops at the first that
@@ -7,64 +7,134 @@ decides; so this one is ours.
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
-import py_trees
+from py_trees import behaviours, composites, decorators
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from ezskiros.skills.nodes import Decoration, Flow
+from ezskiros.engine.events import Code, Reason
+from ezskiros.skills.nodes import Decoration, Decorator, Flow
+
+if TYPE_CHECKING:  # what runs is built of these
+    from ezskiros.engine.setting import Setting
 
 _DECIDES = {Flow.PARALLEL_FF: {Status.FAILURE}, Flow.PARALLEL_FS: {Status.FAILURE, Status.SUCCESS}}
 
 
-def processor(flow: Flow, children: Sequence[Behaviour], *, restarts: bool) -> Behaviour:
-    """A processor over children. With `restarts` a parallel starts children that succeeded again
-    while others still run, as in SkiROS2.
+def processor(
+    flow: Flow, children: Sequence[Behaviour], *, is_compatible: bool = False
+) -> Behaviour:
+    """A processor over children. If it is compatible with SkiROS2, a parallel starts children again
+    that have succeeded while others still run, and one without children runs forever.
     """
+    if is_compatible and not children:
+        return behaviours.Running(flow.value)
     match flow:
         case Flow.SERIAL | Flow.SERIAL_STAR:
-            is_kept = flow is Flow.SERIAL_STAR
-            return py_trees.composites.Sequence(flow.value, memory=is_kept, children=[*children])
+            return _Sequence(flow.value, memory=flow is Flow.SERIAL_STAR, children=children)
         case Flow.SELECTOR | Flow.SELECTOR_STAR:
-            is_kept = flow is Flow.SELECTOR_STAR
-            return py_trees.composites.Selector(flow.value, memory=is_kept, children=[*children])
+            return _Selector(flow.value, memory=flow is Flow.SELECTOR_STAR, children=children)
         case Flow.NO_FAIL:
-            inner = processor(Flow.SERIAL_STAR, children, restarts=restarts)
-            return py_trees.decorators.FailureIsSuccess(flow.value, inner)
-        case _:
-            return Parallel(flow, children, restarts=restarts)
+            inner = processor(Flow.SERIAL_STAR, children)
+            return _NoFail(flow.value, inner)
+        case Flow.PARALLEL_FF | Flow.PARALLEL_FS:
+            return _Parallel(flow, children, restarts=is_compatible)
 
 
-def decorator(decoration: Decoration, child: Behaviour, limit: float | None) -> Behaviour:
+def decorator(node: Decorator, child: Behaviour, setting: Setting) -> Behaviour:
     """A decorator around a child."""
-    match decoration:
+    name, limit = node.decoration.value, node.limit or 0
+    match node.decoration:
         case Decoration.INVERTER:
-            return py_trees.decorators.Inverter(decoration.value, child)
+            return _Inverter(name, child, node, setting)
         case Decoration.RETRY:
-            return py_trees.decorators.Retry(decoration.value, child, int(limit or 1))
+            return _Retry(name, child, int(limit))
         case Decoration.TIMEOUT:
-            return py_trees.decorators.Timeout(decoration.value, child, limit or 0.0)
+            return _Timeout(name, child, node, setting)
 
 
-class Parallel(py_trees.composites.Composite):
+class _Alone(Behaviour):
+    """Yields nothing but itself. Those of py_trees hand on all that is below, so that a tree takes
+    time by the square of its depth; nobody here asks for it.
+    """
+
+    def tick(self) -> Iterator[Behaviour]:
+        """One tick."""
+        deque(super().tick(), maxlen=0)
+        yield self
+
+
+class _Sequence(_Alone, composites.Sequence): ...
+
+
+class _Selector(_Alone, composites.Selector): ...
+
+
+class _NoFail(_Alone, decorators.FailureIsSuccess): ...
+
+
+class _Retry(_Alone, decorators.Retry): ...
+
+
+class _Inverter(_Alone, decorators.Inverter):
+    """Says why it fails: its child does not."""
+
+    def __init__(self, name: str, child: Behaviour, node: Decorator, setting: Setting) -> None:
+        super().__init__(name, child)
+        self._node, self._setting = node, setting
+
+    def update(self) -> Status:
+        """The opposite."""
+        status = super().update()
+        if status is Status.FAILURE:
+            text = f"what is inverted has succeeded ({self._node.span})"
+            self._setting.last_failure = Reason(Code.EXECUTION, text)
+        return status
+
+
+class _Timeout(_Alone, decorators.Decorator):
+    """Fails when its child has no result in time, by the clock of the task."""
+
+    def __init__(self, name: str, child: Behaviour, node: Decorator, setting: Setting) -> None:
+        super().__init__(name, child)
+        self._node, self._setting, self._end = node, setting, 0.0
+
+    def initialise(self) -> None:
+        """Time starts to run."""
+        self._end = self._setting.clock() + (self._node.limit or 0)
+
+    def update(self) -> Status:
+        """The result of the child, if it comes in time."""
+        status = self.decorated.status
+        if status is not Status.RUNNING or self._setting.clock() < self._end:
+            return status
+        self.decorated.stop(Status.INVALID)
+        text = f"no result within {self._node.limit:g} s ({self._node.span})"
+        self._setting.last_failure = Reason(Code.EXECUTION, text)
+        return Status.FAILURE
+
+
+class _Parallel(composites.Composite):
     """All children in one tick, until one decides or all have succeeded."""
 
     def __init__(self, flow: Flow, children: Sequence[Behaviour], *, restarts: bool) -> None:
-        super().__init__(flow.value, [*children])
+        super().__init__(flow.value, children)
         self._decides = _DECIDES[flow]
         self._restarts = restarts
 
     def tick(self) -> Iterator[Behaviour]:
-        """One tick; yields the behaviors that were ticked."""
-        is_fresh = self.status is not Status.RUNNING
-        if is_fresh:
-            self.initialise()
+        """One tick."""
+        skips = self.status is Status.RUNNING and not self._restarts
+        self.status = Status.RUNNING
         result = Status.SUCCESS
         for child in self.children:
-            if child.status is Status.SUCCESS and not is_fresh and not self._restarts:
+            if skips and child.status is Status.SUCCESS:
                 continue
-            yield from child.tick()
+            for _ in child.tick():
+                pass
             if child.status in self._decides:
                 result = child.status
                 self._stop_others(child)

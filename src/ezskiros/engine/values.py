@@ -13,54 +13,86 @@ from ezskiros.skills.interface import Parameter, SkillInterface
 
 @dataclass(frozen=True)
 class WorldThing:
-    """Something in the world model that a parameter stands for."""
+    """Something in the world model, which a parameter stands for. As text it is its name, such as
+    `skiros:Location-3`.
+    """
 
     iri: str
     _world: World
 
+    @property
+    def label(self) -> str | None:
+        """What the world model calls it (rdfs:label)."""
+        return self._world.label(self.iri)
+
     def __str__(self) -> str:
         return self._world.spelled(self.iri)
 
-
-class Values:
-    """`self.params` of a primitive: `self.params.Speed`, `self.params.Force = 3.5`."""
-
-    def __init__(self, skill: SkillInterface, given: dict[str, Any]) -> None:
-        object.__setattr__(self, "_skill", skill)
-        object.__setattr__(self, "_given", given)
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("__"):
-            raise AttributeError(name)
-        return self._given[self._parameter(name).name]
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        parameter = self._parameter(name)
-        if not fits(value, parameter):
-            wanted = parameter.type.__name__
-            raise WrongValueError(f"`{name}` is of type {wanted}, and {value!r} is not")
-        self._given[name] = value
-
-    def _parameter(self, name: str) -> Parameter:
-        skill: SkillInterface = self._skill
-        parameter = skill.parameter(name)
-        if parameter is not None:
-            return parameter
-        near = difflib.get_close_matches(name, [each.name for each in skill.parameters], n=1)
-        hint = f"; did you mean `{near[0]}`?" if near else ""
-        raise AttributeError(f"`{skill.name}` has no parameter `{name}`{hint}")
+    __repr__ = __str__
 
 
 class WrongValueError(TypeError):
     """A value that a parameter cannot have."""
 
 
+class Values:
+    """`self.params` of a primitive: `self.params.Speed`, `self.params.Force = 3.5`.
+
+    Raises `AttributeError` for a parameter that the skill does not have, and `WrongValueError` for
+    a value of another type.
+    """
+
+    def __init__(self, skill: SkillInterface, given: dict[str, Any]) -> None:
+        vars(self).update(_skill=skill, _given=given, _is_changed=False)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        if name in self._given:
+            return self._given[name]
+        raise AttributeError(self._unknown(name))
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        skill: SkillInterface = self._skill
+        parameter = skill.parameter(name)
+        if parameter is None:
+            raise AttributeError(self._unknown(name))
+        if not fits(value, parameter):
+            raise WrongValueError(f"`{name}` is {wanted(parameter)}, and {value!r} is not")
+        self._given[name] = float(value) if parameter.type is float else value
+        vars(self)["_is_changed"] = True
+
+    def is_changed(self) -> bool:
+        """Whether the skill has given any a value."""
+        return bool(self._is_changed)
+
+    def _unknown(self, name: str) -> str:
+        skill: SkillInterface = self._skill
+        near = difflib.get_close_matches(name, [each.name for each in skill.parameters], n=1)
+        hint = f"; did you mean `{near[0]}`?" if near else ""
+        return f"`{skill.name}` has no parameter `{name}`{hint}"
+
+
 def fits(value: Any, parameter: Parameter) -> bool:
-    """Whether a parameter can have a value."""
+    """Whether a parameter can have a value; None is what stands for nothing."""
+    if value is None:
+        return parameter.is_thing
+    if isinstance(value, WorldThing):
+        return parameter.iri is not None and value._world.is_a(value.iri, parameter.iri)  # noqa: SLF001
     if parameter.is_thing:
-        return isinstance(value, WorldThing)
+        return False
     if parameter.type is float and type(value) is int:
         return True
     if issubclass(parameter.type, enum.Enum):
         return isinstance(value, parameter.type)
     return type(value) is parameter.type
+
+
+def wanted(parameter: Parameter) -> str:
+    """What values a parameter has, for messages."""
+    if parameter.is_thing:
+        return f"a {parameter.type!r}"
+    if issubclass(parameter.type, enum.Enum):
+        return f"one of {', '.join(each.name for each in parameter.type)}"
+    article = "an" if parameter.type is int else "a"
+    return f"{article} {parameter.type.__name__}"

@@ -1,49 +1,28 @@
 """The world model: which things there are, and what holds of them.
 
 Facts are triples in a store of pyoxigraph, the ontology says what follows from them: classes from
-their subclasses, relations from special cases, inverses and symmetry.
+their subclasses, relations from special cases, inverses, symmetry and transitivity. Everything is
+named by its IRI.
 """
 
 from __future__ import annotations
 
 import itertools
-import operator
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
+from functools import cached_property
 from pathlib import Path
 
 import pyoxigraph
 
+from ezskiros.engine.literals import value_of
 from ezskiros.ontology import Ontology
-from ezskiros.ontology.iris import RDF, split
+from ezskiros.ontology.iris import RDF, RDFS, XSD, split
+from ezskiros.ontology.model import ObjectProperty
 from ezskiros.ontology.read import Document
-from ezskiros.ontology.statements import (
-    AnyOf,
-    Comparison,
-    Generated,
-    HasProperty,
-    OfType,
-    Relation,
-    Specified,
-    Statement,
-    Value,
-)
+from ezskiros.ontology.statements import Value
 
-_TYPE = pyoxigraph.NamedNode(RDF + "type")
-_COMPARED: dict[str, Callable[[Value, Value], bool]] = {
-    "=": operator.eq,
-    "<": operator.lt,
-    ">": operator.gt,
-    "<=": operator.le,
-    ">=": operator.ge,
-}
-_CONVERTED: dict[str, Callable[[str], Value]] = {
-    "boolean": lambda text: text in ("true", "1"),
-    **dict.fromkeys(("float", "double", "decimal"), float),
-    **dict.fromkeys(("integer", "int", "long", "short"), int),
-}
-
-Bound = Mapping[str, str]
-"""The things that parameters stand for, as IRIs."""
+_TYPE = RDF + "type"
+_LABEL = RDFS + "label"
 
 
 class World:
@@ -54,9 +33,10 @@ class World:
         self._model = ontology.model
         self._store = pyoxigraph.Store()
         self._numbers = itertools.count(1)
+        self._known_implying: dict[str, tuple[tuple[str, bool], ...]] = {}
         for iri, individual in self._model.individuals.items():
             for owl_class in individual.types:
-                self._add(iri, _TYPE.value, pyoxigraph.NamedNode(owl_class))
+                self._add(iri, _TYPE, pyoxigraph.NamedNode(owl_class))
 
     def load(self, scene: Document) -> None:
         """Take what a scene says."""
@@ -64,87 +44,86 @@ class World:
 
     def save(self, path: Path) -> None:
         """Write all facts as Turtle. Raises `OSError`."""
-        prefixes = dict(self._model.names)
+        quads = sorted(self._store, key=_order)
         text = pyoxigraph.serialize(
-            (quad.triple for quad in self._store),
+            (quad.triple for quad in quads),
             format=pyoxigraph.RdfFormat.TURTLE,
-            prefixes=prefixes,
+            prefixes={**self._model.names, "rdfs": RDFS, "xsd": XSD},
         )
         path.write_bytes(text or b"")
 
     # --- questions --------------------------------------------------------------------------------
 
     def things(self, owl_class: str) -> list[str]:
-        """All things of a class or one of its subclasses, sorted."""
+        """All things of a class or one of its subclasses, by their names."""
         found = {
             quad.subject.value
-            for quad in self._store.quads_for_pattern(None, _TYPE, None)
+            for quad in self._store.quads_for_pattern(None, pyoxigraph.NamedNode(_TYPE), None)
             if isinstance(quad.subject, pyoxigraph.NamedNode)
             and isinstance(quad.object, pyoxigraph.NamedNode)
             and self._model.is_a(quad.object.value, owl_class)
         }
-        return sorted(found)
+        return sorted(found, key=_by_name)
 
     def exists(self, thing: str) -> bool:
         """Whether there is such a thing."""
-        return any(self._facts(thing, _TYPE.value))
+        return any(self._facts(thing, _TYPE))
+
+    def classes(self, thing: str) -> list[str]:
+        """The classes that a thing is said to be of."""
+        found = self._facts(thing, _TYPE)
+        return sorted(each.value for each in found if isinstance(each, pyoxigraph.NamedNode))
 
     def is_a(self, thing: str, owl_class: str) -> bool:
         """Whether a thing is of a class."""
-        return any(
-            isinstance(each, pyoxigraph.NamedNode) and self._model.is_a(each.value, owl_class)
-            for each in self._facts(thing, _TYPE.value)
+        return any(self._model.is_a(each, owl_class) for each in self.classes(thing))
+
+    def labelled(self, label: str) -> list[str]:
+        """The things with a label (rdfs:label), by their names."""
+        pattern = self._store.quads_for_pattern(None, pyoxigraph.NamedNode(_LABEL), None)
+        found = (
+            quad.subject.value
+            for quad in pattern
+            if isinstance(quad.subject, pyoxigraph.NamedNode)
+            and isinstance(quad.object, pyoxigraph.Literal)
+            and quad.object.value == label
         )
+        return sorted(found, key=_by_name)
 
     def are_related(self, subject: str, relation: str, other: str) -> bool:
         """Whether a relation holds, by itself or because of what else is said."""
+        if self._is_transitive(relation):
+            return other in self.related(subject, relation)
         return any(
             self._has(subject, each, other) if is_forward else self._has(other, each, subject)
             for each, is_forward in self._implying(relation)
         )
 
+    def related(self, subject: str, relation: str) -> list[str]:
+        """What a thing is related to, by their names."""
+        return self._reached(subject, relation, is_from_subject=True)
+
+    def relating(self, relation: str, other: str) -> list[str]:
+        """What is related to a thing, by their names."""
+        return self._reached(other, relation, is_from_subject=False)
+
     def values(self, thing: str, data_property: str) -> list[Value]:
         """The values of a data property."""
-        found = []
-        for each in self._properties(data_property):
-            for term in self._facts(thing, each):
-                if isinstance(term, pyoxigraph.Literal):
-                    found.append(_value(term))
-        return found
-
-    def holds(self, statement: Statement, bound: Bound) -> bool:
-        """Whether a condition holds; a relation of something that is unspecified does not."""
-        return self._is_so(statement, bound) == statement.is_true
-
-    def _is_so(self, statement: Statement, bound: Bound) -> bool:
-        """Whether it holds without its `~`."""
-        if isinstance(statement, AnyOf):
-            return any(self.holds(part, bound) for part in statement.parts)
-        subject = bound.get(statement.subject)
-        if subject is None:
-            return False
-        match statement:
-            case Relation(relation=relation, object=other):
-                there = bound.get(other)
-                return there is not None and self.are_related(subject, relation, there)
-            case Comparison(property=iri, operator=sign, value=value):
-                return any(_compares(sign, each, value) for each in self.values(subject, iri))
-            case HasProperty(property=iri):
-                return bool(self.values(subject, iri))
-            case OfType(owl_class=owl_class):
-                return self.is_a(subject, owl_class)
-            case Generated():
-                return self.exists(subject)
-            case Specified():
-                return True
+        return [
+            value_of(term)
+            for each in self._properties(data_property)
+            for term in self._facts(thing, each)
+            if isinstance(term, pyoxigraph.Literal)
+        ]
 
     # --- changes ----------------------------------------------------------------------------------
 
     def new(self, owl_class: str) -> str:
         """A new thing of a class, called as SkiROS2 does: the class and a number."""
-        names = (f"{owl_class}-{number}" for number in self._numbers)
-        thing = next(name for name in names if not self.exists(name))
-        self._add(thing, _TYPE.value, pyoxigraph.NamedNode(owl_class))
+        taken = {each.rpartition("-")[2] for each in self._named()}
+        number = next(each for each in self._numbers if str(each) not in taken)
+        thing = f"{owl_class}-{number}"
+        self._add(thing, _TYPE, pyoxigraph.NamedNode(owl_class))
         return thing
 
     def remove(self, thing: str) -> None:
@@ -156,13 +135,22 @@ class World:
         ]:
             self._store.remove(quad)
 
+    def set_class(self, thing: str, owl_class: str) -> None:
+        """Make a thing one of a class too."""
+        self._add(thing, _TYPE, pyoxigraph.NamedNode(owl_class))
+
     def relate(self, subject: str, relation: str, other: str) -> None:
         """Make a relation hold. What it can hold of only once is pushed out."""
-        declared = self._model.relations.get(relation)
-        if declared is not None and declared.is_functional:
-            self._forget(subject, relation, None)
-        if declared is not None and declared.is_inverse_functional:
-            self._forget(None, relation, other)
+        for each in sorted(self._model.properties_above(relation)):
+            declared = self._model.relations.get(each)
+            if declared is None:
+                continue
+            if self._is_functional(declared, is_inverse=False):
+                for before in self.related(subject, each):
+                    self.unrelate(subject, each, before)
+            if self._is_functional(declared, is_inverse=True):
+                for before in self.relating(each, other):
+                    self.unrelate(before, each, other)
         self._add(subject, relation, pyoxigraph.NamedNode(other))
 
     def unrelate(self, subject: str, relation: str, other: str) -> None:
@@ -181,10 +169,16 @@ class World:
         for each in self._properties(data_property):
             self._forget(thing, each, None)
 
-    # --- the store --------------------------------------------------------------------------------
+    # --- what the ontology says -------------------------------------------------------------------
 
-    def _implying(self, relation: str) -> Iterator[tuple[str, bool]]:
+    def _implying(self, relation: str) -> tuple[tuple[str, bool], ...]:
         """The relations from which one follows, and whether from subject to object."""
+        if relation not in self._known_implying:
+            self._known_implying[relation] = tuple(dict.fromkeys(self._found_implying(relation)))
+        return self._known_implying[relation]
+
+    def _found_implying(self, relation: str) -> Iterator[tuple[str, bool]]:
+        yield relation, True
         for iri, declared in self._model.relations.items():
             above = self._model.properties_above(iri)
             if relation in above:
@@ -193,22 +187,67 @@ class World:
                 yield iri, False
             if declared.is_symmetric and relation in above:
                 yield iri, False
-        if relation not in self._model.relations:
-            yield relation, True
+
+    def _is_transitive(self, relation: str) -> bool:
+        declared = self._model.relations.get(relation)
+        return declared is not None and declared.is_transitive
+
+    def _is_functional(self, declared: ObjectProperty, *, is_inverse: bool) -> bool:
+        """Whether a relation has at most one object for a subject; with `is_inverse` one subject
+        for an object.
+        """
+        turned = [self._model.relations.get(each) for each in declared.inverses]
+        others = [each for each in turned if each is not None]
+        if declared.is_symmetric:
+            others.append(declared)
+        if is_inverse:
+            return declared.is_inverse_functional or any(each.is_functional for each in others)
+        return declared.is_functional or any(each.is_inverse_functional for each in others)
 
     def _properties(self, data_property: str) -> Iterator[str]:
         """A data property and its special cases."""
+        yield data_property
         for iri in self._model.values:
-            if data_property in self._model.properties_above(iri):
+            if iri != data_property and data_property in self._model.properties_above(iri):
                 yield iri
+
+    # --- the store --------------------------------------------------------------------------------
+
+    def _reached(self, start: str, relation: str, *, is_from_subject: bool) -> list[str]:
+        """What is one step away; of transitive relations, any number of steps."""
+        found: dict[str, None] = {}
+        work = [start]
+        while work:
+            steps = [*self._steps(work.pop(), relation, is_from_subject)]
+            if self._is_transitive(relation):
+                work += [each for each in steps if each not in found]
+            found.update(dict.fromkeys(steps))
+        return sorted(found, key=_by_name)
+
+    def _steps(self, thing: str, relation: str, is_from_subject: bool) -> Iterator[str]:
+        node = pyoxigraph.NamedNode(thing)
+        for each, is_forward in self._implying(relation):
+            link = pyoxigraph.NamedNode(each)
+            is_subject = is_forward is is_from_subject
+            ends = (node, None) if is_subject else (None, node)
+            for quad in self._store.quads_for_pattern(ends[0], link, ends[1]):
+                end = quad.object if is_subject else quad.subject
+                if isinstance(end, pyoxigraph.NamedNode):
+                    yield end.value
+
+    def _named(self) -> Iterator[str]:
+        link = pyoxigraph.NamedNode(_TYPE)
+        for quad in self._store.quads_for_pattern(None, link, None):
+            if isinstance(quad.subject, pyoxigraph.NamedNode):
+                yield quad.subject.value
 
     def _facts(self, subject: str, predicate: str) -> Iterator[object]:
         node, link = pyoxigraph.NamedNode(subject), pyoxigraph.NamedNode(predicate)
         return (quad.object for quad in self._store.quads_for_pattern(node, link, None))
 
     def _has(self, subject: str, predicate: str, other: str) -> bool:
-        quad = pyoxigraph.Quad(*map(pyoxigraph.NamedNode, (subject, predicate, other)))
-        return quad in self._store
+        node, link, end = map(pyoxigraph.NamedNode, (subject, predicate, other))
+        return pyoxigraph.Quad(node, link, end) in self._store
 
     def _add(
         self, subject: str, predicate: str, term: pyoxigraph.NamedNode | pyoxigraph.Literal
@@ -216,31 +255,51 @@ class World:
         node, link = pyoxigraph.NamedNode(subject), pyoxigraph.NamedNode(predicate)
         self._store.add(pyoxigraph.Quad(node, link, term))
 
-    def _forget(self, subject: str | None, predicate: str, other: str | None) -> None:
-        ends = [None if each is None else pyoxigraph.NamedNode(each) for each in (subject, other)]
-        link = pyoxigraph.NamedNode(predicate)
-        for quad in [*self._store.quads_for_pattern(ends[0], link, ends[1])]:
+    def _forget(self, subject: str, predicate: str, other: str | None) -> None:
+        node, link = pyoxigraph.NamedNode(subject), pyoxigraph.NamedNode(predicate)
+        end = None if other is None else pyoxigraph.NamedNode(other)
+        for quad in [*self._store.quads_for_pattern(node, link, end)]:
             self._store.remove(quad)
+
+    # --- names ------------------------------------------------------------------------------------
+
+    @cached_property
+    def _prefixes(self) -> dict[str, str]:
+        return {start: short for short, start in self._model.names.items()}
 
     def spelled(self, iri: str) -> str:
         """`skiros:Location-3`."""
         start, name = split(iri)
-        known = {each: short for short, each in self._model.names.items()}
-        return f"{known[start]}:{name}" if start in known else iri
+        return f"{self._prefixes[start]}:{name}" if start in self._prefixes else iri
+
+    def label(self, thing: str) -> str | None:
+        """The first label of a thing."""
+        found = self._facts(thing, _LABEL)
+        labels = (each.value for each in found if isinstance(each, pyoxigraph.Literal))
+        return min(labels, default=None)
+
+    def named(self, name: str) -> list[str]:
+        """The things that a name can mean: `skiros:Location-3`, an IRI or a label."""
+        short, _, rest = name.partition(":")
+        iri = f"{self._model.names[short]}{rest}" if short in self._model.names else name
+        return [iri] if _is_iri(iri) and self.exists(iri) else self.labelled(name)
 
 
-def _value(term: pyoxigraph.Literal) -> Value:
-    """A literal as a value of Python; as text if its type is not known."""
-    kind = split(term.datatype.value)[1]
+def _by_name(iri: str) -> tuple[str, int]:
+    """`Product-7` comes before `Product-10`."""
+    name, _, number = iri.rpartition("-")
+    return (name, int(number)) if number.isdecimal() else (iri, 0)
+
+
+def _is_iri(text: str) -> bool:
     try:
-        return _CONVERTED.get(kind, str)(term.value)
+        pyoxigraph.NamedNode(text)
     except ValueError:
-        return term.value
-
-
-def _compares(sign: str, value: Value, other: Value) -> bool:
-    """Whether two values compare so; of values that have no order, only `=` may hold."""
-    try:
-        return _COMPARED[sign](value, other)
-    except TypeError:
         return False
+    return True
+
+
+def _order(quad: pyoxigraph.Quad) -> tuple[str, bool, str, str]:
+    """Types come first of what is said of a thing."""
+    link = quad.predicate.value
+    return str(quad.subject), link != _TYPE, link, str(quad.object)

@@ -280,6 +280,11 @@ class PropertyOf:
     def __init__(self, ontology: Ontology, iri: str, name: str) -> None:
         self._ontology, self._iri, self._name = ontology, iri, name
 
+    @property
+    def iri(self) -> str:
+        """Names the property."""
+        return self._iri
+
     def __call__(self, subject: object, *objects: object) -> Any:
         """What it says of a thing."""
         if isinstance(subject, Unknown):

@@ -53,6 +53,11 @@ class SkillImplementation(metaclass=ImplementationClass):
     params: Any
     """The values of its parameters, while it runs: `self.params.Speed`. Those that it finds out are
     set: `self.params.Force = 3.5`."""
+    world: Any
+    """The world model, while it runs in the engine: `self.world.relate(tray, skiros.contain, nut)`.
+    """
+    now: Any
+    """The time in seconds, by the clock of the engine while it runs there: `self.now()`."""
     progress: tuple[int, str] = (0, "")
     """How far it is, in its own numbers, and what it says of that."""
 

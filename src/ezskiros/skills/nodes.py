@@ -80,13 +80,18 @@ class Growing:
     """The tree that is being written: its nodes that are not part of another one yet."""
 
     def __init__(self) -> None:
-        self.loose: list[Node] = []
+        self._loose: dict[int, Node] = {}
+
+    @property
+    def loose(self) -> list[Node]:
+        """Those in the order in which they are written."""
+        return list(self._loose.values())
 
     def add(self, node: Node) -> None:
         """A node is made of those below it, which are loose no more."""
-        below = {id(child) for child in children(node)}
-        self.loose = [each for each in self.loose if id(each) not in below]
-        self.loose.append(node)
+        for child in children(node):
+            self._loose.pop(id(child), None)
+        self._loose[id(node)] = node
 
 
 _growing: ContextVar[Growing | None] = ContextVar("growing", default=None)

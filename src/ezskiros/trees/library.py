@@ -29,6 +29,10 @@ class Library:
         """The skills that are checked, in the order in which they are written."""
         self._described: dict[type[SkillDescription], Described | None] = {**described}
 
+    def descriptions(self) -> list[type[SkillDescription]]:
+        """All that are known so far, in the order in which they were loaded."""
+        return [each for each in self._described if issubclass(each, SkillDescription)]
+
     def skill(self, description: type[SkillDescription]) -> SkillInterface | None:
         """The interface of a skill; None if its description says nothing."""
         found = self._known(description)

@@ -1,0 +1,136 @@
+"""Runs a tree of primitives that do nothing, in a process of its own:
+`ezskiros_engine.py ENGINE TREE NODES`.
+
+ENGINE is `ezskiros`, or `py_trees`: behaviors that do nothing, in the composites of py_trees, with
+no skills, no parameters and no conditions around them. TREE is one of `TREES`. Prints a line of
+JSON: the CPU time of the first tick with the building of the tree, and that of a later one (the
+median). `expandBT` has been run before, by the check.
+"""
+
+from __future__ import annotations
+
+import json
+import statistics
+import sys
+import time
+from collections.abc import Callable
+
+TICKS = 50
+TREES = {
+    "parallel": ("parallelff", "step"),
+    "serial": ("serial", "success"),
+    "serialstar": ("serialstar", "step"),
+    "nested": ("serial", "step"),
+}
+"""The processor, and what its children say: that they run, or that they have succeeded."""
+
+
+def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
+    """What makes the first tick, and each later one."""
+    from ezskiros import SkillDescription
+    from ezskiros.engine.expansion import Expansions
+    from ezskiros.engine.setting import Setting
+    from ezskiros.engine.task import Task
+    from ezskiros.engine.world import World
+    from ezskiros.ontology import Ontology
+    from ezskiros.session import NOWHERE
+    from ezskiros.skills.nodes import SkillCall
+    from ezskiros.trees.expand import expand
+    from ezskiros.trees.library import Library
+
+    processor, said = TREES[tree]
+
+    class Leaf(SkillDescription):
+        def description(self, Number: int) -> None:  # noqa: N803
+            """Nothing is said of it."""
+
+    class leaf(Leaf.SkillBase):  # noqa: N801
+        def execute(self) -> object:
+            return getattr(self, said)("at it")
+
+    class Whole(SkillDescription):
+        def description(self) -> None:
+            """Nothing is said of it."""
+
+    class whole(Whole.SkillBase):  # noqa: N801
+        def expandBT(self, _params: object) -> None:  # noqa: N802
+            grow = getattr(self, processor)
+            if tree != "nested":
+                grow(*[Leaf(Number=number) for number in range(nodes)])
+                return
+            node = Leaf(Number=1)
+            for _ in range(nodes):
+                node = grow(node)
+
+    # Modules have what they define; here it is not found otherwise.
+    globals().update({each.__name__: each for each in (leaf, whole)})
+    library = Library({})
+    trees = list(expand(whole, library.skill(Whole)))  # `ezskiros run` checks before it runs
+    setting = Setting(library, World(Ontology(())), expansions=Expansions(trees))
+    call = SkillCall(Whole, None, {}, NOWHERE)
+    made: list[Task] = []
+
+    def tick() -> object:
+        if not made:
+            made.append(Task(call, setting))
+        return made[0].tick()
+
+    return tick
+
+
+def with_py_trees(tree: str, nodes: int) -> Callable[[], object]:
+    """What makes the first tick, and each later one."""
+    from py_trees import composites
+    from py_trees.behaviour import Behaviour
+    from py_trees.common import ParallelPolicy, Status
+
+    processor, said = TREES[tree]
+    result = Status.RUNNING if said == "step" else Status.SUCCESS
+
+    class Leaf(Behaviour):
+        def update(self) -> Status:
+            return result
+
+    def composite(children: list[Behaviour]) -> Behaviour:
+        if processor == "parallelff":
+            policy = ParallelPolicy.SuccessOnAll(synchronise=False)
+            return composites.Parallel("parallel", policy=policy, children=children)
+        return composites.Sequence("serial", memory=processor == "serialstar", children=children)
+
+    def built() -> Behaviour:
+        if tree != "nested":
+            return composite([Leaf(f"leaf {number}") for number in range(nodes)])
+        node: Behaviour = Leaf("leaf")
+        for _ in range(nodes):
+            node = composite([node])
+        return node
+
+    made: list[Behaviour] = []
+
+    def tick() -> object:
+        if not made:
+            made.append(built())
+        made[0].tick_once()
+        return made[0].status
+
+    return tick
+
+
+def main() -> None:
+    """Measure, and print."""
+    engine, tree, nodes = sys.argv[1], sys.argv[2], int(sys.argv[3])
+    make = with_ezskiros if engine == "ezskiros" else with_py_trees
+    tick = make(tree, nodes)
+    if engine != "ezskiros":
+        sys.setrecursionlimit(20_000)  # ours raises it where it ticks
+    times = []
+    for _ in range(TICKS):
+        start = time.process_time()
+        state = tick()
+        times.append(time.process_time() - start)
+    assert getattr(state, "name", "") == ("RUNNING" if TREES[tree][1] == "step" else "SUCCESS")
+    print(json.dumps({"start": times[0], "tick": statistics.median(times[1:])}))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,31 @@
+"""What the robot sees, simulated."""
+
+from ezskiros import INFERRED, SkillDescription
+
+from .world import skiros
+
+
+class HSVDetection(SkillDescription):
+    """Looks for a product by its color, and says how to grasp it."""
+
+    def description(
+        self,
+        Object: skiros.Product,
+        GraspPose: INFERRED[skiros.GraspingPose],
+    ):
+        self.pre_conditions += Object.hasA(GraspPose)
+        self.post_conditions += Object.hasA(GraspPose)
+
+
+class hsv_detection(HSVDetection.SkillBase):
+    """Sees at the second look what the world model says."""
+
+    def onStart(self):
+        self.looks = 0
+        return True
+
+    def execute(self):
+        self.looks += 1
+        if self.looks < 2:
+            return self.step(f"looking for {self.params.Object}")
+        return self.success(f"{self.params.Object} is to be grasped at {self.params.GraspPose}")

@@ -1,0 +1,28 @@
+"""Waits."""
+
+from ezskiros import SkillDescription
+
+
+class Wait(SkillDescription):
+    """Does nothing for a while.
+
+    Args:
+        Duration: in seconds.
+
+    """
+
+    def description(self, Duration: float):
+        pass
+
+
+class wait(Wait.SkillBase):
+    """By the clock of the engine."""
+
+    def onStart(self):
+        self.end = self.now() + self.params.Duration
+        return True
+
+    def execute(self):
+        if self.now() >= self.end:
+            return self.success("done")
+        return self.step(f"waiting {self.params.Duration} s")

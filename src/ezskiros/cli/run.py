@@ -1,0 +1,239 @@
+"""`ezskiros run`: runs a skill without ROS."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from types import FrameType
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from rich.console import Console
+
+from dslkit.command_line import Format
+from ezskiros.cli.output import output
+
+if TYPE_CHECKING:  # the engine is loaded only where it is needed
+    from ezskiros.engine.events import Event
+    from ezskiros.engine.inference import Solution
+    from ezskiros.engine.setting import Setting
+    from ezskiros.engine.task import Outcome
+    from ezskiros.engine.tracing import Trace
+    from ezskiros.runner import Ready
+    from ezskiros.skills.interface import SkillInterface
+    from ezskiros.skills.nodes import SkillCall
+
+_GIVEN = re.compile(r"[A-Za-z_]\w*=")
+
+Skill = Annotated[
+    str, typer.Argument(metavar="SKILL", help="Such as Pick, or an implementation: pick.")
+]
+Words = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="[PATHS...] [NAME=VALUE...]",
+        help="Where the skills are, else the current folder; and the values of parameters.",
+    ),
+]
+
+
+def run(
+    skill: Skill,
+    words: Words = None,
+    scene: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="The world at the start (.turtle)."),
+    ] = None,
+    save: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write the world at the end (.turtle).")
+    ] = None,
+    simulate: Annotated[
+        bool, typer.Option("--simulate", help="Primitives only let their post-conditions hold.")
+    ] = False,
+    ask: Annotated[
+        bool, typer.Option("--ask", help="Ask which, where several things can be inferred.")
+    ] = False,
+    compatible: Annotated[
+        bool, typer.Option("--compatible", help="As SkiROS2 does it, with its defects.")
+    ] = False,
+    trace: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write what happens, as JSON lines.")
+    ] = None,
+    period: Annotated[
+        float, typer.Option(metavar="SECONDS", min=0.0, help="From tick to tick.")
+    ] = 0.04,
+    timeout: Annotated[
+        float | None,
+        typer.Option(metavar="SECONDS", min=0.0, help="Stop the task after this time."),
+    ] = None,
+    ontology: Annotated[
+        list[Path] | None,
+        typer.Option("--ontology", metavar="PATH", help="Files and folders for `load()`."),
+    ] = None,
+) -> None:
+    """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
+    if ontology:
+        from ezskiros.ontology.load import VARIABLE
+
+        os.environ[VARIABLE] = os.pathsep.join(map(str, ontology))
+    from ezskiros.engine.expansion import Expansions
+    from ezskiros.engine.setting import Setting
+
+    texts = [each for each in words or [] if _GIVEN.match(each)]
+    paths = [Path(each) for each in words or [] if not _GIVEN.match(each)] or [Path()]
+    ready = _ready(skill, paths, scene, texts)
+    setting = Setting(
+        ready.library,
+        ready.world,
+        simulate=simulate,
+        compatible=compatible,
+        expansions=Expansions(ready.trees),
+    )
+    run = _Run(ready.call, setting, period, timeout)
+    outcome = run.to_the_end(is_asked=ask, trace=trace)
+    if save is not None:
+        with _writing(save):
+            ready.world.save(save)
+    _tell(skill, outcome)
+    raise typer.Exit(0 if outcome.is_success else 1)
+
+
+def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) -> Ready:
+    """What can be run; else the run ends with the reason."""
+    from ezskiros.engine.arguments import WrongArgumentError
+    from ezskiros.runner import FaultyError, UnknownSkillError, prepare
+
+    try:
+        ready = prepare(skill, paths, scene, texts)
+    except FaultyError as problem:
+        output.print_diagnostics(problem.diagnostics, Format.TEXT, file_count=problem.file_count)
+        output.complain("nothing is run: there are errors")
+        raise typer.Exit(2) from None
+    except (UnknownSkillError, WrongArgumentError) as problem:
+        output.fail(str(problem), exit_code=2)
+    except OSError as problem:
+        reason = (problem.strerror or "it is not there").lower()
+        output.fail(f"cannot read {scene}: {reason}", exit_code=2)
+    if ready.warnings:
+        count = len(ready.warnings)
+        plural = "s" if count > 1 else ""
+        output.complain(f"{count} warning{plural}: `ezskiros check` shows what")
+    return ready
+
+
+@contextmanager
+def _writing(path: Path) -> Iterator[None]:
+    """Within, a file that cannot be written ends the run."""
+    try:
+        yield
+    except OSError as problem:
+        reason = (problem.strerror or "it is gone").lower()
+        output.fail(f"cannot write {path}: {reason}", exit_code=2)
+
+
+class _Run:
+    """One run of a task, and what is shown of it."""
+
+    def __init__(
+        self, call: SkillCall, setting: Setting, period: float, timeout: float | None
+    ) -> None:
+        from ezskiros.cli.progress import LiveTree
+        from ezskiros.engine.task import Task
+
+        self._setting, self._period, self._timeout = setting, period, timeout
+        self.task = Task(call, setting)
+        self._console = Console(highlight=False)
+        self._live = LiveTree(self._console) if self._console.is_terminal else None
+        self._trace: Trace | None = None
+        self._start = setting.clock()
+        self._is_interrupted = False
+
+    def to_the_end(self, *, is_asked: bool, trace: Path | None) -> Outcome:
+        """Run the task, until it has a result or is stopped."""
+        from ezskiros.engine.task import run
+        from ezskiros.engine.tracing import Trace
+
+        self._setting.tell = self._tell
+        if is_asked:
+            self._setting.choose = self._choose
+        with ExitStack() as stack:
+            if trace is not None:
+                stack.enter_context(_writing(trace))
+                self._trace = Trace(stack.enter_context(trace.open("w", encoding="utf-8")))
+            stack.enter_context(self._interruptible())
+            if self._live is not None:
+                self._live.start()
+                stack.callback(self._live.stop)
+            return run(self.task, self._period, why_stop=self._why_stop, after_tick=self._draw)
+
+    # --- what is shown ----------------------------------------------------------------------------
+
+    def _tell(self, event: Event) -> None:
+        if self._trace is not None:
+            self._trace.write(event, self.task.ticks, self._setting.clock() - self._start)
+        if self._live is not None:
+            self._live.tell(event)
+        else:
+            from ezskiros.cli.progress import line
+
+            typer.echo(line(event))
+
+    def _draw(self) -> None:
+        if self._live is not None:
+            self._live.draw(self.task)
+
+    # --- what stops it ----------------------------------------------------------------------------
+
+    def _why_stop(self) -> str | None:
+        if self._is_interrupted:
+            return "it was stopped from the keyboard"
+        if self._timeout is not None and self._setting.clock() - self._start >= self._timeout:
+            return f"it had no result after {self._timeout:g} s"
+        return None
+
+    @contextmanager
+    def _interruptible(self) -> Iterator[None]:
+        """Within, the first Ctrl-C stops the task after its tick; the next one ends what hangs."""
+
+        def note(_signal: int, _frame: FrameType | None) -> None:
+            if self._is_interrupted:
+                raise KeyboardInterrupt
+            self._is_interrupted = True
+
+        before = signal.signal(signal.SIGINT, note)
+        try:
+            yield
+        finally:
+            signal.signal(signal.SIGINT, before)
+
+    # --- what is asked ----------------------------------------------------------------------------
+
+    def _choose(self, skill: SkillInterface, solutions: Sequence[Solution]) -> Solution:
+        """One of several solutions, by its number."""
+        if self._live is not None:
+            self._live.stop()
+        spelled = self._setting.world.spelled
+        typer.echo(f"{skill.name} can be run with")
+        for number, each in enumerate(solutions, start=1):
+            named = ", ".join(f"{name}={spelled(iri)}" for name, iri in each.items())
+            typer.echo(f"  {number}  {named}")
+        number = 0
+        while not 1 <= number <= len(solutions):
+            number = typer.prompt("which", type=int, default=1)
+        if self._live is not None:
+            self._live.start()
+        return solutions[number - 1]
+
+
+def _tell(name: str, outcome: Outcome) -> None:
+    """How it ended."""
+    took = f"{outcome.ticks} tick{'s' if outcome.ticks != 1 else ''}, {outcome.seconds:.1f} s"
+    if outcome.is_success:
+        typer.echo(f"{name} has succeeded ({took})")
+    else:
+        reason = outcome.reason.text if outcome.reason else "it does not say why"
+        output.complain(f"{name} has failed ({took}): {reason}")

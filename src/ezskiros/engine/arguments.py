@@ -1,0 +1,100 @@
+"""Texts from the command line in, values of the parameters of a skill out: `Object=starter`."""
+
+from __future__ import annotations
+
+import difflib
+import enum
+from collections.abc import Iterable
+from typing import Any
+
+from ezskiros.engine.values import WorldThing, wanted
+from ezskiros.engine.world import World
+from ezskiros.skills.interface import Parameter, SkillInterface
+from ezskiros.skills.markers import Kind
+
+_MOST_NAMED = 10
+_TRUTHS = {"true": True, "false": False}
+
+
+class WrongArgumentError(ValueError):
+    """A value that was given is none, or one is missing; the text says what would do."""
+
+
+def read_arguments(skill: SkillInterface, texts: Iterable[str], world: World) -> dict[str, object]:
+    """The values of the parameters that are given as `Name=value`.
+
+    Things are given by their name, such as `skiros:Product-7`, by their label or their IRI; members
+    of enumerations by their names. Raises `WrongArgumentError`.
+    """
+    found: dict[str, object] = {}
+    for text in texts:
+        name, _, value = text.partition("=")
+        parameter = _parameter(skill, name)
+        if name in found:
+            raise WrongArgumentError(f"`{name}` is given twice")
+        read = _thing(parameter, value, world) if parameter.is_thing else _basic(parameter, value)
+        found[name] = read
+    for parameter in skill.parameters:
+        is_needed = parameter.kind is Kind.REQUIRED and parameter.default is None
+        if is_needed and not parameter.is_output and parameter.name not in found:
+            would = f"; {_those(parameter, world)}" if parameter.is_thing else ""
+            text = f"`{parameter.name}`, {wanted(parameter)}, is not given"
+            raise WrongArgumentError(f"{text}: {parameter.name}=...{would}")
+    return found
+
+
+def _parameter(skill: SkillInterface, name: str) -> Parameter:
+    parameter = skill.parameter(name)
+    names = [each.name for each in skill.parameters if not each.is_output]
+    if parameter is None:
+        near = difflib.get_close_matches(name, names, n=1)
+        has = f"it has {', '.join(names)}" if names else "it has none"
+        hint = f"did you mean `{near[0]}`?" if near else has
+        raise WrongArgumentError(f"`{skill.name}` has no parameter `{name}`; {hint}")
+    if parameter.is_output:
+        raise WrongArgumentError(f"`{name}` cannot be given: `{skill.name}` finds it out")
+    return parameter
+
+
+def _thing(parameter: Parameter, name: str, world: World) -> WorldThing:
+    found = world.named(name)
+    fitting = [each for each in found if world.is_a(each, parameter.iri or "")]
+    if len(fitting) == 1:
+        return WorldThing(fitting[0], world)
+    if fitting:
+        spelled = ", ".join(map(world.spelled, fitting))
+        problem = f"several things are called {name!r}: {spelled}"
+        raise WrongArgumentError(f"`{parameter.name}`: {problem}")
+    if found:
+        classes = ", ".join(map(world.spelled, world.classes(found[0])))
+        problem = f"{world.spelled(found[0])} is of {classes}, not {wanted(parameter)}"
+    else:
+        problem = f"there is no {name!r} in the world"
+    raise WrongArgumentError(f"`{parameter.name}`: {problem}; {_those(parameter, world)}")
+
+
+def _those(parameter: Parameter, world: World) -> str:
+    """What there is of the class of a parameter."""
+    things = world.things(parameter.iri or "")
+    if not things:
+        return f"the world has nothing that is {wanted(parameter)}: a scene (`--scene`) can say so"
+    shown = [_with_label(each, world) for each in things[:_MOST_NAMED]]
+    more = f" and {len(things) - _MOST_NAMED} more" if len(things) > _MOST_NAMED else ""
+    return f"there is {', '.join(shown)}{more}"
+
+
+def _with_label(thing: str, world: World) -> str:
+    label = world.label(thing)
+    return f"{world.spelled(thing)} ({label})" if label else world.spelled(thing)
+
+
+def _basic(parameter: Parameter, text: str) -> object:
+    kind: type[Any] = parameter.type
+    try:
+        if issubclass(kind, enum.Enum):
+            return kind[text]
+        return _TRUTHS[text.lower()] if kind is bool else kind(text)
+    except (KeyError, ValueError):
+        means = " (true or false)" if kind is bool else ""
+        problem = f"{text!r} is not {wanted(parameter)}{means}"
+        raise WrongArgumentError(f"`{parameter.name}`: {problem}") from None

@@ -1,0 +1,53 @@
+"""Nodes of a tree in, behaviors of py_trees out."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from py_trees.behaviour import Behaviour
+
+from ezskiros.engine.depth import MOST_DEPTH, TooDeepError
+from ezskiros.engine.processors import decorator, processor
+from ezskiros.skills.nodes import Decorator, Node, Processor, SkillCall
+
+if TYPE_CHECKING:  # a skill builds its own tree
+    from ezskiros.engine.grounding import Names
+    from ezskiros.engine.setting import Setting
+    from ezskiros.engine.skill import RunningSkill
+
+
+def behavior(root: Node, names: Names, setting: Setting, above: RunningSkill | None) -> Behaviour:
+    """What ticks a tree: the children of the skill `above`. Raises `TooDeepError`."""
+    return _Builder(names, setting, above).build(root, above.depth + 1 if above else 0)
+
+
+class _Builder:
+    """Builds one tree."""
+
+    def __init__(self, names: Names, setting: Setting, above: RunningSkill | None) -> None:
+        self._names, self._setting, self._above = names, setting, above
+        self._seen: Counter[str] = Counter()
+
+    def build(self, node: Node, depth: int) -> Behaviour:
+        if depth > MOST_DEPTH:
+            raise TooDeepError
+        match node:
+            case SkillCall():
+                return self._skill(node, depth)
+            case Processor(flow=flow, children=children):
+                below = [self.build(child, depth + 1) for child in children]
+                return processor(flow, below, is_compatible=self._setting.compatible)
+            case Decorator():
+                return decorator(node, self.build(node.child, depth + 1), self._setting)
+        raise AssertionError(node)
+
+    def _skill(self, call: SkillCall, depth: int) -> Behaviour:
+        from ezskiros.engine.skill import RunningSkill
+
+        name = call.skill.__name__
+        label = f"{name}.{call.implementation}" if call.implementation else name
+        self._seen[label] += 1
+        number = f"#{self._seen[label]}" if self._seen[label] > 1 else ""
+        name = f"{label}{number}"
+        return RunningSkill(call, self._names, self._setting, name, self._above, depth)

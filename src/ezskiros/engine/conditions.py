@@ -1,0 +1,193 @@
+"""Conditions of skills in a world: whether they hold, what it takes to make them hold, and why they
+do not.
+"""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Callable, Iterator, Mapping
+
+from ezskiros.check.inference import names
+from ezskiros.engine.world import World
+from ezskiros.ontology.statements import (
+    TURNED,
+    AnyOf,
+    Comparison,
+    Generated,
+    HasProperty,
+    OfType,
+    Relation,
+    Specified,
+    Statement,
+    Value,
+    negated,
+)
+
+_COMPARED: dict[str, Callable[[Value, Value], bool]] = {
+    "=": operator.eq,
+    "<": operator.lt,
+    ">": operator.gt,
+    "<=": operator.le,
+    ">=": operator.ge,
+}
+
+Bound = Mapping[str, str]
+"""The things that parameters stand for, as IRIs."""
+
+
+def holds(statement: Statement, bound: Bound, world: World) -> bool:
+    """Whether a condition holds; nothing but its opposite holds of what is not specified."""
+    return _is_so(statement, bound, world) == statement.is_true
+
+
+def _is_so(statement: Statement, bound: Bound, world: World) -> bool:
+    """Whether it holds without its `~`."""
+    if isinstance(statement, AnyOf):
+        return any(holds(part, bound, world) for part in statement.parts)
+    subject = bound.get(statement.subject)
+    if subject is None:
+        return False
+    match statement:
+        case Relation():
+            return _are_related(statement, subject, bound.get(statement.object), world)
+        case Comparison(property=iri, operator=sign, value=value):
+            return any(_compares(sign, each, value) for each in world.values(subject, iri))
+        case HasProperty(property=iri):
+            return bool(world.values(subject, iri))
+        case OfType(owl_class=owl_class):
+            return world.is_a(subject, owl_class)
+        case Generated():
+            return world.exists(subject)
+        case Specified():
+            return True
+
+
+def _are_related(said: Relation, subject: str, other: str | None, world: World) -> bool:
+    if other is None:
+        return False
+    if not said.is_abstract:
+        return world.are_related(subject, said.relation, other)
+    return any(
+        world.are_related(one, said.relation, another)
+        for one in world.classes(subject)
+        for another in world.classes(other)
+    )
+
+
+def _compares(sign: str, value: Value, other: Value) -> bool:
+    """Whether two values compare so; of values that have no order, only `=` may hold."""
+    try:
+        return _COMPARED[sign](value, other)
+    except TypeError:
+        return False
+
+
+# --- changes --------------------------------------------------------------------------------------
+
+
+def make(statement: Statement, bound: Bound, world: World) -> None:
+    """Make a condition hold, whether it is one that is true or one with `~`.
+
+    Of several ways the simplest is taken: of `a | b` the first, of `Weight < 3` a value that is one
+    less. What is said of parameters that stand for nothing is left as it is.
+    """
+    if isinstance(statement, AnyOf):
+        parts = statement.parts[:1] if statement.is_true else map(negated, statement.parts)
+        for part in parts:
+            if part is not None:
+                make(part, bound, world)
+        return
+    subject = bound.get(statement.subject)
+    if subject is None or holds(statement, bound, world):
+        return
+    match statement:
+        case Relation():
+            _make_related(statement, subject, bound.get(statement.object), world)
+        case Comparison():
+            _make_compare(statement, subject, world)
+        case HasProperty(property=iri, is_true=is_true):
+            if is_true:
+                world.set_value(subject, iri, _any_value(iri, world))
+            else:
+                world.unset(subject, iri)
+        case OfType(owl_class=owl_class):
+            world.set_class(subject, owl_class)
+        case Generated(is_true=False):
+            world.remove(subject)
+
+
+def _make_related(said: Relation, subject: str, other: str | None, world: World) -> None:
+    if other is None:
+        return
+    if said.is_true:
+        world.relate(subject, said.relation, other)
+    else:
+        world.unrelate(subject, said.relation, other)
+
+
+def _make_compare(said: Comparison, subject: str, world: World) -> None:
+    if not said.is_true and said.operator == "=":
+        world.unset(subject, said.property)
+        return
+    sign = said.operator if said.is_true else TURNED[said.operator]
+    world.set_value(subject, said.property, _value_so(sign, said.value))
+
+
+def _value_so(sign: str, value: Value) -> Value:
+    """A value that compares so with another."""
+    if sign in ("=", "<=", ">=") or isinstance(value, (str, bool)):
+        return value
+    return value - 1 if sign == "<" else value + 1
+
+
+def _any_value(iri: str, world: World) -> Value:
+    """Some value of a data property."""
+    declared = world.ontology.model.values.get(iri)
+    if declared is not None and declared.values:
+        return min(declared.values)
+    kinds = {name.rpartition("#")[2] for union in world.ontology.model.range(iri) for name in union}
+    if kinds & {"float", "double", "decimal"}:
+        return 0.0
+    if kinds & {"integer", "int", "long"}:
+        return 0
+    return True if "boolean" in kinds else "simulated"
+
+
+# --- reasons --------------------------------------------------------------------------------------
+
+
+def reason(statement: Statement, bound: Bound, world: World) -> str:
+    """What the world says instead of a condition that does not hold."""
+    stands_for = (
+        f"{name} is {world.spelled(bound[name])}" if name in bound else f"{name} is nothing"
+        for name in dict.fromkeys(names(statement))
+    )
+    return "; ".join([*stands_for, *_facts(statement, bound, world)])
+
+
+def _facts(statement: Statement, bound: Bound, world: World) -> Iterator[str]:
+    match statement:
+        case AnyOf(parts=parts):
+            for part in parts:
+                yield from _facts(part, bound, world)
+        case Relation(subject=subject, relation=relation, object=other) if subject not in bound:
+            if other in bound:
+                relating = world.relating(relation, bound[other])
+                found = ", ".join(map(world.spelled, relating)) or "nothing"
+                yield f"{found} {world.spelled(relation)} {other}"
+        case _ if statement.subject not in bound:
+            return
+        case Relation(subject=subject, relation=relation):
+            related = world.related(bound[subject], relation)
+            found = ", ".join(map(world.spelled, related)) or "nothing"
+            yield f"{subject} {world.spelled(relation)} {found}"
+        case Comparison(subject=subject, property=iri) | HasProperty(subject=subject, property=iri):
+            found = ", ".join(map(repr, world.values(bound[subject], iri))) or "no value"
+            yield f"{subject} {world.spelled(iri)}: {found}"
+        case OfType(subject=subject):
+            found = ", ".join(map(world.spelled, world.classes(bound[subject]))) or "nothing"
+            yield f"{subject} is of {found}"
+        case Generated(subject=subject, is_true=is_true):
+            yield f"{subject} is {'not ' if is_true else ''}in the world"
+        case _:
+            return

@@ -1,0 +1,27 @@
+"""How deep trees may be: deeper than Python goes by itself."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+MOST_DEPTH = 2000
+"""Levels of a tree, with those of the compounds in it."""
+_FRAMES = 4
+"""Of Python for each level, at most."""
+
+
+class TooDeepError(Exception):
+    """A tree has more levels than that."""
+
+
+@contextmanager
+def deep() -> Iterator[None]:
+    """Within, Python goes as deep as trees may be."""
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(before + MOST_DEPTH * _FRAMES)
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(before)

@@ -1,0 +1,58 @@
+"""What happens to skills while they run, and the reasons for it."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+
+class Happened(enum.Enum):
+    """The kinds of events."""
+
+    STARTED = "started"
+    CHOSEN = "chosen"
+    """Of several things one was inferred."""
+    RUNNING = "running"
+    """What a skill says of its progress has changed."""
+    SUCCEEDED = "succeeded"
+    FAILED = "failed"
+    PREEMPTED = "preempted"
+
+
+class Code(enum.IntEnum):
+    """What SkiROS2 tells in place of the progress of a skill; POST is ours."""
+
+    END = 1
+    PRE = -1
+    HOLD = -2
+    POST = -3
+    START = -404
+    EXECUTION = -405
+    PREEMPTION = -406
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Why a skill has failed."""
+
+    code: int
+    text: str
+
+
+class Event(NamedTuple):
+    """Something that happened to a skill.
+
+    `path` has the names of the skills from the root on; of several children with the same name all
+    but the first have a number, such as `Wait#2`. `code` and `text` are its progress, as SkiROS2
+    has it; `values` are those of its parameters when it starts, empty else.
+    """
+
+    happened: Happened
+    path: tuple[str, ...]
+    skill: str
+    implementation: str
+    code: int
+    text: str
+    values: Mapping[str, Any]

@@ -1,0 +1,96 @@
+"""The tree of a compound skill, for the values that its parameters have.
+
+`expandBT` is run when a compound starts, so that its branches go the way of the real values, but
+not again for values that it has been run with; and only once if nothing in its tree depends on
+them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from dslkit.diagnostics import Severity
+from dslkit.source import Span
+from ezskiros import session
+from ezskiros.engine.events import Code, Reason
+from ezskiros.ontology.things import depends_on_symbol
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.nodes import Decorator, Node, SkillCall, children
+from ezskiros.skills.syntax import class_span
+from ezskiros.skills.values import Symbol
+from ezskiros.trees.expand import expand
+from ezskiros.trees.tree import Tree, ValueReference
+
+_Implementation = type[SkillImplementation]
+
+
+class Expansions:
+    """The trees that are known: those that a check has found, by what builds them, and others."""
+
+    def __init__(self, trees: Iterable[Tree] = ()) -> None:
+        self._trees: dict[Span, list[Tree]] = {}
+        for tree in trees:
+            self._trees.setdefault(tree.span, []).append(tree)
+        self._fixed: dict[_Implementation, Tree | None] = {}
+        self._by_values: dict[tuple[_Implementation, tuple[object, ...]], Tree | Reason] = {}
+
+    def tree(
+        self, implementation: _Implementation, skill: SkillInterface, values: Mapping[str, Any]
+    ) -> Tree | Reason:
+        """The tree for some values, or why there is none."""
+        if implementation not in self._fixed:
+            self._fixed[implementation] = self._only_tree(implementation, skill)
+        fixed = self._fixed[implementation]
+        if fixed is not None:
+            return fixed
+        known = {each.name: values[each.name] for each in skill.parameters if not each.is_thing}
+        known = {name: value for name, value in known.items() if value is not None}
+        key = (implementation, tuple(known.items()))
+        if key not in self._by_values:
+            self._by_values[key] = _expanded(implementation, skill, known)
+        return self._by_values[key]
+
+    def _only_tree(self, implementation: _Implementation, skill: SkillInterface) -> Tree | None:
+        """The tree if there is one for all values; None if it depends on them."""
+        trees = self._trees.get(class_span(implementation))
+        if trees is None:
+            with session.trying():
+                trees = list(expand(implementation, skill))
+        return trees[0] if len(trees) == 1 and _is_fixed(trees[0].root) else None
+
+
+def _is_fixed(root: Node) -> bool:
+    """Whether nothing in a tree is computed from values."""
+    work: list[Node] = [root]
+    while work:
+        node = work.pop()
+        work += children(node)
+        if isinstance(node, SkillCall) and any(map(_is_computed, node.arguments.values())):
+            return False
+        if isinstance(node, Decorator) and _is_computed(node.limit):
+            return False
+    return True
+
+
+def _is_computed(value: object) -> bool:
+    if type(value) in (int, float, bool):
+        return False
+    if type(value) is str:
+        return depends_on_symbol(value)
+    is_passed = isinstance(value, ValueReference)
+    return not is_passed and isinstance(value, Symbol)
+
+
+def _expanded(
+    implementation: _Implementation, skill: SkillInterface, known: Mapping[str, object]
+) -> Tree | Reason:
+    with session.trying() as found:
+        tree = next(expand(implementation, skill, known), None)
+    problems = [each for each in found.sorted() if each.severity is Severity.ERROR]
+    if problems:
+        return Reason(Code.START, f"{problems[0].title} ({problems[0].primary.span})")
+    if tree is None:
+        return Reason(Code.START, f"`{implementation.__name__}` builds no behavior tree")
+    return tree

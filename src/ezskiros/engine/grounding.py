@@ -1,0 +1,156 @@
+"""What the parameters of a skill stand for when it starts, and whether its pre-conditions hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from ezskiros.engine.conditions import holds, reason
+from ezskiros.engine.events import Code, Reason
+from ezskiros.engine.inference import Solution, infer
+from ezskiros.engine.plans import Plan
+from ezskiros.engine.setting import Setting
+from ezskiros.engine.values import WorldThing, wanted
+from ezskiros.engine.world import World
+from ezskiros.skills.interface import Clause, Parameter
+
+
+@dataclass
+class Names:
+    """The values that the children of one tree share, by their names."""
+
+    values: dict[str, Any]
+    inferred: set[str] = field(default_factory=set)
+    """Those that a child has found in the world: another may have to look again."""
+
+
+def started_with(plan: Plan, names: Names) -> dict[str, Any]:
+    """The values of the parameters, by default, from the call, or from siblings."""
+    values = dict(plan.fixed)
+    for own, shared in plan.received:
+        found = names.values.get(shared)
+        if found is not None:
+            values[own] = found
+    return values
+
+
+def missing(plan: Plan, values: Mapping[str, Any]) -> Reason | None:
+    """Why a skill cannot start with these values."""
+    for parameter in plan.needed:
+        if values[parameter.name] is None:
+            text = f"`{parameter.name}`, {wanted(parameter)}, has no value ({parameter.span})"
+            return Reason(Code.START, text)
+    for parameter in plan.things:
+        value = values[parameter.name]
+        if value is not None and not value._world.is_a(value.iri, parameter.iri):  # noqa: SLF001
+            text = f"`{parameter.name}` is {wanted(parameter)}, and {value} is none"
+            return Reason(Code.START, f"{text} ({parameter.span})")
+    return None
+
+
+def missing_output(plan: Plan, values: Mapping[str, Any]) -> Reason | None:
+    """What a skill had to give a value, and has not."""
+    for parameter in plan.outputs:
+        if values[parameter.name] is None:
+            told = f"`{parameter.name}` has no value, and the skill is to give it one"
+            return Reason(Code.POST, f"{told} ({parameter.span})")
+    return None
+
+
+class Grounding:
+    """Finds things for the parameters that are to be inferred, in place in `values`."""
+
+    def __init__(self, plan: Plan, names: Names, values: dict[str, Any], setting: Setting) -> None:
+        self._plan, self._names, self._values = plan, names, values
+        self._setting, self._world = setting, setting.world
+        self.chosen: tuple[Solution, Sequence[Solution]] | None = None
+        """What was taken, if there was a choice, and all that there was."""
+
+    def ground(self) -> Reason | None:
+        """Why the skill cannot start, None if it can.
+
+        What another child has inferred is kept as long as the pre-conditions hold with it.
+        """
+        plan, values = self._plan, self._values
+        free = [each for each in plan.inferred if values[each.name] is None]
+        problem = self._inferred(free) if free else broken_pre(plan, values, self._world)
+        if problem is None:
+            return None
+        shared = dict(plan.shared)
+        stale = [
+            each
+            for each in plan.inferred
+            if each not in free and shared.get(each.name) in self._names.inferred
+        ]
+        if not stale:
+            return problem
+        values.update({each.name: None for each in stale})
+        return self._inferred([*free, *stale])
+
+    def _inferred(self, free: Sequence[Parameter]) -> Reason | None:
+        plan, world = self._plan, self._world
+        given, is_equality = bound(self._values), self._setting.compatible
+        found = infer(plan.skill, free, given, world, is_equality=is_equality)
+        if found.without_candidates:
+            first = found.without_candidates[0]
+            text = f"the world has nothing for `{first.name}`, {wanted(first)} ({first.span})"
+            return Reason(Code.PRE, text)
+        if not found.solutions:
+            return _impossible(plan, free, given, self._setting)
+        taken = found.solutions[0]
+        if len(found.solutions) > 1:
+            taken = self._setting.choose(plan.skill, found.solutions)
+            self.chosen = (taken, found.solutions)
+        shared = dict(plan.shared)
+        for name, iri in taken.items():
+            self._values[name] = WorldThing(iri, world)
+            if name in shared:
+                self._names.inferred.add(shared[name])
+        return broken_pre(plan, self._values, world)
+
+
+def bound(values: Mapping[str, Any]) -> dict[str, str]:
+    """The things among some values, as IRIs."""
+    return {name: each.iri for name, each in values.items() if type(each) is WorldThing}
+
+
+def broken_pre(plan: Plan, values: Mapping[str, Any], world: World) -> Reason | None:
+    """The first pre-condition that does not hold."""
+    return broken(plan.skill.pre, "pre-condition does not hold", Code.PRE, values, world)
+
+
+def broken(
+    clauses: Iterable[Clause], told: str, code: Code, values: Mapping[str, Any], world: World
+) -> Reason | None:
+    """The first condition that does not hold: as it is written, where, and what the world says."""
+    if not clauses:
+        return None
+    things = bound(values)
+    for clause in clauses:
+        if not holds(clause.statement, things, world):
+            why = reason(clause.statement, things, world)
+            return Reason(code, f"{told}: {_written(clause)}: {why}")
+    return None
+
+
+def _impossible(
+    plan: Plan, free: Sequence[Parameter], given: Mapping[str, str], setting: Setting
+) -> Reason:
+    """The first pre-condition with which nothing is left for the free parameters."""
+    skill, world, is_equality = plan.skill, setting.world, setting.compatible
+    known = {**given}
+    for count in range(1, len(skill.pre) + 1):
+        shorter = replace(skill, pre=skill.pre[:count])
+        found = infer(shorter, free, given, world, is_equality=is_equality).solutions
+        if not found:
+            clause = skill.pre[count - 1]
+            why = reason(clause.statement, known, world)
+            text = f"pre-condition does not hold: {_written(clause)}: {why}"
+            return Reason(Code.PRE, text)
+        known |= found[0]
+    return Reason(Code.PRE, "nothing in the world satisfies the pre-conditions")
+
+
+def _written(clause: Clause) -> str:
+    return f"{' '.join(clause.span.text.split())} ({clause.span})"

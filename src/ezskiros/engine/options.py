@@ -1,0 +1,83 @@
+"""What `CONSUME`, `UNSPECIFY`, `LOCK` and `RESPECT_TYPE` mean while a skill runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from ezskiros.engine.events import Code, Reason
+from ezskiros.ontology.statements import Generated, OfType
+from ezskiros.skills.interface import Clause, Parameter, SkillInterface
+from ezskiros.skills.markers import Option
+
+if TYPE_CHECKING:  # what is locked is locked by what runs
+    from ezskiros.engine.skill import RunningSkill
+
+
+def with_options(skill: SkillInterface) -> SkillInterface:
+    """A skill with the conditions that its options stand for.
+
+    What it consumes is not there after it. What it respects the type of is of that class; that goes
+    without saying here, where only things of the class are candidates.
+    """
+    pre = [
+        Clause(OfType(each.name, each.iri or ""), each.span)
+        for each in _with(skill, Option.RESPECT_TYPE)
+    ]
+    post = [
+        Clause(Generated(each.name, is_true=False), each.span)
+        for each in _with(skill, Option.CONSUME)
+    ]
+    if not pre and not post:
+        return skill
+    return replace(skill, pre=(*skill.pre, *pre), post=(*skill.post, *post))
+
+
+def emptied(skill: SkillInterface) -> tuple[str, ...]:
+    """The parameters that stand for nothing after the skill."""
+    lost = (Option.CONSUME, Option.UNSPECIFY)
+    return tuple(each.name for option in lost for each in _with(skill, option))
+
+
+def locked(skill: SkillInterface) -> tuple[str, ...]:
+    """The parameters whose things no other skill may lock meanwhile."""
+    return tuple(each.name for each in _with(skill, Option.LOCK))
+
+
+def _with(skill: SkillInterface, option: Option) -> Iterator[Parameter]:
+    return (each for each in skill.parameters if each.is_thing and option in each.options)
+
+
+class Locks:
+    """Which skills have locked which things. What a skill has locked, those below it may lock too,
+    one at a time.
+    """
+
+    def __init__(self) -> None:
+        self._owners: dict[str, list[RunningSkill]] = {}
+
+    def lock(
+        self, skill: RunningSkill, names: tuple[str, ...], values: Mapping[str, Any]
+    ) -> Reason | None:
+        """Lock what some parameters stand for; None if that could be done."""
+        things = {name: values[name] for name in names if values[name] is not None}
+        for name, thing in things.items():
+            owners = self._owners.get(thing.iri)
+            if owners and not _is_above(owners[-1], skill):
+                path = "/".join(owners[-1].path)
+                return Reason(Code.PRE, f"`{name}`, {thing}, is locked by {path}")
+        for thing in things.values():
+            self._owners.setdefault(thing.iri, []).append(skill)
+        return None
+
+    def release(self, skill: RunningSkill) -> None:
+        """Give back what a skill has locked."""
+        for owners in self._owners.values():
+            owners[:] = [each for each in owners if each is not skill]
+
+
+def _is_above(owner: RunningSkill, skill: RunningSkill | None) -> bool:
+    while skill is not None and skill is not owner:
+        skill = skill.above
+    return skill is owner

@@ -1,0 +1,168 @@
+"""What is known of a child of a tree before it starts, found out once for each child."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
+
+from ezskiros.engine.options import emptied, locked, with_options
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.interface import Parameter, SkillInterface
+from ezskiros.skills.markers import Kind
+from ezskiros.skills.nodes import SkillCall
+from ezskiros.trees.library import Implementations, Library
+from ezskiros.trees.names import shared_names
+from ezskiros.trees.tree import plain
+
+_BASIC = frozenset((str, float, bool))
+
+
+class Plan(NamedTuple):
+    """How a child starts.
+
+    `fixed` are the values that its parameters have by default, or by the call; `shared` has for
+    those that share a name with siblings that name, and `received` only for those that have a value
+    before. `label` names the implementation, if there is
+    one; that of a compound builds a tree.
+    """
+
+    skill: SkillInterface
+    implementation: type[SkillImplementation] | None
+    label: str
+    is_compound: bool
+    fixed: Mapping[str, Any]
+    shared: tuple[tuple[str, str], ...]
+    received: tuple[tuple[str, str], ...]
+    needed: tuple[Parameter, ...]
+    inferred: tuple[Parameter, ...]
+    things: tuple[Parameter, ...]
+    outputs: tuple[Parameter, ...]
+    emptied: tuple[str, ...]
+    locked: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Known:
+    """What all children that are the same skill have in common."""
+
+    skill: SkillInterface
+    implementations: Implementations
+    parameters: Mapping[str, Parameter]
+    defaults: Mapping[str, object]
+    shared: tuple[tuple[str, str], ...]
+    """Of those that a call says nothing of."""
+    as_they_are: frozenset[type]
+    """The types of values that need no look: a whole number may be meant for a float."""
+    needed: tuple[Parameter, ...]
+    inferred: tuple[Parameter, ...]
+    things: tuple[Parameter, ...]
+    outputs: tuple[Parameter, ...]
+    emptied: tuple[str, ...]
+    locked: tuple[str, ...]
+
+
+class Plans:
+    """The plans of all children."""
+
+    def __init__(self, library: Library) -> None:
+        self._library = library
+        self._plans: dict[SkillCall, Plan] = {}
+        self._known: dict[type, _Known] = {}
+
+    def of(self, call: SkillCall) -> Plan:
+        """The plan of a child. Raises `LookupError` if its description says nothing."""
+        plan = self._plans.get(call)
+        if plan is None:
+            plan = self._plans[call] = self._made(call)
+        return plan
+
+    def _made(self, call: SkillCall) -> Plan:
+        known = self._known.get(call.skill) or self._look_up(call)
+        given = call.arguments
+        if known.as_they_are.issuperset(map(type, given.values())):  # as most are
+            fixed = {**known.defaults, **given}
+            shared = tuple(pair for pair in known.shared if pair[0] not in given)
+        else:
+            fixed, shared = _looked_at(call, known)
+        kind = _implementation(call, known.implementations)
+        return Plan(
+            skill=known.skill,
+            implementation=kind,
+            label=kind.__name__ if kind else "",
+            is_compound=hasattr(kind, "expandBT"),
+            fixed=fixed,
+            shared=shared,
+            received=_received(shared, known.outputs),
+            needed=known.needed,
+            inferred=known.inferred,
+            things=known.things,
+            outputs=known.outputs,
+            emptied=known.emptied,
+            locked=known.locked,
+        )
+
+    def _look_up(self, call: SkillCall) -> _Known:
+        skill = self._library.skill(call.skill)
+        if skill is None:
+            raise LookupError(f"`{call.skill.__name__}` describes no skill")
+        has_floats = any(each.type is float for each in skill.parameters)
+        found = self._known[call.skill] = _Known(
+            skill=with_options(skill),
+            implementations=self._library.implementations(call.skill),
+            parameters={each.name: each for each in skill.parameters},
+            defaults={each.name: each.default for each in skill.parameters},
+            shared=_shared(replace(call, arguments={}), skill),
+            as_they_are=_BASIC if has_floats else _BASIC | {int},
+            needed=tuple(each for each in skill.parameters if _is_needed(each)),
+            inferred=tuple(each for each in skill.parameters if each.kind is Kind.INFERRED),
+            things=tuple(each for each in skill.parameters if each.is_thing),
+            outputs=tuple(each for each in skill.parameters if each.is_output),
+            emptied=emptied(skill),
+            locked=locked(skill),
+        )
+        return found
+
+
+def _looked_at(
+    call: SkillCall, known: _Known
+) -> tuple[dict[str, object], tuple[tuple[str, str], ...]]:
+    """The values that the parameters have, and the names that they share with siblings."""
+    fixed = dict(known.defaults)
+    for name, value in call.arguments.items():
+        fixed[name] = _converted(plain(value), known.parameters.get(name))
+    shared = _shared(call, known.skill)
+    for own, _ in shared:
+        fixed[own] = known.defaults[own]
+    return fixed, shared
+
+
+def _shared(call: SkillCall, skill: SkillInterface) -> tuple[tuple[str, str], ...]:
+    return tuple((each.parameter.name, each.shared) for each in shared_names(call, skill))
+
+
+def _implementation(call: SkillCall, known: Implementations) -> type[SkillImplementation] | None:
+    """The one that is wanted, or the first that was loaded."""
+    if call.implementation is not None:
+        return known.get(call.implementation)
+    return next(iter(known.values()), None)
+
+
+def _received(
+    shared: tuple[tuple[str, str], ...], outputs: tuple[Parameter, ...]
+) -> tuple[tuple[str, str], ...]:
+    if not outputs:
+        return shared
+    names = {each.name for each in outputs}
+    return tuple((own, other) for own, other in shared if own not in names)
+
+
+def _is_needed(parameter: Parameter) -> bool:
+    """Whether a skill cannot start before a parameter has a value, and nothing can find it."""
+    return parameter.kind is Kind.REQUIRED and not parameter.is_output
+
+
+def _converted(value: object, parameter: Parameter | None) -> object:
+    """A whole number is a float as well."""
+    is_float = parameter is not None and parameter.type is float
+    return float(value) if is_float and type(value) is int else value

@@ -1,0 +1,37 @@
+"""What a primitive does when it is simulated: its post-conditions come true, and what it gives its
+values are made up.
+"""
+
+from __future__ import annotations
+
+import enum
+from typing import Any
+
+from ezskiros.engine.conditions import make
+from ezskiros.engine.grounding import bound
+from ezskiros.engine.plans import Plan
+from ezskiros.engine.values import WorldThing
+from ezskiros.engine.world import World
+from ezskiros.skills.interface import Parameter
+
+
+def simulate(plan: Plan, values: dict[str, Any], world: World) -> None:
+    """Let a skill have its effects, in `values` and in the world.
+
+    A parameter that the skill gives its value gets a new thing of its class; or false, 0, an empty
+    text or the first member of its enumeration.
+    """
+    for parameter in plan.skill.parameters:
+        if parameter.is_output and values[parameter.name] is None:
+            values[parameter.name] = _made_up(parameter, world)
+    things = bound(values)
+    for clause in plan.skill.post:
+        make(clause.statement, things, world)
+
+
+def _made_up(parameter: Parameter, world: World) -> object:
+    if parameter.iri is not None:
+        return WorldThing(world.new(parameter.iri), world)
+    if issubclass(parameter.type, enum.Enum):
+        return next(iter(parameter.type))
+    return parameter.type()

@@ -1,0 +1,298 @@
+"""A skill that runs, from its start to its result.
+
+When it starts, its parameters get their values, those that are inferred from the world; then its
+pre-conditions have to hold, its hold-conditions at every tick, its post-conditions at the end. A
+compound ticks the tree that `expandBT` has built, a primitive is executed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from ezskiros.engine import user_code
+from ezskiros.engine.build import behavior
+from ezskiros.engine.depth import MOST_DEPTH, TooDeepError
+from ezskiros.engine.events import Code, Event, Happened, Reason
+from ezskiros.engine.grounding import (
+    Grounding,
+    Names,
+    broken,
+    missing,
+    missing_output,
+    started_with,
+)
+from ezskiros.engine.setting import Setting
+from ezskiros.engine.simulation import simulate
+from ezskiros.engine.values import Values
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.nodes import SkillCall
+from ezskiros.trees.tree import Tree
+
+
+class RunningSkill(Behaviour):
+    """A child that is a skill; `names` are the values that it shares with its siblings."""
+
+    def __init__(
+        self,
+        call: SkillCall,
+        names: Names,
+        setting: Setting,
+        label: str,
+        above: RunningSkill | None = None,
+        depth: int = 0,
+    ) -> None:
+        super().__init__(label)
+        self.depth, self.above = depth, above
+        self._call, self._names, self._setting = call, names, setting
+        self._values: dict[str, Any] = {}
+        self._instance: SkillImplementation | None = None
+        self._params: Values | None = None
+        self._expanded: Tree | None = None
+        self._tree: Behaviour | None = None
+        self._path: tuple[str, ...] | None = None
+        self._text = ""
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """The names of the skills from the root on."""
+        if self._path is None:
+            self._path = (*(self.above.path if self.above else ()), self.name)
+        return self._path
+
+    @property
+    def tree(self) -> Behaviour | None:
+        """What a compound ticks, once it has started."""
+        return self._tree
+
+    # --- ticks: as of py_trees, which has a word for a log with each of them ----------------------
+
+    def tick(self) -> Iterator[Behaviour]:
+        """One tick."""
+        if self.status is not Status.RUNNING:
+            problem = self._start()
+            if problem is not None:
+                self.status = self._fail(problem)
+                yield self
+                return
+            self.status = Status.RUNNING
+        self.status = self.update()
+        yield self
+
+    def update(self) -> Status:
+        """One tick of a skill that has started."""
+        if self._holds:
+            told = "hold-condition is broken"
+            world = self._setting.world
+            problem = broken(self._holds, told, Code.HOLD, self._values, world)
+            if problem is not None:
+                self._preempted()
+                return self._fail(problem)
+        if self._tree is not None:
+            return self._tick_tree(self._tree)
+        if self._instance is None:
+            simulate(self._plan, self._values, self._setting.world)
+            return self._succeed(Code.END, "simulated")
+        return self._execute(self._instance)
+
+    def terminate(self, new_status: Status) -> None:
+        """A stop while it runs: children first."""
+        if new_status is not Status.INVALID or self.status is not Status.RUNNING:
+            return
+        problem = self._preempted()
+        code, text = int(Code.PREEMPTION), "stopped"
+        if problem is not None:
+            code, text = problem.code, problem.text
+        elif self._instance is not None:
+            code, text = self._instance.progress
+        self._tell(Happened.PREEMPTED, code, text)
+
+    def _tick_tree(self, tree: Behaviour) -> Status:
+        for _ in tree.tick():
+            pass
+        if tree.status is Status.RUNNING:
+            return Status.RUNNING
+        if tree.status is Status.SUCCESS:
+            return self._succeed(Code.END, "End")
+        problem = self._setting.last_failure or Reason(Code.END, "")
+        return self._end(problem)
+
+    def _execute(self, instance: SkillImplementation) -> Status:
+        found = user_code.execute(instance)
+        if self._params is not None and self._params.is_changed():
+            self._share()
+        if found is Status.RUNNING:
+            code, text = instance.progress
+            if text != self._text:
+                self._text = text
+                self._tell(Happened.RUNNING, code, text)
+            return found
+        if isinstance(found, Reason):
+            return self._end(found)
+        code, text = instance.progress
+        if found is Status.SUCCESS:
+            return self._succeed(code, text)
+        return self._end(Reason(code, str(text)))
+
+    # --- start ------------------------------------------------------------------------------------
+
+    def _start(self) -> Reason | None:
+        """Why it cannot start, None if it has started."""
+        setting = self._setting
+        self._plan = plan = setting.plans.of(self._call)
+        self._holds = self._held()
+        self._text = ""
+        self._values = values = started_with(plan, self._names)
+        problem = missing(plan, values)
+        if problem is not None:
+            return problem
+        if plan.inferred or plan.skill.pre:
+            grounding = Grounding(plan, self._names, values, setting)
+            problem = grounding.ground()
+            if grounding.chosen:
+                self._tell_choice(*grounding.chosen)
+            if problem is not None:
+                return problem
+            self._share()
+        if plan.locked:
+            problem = setting.locks.lock(self, plan.locked, values)
+            if problem is not None:
+                return problem
+        problem = self._begin()
+        if problem is None:
+            self._tell(Happened.STARTED, 0, "Start")
+        return problem
+
+    def _begin(self) -> Reason | None:
+        """Bind the implementation, and start it."""
+        plan = self._plan
+        if plan.implementation is None and not self._setting.simulate:
+            return Reason(Code.START, f"nothing implements `{plan.skill.name}`")
+        if plan.is_compound:
+            problem = self._expand()
+            if problem is not None:
+                return problem
+        elif self._setting.simulate:
+            return None
+        if self._instance is None:
+            problem = self._make()
+            if problem is not None:
+                return problem
+        if self._instance is None:
+            return None
+        self._params = self._instance.params = Values(plan.skill, self._values)
+        self._instance.progress = (0, "Start")
+        return user_code.is_willing(self._instance, "onStart", Code.START)
+
+    def _make(self) -> Reason | None:
+        """The instance of what users wrote; of compounds only if it has anything to do."""
+        kind = self._plan.implementation
+        if kind is None or (self._plan.is_compound and not _has_life(kind)):
+            return None
+        try:
+            self._instance = kind()
+        except (Exception, SystemExit) as problem:
+            return user_code.raised(problem, "__init__", Code.START)
+        self._instance.world = self._setting.world_model
+        self._instance.now = self._setting.clock
+        return None
+
+    def _expand(self) -> Reason | None:
+        plan, setting = self._plan, self._setting
+        assert plan.implementation is not None
+        found = setting.expansions.tree(plan.implementation, plan.skill, self._values)
+        if isinstance(found, Reason):
+            return found
+        if found is not self._expanded or self._tree is None:
+            self._expanded = found
+            self._tree_names = Names(self._values)
+            try:
+                self._tree = behavior(found.root, self._tree_names, setting, self)
+            except TooDeepError:
+                text = f"the tree has more than {MOST_DEPTH} levels: does a skill call itself?"
+                return Reason(Code.START, text)
+        self._tree_names.values = self._values
+        self._tree_names.inferred.clear()
+        return None
+
+    # --- end --------------------------------------------------------------------------------------
+
+    def _succeed(self, code: int, text: str) -> Status:
+        """The end of a skill that has succeeded, if nothing speaks against it."""
+        plan, values = self._plan, self._values
+        problem = None
+        if self._instance is not None:
+            problem = user_code.is_willing(self._instance, "onEnd", Code.EXECUTION)
+        if problem is None and plan.outputs:
+            problem = missing_output(plan, values)
+        if problem is None and plan.skill.post:
+            told = "post-condition does not hold"
+            problem = broken(plan.skill.post, told, Code.POST, values, self._setting.world)
+        if problem is not None:
+            self._share()
+            return self._fail(problem)
+        for name in plan.emptied:
+            values[name] = None
+        self._share()
+        self._release()
+        self._tell(Happened.SUCCEEDED, code, text)
+        return Status.SUCCESS
+
+    def _end(self, problem: Reason) -> Status:
+        """The end of a skill that has failed: its `onEnd` is called whatever happens."""
+        if self._instance is not None:
+            user_code.is_willing(self._instance, "onEnd", Code.EXECUTION)
+        self._share()
+        return self._fail(problem)
+
+    def _fail(self, problem: Reason) -> Status:
+        self._release()
+        self._setting.last_failure = problem
+        self._tell(Happened.FAILED, problem.code, problem.text)
+        return Status.FAILURE
+
+    def _release(self) -> None:
+        if self._plan.locked:
+            self._setting.locks.release(self)
+
+    def _preempted(self) -> Reason | None:
+        if self._tree is not None:
+            self._tree.stop(Status.INVALID)
+        self._release()
+        return user_code.preempt(self._instance) if self._instance is not None else None
+
+    # --- values, and what is told -----------------------------------------------------------------
+
+    def _held(self) -> Any:
+        """The conditions that are asked at every tick; SkiROS2 asks them of compounds only."""
+        is_asked = not self._setting.compatible or self._plan.is_compound
+        return self._plan.skill.hold if is_asked else ()
+
+    def _share(self) -> None:
+        """What it has found out, under the names that it shares."""
+        for own, shared in self._plan.shared:
+            self._names.values[shared] = self._values[own]
+
+    def _tell_choice(self, taken: Any, solutions: Any) -> None:
+        spelled = self._setting.world.spelled
+        texts = [
+            ", ".join(f"{name}={spelled(iri)}" for name, iri in each.items()) for each in solutions
+        ]
+        others = (text for text, each in zip(texts, solutions, strict=True) if each is not taken)
+        chosen = texts[list(solutions).index(taken)]
+        self._tell(Happened.CHOSEN, 0, f"{chosen}; it could be {'; '.join(others)}")
+
+    def _tell(self, happened: Happened, code: int, text: str) -> None:
+        plan = self._plan
+        values = self._values if happened is Happened.STARTED else {}
+        name, label = plan.skill.name, plan.label
+        self._setting.tell(Event(happened, self.path, name, label, code, str(text), values))
+
+
+def _has_life(kind: type[SkillImplementation]) -> bool:
+    """Whether a compound does something when it starts or ends."""
+    methods = ("onStart", "onPreempt", "onEnd")
+    return any(getattr(kind, each) is not getattr(SkillImplementation, each) for each in methods)

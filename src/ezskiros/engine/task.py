@@ -1,0 +1,97 @@
+"""A task: one skill that is ticked until it has a result, or is stopped."""
+
+from __future__ import annotations
+
+import gc
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from py_trees.common import Status
+
+from ezskiros.engine.depth import deep
+from ezskiros.engine.events import Reason
+from ezskiros.engine.grounding import Names
+from ezskiros.engine.setting import Setting
+from ezskiros.engine.skill import RunningSkill
+from ezskiros.skills.nodes import SkillCall
+
+PERIOD = 0.04
+"""Seconds from tick to tick, as in SkiROS2."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What has come of a task; `reason` says why it has no success."""
+
+    is_success: bool
+    ticks: int
+    seconds: float
+    reason: Reason | None = None
+
+
+class Task:
+    """A skill with the tree below it. `ticks` says how often it was ticked."""
+
+    def __init__(self, call: SkillCall, setting: Setting) -> None:
+        plan = setting.plans.of(call)
+        self.setting = setting
+        self.ticks = 0
+        self.root = RunningSkill(call, Names({}), setting, plan.label or plan.skill.name)
+
+    def tick(self) -> Status:
+        """One tick."""
+        self.ticks += 1
+        with deep(), _without_collections():
+            for _ in self.root.tick():
+                pass
+        return self.root.status
+
+    def preempt(self) -> None:
+        """Stop what runs: children first, then `onPreempt` and `onEnd`."""
+        with deep():
+            self.root.stop(Status.INVALID)
+
+
+def run(
+    task: Task,
+    period: float = PERIOD,
+    *,
+    wait: Callable[[float], object] = time.sleep,
+    why_stop: Callable[[], str | None] = lambda: None,
+    after_tick: Callable[[], object] = lambda: None,
+) -> Outcome:
+    """Tick a task once a period until it has a result.
+
+    Before each tick `why_stop` is asked: if it gives a reason, the task is preempted. `wait` waits
+    for some seconds.
+    """
+    clock = task.setting.clock
+    start = clock()
+    status, reason = Status.RUNNING, None
+    while status is Status.RUNNING:
+        if stopped := why_stop():
+            reason = Reason(0, stopped)
+            task.preempt()
+            break
+        due = clock() + period
+        status = task.tick()
+        after_tick()
+        if status is Status.RUNNING:
+            wait(max(0.0, due - clock()))
+    if status is Status.FAILURE:
+        reason = task.setting.last_failure
+    return Outcome(status is Status.SUCCESS, task.ticks, clock() - start, reason)
+
+
+@contextmanager
+def _without_collections() -> Iterator[None]:
+    """Within, nobody looks for garbage: there is time for that from tick to tick."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()

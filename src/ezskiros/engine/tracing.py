@@ -1,0 +1,40 @@
+"""Events as JSON lines, for other programs."""
+
+from __future__ import annotations
+
+import enum
+import json
+from typing import Any, TextIO
+
+from ezskiros.engine.events import Event
+from ezskiros.engine.values import WorldThing
+
+
+class Trace:
+    """Writes one JSON object per event. Raises `OSError`, as files do."""
+
+    def __init__(self, file: TextIO) -> None:
+        self._file = file
+
+    def write(self, event: Event, tick: int, seconds: float) -> None:
+        """An event, the number of its tick from 1 on, and the seconds since the task started."""
+        line: dict[str, object] = {
+            "tick": tick,
+            "time": round(seconds, 6),
+            "event": event.happened.value,
+            "path": list(event.path),
+            "skill": event.skill,
+            "implementation": event.implementation or None,
+            "code": int(event.code),
+            "text": event.text,
+        }
+        if event.values:
+            line["parameters"] = {name: _plain(value) for name, value in event.values.items()}
+        self._file.write(json.dumps(line, ensure_ascii=False) + "\n")
+
+
+def _plain(value: Any) -> object:
+    """A value as JSON has it: things by their IRIs, members of enumerations by their names."""
+    if isinstance(value, WorldThing):
+        return value.iri
+    return value.name if isinstance(value, enum.Enum) else value

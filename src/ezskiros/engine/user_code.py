@@ -1,0 +1,88 @@
+"""Calls of the methods that users wrote: what is wrong with them becomes a reason to fail."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import FunctionType
+from typing import Any
+
+from py_trees.common import Status
+
+from ezskiros.engine.events import Code, Reason
+from ezskiros.skills.blame import said, user_place
+from ezskiros.skills.implementation import SkillImplementation, State
+from ezskiros.skills.syntax import definition
+
+STATUS = {
+    State.SUCCESS: Status.SUCCESS,
+    State.FAILURE: Status.FAILURE,
+    State.RUNNING: Status.RUNNING,
+}
+
+
+def execute(instance: SkillImplementation) -> Status | Reason:
+    """One tick of a primitive."""
+    try:
+        found = instance.execute()  # type: ignore[attr-defined]
+    except (Exception, SystemExit) as problem:
+        return raised(problem, "execute", Code.EXECUTION)
+    status = STATUS.get(found) if type(found) is State else None
+    if status is not None:
+        return status
+    return _wrong(instance, "execute", found, "what self.success, self.step or self.fail give")
+
+
+def is_willing(instance: SkillImplementation, method: str, code: Code) -> Reason | None:
+    """Call `onStart` or `onEnd`; None if all is well."""
+    called: Callable[[], Any] = getattr(instance, method)
+    try:
+        found = called()
+    except (Exception, SystemExit) as problem:
+        return raised(problem, method, code)
+    if found:
+        return None
+    if found is None:
+        return _wrong(instance, method, found, "whether all is well", code)
+    return Reason(code, f"`{method}` says that it has not succeeded ({_place(instance, method)})")
+
+
+def preempt(instance: SkillImplementation) -> Reason | None:
+    """Call `onPreempt`, then `onEnd`; None if all is well."""
+    problem = None
+    try:
+        instance.onPreempt()
+    except (Exception, SystemExit) as raising:
+        problem = raised(raising, "onPreempt", Code.PREEMPTION)
+    return is_willing(instance, "onEnd", Code.PREEMPTION) or problem
+
+
+def raised(problem: BaseException, method: str, code: Code) -> Reason:
+    """The reason when a method raises."""
+    kind = type(problem).__name__
+    span = user_place(problem)
+    place = f" ({span})" if span else ""
+    return Reason(code, f"`{method}` raised {kind}: {said(problem)}{place}")
+
+
+def _wrong(
+    instance: SkillImplementation,
+    method: str,
+    found: object,
+    right: str,
+    code: int = Code.EXECUTION,
+) -> Reason:
+    place = _place(instance, method)
+    return Reason(code, f"`{method}` returned {_spelled(found)}, not {right} ({place})")
+
+
+def _spelled(found: object) -> str:
+    text = "nothing" if found is None else repr(found)
+    return text if len(text) <= 40 else f"something of type {type(found).__name__}"
+
+
+def _place(instance: SkillImplementation, method: str) -> str:
+    """Where a method is written."""
+    function = getattr(type(instance), method, None)
+    if not isinstance(function, FunctionType):
+        return type(instance).__name__
+    return str(definition(function).whole)

@@ -1,0 +1,125 @@
+"""The world model as primitive skills see it: `self.world.relate(gripper, skiros.at, pose)`."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+
+from ezskiros.engine.values import WorldThing
+from ezskiros.engine.world import World
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.statements import Value
+from ezskiros.ontology.things import ThingClass
+from ezskiros.ontology.world import PropertyOf
+
+OwlClass = ThingClass | str
+OwlProperty = PropertyOf | str
+
+
+class WorldModel:
+    """What there is, and how it is related.
+
+    Classes and properties are those of the ontology, such as `skiros.at`, or texts, such as
+    "skiros:at". Raises `LookupError` for names that the ontology does not have.
+    """
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+
+    # --- questions --------------------------------------------------------------------------------
+
+    def thing(self, name: str) -> WorldThing:
+        """The thing of a name, such as `skiros:Location-3`, of a label or of an IRI.
+
+        Raises `LookupError` if there is none, or if there are several.
+        """
+        found = self._world.named(name)
+        if len(found) == 1:
+            return WorldThing(found[0], self._world)
+        shown = ", ".join(map(self._world.spelled, found))
+        raise LookupError(f"{name!r} is {shown}" if found else f"there is no {name!r} in the world")
+
+    def things(self, owl_class: OwlClass) -> list[WorldThing]:
+        """All things of a class or its subclasses, by their names."""
+        return self._made(self._world.things(self._class(owl_class)))
+
+    def is_a(self, thing: WorldThing, owl_class: OwlClass) -> bool:
+        """Whether a thing is of a class or its subclasses."""
+        return self._world.is_a(thing.iri, self._class(owl_class))
+
+    def are_related(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> bool:
+        """Whether a relation holds, by itself or because of what else is said."""
+        return self._world.are_related(subject.iri, self._relation(relation), other.iri)
+
+    def related(self, subject: WorldThing, relation: OwlProperty) -> list[WorldThing]:
+        """What a thing is related to, by their names."""
+        return self._made(self._world.related(subject.iri, self._relation(relation)))
+
+    def relating(self, relation: OwlProperty, other: WorldThing) -> list[WorldThing]:
+        """What is related to a thing, by their names."""
+        return self._made(self._world.relating(self._relation(relation), other.iri))
+
+    def values(self, thing: WorldThing, data_property: OwlProperty) -> list[Value]:
+        """The values of a data property."""
+        return self._world.values(thing.iri, self._data_property(data_property))
+
+    # --- changes ----------------------------------------------------------------------------------
+
+    def relate(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> None:
+        """Make a relation hold. What it can hold of only once is pushed out."""
+        self._world.relate(subject.iri, self._relation(relation), other.iri)
+
+    def unrelate(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> None:
+        """Make a relation not hold, whatever it follows from."""
+        self._world.unrelate(subject.iri, self._relation(relation), other.iri)
+
+    def set_value(self, thing: WorldThing, data_property: OwlProperty, value: Value) -> None:
+        """Give a data property this value and no other."""
+        self._world.set_value(thing.iri, self._data_property(data_property), value)
+
+    def unset(self, thing: WorldThing, data_property: OwlProperty) -> None:
+        """Take all values of a data property away."""
+        self._world.unset(thing.iri, self._data_property(data_property))
+
+    def new(self, owl_class: OwlClass) -> WorldThing:
+        """A new thing of a class, called as SkiROS2 does: the class and a number."""
+        return WorldThing(self._world.new(self._class(owl_class)), self._world)
+
+    def remove(self, thing: WorldThing) -> None:
+        """Forget a thing, and all that is said of it."""
+        self._world.remove(thing.iri)
+
+    # --- names ------------------------------------------------------------------------------------
+
+    @property
+    def _model(self) -> Model:
+        return self._world.ontology.model
+
+    def _made(self, iris: list[str]) -> list[WorldThing]:
+        return [WorldThing(iri, self._world) for iri in iris]
+
+    def _class(self, named: OwlClass) -> str:
+        if isinstance(named, ThingClass):
+            return named.iri
+        return self._known(named, self._model.classes, "class")
+
+    def _relation(self, named: OwlProperty) -> str:
+        return self._known(_iri(named), self._model.relations, "relation")
+
+    def _data_property(self, named: OwlProperty) -> str:
+        return self._known(_iri(named), self._model.values, "data property")
+
+    def _known(self, named: str, known: Iterable[str], kind: str) -> str:
+        """An IRI, as it is or as `prefix:Name`. Raises `LookupError` if it is none of the known."""
+        prefix, _, rest = named.partition(":")
+        iri = f"{self._model.names[prefix]}{rest}" if prefix in self._model.names else named
+        iris = [*known]
+        if iri in iris:
+            return iri
+        near = difflib.get_close_matches(iri, iris, n=1, cutoff=0.7)
+        hint = f"; did you mean {self._model.short(near[0])}?" if near else ""
+        raise LookupError(f"the ontology has no {kind} {self._model.short(iri)!r}{hint}")
+
+
+def _iri(named: OwlProperty) -> str:
+    return named.iri if isinstance(named, PropertyOf) else named

@@ -1,0 +1,99 @@
+"""From the name of a skill to a task that can be run: checked first, with its world and values."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from dslkit.diagnostics import Diagnostic, Severity
+from ezskiros.driver import Checked, check_paths
+from ezskiros.engine.arguments import read_arguments
+from ezskiros.engine.depth import deep
+from ezskiros.engine.scenes import load_world
+from ezskiros.engine.world import World
+from ezskiros.ontology import Ontology, load
+from ezskiros.ontology.load import VARIABLE
+from ezskiros.session import NOWHERE
+from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.nodes import SkillCall
+from ezskiros.trees.library import Library
+from ezskiros.trees.tree import Tree
+
+
+@dataclass(frozen=True)
+class Ready:
+    """A skill that can be run, with its arguments, and the world that it runs in."""
+
+    library: Library
+    trees: Sequence[Tree]
+    call: SkillCall
+    world: World
+    warnings: Sequence[Diagnostic]
+
+
+class UnknownSkillError(LookupError):
+    """There is no such skill; the text says so, and which one may be meant."""
+
+
+class FaultyError(Exception):
+    """The skills or the scene have errors: `diagnostics` has them."""
+
+    def __init__(self, checked: Checked, diagnostics: Sequence[Diagnostic]) -> None:
+        super().__init__("there are errors")
+        self.diagnostics = diagnostics
+        self.file_count = len(checked.files)
+
+
+def prepare(skill: str, paths: Iterable[Path], scene: Path | None, texts: Iterable[str]) -> Ready:
+    """Check all, find the skill, and read its arguments (`Name=value`).
+
+    `skill` is the name of a description, of an implementation, or both (`Pick.pick`). Raises
+    `FaultyError`, `UnknownSkillError`, `WrongArgumentError`, and `OSError` for a scene that cannot
+    be read.
+    """
+    with deep():
+        checked = check_paths(paths)
+    _refuse_errors(checked, checked.diagnostics)
+    library = checked.library
+    description, implementation = _found(skill, library)
+    world, wrong = load_world(_ontology(library), scene)
+    found = [*checked.diagnostics, *wrong]
+    _refuse_errors(checked, found)
+    interface = library.skill(description)
+    assert interface is not None, "a description without errors says something"
+    values = read_arguments(interface, texts, world)
+    call = SkillCall(description, implementation, MappingProxyType(values), NOWHERE)
+    return Ready(library, checked.trees, call, world, found)
+
+
+def _ontology(library: Library) -> Ontology:
+    """That of the skills; if they are about no things, what `load()` loads, if it is told what."""
+    known = library.ontology()
+    if known is not None:
+        return known
+    return load() if os.environ.get(VARIABLE) else Ontology(())
+
+
+def _refuse_errors(checked: Checked, found: Sequence[Diagnostic]) -> None:
+    if any(each.severity is Severity.ERROR for each in found):
+        raise FaultyError(checked, found)
+
+
+def _found(name: str, library: Library) -> tuple[type[SkillDescription], str | None]:
+    """The description, and the implementation if it is named."""
+    known: dict[str, tuple[type[SkillDescription], str | None]] = {}
+    for description in library.descriptions():
+        for each in library.implementations(description):
+            known.setdefault(each, (description, each))
+            known[f"{description.__name__}.{each}"] = (description, each)
+    known |= {each.__name__: (each, None) for each in library.descriptions()}
+    if name in known:
+        return known[name]
+    near = difflib.get_close_matches(name, known, n=1)
+    listed = ", ".join(sorted(each for each in known if known[each][1] is None))
+    hint = f"did you mean `{near[0]}`?" if near else f"there is {listed}"
+    raise UnknownSkillError(f"there is no skill `{name}` in these files; {hint}")

@@ -1,0 +1,206 @@
+"""`ezskiros run`: what it prints, how it ends, and what stops it."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from ezskiros.ontology.load import VARIABLE
+
+ROOT = Path(__file__).parents[3]
+EXAMPLE = ROOT / "examples" / "pick_place"
+COMMAND = (str(Path(sys.executable).with_name("ezskiros")), "run")
+PICK = ("pick", str(EXAMPLE / "skills"), "--scene", str(EXAMPLE / "lab.turtle"), "Gripper=gripper")
+SKILLS = """
+from ezskiros import SkillDescription
+
+class Work(SkillDescription):
+    def description(self): pass
+
+class work(Work.SkillBase):
+    def execute(self):
+        return self.step("at it")
+    def onPreempt(self):
+        print("preempted", flush=True)
+        return self.fail("stopped")
+    def onEnd(self):
+        print("ended", flush=True)
+        return True
+
+class Hang(SkillDescription):
+    def description(self): pass
+
+class hang(Hang.SkillBase):
+    def execute(self):
+        import time
+        print("hangs", flush=True)
+        time.sleep(60)
+        return self.success()
+"""
+
+
+def run(*words: str, folder: Path = ROOT, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [*COMMAND, *words],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, **environment},
+    )
+
+
+@pytest.fixture
+def skills(tmp_path: Path) -> Path:
+    (tmp_path / "skills.py").write_text(SKILLS, encoding="utf-8")
+    return tmp_path
+
+
+def test_pick_and_place_runs_as_listed_in_the_thesis(tmp_path: Path) -> None:
+    saved, trace = tmp_path / "after.turtle", tmp_path / "trace.jsonl"
+    done = run(
+        "PickAndPlace", *PICK[1:], "Object=starter", "PlacingLocation=shelf", "--simulate",
+        "--save", str(saved), "--trace", str(trace),
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[-1].startswith("PickAndPlace has succeeded (1 tick, ")
+    events = [json.loads(line) for line in trace.read_text(encoding="utf-8").splitlines()]
+    picked = [
+        each["path"][2] for each in events if len(each["path"]) == 3 and "Pick.pick" in each["path"]
+    ]
+    assert list(dict.fromkeys(picked)) == [
+        "SwitchController", "MoveitCartesianSpaceMotion", "WmSetRelation.wm_set_relation",
+        "HSVDetection", "SwitchController#2", "ApproachMovement.go_to_linear",
+        "WmSetRelation.wm_set_relation#2", "Wait", "ActuateGripper", "WmMoveObject",
+        "ApproachMovement.go_to_linear#2", "Wait#2",
+    ]  # fmt: skip
+    again = run("pick", *PICK[1:], "Object=starter", "--simulate", "--scene", str(saved))
+    assert again.returncode == 1
+    assert "pre-condition does not hold: " in again.stderr
+
+
+def test_skills_with_errors_are_not_run(tmp_path: Path) -> None:
+    wrong = SKILLS.replace('return self.step("at it")', "return True")
+    (tmp_path / "skills.py").write_text(wrong, encoding="utf-8")
+    done = run("work", folder=tmp_path)
+    assert done.returncode == 2
+    assert "error[EZS" in done.stdout
+    assert done.stderr == "ezskiros: nothing is run: there are errors\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("wrok",), "there is no skill `wrok` in these files; did you mean `work`?"),
+        (("work", "Speed=3"), "`Work` has no parameter `Speed`; it has none"),
+        (("work", "--scene", "no.turtle"), "cannot read no.turtle: no such file or directory"),
+        (("work", "--trace", "no/trace.jsonl", "--timeout", "0"),
+         "cannot write no/trace.jsonl: no such file or directory"),
+        (("work", "--save", "no/after.turtle", "--timeout", "0"),
+         "cannot write no/after.turtle: no such file or directory"),
+    ],
+)  # fmt: skip
+def test_a_wrong_call_is_told(skills: Path, words: tuple[str, ...], said: str) -> None:
+    done = run(*words, folder=skills)
+    assert (done.returncode, done.stderr) == (2, f"ezskiros: {said}\n")
+
+
+def test_a_scene_with_errors_is_not_run(skills: Path) -> None:
+    (skills / "lab.turtle").write_text("@prefix : <http://a#> .\n:B a :C .\n", encoding="utf-8")
+    done = run(
+        "work", "--scene", "lab.turtle", folder=skills, **{VARIABLE: str(EXAMPLE / "ontology")}
+    )
+    assert done.returncode == 2
+    assert "lab.turtle:2:6" in done.stdout
+
+
+def test_a_timeout_preempts(skills: Path) -> None:
+    done = run("work", "--timeout", "0.1", "--period", "0.01", folder=skills)
+    assert done.returncode == 1
+    assert done.stdout.splitlines()[-3:] == [
+        "preempted",
+        "ended",
+        "->Work-work(Failure)[-405] stopped",
+    ]
+    assert done.stderr.rstrip().endswith("it had no result after 0.1 s")
+
+
+def started(skill: str, folder: Path, line: str) -> subprocess.Popen[str]:
+    """A run that has printed a line."""
+    process = subprocess.Popen(
+        [*COMMAND, skill], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None
+    while line not in process.stdout.readline():
+        assert process.poll() is None
+    return process
+
+
+def test_ctrl_c_preempts(skills: Path) -> None:
+    process = started("work", skills, "at it")
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=20)
+    assert out.splitlines() == ["preempted", "ended", "->Work-work(Failure)[-405] stopped"]
+    assert err.rstrip().endswith("it was stopped from the keyboard")
+    assert process.returncode == 1
+
+
+def test_a_second_ctrl_c_ends_what_hangs(skills: Path) -> None:
+    process = started("hang", skills, "hangs")
+    for _ in range(2):
+        process.send_signal(signal.SIGINT)
+        time.sleep(0.2)
+    _, err = process.communicate(timeout=20)
+    assert process.returncode not in (0, None)
+    assert "Traceback" not in err
+
+
+def test_what_could_be_several_things_is_asked(tmp_path: Path) -> None:
+    scene = tmp_path / "lab.turtle"
+    text = (EXAMPLE / "lab.turtle").read_text(encoding="utf-8")
+    scene.write_text(text + "rparts:ArmDevice-20 a rparts:ArmDevice .\n", encoding="utf-8")
+    words = (*PICK[:2], "--scene", str(scene), PICK[-1], "Object=cable", "--simulate", "--ask")
+    done = subprocess.run(
+        [*COMMAND, *words], input="7\n2\n", capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert "  2  Robot=cora:Robot-1, Arm=rparts:ArmDevice-20" in done.stdout
+    assert "Arm=rparts:ArmDevice-20" in done.stdout.partition("it could be")[0].splitlines()[-1]
+    given_up = subprocess.run(
+        [*COMMAND, *words], input="", capture_output=True, text=True, check=False
+    )
+    assert given_up.returncode == 1
+    assert "Traceback" not in given_up.stderr
+
+
+def test_a_terminal_shows_a_tree() -> None:
+    master, slave = pty.openpty()
+    process = subprocess.Popen(
+        [*COMMAND, *PICK, "Object=cable", "--simulate"],
+        stdout=slave,
+        stderr=slave,
+        env={**os.environ, "TERM": "xterm", "COLUMNS": "100", "LINES": "40"},
+    )
+    os.close(slave)
+    shown = b""
+    while True:
+        try:
+            part = os.read(master, 4096)
+        except OSError:  # Linux says so at the end
+            break
+        if not part:
+            break
+        shown += part
+    os.close(master)
+    assert process.wait(timeout=20) == 0
+    assert b"SerialStar" in shown
+    assert b"WmMoveObject" in shown
+    assert b"->Pick-pick" not in shown
