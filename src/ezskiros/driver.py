@@ -18,6 +18,7 @@ from ezskiros.check import check_implementations, check_skills
 from ezskiros.check.inference import chains
 from ezskiros.check.scene_errors import NoOntologyForScene
 from ezskiros.check.scenes import check_scene
+from ezskiros.contracts import Missing, check_contracts, missing_pre_conditions
 from ezskiros.ontology import load
 from ezskiros.ontology.load import VARIABLE
 from ezskiros.skills.interface import SkillInterface
@@ -77,6 +78,7 @@ def check_paths(paths: Iterable[Path], values: Path | None = None) -> Checked:
         interfaces = [each.interface for each in described.values()]
         known = read_launch_values(values, interfaces) if values else {}
         trees = check_implementations(loaded.implementations, library, known)
+        collector.extend(check_contracts(trees, library).diagnostics)
         collector.extend(found for scene in scenes for found in _scene(scene))
     is_empty = not loaded.descriptions and not loaded.implementations
     if paths and is_empty and not collector.sorted():
@@ -84,6 +86,12 @@ def check_paths(paths: Iterable[Path], values: Path | None = None) -> Checked:
         collector.add(NoSkills(path=shown).at(Span(SourceFile(shown, ""), 0, 0)))
     skills = list({each.name: each for each in reversed(interfaces)}.values())[::-1]
     return Checked([*files, *scenes], skills, collector.sorted(), library, trees)
+
+
+def missing_conditions(paths: Iterable[Path]) -> list[Missing]:
+    """The pre-conditions that compound skills lack, in files, folders and packages."""
+    checked = check_paths(paths)
+    return missing_pre_conditions(checked.trees, checked.library)
 
 
 def _scene(path: Path) -> Iterable[Diagnostic]:

@@ -8,6 +8,7 @@ from ezskiros.catalog import errors as catalog_errors
 from ezskiros.check import errors as check_errors
 from ezskiros.check import scene_errors, world_errors
 from ezskiros.check import tree_errors as tree_check_errors
+from ezskiros.contracts import errors as contract_errors
 from ezskiros.drawing import errors as drawing_errors
 from ezskiros.migrate import errors as migrate_errors
 from ezskiros.ontology import condition_errors
@@ -27,6 +28,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *tree_errors.ALL,
     *launch_errors.ALL,
     *tree_check_errors.ALL,
+    *contract_errors.ALL,
     *check_errors.ALL,
     *scene_errors.ALL,
     *migrate_errors.ALL,

@@ -17,8 +17,8 @@ from dslkit.command_line import Format
 from ezskiros.cli.arguments import Folders, Skills, name_ontology
 from ezskiros.cli.output import output
 from ezskiros.cli.plan import plan
-from ezskiros.cli.show import show
 from ezskiros.cli.run import run
+from ezskiros.cli.show import show
 
 if TYPE_CHECKING:  # libcst is loaded only where it is needed
     from ezskiros.migrate.files import MigratedFile
@@ -61,11 +61,21 @@ def check(
     watched: Annotated[
         bool, typer.Option("--watch", help="Check again whenever a file changes.")
     ] = False,
+    fixed: Annotated[
+        bool, typer.Option("--fix", help="Add the pre-conditions that compound skills lack first.")
+    ] = False,
 ) -> None:
     """Check the skills of Python files: all that is wrong with them, without ROS."""
     from ezskiros.driver import check_paths
 
     name_ontology(ontology)
+    if fixed:
+        from ezskiros.cli.fix import fix
+
+        if watched:
+            output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
+        fix(paths)
+        raise typer.Exit(_check_in_new_process(paths, ontology or [], values, form))
     if watched:
         _check_again_and_again(paths, ontology or [], values, form)
         return
@@ -193,6 +203,16 @@ def stubs(
         output.fail(f"{out} cannot be used: {reason}", exit_code=2)
 
 
+def _check_in_new_process(
+    paths: list[Path], ontology: list[Path], values: Path | None, form: Format
+) -> int:
+    """The exit code of a check that knows nothing of what has been imported."""
+    named = [text for path in ontology for text in ("--ontology", str(path))]
+    config = ["--config", str(values)] if values else []
+    arguments = ["check", *map(str, paths), *named, *config, "--format", form.value]
+    return subprocess.run([sys.executable, "-m", "ezskiros", *arguments], check=False).returncode
+
+
 def _check_again_and_again(
     paths: list[Path], ontology: list[Path], values: Path | None, form: Format
 ) -> None:
@@ -206,12 +226,8 @@ def _check_again_and_again(
         named = [*paths, *([values] if values else [])]
         return [*module_files(paths), *filter(Path.is_file, named), *find(known)]
 
-    named = [text for path in ontology for text in ("--ontology", str(path))]
-    config = ["--config", str(values)] if values else []
-    arguments = ["check", *map(str, paths), *named, *config, "--format", form.value]
-
     def check_once() -> None:
-        subprocess.run([sys.executable, "-m", "ezskiros", *arguments], check=False)
+        _check_in_new_process(paths, ontology, values, form)
 
     watch(files, check_once)
 

@@ -38,6 +38,15 @@ class Library:
         found = self._known(description)
         return found.interface if found else None
 
+    def skills(self) -> list[SkillInterface]:
+        """All skills that are known so far."""
+        return [each.interface for each in self._described.values() if each]
+
+    def is_whole(self, skill: SkillInterface) -> bool:
+        """Whether all conditions of a skill were understood."""
+        known = (each for each in self._described.values() if each)
+        return all(each.is_whole for each in known if each.interface is skill)
+
     def ontology(self) -> Ontology | None:
         """The ontology that the types of the skills are from; None if no skill has things."""
         found = (each.ontology for each in self._described.values() if each)

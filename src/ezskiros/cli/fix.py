@@ -1,0 +1,59 @@
+"""`ezskiros check --fix`: adds the pre-conditions that compound skills lack to their files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+
+from ezskiros.cli.output import output
+
+if TYPE_CHECKING:  # what checks skills is loaded when it is needed
+    from ezskiros.contracts import Missing
+
+
+@dataclass(frozen=True)
+class Repair:
+    """Pre-conditions for a skill, and where it is written."""
+
+    path: Path
+    skill: str
+    conditions: Sequence[str]
+
+
+def fix(paths: Sequence[Path]) -> None:
+    """Repair what pre-conditions repair, and say so; ends the run if a file cannot be written."""
+    from ezskiros.driver import missing_conditions
+
+    for repair in _repairs(missing_conditions(paths)):
+        _write(repair)
+
+
+def _repairs(missing: Sequence[Missing]) -> Iterator[Repair]:
+    """By skills."""
+    skills = dict.fromkeys((each.skill.span.file.path, each.skill.name) for each in missing)
+    for path, name in skills:
+        texts = [each.text for each in missing if each.skill.name == name]
+        yield Repair(Path(path), name, list(dict.fromkeys(texts)))
+
+
+def _write(repair: Repair) -> None:
+    from ezskiros.repair.files import read
+    from ezskiros.repair.pre_conditions import with_pre_conditions
+
+    try:
+        encoding, text = read(repair.path)
+        changed = with_pre_conditions(text, repair.skill, repair.conditions)
+        if changed is None:
+            typer.echo(f"{repair.path}: `{repair.skill}` has to be completed by hand:", err=True)
+        else:
+            repair.path.write_bytes(changed.encode(encoding))
+            typer.echo(f"{repair.path}: added to `{repair.skill}`:", err=True)
+    except (OSError, UnicodeError, SyntaxError) as problem:
+        reason = getattr(problem, "strerror", None) or "it is no text of Python"
+        output.fail(f"cannot write {repair.path}: {reason.lower()}", exit_code=2)
+    for each in repair.conditions:
+        typer.echo(f"    {each}", err=True)

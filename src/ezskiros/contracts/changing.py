@@ -1,0 +1,78 @@
+"""How what is known changes: by a child that succeeds or fails, and where ways meet."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from ezskiros.contracts.judge import Judge
+from ezskiros.contracts.knowledge import Change, Known, Origin, Renewed
+from ezskiros.ontology.statements import Specified, Statement
+
+
+def changed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
+    """What is known when changes have been made, together."""
+    said: dict[Statement, Origin] = {
+        each.made: each.origin
+        for each in changes
+        if not isinstance(each.made, (Renewed, Specified))
+    }
+    known = _forgetting(known, changes, judge, said)
+    known = replace(known, facts={**known.facts, **said})
+    for each in changes:
+        if isinstance(each.made, Specified) and not each.made.is_true:
+            known = known.unbinding(each.made.subject)
+    return judge.merged(known)
+
+
+def failed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
+    """What is known when some of the changes may have been made, in any order, or none."""
+    return _forgetting(known, changes, judge, ())
+
+
+def _forgetting(
+    known: Known, changes: Sequence[Change], judge: Judge, kept: Collection[Statement]
+) -> Known:
+    """Without the facts that may end by changes, alone or together with others that hold."""
+    for change in changes:
+        if isinstance(change.made, Renewed):
+            known = known.unbinding(change.made.subject)
+    made = [each.made for each in changes if not isinstance(each.made, Renewed)]
+    lost = {*judge.excluded([*known.facts], made)}
+    lost |= {
+        fact for fact in known.facts if any(judge.touches(each.made, fact) for each in changes)
+    }
+    return replace(known.without(lost - {*kept}), changes=(*known.changes, *changes))
+
+
+def join(ways: Sequence[Known], judge: Judge) -> Known:
+    """What is known where several ways meet: what is known on each that is not dead."""
+    alive = [each for each in ways if not each.is_dead] or list(ways)
+    first, *others = alive
+    if not others:
+        return first
+    facts: dict[Statement, Origin] = {}
+    for way in alive:
+        for fact, origin in way.facts.items():
+            if fact not in facts and all(judge.entails(each, fact) for each in alive):
+                facts[fact] = origin
+    changes = tuple(dict.fromkeys(change for way in alive for change in way.changes))
+    common = [pair for pair in first.same.items() if all(pair in w.same.items() for w in others)]
+    return Known(
+        facts,
+        first.bound.intersection(*(each.bound for each in others)),
+        dict(common),
+        changes,
+        _common(alive),
+        all(each.is_dead for each in alive),
+    )
+
+
+def _common(ways: Sequence[Known]) -> tuple[str, ...]:
+    """How the descriptions of ways begin."""
+    found = []
+    for steps in zip(*(each.trail for each in ways), strict=False):
+        if len(set(steps)) > 1:
+            break
+        found.append(steps[0])
+    return tuple(found)

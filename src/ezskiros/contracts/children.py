@@ -1,0 +1,103 @@
+"""A child of a tree: its conditions and changes, said of the names of the tree."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from ezskiros.check.inference import names as names_of
+from ezskiros.contracts.knowledge import Change, How, Known, Name, Origin, Renewed
+from ezskiros.contracts.statements import Asked, asked
+from ezskiros.ontology.statements import Generated, Specified
+from ezskiros.skills.interface import Parameter, SkillInterface
+from ezskiros.skills.markers import Kind, Option
+from ezskiros.skills.nodes import SkillCall
+from ezskiros.trees.names import shared_names
+
+SkillOf = Callable[[SkillCall], SkillInterface]
+
+
+@dataclass(frozen=True)
+class Child:
+    """A child where some names stand for the things of others."""
+
+    call: SkillCall
+    skill: SkillInterface
+    names: Mapping[str, str]
+    """By its parameters: those of the tree."""
+
+    @property
+    def label(self) -> str:
+        """What messages call it."""
+        return self.skill.name
+
+    def asked(self, known: Known) -> list[Asked]:
+        """What has to hold when it starts, of things that there are."""
+        absent = {self.names[each.name] for each in self._of_kind(Kind.OPTIONAL)} - known.bound
+        both = (
+            *asked(self.skill.pre, "pre", self.names),
+            *asked(self.skill.hold, "hold", self.names),
+        )
+        return [each for each in both if absent.isdisjoint(names_of(each.statement))]
+
+    def inferred(self, known: Known) -> list[str]:
+        """Names for which something is looked for in the world when it starts."""
+        names = (self.names[each.name] for each in self._of_kind(Kind.INFERRED))
+        return [name for name in dict.fromkeys(names) if name not in known.bound]
+
+    def bound(self) -> Iterable[str]:
+        """Names that stand for something once it has started."""
+        return (
+            self.names[each.name]
+            for kind in (Kind.REQUIRED, Kind.INFERRED)
+            for each in self._of_kind(kind)
+        )
+
+    def outputs(self) -> Iterator[str]:
+        """Names that stand for something else when it has succeeded."""
+        return (self.names[each.name] for each in self._things() if each.is_output)
+
+    def changes(self, how: How) -> Iterator[Change]:
+        """What it does when it succeeds, in order."""
+        for each in self._things():
+            origin = Origin(each.span, "parameter", self.call)
+            name = self.names[each.name]
+            if each.is_output:
+                yield Change(Renewed(name), origin, how)
+            if Option.CONSUME in each.options:
+                yield Change(Generated(name, False), origin, how)
+            if Option.UNSPECIFY in each.options:
+                yield Change(Specified(name, False), origin, how)
+        for said in asked(self.skill.post, "post", self.names):
+            yield Change(said.statement, Origin(said.clause.span, "post", self.call), how)
+
+    def _of_kind(self, kind: Kind) -> Iterator[Parameter]:
+        return (each for each in self._things() if each.kind is kind and not each.is_output)
+
+    def _things(self) -> Iterator[Parameter]:
+        return (each for each in self.skill.parameters if each.is_thing and each.name in self.names)
+
+
+def child_of(call: SkillCall, skill: SkillInterface, known: Known) -> Child:
+    """A child as it is called at a point of the tree."""
+    names = {each.parameter.name: known.one(each.shared) for each in shared_names(call, skill)}
+    return Child(call, skill, names)
+
+
+def names_of_tree(
+    compound: SkillInterface, calls: Iterable[SkillCall], skill_of: SkillOf
+) -> dict[str, Name]:
+    """All names of things in a tree."""
+    found = {
+        each.name: Name(frozenset({each.iri}), is_own=True)
+        for each in compound.parameters
+        if each.iri
+    }
+    for call in calls:
+        for shared in shared_names(call, skill_of(call)):
+            iri, known = shared.parameter.iri, found.get(shared.shared)
+            if iri is None or (known and known.is_own):
+                continue
+            classes = known.classes if known else frozenset()
+            found[shared.shared] = Name(classes | {iri}, is_own=False)
+    return found

@@ -1,0 +1,43 @@
+"""Which pre-conditions compound skills lack, with those that others need because of these."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ezskiros.contracts.children import names_of_tree
+from ezskiros.contracts.contracts import check_contracts
+from ezskiros.contracts.findings import Missing
+from ezskiros.contracts.judge import Judge
+from ezskiros.ontology.statements import Statement
+from ezskiros.skills.interface import Clause, SkillInterface
+from ezskiros.trees.library import Library
+from ezskiros.trees.tree import Tree
+
+
+def missing_pre_conditions(trees: Sequence[Tree], library: Library) -> list[Missing]:
+    """All of them, in the order in which they are found; what would exclude what a skill asks for
+    already is none.
+    """
+    changed: dict[str, SkillInterface] = {}
+    found: dict[tuple[str, Statement], Missing] = {}
+    seen: set[tuple[str, Statement]] = set()
+    while True:
+        missing = check_contracts(trees, library, changed).missing
+        new = [each for each in missing if (each.skill.name, each.statement) not in seen]
+        if not new:
+            return list(found.values())
+        for each in new:
+            seen.add((each.skill.name, each.statement))
+            skill = changed.get(each.skill.name, each.skill)
+            pre = (*skill.pre, Clause(each.statement, skill.span))
+            if _is_possible(replace(skill, pre=pre), library):
+                changed[skill.name] = replace(skill, pre=pre)
+                found[skill.name, each.statement] = each
+
+
+def _is_possible(skill: SkillInterface, library: Library) -> bool:
+    ontology = library.ontology()
+    assert ontology is not None  # something has been found in a tree
+    judge = Judge(ontology.model, names_of_tree(skill, (), lambda _: skill))
+    return not judge.is_impossible(each.statement for each in (*skill.pre, *skill.hold))

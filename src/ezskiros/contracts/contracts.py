@@ -1,0 +1,138 @@
+"""All checks of contracts, in one order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from dslkit.diagnostics import Diagnostic, Severity, listed
+from ezskiros.check.calls import check_calls
+from ezskiros.check.dataflow import check_dataflow
+from ezskiros.contracts.children import SkillOf, names_of_tree
+from ezskiros.contracts.findings import Findings, Missing
+from ezskiros.contracts.judge import Judge
+from ezskiros.contracts.knowledge import Known, Origin
+from ezskiros.contracts.repairs import Repairs, in_order
+from ezskiros.contracts.statements import Asked, asked
+from ezskiros.contracts.walk import Walk
+from ezskiros.ontology.things import Unknown
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.nodes import SkillCall, calls
+from ezskiros.trees.library import Library
+from ezskiros.trees.tree import Tree
+
+Changed = Mapping[str, SkillInterface]
+NOTHING: Changed = MappingProxyType({})
+
+
+@dataclass(frozen=True)
+class Contracts:
+    """What is wrong, and which pre-conditions would repair some of it."""
+
+    diagnostics: Sequence[Diagnostic]
+    missing: Sequence[Missing]
+
+
+def check_contracts(
+    trees: Iterable[Tree], library: Library, changed: Changed = NOTHING
+) -> Contracts:
+    """The conditions of compound skills against those of their children.
+
+    Trees with calls that are wrong are left out. `changed` are other descriptions than those of the
+    library, by the names of their skills.
+    """
+    found: dict[tuple[object, ...], Diagnostic] = {}
+    missing: dict[tuple[str, object], Missing] = {}
+    trees = list(trees)
+    for tree in trees:
+        if is_sound(tree, library):
+            findings = check_tree(tree, library, changed, branch=_branch(tree, trees))
+            for key, diagnostic in findings.found.items() if findings else ():
+                found.setdefault(key, diagnostic)
+            for each in findings.missing.values() if findings else ():
+                missing.setdefault((each.skill.name, each.statement), each)
+    return Contracts(list(found.values()), list(missing.values()))
+
+
+def is_sound(tree: Tree, library: Library) -> bool:
+    """Whether all that a tree calls is understood, and gets what it needs."""
+    skills = [library.skill(call.skill) for call in calls(tree.root)]
+    given = (value for call in calls(tree.root) for value in call.arguments.values())
+    if any(isinstance(each, Unknown) for each in given):
+        return False
+    if not all(skill and library.is_whole(skill) for skill in (tree.skill, *skills)):
+        return False
+    found = (*check_calls(tree, library), *check_dataflow(tree, library))
+    return not any(each.severity is Severity.ERROR for each in found)
+
+
+def check_tree(
+    tree: Tree, library: Library, changed: Changed = NOTHING, *, branch: str = ""
+) -> Findings | None:
+    """What is found in one tree; None if nothing can be. `branch` says which of several it is."""
+    ontology = library.ontology()
+    if ontology is None:
+        return None
+    skill = changed.get(tree.skill.name, tree.skill)
+    skill_of = _skill_of(library, changed)
+    below = list(calls(tree.root))
+    judge = Judge(ontology.model, names_of_tree(skill, below, skill_of))
+    start = known_at_start(skill)
+    skills = {each.name: each for each in map(skill_of, below)}.values()
+    if judge.is_impossible(start.facts) or any(_is_odd(each, judge) for each in skills):
+        return None
+    others = in_order(library.skills())
+    repairs = Repairs(skill, judge, others, tuple(below), ontology.ambiguous())
+    findings = Findings(tree, skill, judge, repairs, branch)
+    held = list(asked(skill.hold, "hold", {}))
+    outcome = Walk(judge, findings, skill_of, held).through(tree.root, start)
+    alive = [each for each in outcome.endings if not each.is_dead]
+    for each in asked(skill.post, "post", {}) if alive else ():
+        _check_end(each, alive, judge, findings)
+    return findings
+
+
+def _branch(tree: Tree, trees: Sequence[Tree]) -> str:
+    """Which tree it is, if `expandBT` builds several."""
+    if sum(each.span == tree.span for each in trees) < 2:
+        return ""
+    names = listed([call.skill.__name__ for call in calls(tree.root)])
+    return f"`expandBT` branches: this is the tree with {names}"
+
+
+def _check_end(said: Asked, endings: Sequence[Known], judge: Judge, findings: Findings) -> None:
+    """A post-condition of the compound where its tree may have succeeded."""
+    clashes = {
+        index: judge.clash(ending, said.statement)
+        for index, ending in enumerate(endings)
+        if not judge.entails(ending, said.statement)
+    }
+    is_false = len(clashes) == len(endings) and all(clashes.values())
+    for index, clash in clashes.items():
+        findings.at_end(said, endings[index], clash, is_false=is_false)
+
+
+def known_at_start(skill: SkillInterface) -> Known:
+    """What is known when a compound starts."""
+    said = (*asked(skill.pre, "pre", {}), *asked(skill.hold, "hold", {}))
+    facts = {each.statement: Origin(each.clause.span, each.kind) for each in reversed(said)}
+    bound = (each.name for each in skill.parameters if each.is_thing and not each.is_output)
+    return Known(dict(reversed(facts.items())), frozenset(bound))
+
+
+def _skill_of(library: Library, changed: Changed) -> SkillOf:
+    def skill_of(call: SkillCall) -> SkillInterface:
+        skill = library.skill(call.skill)
+        assert skill is not None  # the tree is sound
+        return changed.get(skill.name, skill)
+
+    return skill_of
+
+
+def _is_odd(skill: SkillInterface, judge: Judge) -> bool:
+    """Whether the conditions of a skill exclude each other by themselves, which is told of it."""
+    names = names_of_tree(skill, (), lambda _: skill)
+    own = Judge(judge.model, names)
+    before = own.is_impossible(known_at_start(skill).facts)
+    return before or own.is_impossible(each.statement for each in asked(skill.post, "post", {}))

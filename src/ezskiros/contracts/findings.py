@@ -1,0 +1,228 @@
+"""The findings: their words, the places that they show, and what repairs them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from dslkit.diagnostics import Diagnostic, Label, Template, listed
+from ezskiros.check.clash import Clash
+from ezskiros.check.inference import names as names_of
+from ezskiros.check.spelled import spelled
+from ezskiros.contracts import errors
+from ezskiros.contracts.judge import Judge
+from ezskiros.contracts.knowledge import Change, How, Known, Renewed
+from ezskiros.contracts.repairs import Repairs
+from ezskiros.contracts.statements import Asked
+from ezskiros.ontology.statements import Statement
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.nodes import SkillCall
+from ezskiros.trees.tree import Tree
+
+_HOW = {
+    How.DONE: "this has ended it, or may have",
+    How.FAILED: "it may have done this before it failed",
+    How.BESIDE: "it may do this before, or meanwhile",
+}
+_MOST_KNOWN = 4
+
+
+@dataclass(frozen=True)
+class Missing:
+    """A pre-condition that a compound skill lacks, and that would repair a finding."""
+
+    skill: SkillInterface
+    statement: Statement
+    text: str
+
+
+@dataclass
+class Findings:
+    """Those of one tree. What is `missing` is what `--fix` adds; `branch` says which tree it is, if
+    an implementation has several.
+    """
+
+    tree: Tree
+    skill: SkillInterface
+    judge: Judge
+    repairs: Repairs
+    branch: str = ""
+    found: dict[tuple[object, ...], Diagnostic] = field(default_factory=dict)
+    missing: dict[Statement, Missing] = field(default_factory=dict)
+
+    # --- children that start ----------------------------------------------------------------------
+
+    def false_at_start(
+        self, call: SkillCall, asked: Asked, known: Known, clash: Clash, *, is_fatal: bool
+    ) -> None:
+        """A condition of a child is false."""
+        kind = errors.CannotStart if is_fatal else errors.NeverStarts
+        found = kind(child=call.skill.__name__, condition=self._spelled(asked.statement))
+        labels = [*self._declared(call, asked), *self._reasons(clash, known)]
+        why = clash.reason(self.judge.model)
+        help = self.repairs.of_false(call, asked.statement, known, clash)
+        self._add(found, call, asked, labels, known, help, *filter(None, [why]))
+
+    def unknown_at_start(
+        self, call: SkillCall, asked: Asked, known: Known, *, is_fatal: bool
+    ) -> None:
+        """Nothing says that a condition of a child holds."""
+        change = self.last_touching(known, asked.statement)
+        child, condition = call.skill.__name__, self._spelled(asked.statement)
+        labels = list(self._declared(call, asked))
+        if change is not None and change.how is How.BESIDE and self._excludes(change, asked):
+            self._beside(call, asked, known, change)
+            return
+        if change is not None:
+            lost = errors.MayBeLost(child=child, condition=condition)
+            labels += self._changed(change)
+            help = self.repairs.of_lost(call, asked.statement, known, change)
+            self._add(lost, call, asked, labels, known, help)
+            return
+        help = self.repairs.of_unknown(asked.statement)
+        if not is_fatal:
+            vain = errors.TriedInVain(child=child, condition=condition, skill=self.skill.name)
+            self._add(vain, call, asked, labels, known, help)
+            return
+        if text := self.repairs.pre_condition(asked.statement):
+            self.missing[asked.statement] = Missing(self.skill, asked.statement, text)
+        found = errors.NotShown(child=child, condition=condition)
+        self._add(found, call, asked, labels, known, help)
+
+    def _beside(self, call: SkillCall, asked: Asked, known: Known, change: Change) -> None:
+        assert change.origin.call is not None
+        found = errors.EndsBeside(
+            other=change.origin.call.skill.__name__,
+            child=call.skill.__name__,
+            condition=self._spelled(asked.statement),
+        )
+        labels = [*self._declared(call, asked), *self._changed(change)]
+        self._add(found, call, asked, labels, known, None)
+
+    # --- the compound itself ----------------------------------------------------------------------
+
+    def hold(self, call: SkillCall, asked: Asked, known: Known, clash: Clash | None) -> None:
+        """What the compound holds has ended, or may have, when a child starts."""
+        child, condition = call.skill.__name__, self._spelled(asked.statement)
+        label = Label(asked.clause.span, f"hold-condition of `{self.skill.name}`")
+        change = self.last_touching(known, asked.statement)
+        names = {"skill": self.skill.name, "child": child, "condition": condition}
+        source = change.origin.call if change else None
+        key = (asked.statement, source and source.span)
+        if clash is not None:
+            ends = errors.EndsHold(**names)
+            labels = [label, *self._reasons(clash, known)]
+            help = f"leave the hold-condition out, or let `{child}` come before"
+            self._add(ends, call, asked, labels, known, help, key=key)
+        else:
+            may_end = errors.MayEndHold(**names)
+            labels = [label, *self._changed(change)]
+            self._add(may_end, call, asked, labels, known, None, key=key)
+
+    def at_end(self, asked: Asked, known: Known, clash: Clash | None, *, is_false: bool) -> None:
+        """A post-condition of the compound does not follow where its tree has succeeded; with
+        `is_false` on no way.
+        """
+        kind = errors.NeverAchieved if is_false else errors.NotAchieved
+        found = kind(tree=self.tree.implementation, condition=self._spelled(asked.statement))
+        change = self.last_touching(known, asked.statement)
+        labels = self._reasons(clash, known) if clash else self._changed(change)
+        why = clash.reason(self.judge.model) if clash else ""
+        notes = (*filter(None, [why]), *self._notes(asked, known))
+        help = self.repairs.at_end(asked.statement, change)
+        labels = [Label(self.tree.span, "its tree"), *labels]
+        written = [label for label in labels if label.span != asked.clause.span]
+        key = (asked.statement, self.tree.implementation)
+        self._keep(found.at(asked.clause.span, *written, notes=notes, help=help), key)
+
+    def restart(
+        self, call: SkillCall, asked: Asked, known: Known, clash: Clash | None, again: str
+    ) -> None:
+        """A condition of a child that is started again has ended."""
+        found = errors.CannotRestart(
+            child=call.skill.__name__,
+            condition=self._spelled(asked.statement),
+            ended="is false then" if clash else "may have ended",
+            again=again,
+        )
+        change = self.last_touching(known, asked.statement)
+        reasons = self._reasons(clash, known) if clash else self._changed(change)
+        labels = [*self._declared(call, asked), *reasons]
+        self._add(found, call, asked, labels, known, None, key=call.span)
+
+    # --- what is known ----------------------------------------------------------------------------
+
+    def last_touching(self, known: Known, said: Statement) -> Change | None:
+        """The last change that may have ended what a statement says."""
+        touching = (each for each in known.changes if self.judge.touches(each.made, said))
+        return next(iter([*touching][::-1]), None)
+
+    def _excludes(self, change: Change, asked: Asked) -> bool:
+        """Whether a change is certain to end what is asked."""
+        if isinstance(change.made, Renewed):
+            return False
+        after = Known({change.made: change.origin}, frozenset())
+        return self.judge.clash(after, asked.statement) is not None
+
+    def _notes(self, asked: Asked, known: Known) -> tuple[str, ...]:
+        """What is known there, and on which way that is."""
+        about = set(names_of(asked.statement))
+        related = [each for each in known.facts if about & set(names_of(each))]
+        related.sort(key=lambda each: -len(about & set(names_of(each))))
+        texts = [self._spelled(each) for each in related[:_MOST_KNOWN]]
+        held = (
+            f"known there: {listed(texts)}" if texts else "nothing is known there of these things"
+        )
+        way = f"this is so where {', and '.join(known.trail)}" if known.trail else ""
+        return tuple(filter(None, [held, way, self.branch]))
+
+    def _declared(self, call: SkillCall, asked: Asked) -> Iterator[Label]:
+        name = call.skill.__name__
+        yield Label(asked.clause.span, f"{asked.kind}-condition of `{name}`")
+
+    def _reasons(self, clash: Clash, known: Known) -> list[Label]:
+        """Where that is written which excludes it, and which children have it."""
+        labels: dict[Label, None] = {}
+        for said in known.facts:
+            if said in clash.said:
+                origin = known.facts[said]
+                owner = origin.call.skill.__name__ if origin.call else self.skill.name
+                text = f"{origin.kind}-condition of `{owner}`, by which `{self._spelled(said)}`"
+                labels[Label(origin.span, text)] = None
+                if origin.call is not None:
+                    labels[Label(origin.call.span, f"`{owner}` comes here")] = None
+        return list(labels)
+
+    def _changed(self, change: Change | None) -> list[Label]:
+        if change is None or change.origin.call is None:
+            return []
+        call = change.origin.call
+        return [
+            Label(change.origin.span, _HOW[change.how]),
+            Label(call.span, f"`{call.skill.__name__}` is called here"),
+        ]
+
+    def _spelled(self, said: Statement) -> str:
+        return spelled(said, self.judge.model)
+
+    # --- keeping ----------------------------------------------------------------------------------
+
+    def _add(
+        self,
+        template: Template,
+        call: SkillCall,
+        asked: Asked,
+        labels: list[Label],
+        known: Known,
+        help: str | None,
+        *notes: str,
+        key: object = None,
+    ) -> None:
+        written = [label for label in dict.fromkeys(labels) if label.span != call.span]
+        all_notes = (*notes, *self._notes(asked, known))
+        found = template.at(call.span, *written, notes=all_notes, help=help)
+        self._keep(found, key or (call.span, asked.statement))
+
+    def _keep(self, found: Diagnostic, key: object) -> None:
+        """Each finding once, however many ways lead there."""
+        self.found.setdefault((found.code, key), found)

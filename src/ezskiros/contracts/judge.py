@@ -1,0 +1,221 @@
+"""What follows from what is known, and what cannot be besides it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import chain, combinations, islice, product
+
+from dslkit.diagnostics import Severity
+from ezskiros.check import errors
+from ezskiros.check.clash import Clash, Reason
+from ezskiros.check.entailed import fact_of
+from ezskiros.check.inference import names as names_of
+from ezskiros.check.thing_classes import class_clashes
+from ezskiros.check.worlds import World, alternatives
+from ezskiros.contracts.knowledge import SUPPOSED, Known, Name, Origin, Renewed
+from ezskiros.contracts.statements import renamed
+from ezskiros.contracts.touching import Touching
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.statements import (
+    AnyOf,
+    Generated,
+    OfType,
+    Relation,
+    Specified,
+    Statement,
+    negated,
+)
+
+_ANYTHING = Name(frozenset(), is_own=False)
+MOST_CHOICES = 1000
+"""Of things for inferred parameters; more are not looked into."""
+
+
+class Judge:
+    """For the names of one tree."""
+
+    def __init__(self, model: Model, names: Mapping[str, Name]) -> None:
+        self.model, self._names = model, names
+        self._declared = {
+            name: {iri: Reason() for iri in known.classes} if len(known.classes) == 1 else {}
+            for name, known in names.items()
+        }
+        self._touching = Touching(model, self.may_be_same, lambda name: self._known(name).classes)
+
+    def may_be_same(self, one: str, other: str) -> bool:
+        """Whether two names may stand for one thing: not if both are the compound's own, nor if
+        nothing is of the classes of both.
+        """
+        if one == other:
+            return True
+        here, there = self._known(one), self._known(other)
+        if here.is_own and there.is_own:
+            return False
+        return not here.classes or not there.classes or any(
+            not self.model.are_disjoint(iri, another)
+            for iri in here.classes
+            for another in there.classes
+        )  # fmt: skip
+
+    def touches(self, made: Statement | Renewed, fact: Statement) -> bool:
+        """Whether a change may end what holds."""
+        return self._touching.touches(made, fact)
+
+    def _known(self, name: str) -> Name:
+        return self._names.get(name, _ANYTHING)
+
+    # --- what follows -----------------------------------------------------------------------------
+
+    def entails(self, known: Known, said: Statement) -> bool:
+        """Whether a statement holds for certain."""
+        if said in known.facts:
+            return True
+        match said:
+            case AnyOf():
+                return self._entails_some(known, said)
+            case Specified(subject=subject):
+                return said.is_true and subject in known.bound
+            case Generated(subject=subject):
+                is_gone = Generated(subject, False) in known.facts
+                return said.is_true and subject in known.bound and not is_gone
+            case OfType(subject=subject, owl_class=wanted):
+                classes = self._world(known.facts).classes.get(subject, {})
+                return any(self.model.is_a(each, wanted) for each in classes)
+            case Relation(is_abstract=True):
+                return False
+            case Relation(is_true=True):
+                if fact_of(said) in self._world(known.facts).facts:
+                    return True
+        opposite = negated(said)
+        if opposite is not None and self.clash(known, opposite) is not None:
+            return True
+        return self._follows_from_each(known, said)
+
+    def _entails_some(self, known: Known, said: AnyOf) -> bool:
+        """An `or` of which one part holds, or that would be excluded if none did."""
+        ways = alternatives(said)
+        if any(all(self.entails(known, each) for each in way) for way in ways):
+            return True
+        return self._follows_from_each(known, said)
+
+    def _follows_from_each(self, known: Known, said: Statement) -> bool:
+        """Whether it follows from each alternative of an `or` that holds."""
+        for fact in known.facts:
+            if isinstance(fact, AnyOf):
+                rest = known.without([fact])
+                ways = alternatives(fact)
+                if all(self.entails(_with(rest, way), said) for way in ways):
+                    return True
+        return False
+
+    # --- what cannot be ---------------------------------------------------------------------------
+
+    def clash(self, known: Known, said: Statement) -> Clash | None:
+        """Why a statement cannot hold, whichever names stand for one thing; None if it can."""
+        if isinstance(said, AnyOf):
+            found = [self._clash_of_all(known, way) for way in alternatives(said)]
+            return found[0] if found and all(found) else None
+        facts = [*known.facts, said]
+        own = [each for each in facts if all(self._known(n).is_own for n in names_of(each))]
+        for each in chain(self._clashes(facts), self._clashes([*own, said])):
+            if said in each.said and self._is_certain(each):
+                return each
+        return None
+
+    def _clash_of_all(self, known: Known, way: Iterable[Statement]) -> Clash | None:
+        found = (self.clash(known, each) for each in way)
+        return next(filter(None, found), None)
+
+    def is_impossible(self, said: Iterable[Statement]) -> bool:
+        """Whether statements cannot hold together."""
+        return any(True for _ in self._clashes(list(said)))
+
+    def excluded(
+        self, facts: Sequence[Statement], made: Sequence[Statement]
+    ) -> Iterator[Statement]:
+        """Facts that cannot hold any more, or not all of them, when something else does."""
+        for each in self._clashes([*facts, *made]):
+            if not each.said.isdisjoint(made):
+                yield from (fact for fact in facts if fact in each.said)
+
+    def _world(self, said: Iterable[Statement]) -> World:
+        return World(self._declared, self.model, said)
+
+    def _clashes(self, said: Sequence[Statement]) -> Iterator[Clash]:
+        world = self._world(said)
+        found = chain(world.clashes(), class_clashes(world.facts, world.classes, self.model))
+        yield from (each for each in found if each.kind.severity is Severity.ERROR)
+
+    def _is_certain(self, clash: Clash) -> bool:
+        """Whether it stays one if two names stand for one thing."""
+        return not any(True for _ in self._ways_out(clash))
+
+    def _ways_out(self, clash: Clash) -> Iterator[tuple[str, str]]:
+        """Names that would have to stand for one thing so that all is well."""
+        about = dict.fromkeys(name for each in clash.said for name in names_of(each))
+        for one, other in combinations(sorted(about), 2):
+            if self.may_be_same(one, other):
+                merged = [renamed(each, {one: other}) for each in clash.said]
+                if not self.is_impossible(merged):
+                    yield one, other
+
+    # --- names ------------------------------------------------------------------------------------
+
+    def merged(self, known: Known) -> Known:
+        """With names taken for one that have to stand for one thing, as by functional relations."""
+        for clash in self._clashes([*known.facts]):
+            if clash.kind is errors.TwoPlaces and len(clash.said) == 2:
+                ways = list(self._ways_out(clash))
+                if len(ways) == 1:
+                    return self.merged(self._as_one(known, *ways[0]))
+        return known
+
+    def _as_one(self, known: Known, one: str, other: str) -> Known:
+        gone, kept = (other, one) if self._known(one).is_own else (one, other)
+        facts: dict[Statement, Origin] = {}
+        for each, origin in known.facts.items():
+            facts.setdefault(renamed(each, {gone: kept}), origin)
+        same = {name: kept if to == gone else to for name, to in known.same.items()}
+        return replace(known, facts=facts, same={**same, gone: kept})
+
+    def choice(
+        self, known: Known, asked: Sequence[Statement], free: Iterable[str]
+    ) -> Mapping[str, str]:
+        """Known things that inferred parameters can stand for, so that most conditions hold."""
+        free = list(free)
+        options = [[*self._candidates(known, asked, name), name] for name in free]
+        best, most = dict[str, str](), 0
+        for chosen in islice(product(*options), MOST_CHOICES):
+            names = dict(zip(free, chosen, strict=True))
+            count = sum(self.entails(known, renamed(each, names)) for each in asked)
+            if count > most:
+                best, most = names, count
+            if most == len(asked):
+                break
+        return best
+
+    def _candidates(self, known: Known, asked: Sequence[Statement], free: str) -> Iterator[str]:
+        """Names that fit, and of which is known what is asked of this one, as far as one can tell
+        before the others are chosen.
+        """
+        facts = self._world(known.facts).facts
+        related: list[set[str]] = []
+        for each in asked:
+            if isinstance(each, Relation) and each.is_true and not each.is_abstract:
+                there = [fact for fact in facts if fact.relation == each.relation]
+                related += [{fact.subject for fact in there}] if each.subject == free else []
+                related += [{fact.object for fact in there}] if each.object == free else []
+        for name in sorted(known.bound):
+            is_related = not related or any(name in each for each in related)
+            if name not in known.same and is_related and self._fits(name, free):
+                yield name
+
+    def _fits(self, name: str, free: str) -> bool:
+        """Whether the thing of one name is of the class of the other."""
+        here, there = self._known(name).classes, self._known(free).classes
+        return all(any(self.model.is_a(iri, wanted) for wanted in there) for iri in here)
+
+
+def _with(known: Known, way: Iterable[Statement]) -> Known:
+    return known.assuming(dict.fromkeys(way, SUPPOSED))

@@ -1,0 +1,44 @@
+"""Conditions of a child, said of the names of the tree that it is in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from ezskiros.check.worlds import alternatives
+from ezskiros.ontology.statements import AnyOf, Relation, Statement
+from ezskiros.skills.interface import Clause
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a condition says of the names of a tree; `kind` is pre, hold or post."""
+
+    statement: Statement
+    clause: Clause
+    kind: str
+
+
+def asked(clauses: Iterable[Clause], kind: str, names: Mapping[str, str]) -> Iterator[Asked]:
+    """What conditions say; those that say several things at once are taken apart."""
+    for clause in clauses:
+        for each in conjuncts(clause.statement):
+            yield Asked(renamed(each, names), clause, kind)
+
+
+def conjuncts(statement: Statement) -> tuple[Statement, ...]:
+    """What holds if a statement does: several things if it denies an `or`, else itself."""
+    ways = alternatives(statement)
+    return ways[0] if len(ways) == 1 else (statement,)
+
+
+def renamed(statement: Statement, names: Mapping[str, str]) -> Statement:
+    """The same of other names."""
+    if isinstance(statement, AnyOf):
+        return replace(statement, parts=tuple(renamed(part, names) for part in statement.parts))
+    subject = names.get(statement.subject, statement.subject)
+    if isinstance(statement, Relation):
+        return replace(
+            statement, subject=subject, object=names.get(statement.object, statement.object)
+        )
+    return replace(statement, subject=subject)

@@ -1,0 +1,1 @@
+"""Repairs of descriptions, in the files where they are written."""

@@ -1,0 +1,228 @@
+"""Runs of random trees in small worlds, with choices made by chance.
+
+A child that can start finds things for its inferred parameters, and then succeeds, fails, or fails
+half way. What it makes so pushes out of the world what cannot stay, and nothing else.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Generator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import product
+
+from ezskiros.ontology.statements import AnyOf, Relation
+from ezskiros.skills.interface import Clause, SkillInterface
+from ezskiros.skills.markers import Kind
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall
+from ezskiros.trees.tree import ThingReference
+from support.contract_trees import OWN, RELATIONS, THINGS, Drawn, Facts, holds
+from support.ontologies import START
+
+Ticks = Generator[None, None, bool]
+
+
+def ticked(running: Ticks) -> bool | None:
+    """The result of what runs; None if it goes on."""
+    try:
+        next(running)
+    except StopIteration as end:
+        return bool(end.value)
+    return None
+
+
+@dataclass
+class Run:
+    """One run of a tree, with choices made by chance."""
+
+    drawn: Drawn
+    facts: set[tuple[str, int, int]]
+    chance: random.Random
+    names: dict[str, int] = field(default_factory=lambda: dict(OWN))
+    false_starts: list[tuple[SkillCall, bool]] = field(default_factory=list)
+    """Children that could not start, and whether a retry had started them."""
+    started: list[SkillCall] = field(default_factory=list)
+    broken_holds: list[Clause] = field(default_factory=list)
+    """Of the compound, when a child started; what a further try ends is not told."""
+    is_broken: bool = False
+    """Whether the compound would have failed by what it holds."""
+    retries: int = 0
+
+    @property
+    def world(self) -> Facts:
+        return self.drawn.rules.closed(self.facts)
+
+    def run(self, node: Node) -> Ticks:
+        """Whether it has succeeded; yields between ticks."""
+        match node:
+            case SkillCall():
+                return (yield from self._call(node))
+            case Decorator(decoration=Decoration.INVERTER, child=child):
+                return not (yield from self.run(child))
+            case Decorator(decoration=Decoration.TIMEOUT, child=child):
+                return (yield from self._timed(child))
+            case Decorator(child=child):
+                return (yield from self._retried(child))
+            case Processor(flow=flow, children=below):
+                return (yield from self._processed(flow, below))
+
+    def _processed(self, flow: Flow, below: Sequence[Node]) -> Ticks:
+        match flow:
+            case Flow.SERIAL | Flow.SERIAL_STAR:
+                return (yield from self._serial(below, is_star=flow is Flow.SERIAL_STAR))
+            case Flow.SELECTOR | Flow.SELECTOR_STAR:
+                for child in below:
+                    if (yield from self.run(child)):
+                        return True
+                return False
+            case Flow.NO_FAIL:
+                yield from self._serial(below, is_star=True)
+                return True
+        return (yield from self._parallel(below, is_race=flow is Flow.PARALLEL_FS))
+
+    def _timed(self, child: Node) -> Ticks:
+        running = self.run(child)
+        while (result := ticked(running)) is None:
+            if self.chance.random() < 0.2:
+                return False
+            yield
+        return result
+
+    def _retried(self, child: Node) -> Ticks:
+        if (yield from self.run(child)):
+            return True
+        self.retries += 1
+        done = yield from self.run(child)
+        self.retries -= 1
+        return done
+
+    def _serial(self, below: Sequence[Node], *, is_star: bool) -> Ticks:
+        for index, child in enumerate(below):
+            running = self.run(child)
+            while (result := ticked(running)) is None:
+                yield
+                for before in () if is_star else below[:index]:
+                    if not (yield from self.run(before)):
+                        return False
+            if not result:
+                return False
+        return True
+
+    def _parallel(self, below: Sequence[Node], *, is_race: bool) -> Ticks:
+        running = [self.run(child) for child in below]
+        while running:
+            for each in list(running):
+                result = ticked(each)
+                if result is not None:
+                    running.remove(each)
+                    if not result or is_race:
+                        return result
+                if self.chance.random() < 0.3:
+                    yield
+            yield
+        return True
+
+    # --- children
+
+    def _call(self, call: SkillCall) -> Ticks:
+        for clause in self.drawn.compound.hold:
+            if not holds(clause.statement, self.world, OWN):
+                self.is_broken = True
+                self.broken_holds += [] if self.retries else [clause]
+        skill = self.drawn.skills.skill(call.skill)
+        things = self._things(call, skill)
+        if things is None:
+            self.false_starts.append((call, self.retries > 0))
+            return False
+        self.started.append(call)
+        for parameter in skill.parameters:
+            if parameter.kind is Kind.INFERRED:
+                self.names[parameter.name] = things[parameter.name]
+        if self.chance.random() < 0.5:
+            yield
+        if self.chance.random() < 0.25:
+            self._make([each for each in skill.post if self.chance.random() < 0.5], things)
+            return False
+        self._make(skill.post, things)
+        return all(holds(each.statement, self.world, things) for each in skill.post)
+
+    def _things(self, call: SkillCall, skill: SkillInterface) -> dict[str, int] | None:
+        """Things for all parameters by which the child can start."""
+        things = {
+            name: self.names[given.parameter.name]
+            for name, given in call.arguments.items()
+            if isinstance(given, ThingReference)
+        }
+        free = [
+            each.name for each in skill.parameters if each.name not in things
+            and each.name not in self.names
+        ]  # fmt: skip
+        things |= {
+            each.name: self.names[each.name]
+            for each in skill.parameters
+            if each.name not in things and each.name not in free
+        }
+        choices = [*product(THINGS, repeat=len(free))]
+        self.chance.shuffle(choices)
+        for choice in choices:
+            found = {**things, **dict(zip(free, choice, strict=True))}
+            if all(holds(each.statement, self.world, found) for each in (*skill.pre, *skill.hold)):
+                return found
+        return None
+
+    def _make(self, clauses: Sequence[Clause], things: Mapping[str, int]) -> None:
+        """Make conditions hold, and keep all else that can stay."""
+        wanted: set[tuple[str, int, int]] = set()
+        for clause in clauses:
+            said = clause.statement
+            if isinstance(said, AnyOf):
+                if holds(said, self.world, things):
+                    continue
+                said = self.chance.choice(said.parts)
+            assert isinstance(said, Relation)
+            if said.is_true:
+                name = said.relation.removeprefix(START)
+                wanted.add((name, things[said.subject], things[said.object]))
+        rules = self.drawn.rules
+
+        def is_fine(facts: set[tuple[str, int, int]]) -> bool:
+            world = rules.closed(facts)
+            return rules.is_possible(world) and all(
+                holds(each.statement, world, things)
+                for each in clauses
+                if isinstance(each.statement, Relation) and not each.statement.is_true
+            )
+
+        if not is_fine(wanted):
+            return
+        kept = sorted(self.facts)
+        self.chance.shuffle(kept)
+        for fact in kept:
+            if is_fine({*wanted, fact}):
+                wanted.add(fact)
+        self.facts = wanted
+
+
+def start(drawn: Drawn, chance: random.Random) -> set[tuple[str, int, int]] | None:
+    """A world in which what the compound needs is so; None if none is found."""
+    for _ in range(30):
+        facts: set[tuple[str, int, int]] = set()
+        run = Run(drawn, facts, chance)
+        said = [*drawn.compound.pre, *drawn.compound.hold]
+        run._make(said, OWN)
+        for name, one, other in product(RELATIONS, THINGS, THINGS):
+            more = {*run.facts, (name, one, other)}
+            world = drawn.rules.closed(more)
+            is_wanted = all(holds(each.statement, world, OWN) for each in said)
+            if drawn.rules.is_possible(world) and is_wanted and chance.random() < 0.25:
+                run.facts = more
+        if all(holds(each.statement, run.world, OWN) for each in said):
+            return run.facts
+    return None
+
+
+def finished(run: Run) -> bool:
+    running = run.run(run.drawn.root)
+    while (result := ticked(running)) is None:
+        pass
+    return result
