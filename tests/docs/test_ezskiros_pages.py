@@ -19,8 +19,8 @@ from support import transcript
 from support.markdown import Block, blocks, replace_block
 from support.skills import ONTOLOGY, codes_in, compare_files, findings
 
-ELSEWHERE = {f"EZS{number}" for number in (*range(700, 800), *range(830, 880))}
-"""Those of migrations, drawings and plans: tests/ezskiros/*/test_pages.py takes care of them."""
+ELSEWHERE = {f"EZS{number}" for number in (*range(700, 800), *range(830, 890))}
+"""Those of other stages: their own test_pages.py in tests/ezskiros takes care of them."""
 PAGES = [
     page
     for page in sorted((Path(catalog.__file__).parent / "pages").glob("EZS*.md"))

@@ -10,6 +10,7 @@ from ezskiros.check import scene_errors, world_errors
 from ezskiros.check import tree_errors as tree_check_errors
 from ezskiros.contracts import errors as contract_errors
 from ezskiros.drawing import errors as drawing_errors
+from ezskiros.hosts import skiros2_errors
 from ezskiros.migrate import errors as migrate_errors
 from ezskiros.ontology import condition_errors
 from ezskiros.ontology import errors as ontology_errors
@@ -34,6 +35,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *migrate_errors.ALL,
     *drawing_errors.ALL,
     *planning_errors.ALL,
+    *skiros2_errors.ALL,
     *catalog_errors.ALL,
 )
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from dslkit.diagnostics import Severity
 from dslkit.source import Span
 from ezskiros import session
+from ezskiros.engine import user_code
 from ezskiros.engine.events import Code, Reason
 from ezskiros.ontology.things import depends_on_symbol
 from ezskiros.skills.implementation import SkillImplementation
@@ -20,6 +20,7 @@ from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.nodes import Decorator, Node, SkillCall, children
 from ezskiros.skills.syntax import class_span
 from ezskiros.skills.values import Symbol
+from ezskiros.trees.build import EmptyTreeError, build
 from ezskiros.trees.expand import expand
 from ezskiros.trees.tree import Tree, ValueReference
 
@@ -45,11 +46,12 @@ class Expansions:
         fixed = self._fixed[implementation]
         if fixed is not None:
             return fixed
-        known = {each.name: values[each.name] for each in skill.parameters if not each.is_thing}
-        known = {name: value for name, value in known.items() if value is not None}
-        key = (implementation, tuple(known.items()))
+        known = {each.name: values[each.name] for each in skill.parameters}
+        things = {each.name for each in skill.parameters if each.is_thing}
+        told = (value is not None if name in things else value for name, value in known.items())
+        key = (implementation, tuple(told))
         if key not in self._by_values:
-            self._by_values[key] = _expanded(implementation, skill, known)
+            self._by_values[key] = _built(implementation, skill, known)
         return self._by_values[key]
 
     def _only_tree(self, implementation: _Implementation, skill: SkillInterface) -> Tree | None:
@@ -83,14 +85,13 @@ def _is_computed(value: object) -> bool:
     return not is_passed and isinstance(value, Symbol)
 
 
-def _expanded(
+def _built(
     implementation: _Implementation, skill: SkillInterface, known: Mapping[str, object]
 ) -> Tree | Reason:
-    with session.trying() as found:
-        tree = next(expand(implementation, skill, known), None)
-    problems = [each for each in found.sorted() if each.severity is Severity.ERROR]
-    if problems:
-        return Reason(Code.START, f"{problems[0].title} ({problems[0].primary.span})")
-    if tree is None:
-        return Reason(Code.START, f"`{implementation.__name__}` builds no behavior tree")
-    return tree
+    try:
+        root = build(implementation, skill, known)
+    except (EmptyTreeError, session.SkillError) as problem:
+        return Reason(Code.START, str(problem))
+    except (Exception, SystemExit) as problem:
+        return user_code.raised(problem, "expandBT", Code.START)
+    return Tree(implementation, skill, root, class_span(implementation))

@@ -52,6 +52,16 @@ def class_span(found: type) -> Span:
     return _written(file).classes.get(found.__name__, Span(file, 0, 0))
 
 
+def class_body(found: type) -> Span:
+    """All of a class; its module if it is not found there."""
+    path = file_of(found)
+    file = source_file(path) or SourceFile(path, "")
+    for node in ast.walk(_tree_of(file)):
+        if isinstance(node, ast.ClassDef) and node.name == found.__name__:
+            return node_span(file, node)
+    return Span(file, 0, len(file.text))
+
+
 def file_of(found: type) -> str:
     """Where a class is defined. Its module may be another one of that name by now."""
     for each in vars(found).values():

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from dslkit.source import Span
 from ezskiros.contracts.contracts import check_tree
 from ezskiros.contracts.findings import Findings
+from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.trees.tree import Tree
 from support.contract_runs import Run, finished, start
 from support.contract_trees import OWN, Drawn, drawn, holds
@@ -32,6 +33,10 @@ def about(findings: Findings, span: Span) -> set[str]:
 AT_START = {"EZS550", "EZS551", "EZS552", "EZS553", "EZS554", "EZS559", "EZS560"}
 
 
+class compound(SkillImplementation):  # noqa: N801 - as implementations are called
+    """Whose tree it is."""
+
+
 @settings(max_examples=120, deadline=None, report_multiple_bugs=False)
 @given(st.integers(0, 2**32))
 @example(43)
@@ -44,7 +49,7 @@ def check(seed: int) -> None:
     """One tree, drawn by chance."""
     chance = random.Random(seed)
     found = drawn(chance)
-    tree = Tree("compound", found.compound, found.root, found.compound.span)
+    tree = Tree(compound, found.compound, found.root, found.compound.span)
     library: Any = found.skills
     findings = check_tree(tree, library)
     if findings is not None:

@@ -1,0 +1,24 @@
+"""Skills in a library of SkiROS2: checked when SkiROS2 loads the library, and run by it.
+
+At the end of the `__init__.py` of the library:
+
+    from ezskiros.hosts.skiros2 import host
+
+    host(__name__)
+"""
+
+from __future__ import annotations
+
+from ezskiros.hosts.skiros2_api import is_running
+
+
+def host(package: str) -> None:
+    """Let SkiROS2 load the skills of a library; `package` is its name, and it is being imported.
+
+    Skills with errors are refused, and all that is wrong is told in SkiROS2's log. Does nothing
+    where it is not SkiROS2 that imports the library, so that it can be checked and run without.
+    """
+    if is_running():
+        from ezskiros.hosts.skiros2_loading import load  # takes time that others need not spend
+
+        load(package)

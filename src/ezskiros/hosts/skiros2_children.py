@@ -1,0 +1,124 @@
+"""A child of a compound skill: SkiROS2's `SkillWrapper`, with keys that may be any.
+
+SkiROS2 renames keys one after the other, and drops a new name that is the old one of another
+parameter, or follows it; so it cannot swap two, nor give one thing to two parameters. Here the keys
+of a child are all renamed at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from copy import deepcopy
+from functools import lru_cache
+from types import SimpleNamespace
+from typing import Any
+
+from ezskiros.hosts.skiros2_api import api
+from ezskiros.hosts.skiros2_tree import HostedCall
+
+_BETWEEN = "\0"
+"""In front of the keys that conditions have while they are renamed."""
+
+
+class Child:
+    """What is ours of a `SkillWrapper`: `keys` are those of the blackboard by those of the child,
+    `user` is the instance of the user's class, once it has started.
+    """
+
+    _params: Any
+    _instance: Any = SimpleNamespace(onEnd=lambda: True)
+    """SkiROS2 ends what could not start; where there is no implementation, it would never tick
+    again.
+    """
+    _children: list[Any]
+
+    def __init__(self, call: HostedCall, label: str, instanciator: Any) -> None:
+        self.keys: dict[str, str] = {}
+        self.user: Any = None
+        self._values = dict(call.values)
+        super().__init__(f"skiros:{call.type}", label, instanciator)  # type: ignore[call-arg]
+        self.keys = dict(call.keys)
+        self._rename()
+
+    def _rename(self) -> None:
+        """Give parameters and conditions, which have the keys of the child, those they share.
+
+        SkiROS2 makes this the description of the child when it gets its implementation.
+        """
+        named = self._params.getParamMap()
+        for key, value in self._values.items():
+            named[key].makeDefault(value)
+        renamed: dict[str, Any] = {}
+        for key, parameter in named.items():
+            renamed.setdefault(self.keys.get(key, key), parameter)
+        self._params.reset(renamed)
+        for condition in self._all_conditions():
+            _rename(condition, self.keys)
+
+    def _all_conditions(self) -> Iterable[Any]:
+        for kind in ("pre", "hold", "post"):
+            yield from getattr(self, f"_{kind}_conditions")
+
+    # --- what SkiROS2 calls -----------------------------------------------------------------------
+
+    def onStart(self) -> Any:  # noqa: N802 - as in SkiROS2
+        """Start the implementation, which may be shared with other nodes."""
+        self._instance.child = self
+        return super().onStart()  # type: ignore[misc]
+
+    def remap(self, initial_key: str, target_key: str, record: bool = True) -> None:  # noqa: ARG002
+        """Take another key of the blackboard for one of it, as a skill above says."""
+        self.keys = {
+            own: target_key if key == initial_key else key for own, key in self.keys.items()
+        }
+        named = self._params.getParamMap()
+        if initial_key in named:
+            named[target_key] = named.pop(initial_key)
+        for condition in self._all_conditions():
+            _rename(condition, {initial_key: target_key})
+        for child in self._children:
+            child.remap(initial_key, target_key)
+
+    def getParamsNoRemaps(self) -> Any:  # noqa: N802
+        """The parameters by the keys of the child."""
+        found = api().ParamHandler()
+        named = self._params.getParamMap()
+        own = {key: deepcopy(named[shared]) for key, shared in self.keys.items() if shared in named}
+        others = {key: deepcopy(each) for key, each in named.items() if key not in self._shared()}
+        found.reset({**others, **own})
+        return found
+
+    def _copyInstanceParams(self) -> None:  # noqa: N802
+        """Take over what the implementation has found out."""
+        for key, found in self._instance.params.getParamMap().items():
+            shared = self.keys.get(key, key)
+            if self._params.hasParam(shared):
+                self._params.specify(shared, found.getValues())
+
+    def _shared(self) -> set[str]:
+        return set(self.keys.values())
+
+
+def _rename(condition: Any, keys: Mapping[str, str]) -> None:
+    """Rename all keys of a condition at once: new names may be old ones of others."""
+    changed = {key: new for key, new in keys.items() if key != new}
+    for key in changed:
+        condition.remap(key, _BETWEEN + key)
+    for key, new in changed.items():
+        condition.remap(_BETWEEN + key, new)
+
+
+@lru_cache(maxsize=1)
+def _child_class() -> Any:
+    return type("Child", (Child, api().SkillWrapper), {})
+
+
+def child(call: HostedCall, label: str, instanciator: Any) -> Any:
+    """A child for a tree of SkiROS2. Raises `LookupError` if SkiROS2 means another skill."""
+    module = type(instanciator.get_description(f"skiros:{call.type}")).__module__
+    if module != call.module:
+        raise LookupError(
+            f"SkiROS2 takes the skill `{call.type}` of `{module}`, which comes first, not that of "
+            f"`{call.module}`: give one of them another name"
+        )
+    return _child_class()(call, label, instanciator)

@@ -1,0 +1,41 @@
+"""EZS88x: what keeps a skill from being loaded by SkiROS2."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class CallsRefused(Error, code="EZS880", name="calls-refused"):
+    """A child of a compound skill that SkiROS2 does not have."""
+
+    title = "SkiROS2 does not have `{spelled}`, which this skill calls"
+    label = "refused, or of a library without `host(__name__)`"
+    note = "SkiROS2 would notice when the skill runs, with the children before it already done"
+    help = "correct what `{spelled}` is refused for, or host its library"
+    spelled: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NamedAlike(Error, code="EZS881", name="named-alike"):
+    """Two classes that SkiROS2 cannot tell apart."""
+
+    title = "another class of this library is called `{spelled}`"
+    note = "SkiROS2 finds descriptions and implementations by their names, and takes the first"
+    help = "give this one another name"
+    spelled: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class DescriptionRefused(Error, code="EZS882", name="description-refused"):
+    """An implementation of a skill that SkiROS2 does not have."""
+
+    title = "SkiROS2 does not have `{spelled}`, which this implements"
+    label = "of a skill that was refused, or of a library without `host(__name__)`"
+    help = "correct what `{spelled}` is refused for, or host its library"
+    spelled: str
+
+
+ALL: tuple[type[Template], ...] = (CallsRefused, NamedAlike, DescriptionRefused)

@@ -1,0 +1,88 @@
+"""A library that SkiROS2 imports: its skills are checked, and become classes of SkiROS2."""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from types import ModuleType
+
+from rich.console import Console
+
+from dslkit.diagnostics import Collector, Severity
+from dslkit.diagnostics.render_text import render_text
+from ezskiros import session
+from ezskiros.hosts.skiros2_api import api
+from ezskiros.hosts.skiros2_library import CheckedLibrary, check_library
+from ezskiros.hosts.skiros2_skills import (
+    HostedSkill,
+    Setting,
+    hosted_skill,
+    implementation_class,
+    refused_class,
+)
+from ezskiros.ontology import Ontology
+from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.load import roots
+
+_hosted: dict[type[SkillDescription], HostedSkill] = {}
+"""The skills of all libraries that SkiROS2 has loaded."""
+
+
+def load(package: str) -> None:
+    """Give SkiROS2 the skills of a library that are without errors; the others raise
+    `RefusedSkillError` when SkiROS2 makes them. All modules of the library are imported.
+    """
+    found = Collector()
+    with session.collecting(found):
+        modules = list(_modules(package))
+    files = [Path(each.__file__) for each in modules if each.__file__]
+    with session.checking(roots(files)):
+        checked = check_library(modules, found)
+    text = _rendered(checked)
+    if checked.refused:
+        names = ", ".join(each.__name__ for each in checked.refused)
+        api().log.error("ezskiros", f"{package}: refused: {names}\n{text}")
+    _give(checked, text)
+
+
+def _modules(package: str) -> Iterator[ModuleType]:
+    """The modules of a library, as SkiROS2 finds them."""
+    places = sys.modules[package].__path__
+    for found in pkgutil.walk_packages(places, f"{package}.", onerror=lambda _name: None):
+        if found.ispkg:
+            continue
+        try:
+            yield importlib.import_module(found.name)
+        except Exception:  # SkiROS2 imports it again, and tells
+            continue
+
+
+def _rendered(checked: CheckedLibrary) -> str:
+    """The errors: a robot that starts is no place for warnings."""
+    errors = [each for each in checked.diagnostics if each.severity is Severity.ERROR]
+    console = Console(no_color=True, width=100)
+    with console.capture() as captured:
+        console.print(render_text(errors), soft_wrap=True)
+    return captured.get().strip()
+
+
+def _give(checked: CheckedLibrary, text: str) -> None:
+    """Put the classes for SkiROS2 into the modules of the skills, where it looks for them."""
+    whole = checked.library.ontology() or Ontology(())
+    for each, known in checked.described.items():
+        ontology = known.ontology or whole
+        _hosted[each] = hosted_skill(known.interface, ontology, each.__module__)
+        _put(each, _hosted[each].description)
+    for found in checked.implementations:
+        setting = Setting(found, _hosted[found.description], checked.library)
+        _put(found, implementation_class(setting))
+    for refused in checked.refused:
+        _put(refused, refused_class(refused, text))
+
+
+def _put(found: type, made: type) -> None:
+    """SkiROS2 finds classes in modules, whatever they are called there."""
+    setattr(sys.modules[found.__module__], f"{found.__name__}_in_skiros2", made)

@@ -1,0 +1,280 @@
+"""The classes that SkiROS2 loads: each is made of a class here and one of SkiROS2's.
+
+SkiROS2 takes classes without subclasses, and knows them by their bare names; descriptions have no
+subclasses, implementations refer to them.
+"""
+
+from __future__ import annotations
+
+import enum
+import time
+import traceback
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ezskiros.engine.world_model import WorldModel
+from ezskiros.hosts.skiros2_api import api
+from ezskiros.hosts.skiros2_children import Child, child
+from ezskiros.hosts.skiros2_form import Form, FormCondition, FormParameter, form_of
+from ezskiros.hosts.skiros2_processors import processor
+from ezskiros.hosts.skiros2_tree import HostedCall, HostedNode, Scope, hosted, raised
+from ezskiros.hosts.skiros2_values import HostedValues, give, refresh, taken
+from ezskiros.hosts.skiros2_world import HostedWorld
+from ezskiros.ontology import Ontology
+from ezskiros.skills.implementation import SkillImplementation, State
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.nodes import Flow
+from ezskiros.trees.build import build
+from ezskiros.trees.library import Library
+
+_BASIC = {each.__name__: each for each in (str, int, float, bool)}
+
+
+@dataclass(frozen=True)
+class HostedSkill:
+    """A skill that SkiROS2 has, and the class of its description there."""
+
+    skill: SkillInterface
+    ontology: Ontology
+    description: Any
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What an implementation needs while it runs."""
+
+    implementation: type[SkillImplementation]
+    hosted: HostedSkill
+    library: Library
+
+
+class RefusedSkillError(Exception):
+    """SkiROS2 asks for a skill that was refused; the text is all that is wrong with its library."""
+
+
+def hosted_skill(skill: SkillInterface, ontology: Ontology, module: str) -> HostedSkill:
+    """A skill, and its description as if `module` had defined it in SkiROS2."""
+    docs = {each.key: each.doc for each in skill.parameters}
+    parts = {"form": form_of(skill, ontology.model), "docs": docs, "__doc__": skill.doc}
+    bases = (Description, api().SkillDescription)
+    return HostedSkill(skill, ontology, type(skill.name, bases, {**parts, "__module__": module}))
+
+
+def implementation_class(setting: Setting) -> Any:
+    """An implementation as a class of SkiROS2, as if its module had defined it."""
+    found = setting.implementation
+    bases: tuple[Any, ...] = (Primitive, api().PrimitiveBase)
+    if hasattr(found, "expandBT"):
+        bases = (Compound, api().SkillBase)
+    parts = {"setting": setting, "__doc__": found.__doc__, "__module__": found.__module__}
+    return type(found.__name__, bases, parts)
+
+
+def refused_class(found: type, text: str) -> Any:
+    """What SkiROS2 finds in the place of a skill that was refused."""
+
+    def refuse(_self: object) -> None:
+        raise RefusedSkillError(f"`{found.__name__}` was refused\n{text}")
+
+    parts = {"__init__": refuse, "__module__": found.__module__}
+    return type(found.__name__, (api().SkillDescription,), parts)
+
+
+class Description:
+    """What is ours of a `SkillDescription`: it says what a form says."""
+
+    form: ClassVar[Form]
+    docs: ClassVar[Mapping[str, str]]
+    addParam: Callable[..., None]  # noqa: N815 - as in SkiROS2
+
+    def createDescription(self) -> None:  # noqa: N802 - as in SkiROS2
+        """Called by SkiROS2 when it makes a description."""
+        for each in self.form.parameters:
+            doc = self.docs.get(each.key, "")
+            kind = api().ParamTypes[each.kind]
+            self.addParam(each.key, _example(each), kind, description=doc)
+        for kind_of in ("Pre", "Hold", "Post"):
+            for condition in getattr(self.form, kind_of.lower()):
+                getattr(self, f"add{kind_of}Condition")(self._condition(condition))
+
+    def _condition(self, found: FormCondition) -> Any:
+        make = getattr(self, found.maker)
+        if found.maker == "getOrCond":
+            either = make(*found.arguments)
+            for part in found.parts:
+                either.addCondition(self._condition(part))
+            return either
+        return make(_label(found), *found.arguments)
+
+
+def _example(parameter: FormParameter) -> Any:
+    """What SkiROS2 takes the type of a parameter from, and its default."""
+    if ":" in parameter.type:
+        return api().Element(parameter.type)
+    if isinstance(parameter.default, enum.Enum):
+        return parameter.default.name
+    return _BASIC.get(parameter.type, str) if parameter.default is None else parameter.default
+
+
+def _label(condition: FormCondition) -> str:
+    """What SkiROS2 prints of a condition, such as `Gripper at StartPose`."""
+    words = [str(each).rpartition(":")[2] for each in condition.arguments]
+    if condition.maker in ("getRelationCond", "getAbstractRelationCond", "getPropCond"):
+        words[0], words[1] = words[1], words[0]
+    return " ".join(words[:-1] if words[-1] == "True" else words)
+
+
+class Hosted:
+    """What is ours of any implementation: its methods are those of an instance of the user's class,
+    which a node of a tree keeps.
+    """
+
+    setting: ClassVar[Setting]
+    setDescription: Callable[..., None]  # noqa: N815
+    _setProgress: Callable[[str, int], None]  # noqa: N815
+    child: Any = None
+    """The node of a tree that it runs for, if that is ours."""
+    running: Running | None = None
+
+    def createDescription(self) -> None:  # noqa: N802
+        """Called by SkiROS2 when it loads an implementation."""
+        self.setDescription(self.setting.hosted.description(), type(self).__name__)
+
+    def onStart(self) -> bool:  # noqa: N802
+        """Start with the instance of the node."""
+        user = None if self.child is None else self.child.user
+        if user is None:
+            user = self.setting.implementation()
+        if self.child is not None:
+            self.child.user = user
+        self.running = Running(self.setting.hosted, user, self)
+        return bool(self.running.call("onStart", failed=False))
+
+    def onPreempt(self) -> Any:  # noqa: N802
+        """A stop while it runs."""
+        return self.called("onPreempt")
+
+    def onEnd(self) -> bool:  # noqa: N802
+        """The end, also of a skill that could not start."""
+        running, self.running = self.running, None
+        return running is None or bool(running.call("onEnd", failed=False))
+
+    def called(self, method: str) -> Any:
+        """The state that a method of the user gives."""
+        assert self.running is not None, "SkiROS2 starts a skill before it ticks it"
+        found = self.running.call(method, failed=State.FAILURE)
+        if isinstance(found, State):
+            return api().State(found.value)
+        right = "what self.success, self.step and self.fail give"
+        self._setProgress(f"`{method}` returned {found!r}, not {right}", -405)
+        return api().State.Failure
+
+
+class Compound(Hosted):
+    """What is ours of a `SkillBase`: its tree is that of `expandBT`."""
+
+    params: Any
+    _instanciator: Any
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._expand_on_start = True  # the tree may depend on values, which may be others then
+
+    def expand(self, skill: Any) -> None:
+        """Build the tree below the node that SkiROS2 runs this skill in."""
+        known = self.setting.hosted.skill
+        tree = build(self.setting.implementation, known, _values(known, self.params))
+        outer = skill.keys if isinstance(skill, Child) else {}
+        root = hosted(tree, Scope(known, skill.id, outer), self.setting.library)
+        if isinstance(root, HostedCall):
+            root = HostedNode(Flow.SERIAL_STAR.value, (root,))
+        skill.setProcessor(processor(root.processor, root.limit))
+        skill(*(_node(each, self) for each in root.children))
+
+
+def _node(found: HostedNode | HostedCall, compound: Any) -> Any:
+    """A node of SkiROS2, made with the means of the compound."""
+    if isinstance(found, HostedNode):
+        made = compound.skill(processor(found.processor, found.limit))
+        return made(*(_node(each, compound) for each in found.children))
+    instanciator = compound._instanciator  # noqa: SLF001 - SkiROS2 hands it to nobody
+    label = found.label
+    if label is None:
+        # Any that SkiROS2 has loaded; else the first, which it then loads.
+        is_loaded = instanciator.get_instances(f"skiros:{found.type}")
+        label = "" if is_loaded else found.known[0]
+    return child(found, label, instanciator)
+
+
+def _values(skill: SkillInterface, params: Any) -> dict[str, Any]:
+    """The values of the parameters of a skill, None where there is none; of things the elements.
+
+    Raises `ValueError` for what is no member of an enumeration.
+    """
+    found = {}
+    for each in skill.parameters:
+        value = params.getParamValue(each.key)
+        if each.is_thing:
+            found[each.name] = value if value is not None and value.id else None
+        else:
+            found[each.name] = raised(value, each)
+    return found
+
+
+class Primitive(Hosted):
+    """What is ours of a `PrimitiveBase`."""
+
+    checkHoldCond: Callable[[], list[str]]  # noqa: N815
+    progress_msg: str
+    progress_code: int
+    _hold_conditions: list[Any]
+
+    def execute(self) -> Any:
+        """One tick, if the hold-conditions hold; SkiROS2 asks them of compounds only."""
+        if self._hold_conditions and self.checkHoldCond():
+            broken = self.progress_msg, self.progress_code
+            self.called("onPreempt")
+            self._setProgress(*broken)
+            return api().State.Failure
+        return self.called("execute")
+
+    def _updateRoutine(self, _since: object) -> None:  # noqa: N802
+        """Elements are not written back: the user's code changes the world model itself, and what
+        an element says may be older than that.
+        """
+
+
+class Running:
+    """An instance of the user's class in an implementation of SkiROS2, `implementation`."""
+
+    def __init__(self, hosted: HostedSkill, user: SkillImplementation, implementation: Any) -> None:
+        self._skill, self._user, self._implementation = hosted.skill, user, implementation
+        self._world = HostedWorld(implementation.wmi, hosted.ontology)
+        user.world, user.now = WorldModel(self._world), time.monotonic
+        user.progress = (0, "")
+        # What only SkiROS2 has, for skills that run only there.
+        for name in ("wmi", "_wmi", "node", "_node"):
+            if hasattr(implementation, name):
+                setattr(user, name, getattr(implementation, name))
+
+    def call(self, method: str, *, failed: object) -> Any:
+        """What a method of the user gives; if it raises, that is told, and it has `failed`."""
+        user, parameters, world = self._user, self._skill.parameters, self._world
+        before = user.progress
+        try:
+            params = self._implementation.params
+            known = {each.name: taken(each, params, world) for each in parameters}
+            values = user.params = HostedValues(self._skill, known)
+            found = getattr(user, method)()
+            for parameter, value in values.found_out.items():
+                give(parameter, value, params, world)
+            refresh(parameters, params, world)
+        except (Exception, SystemExit) as problem:
+            api().log.error(type(self._implementation).__name__, traceback.format_exc())
+            user.fail(f"`{method}` raised {type(problem).__name__}: {problem}")
+            found = failed
+        if user.progress != before:
+            code, text = user.progress
+            self._implementation._setProgress(text, code)  # noqa: SLF001 - as its own methods do
+        return found

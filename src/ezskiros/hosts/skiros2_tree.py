@@ -1,0 +1,135 @@
+"""A behavior tree in SkiROS2's terms, as plain data: which skills its nodes are, which keys of the
+blackboard their parameters share, and which values they are given.
+
+A task of SkiROS2 has one blackboard, flat, that all of its skills write to. Only parameters that
+the tree says are the same share a key of it: all others get keys of their own, so that a value that
+is given to one child never becomes that of another.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from itertools import count
+
+from ezskiros.engine.values import wanted
+from ezskiros.hosts.skiros2_form import ROBOT
+from ezskiros.ontology.statements import Value
+from ezskiros.skills.interface import Parameter, SkillInterface
+from ezskiros.skills.markers import Kind
+from ezskiros.skills.nodes import Decorator, Node, Processor, SkillCall
+from ezskiros.trees.library import Library
+from ezskiros.trees.names import shared_names
+
+
+@dataclass(frozen=True)
+class HostedCall:
+    """A child that is a skill. `label` is the implementation that is wanted; None if any is.
+
+    `keys` says for each key of the child which one of the blackboard it is there.
+    """
+
+    type: str
+    module: str
+    """Where it is described."""
+    label: str | None
+    known: tuple[str, ...]
+    """Implementations that will do, if any does."""
+    keys: Mapping[str, str]
+    values: Mapping[str, Value]
+    """By the keys of the child."""
+
+
+@dataclass(frozen=True)
+class HostedNode:
+    """A processor, or a decorator with its limit, over children."""
+
+    processor: str
+    children: tuple[HostedNode | HostedCall, ...]
+    limit: float | None = None
+
+
+@dataclass(frozen=True)
+class Scope:
+    """What the names of a compound skill are on the blackboard.
+
+    `number` tells the skill that runs from all others; `outer` are the keys that its own keys
+    stand for, if they are others.
+    """
+
+    skill: SkillInterface
+    number: int
+    outer: Mapping[str, str] = field(default_factory=dict)
+    _calls: Iterator[int] = field(default_factory=lambda: count(1))
+
+    def shared(self, name: str) -> str:
+        """The key behind a name that children share, with the compound or with each other."""
+        parameter = self.skill.parameter(name)
+        if parameter is None:
+            return f"{name}@{self.number}"
+        return self.outer.get(parameter.key, parameter.key)
+
+    def robot(self) -> str:
+        """The key behind the robot that SkiROS2 adds to skills that do not name one."""
+        return self.outer.get(ROBOT, ROBOT)
+
+    def call(self) -> str:
+        """The end of the keys that only the next child has."""
+        return f"@{self.number}.{next(self._calls)}"
+
+
+def hosted(node: Node, scope: Scope, library: Library) -> HostedNode | HostedCall:
+    """A node of a tree and all below it."""
+    match node:
+        case SkillCall():
+            return _call(node, scope, library)
+        case Processor(flow=flow, children=children):
+            return HostedNode(flow.value, tuple(hosted(each, scope, library) for each in children))
+        case Decorator(decoration=decoration, child=child, limit=limit):
+            return HostedNode(decoration.value, (hosted(child, scope, library),), limit)
+
+
+def _call(call: SkillCall, scope: Scope, library: Library) -> HostedCall:
+    skill = library.skill(call.skill)
+    assert skill is not None, call  # a library with a skill that says nothing is refused
+    end = scope.call()
+    keys = {each.key: each.key + end for each in skill.parameters}
+    for shared in shared_names(call, skill):
+        keys[shared.parameter.key] = scope.shared(shared.shared)
+    keys.setdefault(ROBOT, scope.robot())
+    passed = {shared.parameter.name for shared in shared_names(call, skill)}
+    values = {
+        each.key: lowered(call.arguments[each.name], each)
+        for each in skill.parameters
+        if each.name in call.arguments and each.name not in passed
+    }
+    known = tuple(library.implementations(call.skill))
+    return HostedCall(skill.name, call.skill.__module__, call.implementation, known, keys, values)
+
+
+def lowered(value: object, parameter: Parameter) -> Value:
+    """A value of a parameter as SkiROS2 keeps it: of enumerations the name."""
+    if isinstance(value, enum.Enum):
+        return value.name
+    if parameter.type is float and type(value) is int:
+        return float(value)
+    assert isinstance(value, (str, int, float, bool)), value
+    return value
+
+
+def raised(value: Value | None, parameter: Parameter) -> object:
+    """The other way: a value as SkiROS2 keeps it as one of the parameter's type.
+
+    Raises `ValueError` for what is no member of an enumeration, and if a value is missing.
+    """
+    if value is None:
+        if parameter.kind is Kind.REQUIRED and not parameter.is_output:
+            raise ValueError(f"`{parameter.name}`, {wanted(parameter)}, has no value")
+        return None
+    if not issubclass(parameter.type, enum.Enum):
+        return value
+    members = parameter.type.__members__
+    if value not in members:
+        raise ValueError(f"`{parameter.name}` is {value!r}, but should be {wanted(parameter)}")
+    return members[str(value)]

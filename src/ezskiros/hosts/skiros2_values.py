@@ -1,0 +1,90 @@
+"""The values of parameters in SkiROS2, with their types: as in our engine, and things are elements
+of SkiROS2 as well.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from ezskiros.engine.values import Values, WorldThing
+from ezskiros.hosts.skiros2_api import api
+from ezskiros.hosts.skiros2_tree import lowered, raised
+from ezskiros.hosts.skiros2_world import HostedWorld
+from ezskiros.skills.interface import Parameter, SkillInterface
+
+
+class HostedThing(WorldThing):
+    """A thing, with all that SkiROS2's `Element` has: `thing.getData("skiros:Position")`."""
+
+    def __init__(self, element: Any, world: HostedWorld) -> None:
+        super().__init__(world.iri(element.id), world)
+        object.__setattr__(self, "element", element)
+        object.__setattr__(self, "_before", _said(element))
+
+    def __getattr__(self, name: str) -> Any:
+        if name == "element" or name.startswith("__"):
+            raise AttributeError(name)
+        return getattr(self.element, name)
+
+    @property
+    def is_changed(self) -> bool:
+        """Whether something else is said of the element than when the skill got it."""
+        return bool(self._before != _said(self.element))
+
+
+def _said(element: Any) -> object:
+    """What is said of an element."""
+    properties = {each.key: list(each.values) for each in element.properties}
+    return properties, [dict(each) for each in element.getRelations()]
+
+
+class HostedValues(Values):
+    """`self.params` in SkiROS2: things may be set to elements, new ones among them."""
+
+    def __init__(self, skill: SkillInterface, given: dict[str, Any]) -> None:
+        super().__init__(skill, given)
+        object.__setattr__(self, "found_out", {})
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        skill: SkillInterface = self._skill
+        parameter = skill.parameter(name)
+        if parameter is not None and parameter.is_thing and isinstance(value, api().Element):
+            self._given[name] = value
+        else:
+            super().__setattr__(name, value)
+        self.found_out[parameter] = self._given[name]
+
+
+def taken(parameter: Parameter, params: Any, world: HostedWorld) -> Any:
+    """A value from SkiROS2. Raises `ValueError` if there is none that is needed, or a wrong one."""
+    value = params.getParamValue(parameter.key)
+    if not parameter.is_thing:
+        return raised(value, parameter)
+    return HostedThing(value, world) if value is not None and value.id else None
+
+
+def give(parameter: Parameter, value: Any, params: Any, world: HostedWorld) -> None:
+    """A value that a skill has found out, for SkiROS2.
+
+    An element that has changed is written to the world model, and a new one gets into it.
+    """
+    if isinstance(value, HostedThing):
+        value = world.written(value.element) if value.is_changed else world.element(value.iri)
+    elif isinstance(value, WorldThing):
+        value = world.element(value.iri)
+    elif parameter.is_thing and value is not None:
+        value = world.written(value)
+    elif value is not None:
+        value = lowered(value, parameter)
+    params.specify(parameter.key, value)
+
+
+def refresh(parameters: Iterable[Parameter], params: Any, world: HostedWorld) -> None:
+    """Give SkiROS2 the elements again that have changed: it checks conditions with them."""
+    for each in parameters:
+        value = params.getParamValue(each.key) if each.is_thing else None
+        thing = world.iri(value.id) if value is not None else None
+        if thing in world.changed and world.exists(thing):
+            params.specify(each.key, world.element(thing))
+    world.changed.clear()

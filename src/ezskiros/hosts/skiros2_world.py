@@ -1,0 +1,177 @@
+"""SkiROS2's world model with the methods of ours: what primitive skills ask and change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from copy import deepcopy
+from typing import Any
+
+from ezskiros.engine.world import World
+from ezskiros.hosts.skiros2_api import api
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.iris import THING
+from ezskiros.ontology.statements import Value
+
+
+class HostedWorld(World):
+    """Things by their IRIs, without a store of our own; `wmi` is SkiROS2's interface."""
+
+    def __init__(self, wmi: Any, ontology: Ontology) -> None:
+        # The store that others have is not made.
+        self.ontology = ontology
+        self.changed: set[str] = set()
+        """Things of which something else is said than before."""
+        self._wmi, self._model = wmi, ontology.model
+
+    # --- questions --------------------------------------------------------------------------------
+
+    def things(self, owl_class: str) -> list[str]:
+        """All things of a class or one of its subclasses, sorted."""
+        found = self._wmi.resolve_elements(api().Element(self._model.short(owl_class)))
+        return sorted(self.iri(each.id) for each in found or ())
+
+    def exists(self, thing: str) -> bool:
+        """Whether there is such a thing."""
+        try:
+            return bool(self.element(thing))
+        except Exception as problem:
+            if type(problem).__name__ != "WmException":  # what SkiROS2 raises if there is none
+                raise
+            return False
+
+    def is_a(self, thing: str, owl_class: str) -> bool:
+        """Whether a thing is of a class."""
+        return self._model.is_a(self.classes(thing)[0], owl_class)
+
+    def classes(self, thing: str) -> list[str]:
+        """The class of a thing."""
+        return [self.iri(self.element(thing).type)]
+
+    def related(self, subject: str, relation: str) -> list[str]:
+        """What a thing is related to, sorted."""
+        return sorted(other for _, _, other in self._relations(subject, relation, ""))
+
+    def relating(self, relation: str, other: str) -> list[str]:
+        """What is related to a thing, sorted."""
+        return sorted(subject for subject, _, _ in self._relations("", relation, other))
+
+    def are_related(self, subject: str, relation: str, other: str) -> bool:
+        """Whether a relation holds."""
+        return bool(self._wmi.get_relations(*map(self._model.short, (subject, relation, other))))
+
+    def values(self, thing: str, data_property: str) -> list[Value]:
+        """The values of a data property."""
+        name = self._model.short(data_property)
+        element = self.element(thing)
+        return list(element.getProperty(name).values) if element.hasProperty(name) else []
+
+    # --- changes ----------------------------------------------------------------------------------
+
+    def new(self, owl_class: str) -> str:
+        """A new thing of a class."""
+        return self.iri(self._wmi.add_element(api().Element(self._model.short(owl_class))).id)
+
+    def remove(self, thing: str) -> None:
+        """Forget a thing, and all that is said of it."""
+        self._wmi.remove_element(self.element(thing), recursive=False)
+        self._forget_them([thing])
+
+    def relate(self, subject: str, relation: str, other: str) -> None:
+        """Make a relation hold. What it can hold of only once is pushed out, as in our engine;
+        SkiROS2 itself keeps both.
+        """
+        for each in sorted(self._model.properties_above(relation)):
+            declared = self._model.relations.get(each)
+            if declared is None:
+                continue
+            if self._is_functional(declared, is_inverse=False):
+                self._unrelate_all(subject, each, "")
+            if self._is_functional(declared, is_inverse=True):
+                self._unrelate_all("", each, other)
+        self._set(subject, relation, other, value=True)
+
+    def unrelate(self, subject: str, relation: str, other: str) -> None:
+        """Make a relation not hold."""
+        self._set(subject, relation, other, value=False)
+
+    def set_value(self, thing: str, data_property: str, value: Value) -> None:
+        """Give a data property this value and no other."""
+        element = deepcopy(self.element(thing))
+        element.setProperty(self._model.short(data_property), value)
+        self._wmi.update_element_properties(element)
+        self._forget_them([thing])
+
+    def unset(self, thing: str, data_property: str) -> None:
+        """Take all values of a data property away."""
+        element = deepcopy(self.element(thing))
+        name = self._model.short(data_property)
+        if element.hasProperty(name):
+            element.removeProperty(name)
+            self._wmi.update_element_properties(element)
+            self._forget_them([thing])
+
+    # --- names ------------------------------------------------------------------------------------
+
+    def spelled(self, iri: str) -> str:
+        """`skiros:Location-3`, as SkiROS2 calls it."""
+        return self._model.short(iri)
+
+    def iri(self, spelled: str) -> str:
+        """The IRI of what SkiROS2 calls `skiros:Location-3`."""
+        prefix, _, name = spelled.partition(":")
+        return self._model.names[prefix] + name if prefix in self._model.names else spelled
+
+    def label(self, thing: str) -> str | None:
+        """The label of a thing."""
+        return self.element(thing).label or None
+
+    def labelled(self, label: str) -> list[str]:
+        """The things of a label, sorted."""
+        return [each for each in self.things(THING) if self.label(each) == label]
+
+    # --- the world model --------------------------------------------------------------------------
+
+    def element(self, thing: str) -> Any:
+        """What SkiROS2 knows of a thing."""
+        return self._wmi.get_element(self._model.short(thing))
+
+    def written(self, element: Any) -> Any:
+        """An element as the world model has it after it was written there; it may be new."""
+        if element.isAbstract():
+            return self._wmi.add_element(element)
+        self._wmi.update_element(element)
+        self._forget_them([self.iri(element.id)])
+        return self._wmi.get_element(element.id)
+
+    def _unrelate_all(self, subject: str, relation: str, other: str) -> None:
+        for found in self._relations(subject, relation, other):
+            self.unrelate(*found)
+
+    def _relations(self, subject: str, relation: str, other: str) -> list[tuple[str, str, str]]:
+        """The relations of a thing: one of the ends, the other one is empty.
+
+        SkiROS2 keeps them with both things, which are "-1" in their own.
+        """
+        thing = subject or other
+        kinds = self._wmi.get_sub_properties(self._model.short(relation))
+        ends = ("-1", kinds, "") if subject else ("", kinds, "-1")
+        return [
+            (self._end(each["src"], thing), self.iri(each["type"]), self._end(each["dst"], thing))
+            for each in self.element(thing).getRelations(*ends)
+        ]
+
+    def _end(self, spelled: str, own: str) -> str:
+        return own if spelled == "-1" else self.iri(spelled)
+
+    def _set(self, subject: str, relation: str, other: str, *, value: bool) -> None:
+        self._wmi.set_relation(*map(self._model.short, (subject, relation, other)), value)
+        self._forget_them([subject, other])
+
+    def _forget_them(self, things: Iterable[str]) -> None:
+        """Ask again for things that have changed: SkiROS2 remembers what they were until it is
+        told, which is after conditions have been checked.
+        """
+        known: dict[str, Any] = getattr(self._wmi, "_elements_cache", {})
+        for thing in things:
+            self.changed.add(thing)
+            known.pop(self._model.short(thing), None)

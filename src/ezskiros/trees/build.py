@@ -1,0 +1,32 @@
+"""The tree of a compound skill that starts: `expandBT`, run on the values of its parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.nodes import Node, growing
+from ezskiros.trees.expand import References
+
+
+class EmptyTreeError(LookupError):
+    """`expandBT` builds nothing for these values."""
+
+
+def build(
+    implementation: type[SkillImplementation], skill: SkillInterface, known: Mapping[str, object]
+) -> Node:
+    """The root of the tree. Nothing is watched, as the check has looked at all ways.
+
+    `known` has the values of all parameters, None for those without; of a thing only counts whether
+    it is there. Raises what `expandBT` raises, `SkillError` for a mistake that only these values
+    show, and `EmptyTreeError`.
+    """
+    written: Any = implementation()
+    with growing() as tree:
+        written.expandBT(References(skill, known))
+    if not tree.loose:
+        raise EmptyTreeError(f"`{implementation.__name__}` builds no behavior tree")
+    return tree.loose[-1]
