@@ -5,8 +5,10 @@ from __future__ import annotations
 import enum
 import linecache
 import sys
+import tokenize
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from io import StringIO
 from itertools import count
 from pathlib import Path
 from types import ModuleType
@@ -142,3 +144,9 @@ def _all(conditions: Iterable[FormCondition]) -> Iterator[FormCondition]:
             yield from _all(each.parts)
         else:
             yield each
+
+
+def comments(text: str) -> list[str]:
+    """The comments of a module; a label may stand in front of one, or behind."""
+    tokens = tokenize.generate_tokens(StringIO(text).readline)
+    return [token.string for token in tokens if token.type == tokenize.COMMENT]

@@ -157,6 +157,13 @@ _OWN: dict[str, object] = {
 }
 
 
+class Other:
+    """What all other classes of SkiROS2 have in common here: they keep what they are given."""
+
+    def __init__(self, *given: Any) -> None:
+        self.given = given
+
+
 class _Module(ModuleType):
     """A module of SkiROS2: it has what descriptions need, and a class for any other name."""
 
@@ -169,7 +176,7 @@ class _Module(ModuleType):
             raise AttributeError(name)
         if name.islower():
             return importlib.import_module(f"{self.__name__}.{name}")
-        found = _OWN.get(name) or type(name, (), {})
+        found = _OWN.get(name) or type(name, (Other,), {})
         setattr(self, name, found)
         return found
 

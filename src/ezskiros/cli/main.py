@@ -124,7 +124,7 @@ def migrate(
         ),
     ] = None,
 ) -> None:
-    """Translate skills of SkiROS2: `createDescription` becomes a typed `description`."""
+    """Translate skills of SkiROS2: descriptions, behavior trees and primitives."""
     from ezskiros.migrate.files import migrate_paths
     from ezskiros.migrate.imports import is_module
 

@@ -22,8 +22,10 @@ PARAMETERS = {
     "getIsSpecifiedCond": ("clabel", "subj", "desired_state"),
     "getGenerateCond": ("clabel", "subj", "desired_state"),
     "getOrCond": ("desired_state",),
+    "skill": ("stype", "slabel", "remap", "specify", "preconditions"),
+    "setDescription": ("description", "label"),
 }
-"""What the methods of `SkillDescription` and `ConditionOr` take, in order."""
+"""What the methods of SkiROS2's descriptions, conditions and skills take, in order."""
 
 CONDITION_CLASSES = {
     "ConditionRelation": "getRelationCond",
@@ -37,7 +39,11 @@ CONDITION_CLASSES = {
 }
 """The classes of conditions, and the methods that make them with the same arguments."""
 
-_MAY_MISS = {"options", "description"}
+_MAY_MISS = {
+    "addParam": {"options", "description"},
+    "skill": {"slabel", "remap", "specify", "preconditions"},
+    "setDescription": {"label"},
+}
 
 
 def method(expression: cst.BaseExpression, owner: str = "self") -> str | None:
@@ -68,7 +74,7 @@ class Arguments:
             if argument.star or key not in wanted or key in self._found:
                 raise self._wrong()
             self._found[key] = argument.value
-        if set(wanted) - set(self._found) - _MAY_MISS:
+        if set(wanted) - set(self._found) - _MAY_MISS.get(name, set()):
             raise self._wrong()
 
     def _wrong(self) -> LeftError:

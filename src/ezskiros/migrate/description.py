@@ -57,9 +57,10 @@ class Step:
 
 @dataclass
 class Translation:
-    """The new method, line by line; with `findings` there is none."""
+    """The new method, line by line, and its parameters; with `findings` there is none."""
 
     lines: list[str] = field(default_factory=list)
+    parameters: list[Parameter] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     warnings: list[Finding] = field(default_factory=list)
 
@@ -75,13 +76,15 @@ def translate(
     known: Known,
     code: Callable[[cst.CSTNode], str],
     indents: tuple[str, str],
+    *,
+    has_robot: bool = False,
 ) -> Translation:
     """The method `description` for a method `createDescription`.
 
     `code` gives the text of an expression. `indents` are the space before the method, and the space
-    by which its body has more.
+    by which its body has more. With `has_robot` the robot is written out, which SkiROS2 adds.
     """
-    return _Translator(function, names, known, code, indents).translated()
+    return _Translator(function, names, known, code, indents, has_robot).translated()
 
 
 class _Translator:
@@ -92,8 +95,10 @@ class _Translator:
         known: Known,
         code: Callable[[cst.CSTNode], str],
         indents: tuple[str, str],
+        has_robot: bool,
     ) -> None:
         self._function, self._names, self._known = function, names, known
+        self._has_robot = has_robot
         self._code, (self._outer, self._step) = code, indents
         self._parameters: list[tuple[Step, Parameter]] = []
         self._body: list[str] = []
@@ -115,6 +120,7 @@ class _Translator:
         self._read_conditions(steps)
         if not self._found.findings:
             self._found.lines = self._written(doc, above_doc)
+            self._found.parameters = [each for _, each in self._parameters]
         return self._found
 
     def _check_method(self) -> None:
@@ -167,7 +173,7 @@ class _Translator:
                 about = getattr(left.template, "key", None)
                 if not (isinstance(left.template, errors.NotAThing) and about in unclear):
                     self._leave(left, step.statement)
-        if robot & reader.mentioned:
+        if robot and (self._has_robot or robot & reader.mentioned):
             step = Step(cst.Pass(), self._function, [])
             self._parameters.append((step, implicit_robot(self._names)))
         for name, builder in reader.variables.items():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import tokenize
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,6 +12,8 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile, Span, is_file, is_folder
 from ezskiros.migrate import errors
 from ezskiros.migrate.module import Migrated, migrate_text
+from ezskiros.migrate.modules import imported_files, reaches
+from ezskiros.migrate.skills import Skills
 from ezskiros.skills.load import skill_files
 from ezskiros.skills.load_errors import NoFile
 
@@ -59,17 +61,19 @@ class Migration:
     diagnostics: Sequence[Diagnostic]
 
     def summary(self, *, is_written: bool) -> str:
-        """How many descriptions there are, and what has become of them."""
-        translated = sum(len(each.migrated.translated) for each in self.files)
-        left = sum(len(each.migrated.left) for each in self.files)
+        """How many skills there are, and what has become of them."""
+        described = [(each.migrated.translated, each.migrated.left) for each in self.files]
+        implementing = [
+            (each.migrated.implemented, each.migrated.unimplemented) for each in self.files
+        ]
         changed = sum(each.is_changed for each in self.files)
         done = "written" if is_written else "to be written"
         unread = sum(each.code in _UNREAD for each in self.diagnostics)
         rest = f"; {_counted(unread, 'file')} cannot be read" if unread else ""
-        return (
-            f"{_counted(translated + left, 'description')}: {translated} translated, "
-            f"{left} left as they are; {_counted(changed, 'file')} {done}{rest}"
-        )
+        said = _become(described, "description")
+        if any(done or left for done, left in implementing):
+            said += f"; {_become(implementing, 'implementation')}"
+        return f"{said}; {_counted(changed, 'file')} {done}{rest}"
 
 
 def migrate_paths(
@@ -79,7 +83,7 @@ def migrate_paths(
     which several namespaces have the properties that are `ambiguous`.
     """
     paths = list(paths)
-    files: list[MigratedFile] = []
+    sources: list[_Source] = []
     wrong: list[Diagnostic] = []
     for path in paths:
         if not is_folder(path) and not is_file(path):
@@ -87,32 +91,95 @@ def migrate_paths(
             wrong.append(NoFile(path=str(path)).at(nowhere))
     for path in skill_files(paths):
         try:
-            encoding, text = _read(path)
-        except (SyntaxError, UnicodeDecodeError) as problem:
+            sources.append(_Source(path, *_read(path)))
+        except (SyntaxError, UnicodeDecodeError) as problem:  # noqa: PERF203 - each is told
             found = errors.UnreadableSource(said=str(problem).partition("\n")[0])
             wrong.append(found.at(Span(SourceFile(str(path), ""), 0, 0)))
-            continue
-        files.append(
-            MigratedFile(path, encoding, migrate_text(str(path), text, world, ambiguous=ambiguous))
+    migrated = _Migrations(sources, world, ambiguous).all()
+    files = [
+        MigratedFile(each.path, each.encoding, found)
+        for each, found in zip(sources, migrated, strict=True)
+    ]
+    return Migration(files, [*wrong, *(d for each in migrated for d in each.diagnostics)])
+
+
+@dataclass(frozen=True)
+class _Source:
+    """A file that can be read."""
+
+    path: Path
+    encoding: str
+    text: str
+
+
+class _Migrations:
+    """The migrations of some files, done again with what was learned from all of them."""
+
+    def __init__(self, sources: Sequence[_Source], world: str, ambiguous: Collection[str]) -> None:
+        self._sources, self._world, self._ambiguous = sources, world, ambiguous
+        self._found = [self._migrated(each) for each in sources]
+
+    def all(self) -> list[Migrated]:
+        """What becomes of the files, in order."""
+        robots = {name for each in self._found for name in each.robots}
+        inherited = [self._inherited(each) for each in self._found]
+        no_skills = Skills((), robots)
+        self._again(
+            lambda number, found: (
+                (no_skills, inherited[number], ())
+                if inherited[number] or robots & {*found.translated}
+                else None
+            )
         )
-    files = _with_inherited(files, world, ambiguous)
-    return Migration(files, [*wrong, *(d for each in files for d in each.migrated.diagnostics)])
+        labels = dict(item for each in self._found for item in each.labels.items())
+        skills = Skills((skill for each in self._found for skill in each.skills), robots, labels)
+        self._again(
+            lambda number, found: (skills, inherited[number], ()) if found.unimplemented else None
+        )
+        late = self._late()
+        self._again(
+            lambda number, _: (skills, inherited[number], late[number]) if late[number] else None
+        )
+        return self._found
 
+    def _again(
+        self, wanted: Callable[[int, Migrated], tuple[Skills, set[str], Collection[str]] | None]
+    ) -> None:
+        """Migrate the files for which something is `wanted`: skills, what is left, late imports."""
+        for number, (source, found) in enumerate(zip(self._sources, self._found, strict=True)):
+            asked = wanted(number, found)
+            if asked is not None:
+                skills, inherited, late = asked
+                self._found[number] = self._migrated(source, skills, inherited, late)
 
-def _with_inherited(
-    files: Sequence[MigratedFile], world: str, ambiguous: Collection[str]
-) -> list[MigratedFile]:
-    """Without the translations of descriptions that other files build on."""
-    found = []
-    for each in files:
-        others = {base for other in files if other is not each for base in other.migrated.bases}
-        text = each.migrated.file.text
-        needed = others & {*each.migrated.translated}
-        again = each.migrated
-        if needed:
-            again = migrate_text(str(each.path), text, world, needed, ambiguous)
-        found.append(MigratedFile(each.path, each.encoding, again))
-    return found
+    def _migrated(
+        self,
+        source: _Source,
+        skills: Skills | None = None,
+        inherited: Collection[str] = (),
+        late: Collection[str] = (),
+    ) -> Migrated:
+        return migrate_text(
+            str(source.path), source.text, self._world, inherited, self._ambiguous,
+            skills or Skills(), late,
+        )  # fmt: skip
+
+    def _inherited(self, own: Migrated) -> set[str]:
+        """The skills and implementations of a file that classes of other files are built on."""
+        others = {base for each in self._found if each is not own for base in each.bases}
+        return others & {*own.translated, *own.unimplemented}
+
+    def _late(self) -> list[set[str]]:
+        """For each file those whose skills it can only name once all are imported."""
+        files = [str(each.path) for each in self._sources]
+        imports = {
+            path: imported_files(path, each.sources, files) | {*each.wanted}
+            for path, each in zip(files, self._found, strict=True)
+        }
+        return [
+            {path for path in each.wanted if reaches(path, own, imports)}
+            for own, each in zip(files, self._found, strict=True)
+        ]
 
 
 def _read(path: Path) -> tuple[str, str]:
@@ -120,6 +187,13 @@ def _read(path: Path) -> tuple[str, str]:
     with path.open("rb") as file:
         encoding, _ = tokenize.detect_encoding(file.readline)
     return encoding, path.read_bytes().decode(encoding)
+
+
+def _become(found: Sequence[tuple[Sequence[str], Sequence[str]]], thing: str) -> str:
+    """How many things are translated, and how many are left."""
+    translated = sum(len(each) for each, _ in found)
+    left = sum(len(each) for _, each in found)
+    return f"{_counted(translated + left, thing)}: {translated} translated, {left} left as they are"
 
 
 def _counted(count: int, thing: str) -> str:

@@ -11,12 +11,17 @@ import libcst as cst
 from libcst.helpers import get_full_name_for_node
 
 from ezskiros.migrate.calls import CONDITION_CLASSES
+from ezskiros.migrate.processors import NAMES as PROCESSORS
 
 OLD_API = frozenset(
     {"SkillDescription", "ParamTypes", "ParamOptions", "Element", *CONDITION_CLASSES}
 )
 """What descriptions import of SkiROS2."""
-_OLD_MODULES = frozenset({"params", "world_element", "conditions", "abstract_skill"})
+_IMPLEMENTING = frozenset({"SkillBase", "PrimitiveBase", *PROCESSORS})
+"""What implementations import of it, and no file needs for another reason."""
+_OLD_MODULES = frozenset(
+    {"params", "world_element", "conditions", "abstract_skill", "skill", "primitive", "processors"}
+)
 _LENGTH = 88
 
 Line: TypeAlias = cst.SimpleStatementLine | cst.BaseCompoundStatement
@@ -53,8 +58,8 @@ class _Used(cst.CSTVisitor):
             self.found |= {str(each.evaluated_value) for each in strings}
 
 
-def used_names(module: cst.Module) -> set[str]:
-    """The names that a module refers to, outside its imports."""
+def used_names(module: cst.CSTNode) -> set[str]:
+    """The names that a module, or a part of it, refers to, outside its imports."""
     visitor = _Used()
     module.visit(visitor)
     return visitor.found
@@ -68,6 +73,28 @@ def imported(module: cst.Module, source: str) -> dict[str, str]:
             name = module_name(node)
             if name == source or name.startswith((f"{source}.", f"{source}_")):
                 found |= {_bound(each): each.evaluated_name for each in node.names}
+    return found
+
+
+def imported_names(module: cst.Module) -> dict[str, str]:
+    """By the names that they have here: all that a module imports from others."""
+    return {
+        _bound(each): each.evaluated_name
+        for node in _imports(module)
+        if isinstance(node, cst.ImportFrom) and not isinstance(node.names, cst.ImportStar)
+        for each in node.names
+    }
+
+
+def sources(module: cst.Module) -> set[str]:
+    """The modules that a module imports, or imports something from."""
+    found = set()
+    for node in _imports(module):
+        source = module_name(node) if isinstance(node, cst.ImportFrom) else ""
+        found |= {source} if source else set()
+        for each in () if isinstance(node.names, cst.ImportStar) else node.names:
+            inner = source if source.endswith(".") or not source else f"{source}."
+            found.add(inner + each.evaluated_name)
     return found
 
 
@@ -207,6 +234,8 @@ class _Cleaner:
             return False
         if is_from and alias.evaluated_name in OLD_API:
             return True
+        if is_from and alias.evaluated_name in _IMPLEMENTING:
+            return name in self.before
         is_module = alias.evaluated_name.rpartition(".")[2] in _OLD_MODULES
         return is_module and name in self.before and (is_from or alias.asname is not None)
 

@@ -1,8 +1,8 @@
-"""One file in, the file with typed descriptions out, and what is left of the old ones."""
+"""One file in, the file with skills of EzSkiROS out, and what is left of the old ones."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import libcst as cst
@@ -14,8 +14,30 @@ from ezskiros.migrate import errors
 from ezskiros.migrate.calls import last_name, method
 from ezskiros.migrate.comments import marked, without_marks
 from ezskiros.migrate.description import Finding, Translation, statements_of, translate
-from ezskiros.migrate.imports import Wanted, bound_names, imported, used_names, with_imports
+from ezskiros.migrate.implementations import (
+    Implementation,
+    described_by,
+    helpers_of,
+    labels_in,
+    robots_in,
+    translate_implementation,
+    with_marks,
+)
+from ezskiros.migrate.imports import (
+    Wanted,
+    bound_names,
+    imported,
+    imported_names,
+    sources,
+    used_names,
+    with_imports,
+)
+from ezskiros.migrate.keys import ROBOT
+from ezskiros.migrate.modules import import_of
 from ezskiros.migrate.names import Names
+from ezskiros.migrate.skills import Skill, Skills, new_skills, skill_of
+from ezskiros.migrate.trees import Context, Place
+from ezskiros.migrate.trees import Wanted as WantedSkills
 from ezskiros.migrate.values import known_of
 
 _OLD, _NEW = "createDescription", "description"
@@ -25,15 +47,26 @@ _OLD, _NEW = "createDescription", "description"
 class Migrated:
     """A file after its migration. `text` is what it was if nothing is changed.
 
-    `translated` and `left` are the classes that describe skills, `bases` those that descriptions
-    are built on.
+    `translated` and `left` are the classes that describe skills, `implemented` and `unimplemented`
+    those that implement them, `bases` those that any class is built on.
+
+    `skills` are what is described, `robots` the names of skills that have to say which robot they
+    are of, `labels` what implementations call themselves, with the names of their classes,
+    `sources` the modules that are imported, `wanted` the files that trees need besides.
     """
 
     file: SourceFile
     text: str
     translated: Sequence[str] = ()
     left: Sequence[str] = ()
-    bases: Sequence[str] = ()
+    implemented: Sequence[str] = ()
+    unimplemented: Sequence[str] = ()
+    bases: Collection[str] = ()
+    skills: Sequence[Skill] = ()
+    robots: Collection[str] = ()
+    labels: Mapping[str, str] = field(default_factory=dict)
+    sources: Collection[str] = ()
+    wanted: Collection[str] = ()
     diagnostics: Sequence[Diagnostic] = ()
 
 
@@ -43,11 +76,15 @@ def migrate_text(
     world: str = "world",
     inherited: Collection[str] = (),
     ambiguous: Collection[str] = (),
+    skills: Skills | None = None,
+    late: Collection[str] = (),
 ) -> Migrated:
-    """Translate the descriptions of a file; `world` is the module that has its ontology.
+    """Translate the skills of a file; `world` is the module that has its ontology.
 
-    Descriptions whose names are in `inherited` are left: others are built on them elsewhere. Of
-    properties that are `ambiguous` the namespace is said.
+    Classes whose names are in `inherited` are left: others are built on them elsewhere. Of
+    properties that are `ambiguous` the namespace is said. `skills` are those that trees can name;
+    without them these are the ones of the file itself. What is in the files `late` is imported
+    where a tree needs it, and not before.
     """
     file = SourceFile(path, text)
     try:
@@ -58,7 +95,11 @@ def migrate_text(
         said = str(problem).partition("\n")[0] or type(problem).__name__
         found = errors.UnreadableSource(said=said).at(Span(file, 0, 0))
         return Migrated(file, text, diagnostics=[found])
-    return _File(file, module, world, inherited, ambiguous).migrated()
+    if skills is None:
+        own = _File(file, module, world, inherited, ambiguous, Skills(), ()).migrated()
+        robots = _File(file, module, world, inherited, ambiguous, Skills((), own.robots), ())
+        skills = Skills(robots.migrated().skills, own.robots, own.labels)
+    return _File(file, module, world, inherited, ambiguous, skills, late).migrated()
 
 
 def _unreadable(file: SourceFile, problem: cst.ParserSyntaxError) -> Diagnostic:
@@ -91,14 +132,18 @@ class _File:
         world: str,
         inherited: Collection[str],
         ambiguous: Collection[str],
+        skills: Skills,
+        late: Collection[str],
     ) -> None:
         self._file, self._world, self._inherited = file, world, inherited
-        self._ambiguous = ambiguous
+        self._ambiguous, self._skills, self._late = ambiguous, skills, late
         wrapper = MetadataWrapper(module, unsafe_skip_copy=True)
         self._places: Mapping[cst.CSTNode, CodeRange] = wrapper.resolve(PositionProvider)
         self._module = module
         self._known = known_of(module)
         self._before = used_names(module)
+        self._bound = bound_names(module, ())
+        self._children = WantedSkills(self._spell)
         self._aliases = {
             name for name, what in imported(module, "skiros2").items() if what == "SkillDescription"
         }
@@ -109,18 +154,108 @@ class _File:
         # With the names of EzSkiROS qualified it shows which other meanings they have here.
         names = self._translate(found, Names(is_qualified=True))
         names = self._translate(found, self._spelled(self._replaced(found, names), names))
-        result = self._replaced(found, names)
+        implementing = self._implementations(classes)
+        result = self._replaced(found, names, implementing)
         translated = [each.node.name.value for each in found if not each.findings]
-        if translated:
-            result = with_imports(result, self._wanted(names), self._before)
+        implemented = [each.node.name.value for each in implementing if not each.findings]
+        if translated or implemented:
+            wanted = self._wanted(names if translated else Names())
+            result = with_imports(result, [*wanted, *self._wanted_skills()], self._before)
         return Migrated(
             self._file,
             result.code,
-            translated,
-            [each.node.name.value for each in found if each.findings],
-            [base for each in found for base, _ in self._bases(each)],
-            [self._diagnostic(each) for each in _all_findings(found)],
+            translated=translated,
+            left=[each.node.name.value for each in found if each.findings],
+            implemented=implemented,
+            unimplemented=[each.node.name.value for each in implementing if each.findings],
+            bases={last_name(base.value) or "" for node in classes for base in node.bases},
+            skills=[*self._described(found), *new_skills(self._module, self._file.path)],
+            robots={name for node in classes for name in robots_in(node, ROBOT)},
+            labels=labels_in(classes),
+            sources=sources(self._module),
+            wanted={each.path for each in self._children.found.values()} - {self._file.path},
+            diagnostics=[
+                self._diagnostic(each)
+                for each in (*_all_findings(found), *_implementation_findings(implementing))
+            ],
         )
+
+    def _described(self, found: Sequence[_Description]) -> Iterator[Skill]:
+        """The skills of the descriptions that are translated, and of those that are left."""
+        for each in found:
+            name, path = each.node.name.value, self._file.path
+            if each.findings:
+                yield Skill(name, path, is_left=True)
+            else:
+                yield skill_of(name, path, each.translation.parameters)
+
+    # --- implementations --------------------------------------------------------------------------
+
+    def _implementations(self, classes: Sequence[cst.ClassDef]) -> list[Implementation]:
+        """What becomes of the classes that implement skills."""
+        names = imported_names(self._module)
+        found = []
+        for node in classes:
+            if described_by(node) is None:
+                continue
+            wanted = WantedSkills(self._spell)
+            each = translate_implementation(node, self._context(node, wanted), self._code, names)
+            self._leave_inherited(each, classes)
+            self._children.found |= {} if each.findings else wanted.found
+            found.append(each)
+        return found
+
+    def _context(self, node: cst.ClassDef, wanted: WantedSkills) -> Context:
+        return Context(
+            self._file.path, self._skills, wanted, helpers_of(node), self._place,
+            self._module.default_indent, self._late_import,
+        )  # fmt: skip
+
+    def _leave_inherited(self, each: Implementation, classes: Sequence[cst.ClassDef]) -> None:
+        """A class that others are derived from is left."""
+        name = each.node.name.value
+        below = [
+            node.name.value
+            for node in classes
+            if any(last_name(base.value) == name for base in node.bases)
+        ]
+        if below or name in self._inherited:
+            said = f"`{below[0]}` is" if below else "a class elsewhere is"
+            template = errors.OtherBase(implementation=name, found=f"is what {said} derived from")
+            each.findings.append(Finding(template, each.node.name, each.node))
+            each.new = with_marks(each.node, each.findings)
+
+    def _spell(self, skill: Skill) -> str:
+        """How a skill is called here: as it is imported, or by its name if that is free."""
+        if skill.path == self._file.path:
+            return skill.name
+        for name, original in imported_names(self._module).items():
+            if original == skill.name:
+                return name
+        for name, other in self._children.found.items():
+            if other == skill:
+                return name
+        name = skill.name
+        while name in self._before or name in self._bound or name in self._children.found:
+            name += "_"
+        return name
+
+    def _late_import(self, name: str, skill: Skill) -> str | None:
+        """The import of a skill that has to wait until a tree needs it; None for others."""
+        if skill.path not in self._late or skill.path == self._file.path:
+            return None
+        return Wanted(import_of(self._file.path, skill.path), {skill.name: name}).text()[0]
+
+    def _wanted_skills(self) -> list[Wanted]:
+        """The skills of other files that trees name, by their modules."""
+        known = imported_names(self._module)
+        by_module: dict[str, dict[str, str]] = {}
+        for name, skill in self._children.found.items():
+            is_there = skill.path in (self._file.path, *self._late)
+            if not is_there and known.get(name) != skill.name:
+                source = import_of(self._file.path, skill.path)
+                by_module.setdefault(source, {})[skill.name] = name
+        return [Wanted(source, names) for source, names in sorted(by_module.items())]
 
     def _description(self, node: cst.ClassDef) -> _Description | None:
         """A class with a method that describes a skill; None for implementations and others."""
@@ -142,8 +277,9 @@ class _File:
             each.names = spelling.like()
             each.names.our("SkillDescription")
             each.translation = translate(
-                each.method, each.names, self._known, self._code, self._indents(each.method)
-            )
+                each.method, each.names, self._known, self._code, self._indents(each.method),
+                has_robot=each.node.name.value in self._skills.robots,
+            )  # fmt: skip
         self._leave_related(found)
         used = spelling.like()
         for each in found:
@@ -189,10 +325,16 @@ class _File:
         template = errors.DerivedDescription(skill=each.node.name.value, found=said)
         each.translation.findings.append(Finding(template, node, each.node))
 
-    def _replaced(self, found: Sequence[_Description], names: Names) -> cst.Module:
-        """The module with new methods, and marks where old ones are left."""
+    def _replaced(
+        self,
+        found: Sequence[_Description],
+        names: Names,
+        implementing: Sequence[Implementation] = (),
+    ) -> cst.Module:
+        """The module with new classes, and marks where old ones are left."""
         base = "ezskiros.SkillDescription" if names.is_qualified else "SkillDescription"
         changed = {id(each.node): self._class(each, base) for each in found}
+        changed |= {id(each.node): each.new for each in implementing}
         result = self._module.visit(_Replacer(changed))
         assert isinstance(result, cst.Module)
         return result
@@ -273,6 +415,11 @@ class _File:
     def _code(self, node: cst.CSTNode) -> str:
         return self._module.code_for_node(node)
 
+    def _place(self, node: cst.CSTNode) -> Place:
+        start = self._places[node].start
+        line = self._file.line_text(start.line)
+        return Place(start.column, line[: len(line) - len(line.lstrip())])
+
     def _indents(self, function: cst.FunctionDef) -> tuple[str, str]:
         """The space before a method, and the space by which the file indents."""
         line = self._file.line_text(self._places[function.name].start.line)
@@ -282,6 +429,10 @@ class _File:
 def _all_findings(found: Sequence[_Description]) -> list[Finding]:
     """Why descriptions are left, and what is to be known of the others."""
     return [finding for each in found for finding in (each.findings or each.translation.warnings)]
+
+
+def _implementation_findings(found: Sequence[Implementation]) -> list[Finding]:
+    return [finding for each in found for finding in (each.findings or each.warnings)]
 
 
 class _Classes(cst.CSTVisitor):

@@ -82,7 +82,7 @@ def test_a_diff_is_one_that_patch_takes(tmp_path: Path, bless: bool) -> None:
     result = migrate(path, "--diff")
     assert result.exit_code == 0
     assert path.read_text() == text
-    assert "2 translated" in result.stderr
+    assert "3 translated" in result.stderr
     subprocess.run(["patch", "--quiet", path], input=result.stdout, text=True, check=True)
     assert path.read_text() == (HERE / "after" / "fetch.txt").read_text()
     shown = result.stdout.replace(path.as_posix().lstrip("/"), "fetch.py")

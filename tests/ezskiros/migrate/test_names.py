@@ -238,17 +238,6 @@ def test_labels(label: str, said: tuple[str, ...], is_true: bool, says: bool) ->
     assert says_more(label, said, is_true=is_true) is says
 
 
-def test_implementations_are_not_touched() -> None:
-    text = (
-        f"{API}\n\n\nclass go(SkillBase):\n    def createDescription(self):\n"
-        '        self.setDescription(Go(), "go")\n'
-        '        self.addParam("Extra", 1, ParamTypes.Required)\n'
-    )
-    found = migrate_text("skills.py", text)
-    assert found.text == text
-    assert not found.left
-
-
 def test_properties_that_are_ambiguous_are_said_by_their_namespace() -> None:
     said = 'self.addPreCondition(self.getHasPropCond("", "skiros:{}", "Place", True))'
     lines = "".join(f"        {said.format(name)}\n" for name in ("Weight", "Height"))

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import tempfile
-import tokenize
-from io import StringIO
 from pathlib import Path
 
 from hypothesis import given
 
 from ezskiros.migrate.module import migrate_text
 from support.old_descriptions import descriptions
-from support.round_trip import new_forms, old_forms, without_order, write_ontology
+from support.round_trip import comments, new_forms, old_forms, without_order, write_ontology
 
 
 @given(descriptions())
@@ -36,9 +34,3 @@ def test_a_description_keeps_its_comments(text: str) -> None:
 def test_a_second_migration_does_nothing(text: str) -> None:
     once = migrate_text("skills.py", text)
     assert migrate_text("skills.py", once.text).text == once.text
-
-
-def comments(text: str) -> list[str]:
-    """The comments of a module; a label may stand in front of one, or behind."""
-    tokens = tokenize.generate_tokens(StringIO(text).readline)
-    return [token.string for token in tokens if token.type == tokenize.COMMENT]

@@ -1,0 +1,353 @@
+"""A class that implements a skill of SkiROS2 in, one derived from `Pick.SkillBase` out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+import libcst as cst
+
+from dslkit.diagnostics import Template
+from ezskiros.migrate import errors
+from ezskiros.migrate.calls import Arguments, last_name, literal_text, method
+from ezskiros.migrate.comments import marked, texts, without_marks
+from ezskiros.migrate.description import Finding
+from ezskiros.migrate.docstrings import Text, docstring_of
+from ezskiros.migrate.errors import LeftError
+from ezskiros.migrate.parameter_uses import ParameterUses
+from ezskiros.migrate.skills import Skill
+from ezskiros.migrate.trees import OLD, Context, TreeUses
+
+OLD_DESCRIPTION = "createDescription"
+BASES = frozenset({"SkillBase", "PrimitiveBase"})
+
+
+@dataclass
+class Implementation:
+    """A class that implements a skill, what becomes of it, and why it is left."""
+
+    node: cst.ClassDef
+    new: cst.ClassDef
+    findings: list[Finding] = field(default_factory=list)
+    warnings: list[Finding] = field(default_factory=list)
+
+
+def described_by(node: cst.ClassDef) -> cst.Call | None:
+    """The call of `setDescription` in a class that implements a skill; None for other classes."""
+    function = _functions(node).get(OLD_DESCRIPTION)
+    for statement in function.body.body if function is not None else ():
+        for small in _small(statement):
+            match small:
+                case cst.Expr(value=cst.Call() as call) if method(call) == "setDescription":
+                    return call
+    return None
+
+
+def _small(statement: cst.CSTNode) -> Sequence[cst.CSTNode]:
+    """The small statements of a line, or else the statement itself."""
+    return statement.body if isinstance(statement, cst.SimpleStatementLine) else [statement]
+
+
+def label_of(call: cst.Call) -> str | None:
+    """What an implementation calls itself, if that is written out."""
+    try:
+        label = Arguments(call, "setDescription").get("label")
+    except LeftError:
+        return None
+    return literal_text(label) if label is not None else None
+
+
+def description_name(call: cst.Call) -> str | None:
+    """`Pick` of `self.setDescription(Pick(), ...)`."""
+    match call.args:
+        case [cst.Arg(value=cst.Call(func=func)), *_]:
+            return last_name(func)
+    return None
+
+
+def translate_implementation(
+    node: cst.ClassDef,
+    context: Context,
+    code: Callable[[cst.CSTNode], str],
+    names: Mapping[str, str],
+) -> Implementation:
+    """The class derived from the `SkillBase` of its skill.
+
+    `code` gives the text of an expression; `names` are those that the file imports, and what they
+    are called where they are from.
+    """
+    return _Class(node, context, code, names).translated()
+
+
+class _Class:
+    def __init__(
+        self,
+        node: cst.ClassDef,
+        context: Context,
+        code: Callable[[cst.CSTNode], str],
+        names: Mapping[str, str],
+    ) -> None:
+        self._node, self._context, self._code, self._names = node, context, code, names
+        self._found = Implementation(node, node)
+
+    def translated(self) -> Implementation:
+        found = self._found
+        try:
+            skill, base = self._skill()
+        except LeftError as left:
+            found.findings.append(Finding(left.template, left.node, self._node))
+            return self._left()
+        bases = self._bases(base)
+        comments = self._description()
+        parts, used = self._methods(skill)
+        if found.findings:
+            return self._left()
+        body = self._body(parts, comments, used)
+        found.new = self._node.with_changes(
+            bases=bases, body=body, leading_lines=without_marks(self._node.leading_lines)
+        )
+        return found
+
+    def _leave(self, template: Template, node: cst.CSTNode, statement: cst.CSTNode) -> None:
+        self._found.findings.append(Finding(template, node, statement))
+
+    def _left(self) -> Implementation:
+        self._found.new = with_marks(self._node, self._found.findings)
+        return self._found
+
+    # --- its skill ----------------------------------------------------------------------------
+
+    def _skill(self) -> tuple[Skill, cst.BaseExpression]:
+        """The skill, and what it is called here. Raises `LeftError` if it is not known."""
+        call = described_by(self._node)
+        assert call is not None
+        given = Arguments(call, "setDescription")
+        made, label = given["description"], given.get("label")
+        is_made = isinstance(made, cst.Call) and not made.args
+        if not is_made or not isinstance(made, cst.Call) or (name := last_name(made.func)) is None:
+            raise LeftError(errors.OtherDescription(found=f"`{self._code(made)}`"), made)
+        if label is not None and "__name__" not in self._code(label) and label_of(call) is None:
+            raise LeftError(errors.OtherDescription(found=f"`{self._code(label)}`"), label)
+        name = self._names.get(name, name)
+        found = self._context.skills.called(name, self._context.path)
+        if len(found) != 1 or found[0].is_left:
+            said = "left as it is" if found else "described in none of these files"
+            raise LeftError(errors.UnusableSkill(skill=name, found=said), made)
+        return found[0], made.func
+
+    def _bases(self, skill: cst.BaseExpression) -> list[cst.Arg]:
+        """The classes that it is derived from, with that of the skill instead of SkiROS2's."""
+        new = cst.Attribute(skill.deep_clone(), cst.Name("SkillBase"))
+        bases = []
+        is_plain = False
+        for each in self._node.bases:
+            name = last_name(each.value)
+            is_old = self._names.get(name or "", name) in BASES
+            is_plain = is_plain or is_old
+            bases.append(each.with_changes(value=new) if is_old else each)
+        if not is_plain:
+            found = ", ".join(f"`{self._code(each.value)}`" for each in self._node.bases)
+            found = f"is derived from {found or 'nothing'}"
+            template = errors.OtherBase(implementation=self._node.name.value, found=found)
+            self._leave(template, self._node.name, self._node)
+        return bases
+
+    def _description(self) -> list[str]:
+        """The comments of `createDescription`, which goes: there is nothing else in it."""
+        function = _functions(self._node)[OLD_DESCRIPTION]
+        call = described_by(self._node)
+        label = label_of(call) if call is not None else None
+        comments = [f"# {label}"] if label not in (None, "", self._node.name.value) else []
+        comments += texts(function.leading_lines)
+        for part in function.body.body:
+            comments += texts(getattr(part, "leading_lines", ()))
+            comments += _behind(part)
+            for each in _small(part):
+                is_known = isinstance(each, cst.Expr) and each.value is call
+                doc = docstring_of(part)
+                if doc is not None:
+                    comments += [f"# {line.strip()}" for line in _lines_of(doc)]
+                elif not is_known and not isinstance(each, cst.Pass):
+                    self._leave(errors.OtherDescription(found=self._shown(each)), each, part)
+        comments += texts(getattr(function.body, "footer", ()))
+        return [each for each in comments if each]
+
+    def _shown(self, node: cst.CSTNode) -> str:
+        bare = node.with_changes(leading_lines=()) if hasattr(node, "leading_lines") else node
+        first = self._code(bare).strip().partition("\n")[0]
+        return f"`{first}`" if len(first) <= 50 else f"`{first[:47]}...`"
+
+    # --- its methods --------------------------------------------------------------------------
+
+    def _methods(self, skill: Skill) -> tuple[dict[int, cst.CSTNode], set[str]]:
+        """The new parts of the class by the old ones, and the methods that nobody needs more."""
+        new: dict[int, cst.CSTNode] = {}
+        used: set[str] = set()
+        tree = _functions(self._node).get(OLD)
+        if tree is not None:
+            uses = TreeUses(skill, self._code, self._context)
+            new[id(tree)] = tree.visit(uses)  # type: ignore[assignment]
+            self._take(uses)
+            used = uses.used
+        for part in self._node.body.body:
+            name = part.name.value if isinstance(part, cst.FunctionDef) else ""
+            if part is tree or name == OLD_DESCRIPTION or name in used:
+                continue
+            if name == "modifyDescription":
+                found = errors.OtherDescription(found=f"`def {name}`")
+                self._leave(found, part.name, part)  # type: ignore[union-attr]
+            plain = _Methods(skill, self._code, self._node)
+            new[id(part)] = part.visit(plain)  # type: ignore[assignment]
+            self._take(plain)
+        self._found.warnings = list(
+            {getattr(each.template, "found", ""): each for each in self._found.warnings}.values()
+        )
+        return new, used
+
+    def _take(self, uses: ParameterUses) -> None:
+        self._found.findings += uses.findings
+        self._found.warnings += uses.warnings
+
+    def _body(
+        self, parts: Mapping[int, cst.CSTNode], comments: Sequence[str], used: set[str]
+    ) -> cst.BaseSuite:
+        """The body, with the comments of what goes above what comes behind it."""
+        waiting: list[str] = []
+        body: list[cst.CSTNode] = []
+        for part in self._node.body.body:
+            if isinstance(part, cst.FunctionDef) and part.name.value == OLD_DESCRIPTION:
+                waiting += comments
+            elif not (isinstance(part, cst.FunctionDef) and part.name.value in used):
+                new = parts[id(part)].visit(_Marks({}))
+                body.append(_with_lines(new, waiting, is_first=not body))  # type: ignore[arg-type]
+                waiting = []
+        footer = getattr(self._node.body, "footer", ())
+        if not body or all(docstring_of(each) is not None for each in body):
+            body.append(_with_lines(cst.SimpleStatementLine([cst.Pass()]), waiting, is_first=True))
+            waiting = []
+        lines = [*_lines(waiting), *footer]
+        if isinstance(self._node.body, cst.IndentedBlock):
+            return self._node.body.with_changes(body=body, footer=lines)
+        return cst.IndentedBlock(body=body, footer=lines)  # type: ignore[arg-type]
+
+
+class _Methods(ParameterUses):
+    """The methods of a primitive skill, and the others of a compound."""
+
+    def __init__(
+        self, skill: Skill, code: Callable[[cst.CSTNode], str], node: cst.ClassDef
+    ) -> None:
+        super().__init__(skill, code)
+        self._statements.append(node)
+
+
+def _with_lines(part: cst.CSTNode, comments: Sequence[str], *, is_first: bool) -> cst.CSTNode:
+    """A part of a class with more comments above it, and without blank lines if it is the first."""
+    own_lines = list(part.leading_lines)  # type: ignore[attr-defined]
+    while is_first and own_lines and own_lines[0].comment is None:
+        own_lines.pop(0)
+    blank = [] if is_first or not comments else [cst.EmptyLine(indent=False)]
+    lines = [*blank, *_lines(comments), *own_lines]
+    return part.with_changes(leading_lines=lines)
+
+
+def _lines(comments: Sequence[str]) -> list[cst.EmptyLine]:
+    return [cst.EmptyLine(comment=cst.Comment(each)) for each in comments]
+
+
+def _behind(part: cst.CSTNode) -> list[str]:
+    """The comment behind a statement of one line."""
+    comment = getattr(getattr(part, "trailing_whitespace", None), "comment", None)
+    return [comment.value] if comment else []
+
+
+def _lines_of(text: Text) -> list[str]:
+    value = text.evaluated_value
+    return value.strip().splitlines() if isinstance(value, str) else []
+
+
+def _functions(node: cst.ClassDef) -> dict[str, cst.FunctionDef]:
+    """The methods of a class."""
+    return {each.name.value: each for each in node.body.body if isinstance(each, cst.FunctionDef)}
+
+
+def helpers_of(node: cst.ClassDef) -> Mapping[str, cst.FunctionDef]:
+    """The methods of a class that its others may call."""
+    return _functions(node)
+
+
+class _Marks(cst.CSTTransformer):
+    """Puts marks above statements, instead of those that are there."""
+
+    def __init__(self, templates: Mapping[int, Sequence[Template]]) -> None:
+        self._templates = templates
+
+    def on_leave(  # type: ignore[override]
+        self, original_node: cst.CSTNode, updated_node: cst.CSTNode
+    ) -> cst.CSTNode | cst.RemovalSentinel | cst.FlattenSentinel[cst.CSTNode]:
+        if not isinstance(original_node, (cst.SimpleStatementLine, cst.BaseCompoundStatement)):
+            return updated_node
+        lines = getattr(updated_node, "leading_lines", None)
+        if lines is None:  # `elif`
+            return updated_node
+        new = marked(lines, self._templates.get(id(original_node), ()))
+        return updated_node.with_changes(leading_lines=new)
+
+
+def with_marks(node: cst.ClassDef, findings: Sequence[Finding]) -> cst.ClassDef:
+    """A class that is left, with a comment above each statement that has no translation."""
+    templates: dict[int, list[Template]] = {}
+    for finding in findings:
+        templates.setdefault(id(finding.statement), []).append(finding.template)
+    found = node.visit(_Marks(templates))
+    assert isinstance(found, cst.ClassDef)
+    return found
+
+
+class _Robots(cst.CSTVisitor):
+    """Whether a class speaks of the robot, and the children whose robot it gives."""
+
+    def __init__(self, robot: str) -> None:
+        self._robot = robot
+        self.is_own = False
+        self.children: set[str] = set()
+
+    def visit_Call(self, node: cst.Call) -> None:  # noqa: N802
+        if method(node) != "skill" or not node.args:
+            return
+        name = (literal_text(node.args[0].value) or "").rpartition(":")[2]
+        keys = [
+            literal_text(each.key)
+            for argument in node.args[1:]
+            for each in getattr(argument.value, "elements", ())
+            if isinstance(each, cst.DictElement)
+        ]
+        if self._robot in keys:
+            self.children.add(name)
+
+    def visit_SimpleString(self, node: cst.SimpleString) -> None:  # noqa: N802
+        self.is_own = self.is_own or literal_text(node) == self._robot
+
+
+def robots_in(node: cst.ClassDef, robot: str) -> Iterator[str]:
+    """The skills of which a class that implements one needs the parameter that SkiROS2 adds."""
+    call = described_by(node)
+    if call is None:
+        return
+    found = _Robots(robot)
+    node.visit(found)
+    yield from found.children
+    name = description_name(call)
+    if found.is_own and name:
+        yield name
+
+
+def labels_in(classes: Iterable[cst.ClassDef]) -> dict[str, str]:
+    """What the classes that implement skills call themselves, and their names."""
+    found = {}
+    for node in classes:
+        call = described_by(node)
+        label = label_of(call) if call is not None else None
+        if label:
+            found[label] = node.name.value
+    return found

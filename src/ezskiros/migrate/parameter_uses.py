@@ -1,0 +1,245 @@
+"""`self.params["Speed"].value` in, `self.params.Speed` out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from typing import TypeVar
+
+import libcst as cst
+
+from dslkit.diagnostics import Template
+from ezskiros.migrate import errors
+from ezskiros.migrate.calls import literal_text
+from ezskiros.migrate.description import Finding
+from ezskiros.migrate.errors import LeftError
+from ezskiros.migrate.skills import Skill
+
+_PARAMS = {"params", "_params"}
+_GET, _SET = {"getValue"}, {"setValue"}
+_GET_BY_KEY, _SET_BY_KEY = {"getParamValue"}, {"specify"}
+_OF_SKIROS2 = {
+    *("wmi", "_wmi", "node", "setOutput", "specifyParam", "specifyParams", "startError"),
+    *("progress_code", "_progress_code", "progress_msg", "_progress_msg", "_setProgress"),
+    *("hasState", "waitState"),
+}
+"""What SkiROS2's base classes of skills have, and those of EzSkiROS do not."""
+
+Node = TypeVar("Node", bound=cst.CSTNode)
+
+
+def own(node: cst.CSTNode, names: Collection[str]) -> bool:
+    """Whether something is `self.name`."""
+    match node:
+        case cst.Attribute(value=cst.Name(value="self"), attr=cst.Name(value=name)):
+            return name in names
+    return False
+
+
+def parameter_key(node: cst.CSTNode) -> cst.BaseExpression | None:
+    """What stands for the key in an expression for the value of a parameter."""
+    match node:
+        case cst.Attribute(
+            value=cst.Subscript(
+                value=held, slice=[cst.SubscriptElement(slice=cst.Index(value=key))]
+            ),
+            attr=cst.Name(value="value"),
+        ) if own(held, _PARAMS):
+            return key
+        case cst.Call(
+            func=cst.Attribute(
+                value=cst.Subscript(
+                    value=held, slice=[cst.SubscriptElement(slice=cst.Index(value=key))]
+                ),
+                attr=cst.Name(value=name),
+            ),
+            args=[],
+        ) if own(held, _PARAMS) and name in _GET:
+            return key
+        case cst.Call(
+            func=cst.Attribute(value=held, attr=cst.Name(value=name)), args=[cst.Arg(value=key)]
+        ) if own(held, _PARAMS) and name in _GET_BY_KEY:
+            return key
+    return None
+
+
+def _setting(call: cst.Call) -> tuple[cst.BaseExpression, cst.BaseExpression] | None:
+    """The key and the value in a call that sets a parameter."""
+    match call:
+        case cst.Call(
+            func=cst.Attribute(
+                value=cst.Subscript(
+                    value=held, slice=[cst.SubscriptElement(slice=cst.Index(value=key))]
+                ),
+                attr=cst.Name(value=name),
+            ),
+            args=[cst.Arg(value=value, star="", keyword=None)],
+        ) if own(held, _PARAMS) and name in _SET:
+            return key, value
+        case cst.Call(
+            func=cst.Attribute(value=held, attr=cst.Name(value=name)),
+            args=[cst.Arg(value=key, star=""), cst.Arg(value=value, star="", keyword=None)],
+        ) if own(held, _PARAMS) and name in _SET_BY_KEY:
+            return key, value
+    return None
+
+
+class ParameterUses(cst.CSTTransformer):
+    """Translates how the methods of an implementation of `skill` use its parameters.
+
+    What is wrong is in `findings`, what is to be known in `warnings`; each with the statement that
+    it is in. `code` gives the text of an expression.
+    """
+
+    def __init__(self, skill: Skill, code: Callable[[cst.CSTNode], str]) -> None:
+        self._skill, self._code = skill, code
+        self.findings: list[Finding] = []
+        self.warnings: list[Finding] = []
+        self._statements: list[cst.CSTNode] = []
+        self._read: set[int] = set()
+        self._told: set[int] = set()
+        self._place: cst.CSTNode | None = None
+
+    # --- what is said -----------------------------------------------------------------------------
+
+    def leave(self, template: Template, node: cst.CSTNode) -> None:
+        """Something has no translation."""
+        self.findings.append(self._finding(template, node))
+
+    def _finding(self, template: Template, node: cst.CSTNode) -> Finding:
+        return Finding(template, self._place or node, self._statements[-1])
+
+    def on_visit(self, node: cst.CSTNode) -> bool:
+        """Keep the statement that is being read."""
+        if isinstance(node, (cst.SimpleStatementLine, cst.BaseCompoundStatement)):
+            self._statements.append(node)
+        return super().on_visit(node)
+
+    def on_leave(  # type: ignore[override]
+        self, original_node: cst.CSTNode, updated_node: cst.CSTNode
+    ) -> cst.CSTNode | cst.RemovalSentinel | cst.FlattenSentinel[cst.CSTNode]:
+        """The statement has been read."""
+        found = super().on_leave(original_node, updated_node)
+        if self._statements and self._statements[-1] is original_node:
+            self._statements.pop()
+        return found
+
+    # --- what is read -----------------------------------------------------------------------------
+
+    def params(self) -> cst.BaseExpression:
+        """What has the parameters."""
+        return cst.Attribute(cst.Name("self"), cst.Name("params"))
+
+    def of_skiros2(self, node: cst.Attribute) -> None:
+        """Something that EzSkiROS does not have: it stays."""
+        told = {getattr(each.template, "found", "") for each in self.warnings}
+        found = f"self.{node.attr.value}"
+        if found not in told:
+            self.warnings.append(self._finding(errors.OfSkiros2(found=found), node))
+
+    def visit_Attribute(self, node: cst.Attribute) -> None:  # noqa: D102, N802
+        self._remember(node)
+        if own(node, _OF_SKIROS2) and id(node) not in self._told:
+            self.of_skiros2(node)
+
+    def visit_Call(self, node: cst.Call) -> bool | None:  # noqa: D102, N802
+        self._remember(node)
+        if _setting(node) is not None:
+            self._remember_params(node.func)
+        return None
+
+    def _remember(self, node: cst.BaseExpression) -> None:
+        """The `self.params` in it is read as a part of it."""
+        if parameter_key(node) is not None:
+            self._remember_params(node)
+
+    def _remember_params(self, node: cst.CSTNode) -> None:
+        while not own(node, _PARAMS):
+            node = node.func if isinstance(node, cst.Call) else node.value  # type: ignore[attr-defined]
+        self._read.add(id(node))
+
+    def leave_Attribute(  # noqa: D102, N802
+        self, original_node: cst.Attribute, updated_node: cst.Attribute
+    ) -> cst.BaseExpression:
+        if own(original_node, _PARAMS) and id(original_node) not in self._read:
+            self.leave(errors.ParameterUse(found=self.shown()), original_node)
+        return self._value(original_node, updated_node)
+
+    def leave_Call(  # noqa: D102, N802
+        self, original_node: cst.Call, updated_node: cst.Call
+    ) -> cst.BaseExpression:
+        return self._value(original_node, updated_node)
+
+    def _value(
+        self, original: cst.BaseExpression, updated: cst.BaseExpression
+    ) -> cst.BaseExpression:
+        key = parameter_key(original)
+        if key is None:
+            return updated
+        try:
+            return self._parameter(key)
+        except LeftError as left:
+            self.leave(left.template, left.node)
+            return updated
+
+    def _parameter(self, key: cst.BaseExpression) -> cst.Attribute:
+        """`self.params.Speed`. Raises `LeftError`."""
+        return cst.Attribute(self.params(), cst.Name(self.name_of(key)))
+
+    def name_of(self, key: cst.BaseExpression) -> str:
+        """The name of the parameter with a key. Raises `LeftError` if there is none."""
+        text = literal_text(key)
+        if text is None:
+            computed = errors.ComputedArgument(argument="key", call="params", wanted="the text")
+            raise LeftError(computed, key)
+        if text not in self._skill.names:
+            raise LeftError(errors.UnknownKey(skill=self._skill.name, key=text), key)
+        return self._skill.names[text]
+
+    def leave_Expr(  # noqa: D102, N802
+        self, original_node: cst.Expr, updated_node: cst.Expr
+    ) -> cst.BaseSmallStatement:
+        call, new = original_node.value, updated_node.value
+        set_here = _setting(call) if isinstance(call, cst.Call) else None
+        if set_here is None or not isinstance(new, cst.Call):
+            return updated_node
+        try:
+            target = cst.AssignTarget(self._parameter(set_here[0]))
+        except LeftError as left:
+            self.leave(left.template, left.node)
+            return updated_node
+        return cst.Assign([target], new.args[-1].value, semicolon=updated_node.semicolon)
+
+    def visit_Return(self, node: cst.Return) -> None:  # noqa: D102, N802
+        if _start_error(node) is not None:
+            self._told.add(id(node.value.func))  # type: ignore[union-attr]
+
+    def leave_SimpleStatementLine(  # noqa: N802
+        self, original_node: cst.SimpleStatementLine, updated_node: cst.SimpleStatementLine
+    ) -> cst.BaseStatement | cst.FlattenSentinel[cst.BaseStatement]:
+        """`return self.startError(...)` in two steps: the failure, and that the start fails."""
+        match original_node.body, updated_node.body:
+            case [cst.Return() as old], [cst.Return(value=cst.Call() as call) as new]:
+                if _start_error(old) is None:
+                    return updated_node
+                fail = call.with_changes(func=cst.Attribute(cst.Name("self"), cst.Name("fail")))
+                first = cst.SimpleStatementLine(
+                    [cst.Expr(fail)], leading_lines=updated_node.leading_lines
+                )
+                second = updated_node.with_changes(
+                    body=[new.with_changes(value=cst.Name("False"))], leading_lines=()
+                )
+                return cst.FlattenSentinel([first, second])
+        return updated_node
+
+    def shown(self) -> str:
+        """The statement that is being read, cut short."""
+        bare = self._statements[-1].with_changes(leading_lines=())
+        first = self._code(bare).strip().partition("\n")[0]
+        return f"`{first}`" if len(first) <= 50 else f"`{first[:47]}...`"
+
+
+def _start_error(node: cst.Return) -> cst.Call | None:
+    """The call in `return self.startError(...)`."""
+    found = node.value
+    is_one = isinstance(found, cst.Call) and own(found.func, {"startError"})
+    return found if is_one and isinstance(found, cst.Call) else None

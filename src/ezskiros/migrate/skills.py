@@ -1,0 +1,103 @@
+"""The skills that are described in the files of a migration: what implementations say of them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+
+import libcst as cst
+
+from ezskiros.migrate.calls import last_name, literal_text
+from ezskiros.migrate.parameters import Parameter
+from ezskiros.migrate.values import BASIC
+
+NEW = "description"
+"""The method by which EzSkiROS describes a skill."""
+
+
+@dataclass(frozen=True)
+class Skill:
+    """A skill: the names of its parameters by their keys, and those that stand for things.
+
+    Of one that `is_left` neither is known.
+    """
+
+    name: str
+    path: str
+    names: Mapping[str, str] = field(default_factory=dict)
+    things: Collection[str] = frozenset()
+    is_left: bool = False
+
+
+def skill_of(name: str, path: str, parameters: Iterable[Parameter]) -> Skill:
+    """The skill of a description that is translated."""
+    found = list(parameters)
+    names = {each.key: each.name for each in found}
+    return Skill(name, path, names, {each.name for each in found if each.is_thing})
+
+
+class Skills:
+    """All skills of some files. SkiROS2 finds them by their names alone, whatever their modules.
+
+    `robots` are those that somebody speaks of the robot of, which SkiROS2 adds by itself; `labels`
+    are what implementations call themselves, and the names of their classes.
+    """
+
+    def __init__(
+        self,
+        found: Iterable[Skill] = (),
+        robots: Collection[str] = (),
+        labels: Mapping[str, str] = MappingProxyType({}),
+    ) -> None:
+        self.robots, self.labels = {*robots}, labels
+        self._found: dict[str, list[Skill]] = {}
+        for each in found:
+            self._found.setdefault(each.name, []).append(each)
+
+    def called(self, name: str, path: str) -> list[Skill]:
+        """The skills of a name: the one of the same file, or of the same folder, before others."""
+        found = self._found.get(name, [])
+        same = [each for each in found if each.path == path]
+        near = [each for each in found if Path(each.path).parent == Path(path).parent]
+        return same or near or found
+
+
+def new_skills(module: cst.Module, path: str) -> Iterator[Skill]:
+    """The skills that a module describes as EzSkiROS does."""
+    classes = [node for node in module.body if isinstance(node, cst.ClassDef)]
+    for node in classes:
+        for part in node.body.body:
+            if isinstance(part, cst.FunctionDef) and part.name.value == NEW:
+                yield skill_of(node.name.value, path, _declared(part.params))
+
+
+def _declared(parameters: cst.Parameters) -> Iterator[Parameter]:
+    for each in (*parameters.posonly_params, *parameters.params[1:], *parameters.kwonly_params):
+        name = each.name.value
+        annotation = each.annotation.annotation if each.annotation else cst.Name(name)
+        key, kind = _read(annotation)
+        is_thing = isinstance(kind, (cst.Attribute, cst.Subscript)) or last_name(kind) not in BASIC
+        yield Parameter(key or name, name, "", is_thing=is_thing)
+
+
+def _read(annotation: cst.BaseExpression) -> tuple[str, cst.BaseExpression]:
+    """The key of `Annotated[LOCK[skiros.Product], Key("the box")]`, if any, and its class."""
+    key = ""
+    while isinstance(annotation, cst.Subscript) and last_name(annotation.value) is not None:
+        inner = [each.slice for each in annotation.slice]
+        if not isinstance(inner[0], cst.Index) or literal_text(inner[0].value) is not None:
+            break  # a class that is no name of Python: `store["2nd shelf"]`
+        key = _key(inner[1:]) or key
+        annotation = inner[0].value
+    return key, annotation
+
+
+def _key(parts: Iterable[cst.BaseSlice]) -> str:
+    for part in parts:
+        match part:
+            case cst.Index(value=cst.Call(args=[cst.Arg(value=text)]) as call):
+                if last_name(call.func) == "Key":
+                    return literal_text(text) or ""
+    return ""
