@@ -79,7 +79,7 @@ LINES = LIBRARY.count("\n")
 PARAMETERS = (
     "Place: skiros.Location, Box: skiros.Product, Force: float, Name: str, Speed: float = 0.1"
 )
-IS_USED = "self.post_conditions += Place.contain(Box)"
+IS_USED = "self.pre_conditions += Place.contain(Box)"
 
 
 def tree(body: str, parameters: str = PARAMETERS) -> Checked:

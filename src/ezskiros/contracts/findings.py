@@ -122,8 +122,12 @@ class Findings:
     def at_end(self, asked: Asked, known: Known, clash: Clash | None, *, is_false: bool) -> None:
         """A post-condition of the compound does not follow where its tree has succeeded; with
         `is_false` on no way.
+
+        It is an error if a child has made it false. What was false before may be changed by a child
+        that does not say so, as SkiROS2's skills often do.
         """
-        kind = errors.NeverAchieved if is_false else errors.NotAchieved
+        is_made_false = is_false and clash is not None and _has_child(clash, known)
+        kind = errors.NeverAchieved if is_made_false else errors.NotAchieved
         found = kind(tree=self.tree.implementation, condition=self._spelled(asked.statement))
         change = self.last_touching(known, asked.statement)
         labels = self._reasons(clash, known) if clash else self._changed(change)
@@ -226,3 +230,9 @@ class Findings:
     def _keep(self, found: Diagnostic, key: object) -> None:
         """Each finding once, however many ways lead there."""
         self.found.setdefault((found.code, key), found)
+
+
+def _has_child(clash: Clash, known: Known) -> bool:
+    """Whether a child has brought about something of what excludes each other."""
+    origins = (known.facts.get(said) for said in clash.said)
+    return any(origin is not None and origin.call is not None for origin in origins)

@@ -288,7 +288,7 @@ class OwnProcessor(Error, code="EZS727", name="own-processor"):
 
 
 @dataclass(frozen=True, kw_only=True)
-class SeveralTrees(Error, code="EZS728", name="several-trees"):
+class SeveralTrees(Error, code="EZS728", name="several-old-trees"):
     """A compound that adds children in several steps."""
 
     title = "children are added once more"
