@@ -37,7 +37,7 @@ def check_implementations(
     """The trees of compound skills; what is wrong with these and with primitives is reported."""
     found: list[Tree] = []
     implementations = list(implementations)
-    _report_repeated(implementations)
+    _report_repeated([*library.descriptions(), *implementations])
     for implementation in _leaves(implementations):
         for diagnostic in check_protocol(implementation):
             session.report(diagnostic)
@@ -73,12 +73,12 @@ def _implemented(
     return library.skill(cast("type[SkillDescription]", description))
 
 
-def _report_repeated(implementations: Iterable[type[SkillImplementation]]) -> None:
-    """Implementations of one name: SkiROS2 looks them up by that alone."""
+def _report_repeated(classes: Iterable[type]) -> None:
+    """Implementations that have the name of another one, or of a description."""
     seen: dict[str, type] = {}
-    for each in implementations:
+    for each in classes:
         other = seen.setdefault(each.__name__, each)
-        if other is not each:
+        if other is not each and issubclass(each, SkillImplementation):
             label = Label(class_span(other), "the other one")
             found = errors.DuplicateSkill(skill=each.__name__)
             session.report(found.at(class_span(each), label))

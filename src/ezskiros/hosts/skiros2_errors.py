@@ -19,16 +19,6 @@ class CallsRefused(Error, code="EZS880", name="calls-refused"):
 
 
 @dataclass(frozen=True, kw_only=True)
-class NamedAlike(Error, code="EZS881", name="named-alike"):
-    """Two classes that SkiROS2 cannot tell apart."""
-
-    title = "another class of this library is called `{spelled}`"
-    note = "SkiROS2 finds descriptions and implementations by their names, and takes the first"
-    help = "give this one another name"
-    spelled: str
-
-
-@dataclass(frozen=True, kw_only=True)
 class DescriptionRefused(Error, code="EZS882", name="description-refused"):
     """An implementation of a skill that SkiROS2 does not have."""
 
@@ -38,4 +28,4 @@ class DescriptionRefused(Error, code="EZS882", name="description-refused"):
     spelled: str
 
 
-ALL: tuple[type[Template], ...] = (CallsRefused, NamedAlike, DescriptionRefused)
+ALL: tuple[type[Template], ...] = (CallsRefused, DescriptionRefused)

@@ -61,8 +61,6 @@ def check_library(modules: Iterable[ModuleType], found: Collector) -> CheckedLib
         library = Library(described)
         trees = check_implementations(implementing, library)
         found.extend(check_contracts(trees, library).diagnostics)
-        for diagnostic in _named_alike(classes):
-            session.report(diagnostic)
         refused = _with_errors(classes, found) | (set(descriptions) - set(described))
         _accepted.update(set(classes) - refused)
         _refuse_what_depends(implementing, trees)
@@ -127,13 +125,3 @@ def own(module: ModuleType, base: type[T]) -> Iterator[type[T]]:
         is_class = isinstance(each, type) and issubclass(each, base)
         if is_class and each.__module__ == module.__name__:
             yield each
-
-
-def _named_alike(classes: Sequence[type]) -> Iterator[Diagnostic]:
-    """SkiROS2 knows classes by their bare names, and takes the first."""
-    known: dict[str, type] = {}
-    for each in classes:
-        first = known.setdefault(each.__name__, each)
-        both_are_skills = issubclass(each, SkillDescription) and issubclass(first, SkillDescription)
-        if first is not each and not both_are_skills:  # two skills of one name are told elsewhere
-            yield errors.NamedAlike(spelled=each.__name__).at(class_span(each))

@@ -238,10 +238,12 @@ class DependsOnOutcome(Error, code="EZS225", name="depends-on-outcome"):
 
 @dataclass(frozen=True, kw_only=True)
 class DuplicateSkill(Error, code="EZS230", name="duplicate-skill"):
-    """Two skills of one name: SkiROS2 takes the one that it loads first, Python the last."""
+    """Two skills or implementations of one name: SkiROS2 takes the one that it loads first, Python
+    the last.
+    """
 
-    title = "there are two skills `{skill}`"
-    note = "one hides the other: SkiROS2 looks skills up by the names of their classes alone"
+    title = "there are two `{skill}`"
+    note = "one hides the other: SkiROS2 looks skills and implementations up by their names alone"
     help = "give one of them another name"
     skill: str
 

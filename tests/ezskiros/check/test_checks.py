@@ -125,8 +125,9 @@ def test_listing_5_of_the_thesis_is_fine() -> None:
     result = check_paths([HALL.parent / "skills"])
     assert found(result) == []
     assert warned(result) == [("EZS421", "Arm")]
-    assert [skill.name for skill in result.skills] == ["Pick", "Place"]
-    assert [each.doc for each in result.skills[1].parameters][-2:] == [
+    skills = {skill.name: skill for skill in result.skills}
+    assert {"Pick", "Place"} <= set(skills)
+    assert [each.doc for each in skills["Place"].parameters][-2:] == [
         "where it goes.",
         "of the approach, in m/s.",
     ]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from ezskiros.engine import expansion
-from ezskiros.trees.expand import expand
+from ezskiros.trees.build import build
 from support.engine import Skills
 
 SOURCE = """
@@ -101,9 +101,9 @@ def test_expand_is_run_once_for_the_same_values(
 
     def counted(implementation: type, *others: object) -> object:
         made.append(implementation.__name__)
-        return expand(implementation, *others)  # type: ignore[arg-type]
+        return build(implementation, *others)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(expansion, "expand", counted)
+    monkeypatch.setattr(expansion, "build", counted)
     said(Skills(tmp_path, SOURCE), "often")
     assert made == ["go", "go"]
 
@@ -114,4 +114,4 @@ def test_what_only_goes_wrong_with_the_real_values_is_a_failure(tmp_path: Path) 
     assert said(skills, "go", "Count=1", "Mode=FAST") == ["far 0.5"]
     ran = skills.run("go", "Count=0", "Mode=FAST")
     assert ran.events[-1].code == -404
-    assert "`expandBT` of `go` raises ZeroDivisionError" in ran.reason
+    assert "`expandBT` raised ZeroDivisionError" in ran.reason

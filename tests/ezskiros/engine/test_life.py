@@ -305,9 +305,11 @@ def test_a_tree_that_runs_forever_is_stopped(tmp_path: Path) -> None:
 
 def test_a_skill_that_calls_itself_is_a_failure(tmp_path: Path) -> None:
     source = TREE + (
-        "class Endless(SkillDescription):\n    def description(self): pass\n"
+        "class Endless(SkillDescription):\n    def description(self, Count: int = 1): pass\n"
         "class endless(Endless.SkillBase):\n"
-        "    def expandBT(self, params):\n        self.serial(Endless())\n"
+        "    def expandBT(self, params):\n"
+        "        if params.Count > 0:\n            self.serial(Endless(Count=params.Count))\n"
+        "        else:\n            Note(Name='a')\n"
     )
     reason = skills(tmp_path, source, "").run("Endless").reason
     assert reason == "the tree has more than 2000 levels: does a skill call itself?"

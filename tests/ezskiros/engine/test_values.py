@@ -50,7 +50,6 @@ class Drive(SkillDescription):
         self, Robot: cora.Robot, Start: INFERRED[skiros.Location], Goal: skiros.Location,
     ):
         self.pre_conditions += Robot.at(Start)
-        self.post_conditions += Robot.at(Goal)
 
 
 class drive(Drive.SkillBase):

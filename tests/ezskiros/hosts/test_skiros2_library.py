@@ -106,7 +106,7 @@ def test_names_that_skiros2_cannot_tell_apart(package: Any, name: str) -> None:
         (f"\nclass {name}", "")
     ).replace("(Wait.", "(skills.Wait.")
     library = checked(package("nine" + name, WAIT, "", other=other), "skills", "other")
-    assert codes(library) == ["EZS881"]
+    assert codes(library) == ["EZS230"]
     assert refused(library) == [name]
 
 
