@@ -43,12 +43,15 @@ ifneq ($(wildcard $(HUSKY_RECORDING)),)
 	@echo "the real drive:  open $(CURDIR)/build/husky/timeline.html in a browser"
 endif
 	$(RUN)/ezskiros check examples/pick_place/skills
+	$(RUN)/ezskiros show pick_and_place examples/pick_place/skills --depth 1 --no-conditions
+	$(RUN)/ezskiros show pick_and_place examples/pick_place/skills --depth 1 --svg build/demo/tree.svg
 	$(RUN)/ezskiros run PickAndPlace examples/pick_place/skills \
 		--scene examples/pick_place/lab.turtle --save build/demo/lab_after.turtle \
 		Object=starter Gripper=gripper PlacingLocation=shelf
 	@echo "mistakes that are planted, in rules and in skills:"
 	@$(RUN)/rossmarie check examples/thesis/arm_as_printed.ross || true
 	@$(RUN)/ezskiros check examples/pick_place/planted || true
+	@echo "the tree:        open $(CURDIR)/build/demo/tree.svg in a browser"
 	@echo "the timeline:    open $(CURDIR)/build/demo/report/timeline.html in a browser"
 
 test: $(READY) compiler browser ros1

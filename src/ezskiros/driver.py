@@ -19,6 +19,7 @@ from ezskiros.check.inference import chains
 from ezskiros.check.scene_errors import NoOntologyForScene
 from ezskiros.check.scenes import check_scene
 from ezskiros.contracts import Missing, check_contracts, missing_pre_conditions
+from ezskiros.engine.depth import deep
 from ezskiros.ontology import load
 from ezskiros.ontology.load import VARIABLE
 from ezskiros.skills.interface import SkillInterface
@@ -71,6 +72,7 @@ def check_paths(paths: Iterable[Path], values: Path | None = None) -> Checked:
         session.checking(roots(files)),
         redirect_stdout(StringIO()),
         _without_collections(),
+        deep(),
     ):
         loaded = load_skills(paths)
         described = check_skills(loaded.descriptions)

@@ -12,7 +12,6 @@ from types import MappingProxyType
 from dslkit.diagnostics import Diagnostic, Severity
 from ezskiros.driver import Checked, check_paths
 from ezskiros.engine.arguments import read_arguments
-from ezskiros.engine.depth import deep
 from ezskiros.engine.scenes import load_world
 from ezskiros.engine.world import World
 from ezskiros.ontology import Ontology, load
@@ -55,8 +54,7 @@ def prepare(skill: str, paths: Iterable[Path], scene: Path | None, texts: Iterab
     `FaultyError`, `UnknownSkillError`, `WrongArgumentError`, and `OSError` for a scene that cannot
     be read.
     """
-    with deep():
-        checked = check_paths(paths)
+    checked = check_paths(paths)
     _refuse_errors(checked, checked.diagnostics)
     library = checked.library
     description, implementation = _found(skill, library)

@@ -12,6 +12,7 @@ from ezskiros.contracts import errors as contract_errors
 from ezskiros.drawing import errors as drawing_errors
 from ezskiros.hosts import skiros2_errors
 from ezskiros.migrate import errors as migrate_errors
+from ezskiros.migrate import implementation_errors
 from ezskiros.ontology import condition_errors
 from ezskiros.ontology import errors as ontology_errors
 from ezskiros.planning import errors as planning_errors
@@ -33,6 +34,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *check_errors.ALL,
     *scene_errors.ALL,
     *migrate_errors.ALL,
+    *implementation_errors.ALL,
     *drawing_errors.ALL,
     *planning_errors.ALL,
     *skiros2_errors.ALL,

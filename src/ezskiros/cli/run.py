@@ -86,6 +86,8 @@ def run(
     texts = [each for each in words or [] if _GIVEN.match(each)]
     paths = [Path(each) for each in words or [] if not _GIVEN.match(each)] or [Path()]
     ready = _ready(skill, paths, scene, texts)
+    if not simulate:
+        _refuse_half_modules(ready)
     setting = Setting(
         ready.library,
         ready.world,
@@ -123,6 +125,19 @@ def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) 
         plural = "s" if count > 1 else ""
         output.complain(f"{count} warning{plural}: `ezskiros check` shows what")
     return ready
+
+
+def _refuse_half_modules(ready: Ready) -> None:
+    """End the run if modules were not run whole: primitives would work with mocks."""
+    from ezskiros.skills.load_errors import ImportSideEffect
+
+    left_out = [each for each in ready.warnings if each.code == ImportSideEffect.code]
+    if left_out:
+        output.print_findings(left_out)
+        output.fail(
+            "nothing is run: primitives need what these modules do; `--simulate` runs without them",
+            exit_code=2,
+        )
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import libcst as cst
 
 from dslkit.diagnostics import Template
-from ezskiros.migrate import errors
+from ezskiros.migrate import implementation_errors
 from ezskiros.migrate.calls import Arguments, last_name, literal_text, method
 from ezskiros.migrate.comments import marked, texts, without_marks
 from ezskiros.migrate.description import Finding
@@ -16,7 +16,8 @@ from ezskiros.migrate.docstrings import Text, docstring_of
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.parameter_uses import ParameterUses
 from ezskiros.migrate.skills import Skill
-from ezskiros.migrate.trees import OLD, Context, TreeUses
+from ezskiros.migrate.tree_context import Context
+from ezskiros.migrate.trees import OLD, TreeUses
 
 OLD_DESCRIPTION = "createDescription"
 BASES = frozenset({"SkillBase", "PrimitiveBase"})
@@ -125,14 +126,18 @@ class _Class:
         made, label = given["description"], given.get("label")
         is_made = isinstance(made, cst.Call) and not made.args
         if not is_made or not isinstance(made, cst.Call) or (name := last_name(made.func)) is None:
-            raise LeftError(errors.OtherDescription(found=f"`{self._code(made)}`"), made)
+            raise LeftError(
+                implementation_errors.OtherDescription(found=f"`{self._code(made)}`"), made
+            )
         if label is not None and "__name__" not in self._code(label) and label_of(call) is None:
-            raise LeftError(errors.OtherDescription(found=f"`{self._code(label)}`"), label)
+            raise LeftError(
+                implementation_errors.OtherDescription(found=f"`{self._code(label)}`"), label
+            )
         name = self._names.get(name, name)
         found = self._context.skills.called(name, self._context.path)
         if len(found) != 1 or found[0].is_left:
             said = "left as it is" if found else "described in none of these files"
-            raise LeftError(errors.UnusableSkill(skill=name, found=said), made)
+            raise LeftError(implementation_errors.UnusableSkill(skill=name, found=said), made)
         return found[0], made.func
 
     def _bases(self, skill: cst.BaseExpression) -> list[cst.Arg]:
@@ -148,7 +153,9 @@ class _Class:
         if not is_plain:
             found = ", ".join(f"`{self._code(each.value)}`" for each in self._node.bases)
             found = f"is derived from {found or 'nothing'}"
-            template = errors.OtherBase(implementation=self._node.name.value, found=found)
+            template = implementation_errors.OtherBase(
+                implementation=self._node.name.value, found=found
+            )
             self._leave(template, self._node.name, self._node)
         return bases
 
@@ -168,7 +175,9 @@ class _Class:
                 if doc is not None:
                     comments += [f"# {line.strip()}" for line in _lines_of(doc)]
                 elif not is_known and not isinstance(each, cst.Pass):
-                    self._leave(errors.OtherDescription(found=self._shown(each)), each, part)
+                    self._leave(
+                        implementation_errors.OtherDescription(found=self._shown(each)), each, part
+                    )
         comments += texts(getattr(function.body, "footer", ()))
         return [each for each in comments if each]
 
@@ -194,7 +203,7 @@ class _Class:
             if part is tree or name == OLD_DESCRIPTION or name in used:
                 continue
             if name == "modifyDescription":
-                found = errors.OtherDescription(found=f"`def {name}`")
+                found = implementation_errors.OtherDescription(found=f"`def {name}`")
                 self._leave(found, part.name, part)  # type: ignore[union-attr]
             plain = _Methods(skill, self._code, self._node)
             new[id(part)] = part.visit(plain)  # type: ignore[assignment]

@@ -10,7 +10,7 @@ from libcst.metadata import CodePosition, CodeRange, MetadataWrapper, PositionPr
 
 from dslkit.diagnostics import Diagnostic, Template
 from dslkit.source import SourceFile, Span
-from ezskiros.migrate import errors
+from ezskiros.migrate import errors, implementation_errors
 from ezskiros.migrate.calls import last_name, method
 from ezskiros.migrate.comments import marked, without_marks
 from ezskiros.migrate.description import Finding, Translation, statements_of, translate
@@ -36,8 +36,8 @@ from ezskiros.migrate.keys import ROBOT
 from ezskiros.migrate.modules import import_of
 from ezskiros.migrate.names import Names
 from ezskiros.migrate.skills import Skill, Skills, new_skills, skill_of
-from ezskiros.migrate.trees import Context, Place
-from ezskiros.migrate.trees import Wanted as WantedSkills
+from ezskiros.migrate.tree_context import Context, Place
+from ezskiros.migrate.tree_context import Wanted as WantedSkills
 from ezskiros.migrate.values import known_of
 
 _OLD, _NEW = "createDescription", "description"
@@ -221,7 +221,9 @@ class _File:
         ]
         if below or name in self._inherited:
             said = f"`{below[0]}` is" if below else "a class elsewhere is"
-            template = errors.OtherBase(implementation=name, found=f"is what {said} derived from")
+            template = implementation_errors.OtherBase(
+                implementation=name, found=f"is what {said} derived from"
+            )
             each.findings.append(Finding(template, each.node.name, each.node))
             each.new = with_marks(each.node, each.findings)
 

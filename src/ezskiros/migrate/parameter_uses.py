@@ -8,7 +8,7 @@ from typing import TypeVar
 import libcst as cst
 
 from dslkit.diagnostics import Template
-from ezskiros.migrate import errors
+from ezskiros.migrate import errors, implementation_errors
 from ezskiros.migrate.calls import literal_text
 from ezskiros.migrate.description import Finding
 from ezskiros.migrate.errors import LeftError
@@ -134,7 +134,7 @@ class ParameterUses(cst.CSTTransformer):
         told = {getattr(each.template, "found", "") for each in self.warnings}
         found = f"self.{node.attr.value}"
         if found not in told:
-            self.warnings.append(self._finding(errors.OfSkiros2(found=found), node))
+            self.warnings.append(self._finding(implementation_errors.OfSkiros2(found=found), node))
 
     def visit_Attribute(self, node: cst.Attribute) -> None:  # noqa: D102, N802
         self._remember(node)
@@ -161,7 +161,7 @@ class ParameterUses(cst.CSTTransformer):
         self, original_node: cst.Attribute, updated_node: cst.Attribute
     ) -> cst.BaseExpression:
         if own(original_node, _PARAMS) and id(original_node) not in self._read:
-            self.leave(errors.ParameterUse(found=self.shown()), original_node)
+            self.leave(implementation_errors.ParameterUse(found=self.shown()), original_node)
         return self._value(original_node, updated_node)
 
     def leave_Call(  # noqa: D102, N802
@@ -192,7 +192,7 @@ class ParameterUses(cst.CSTTransformer):
             computed = errors.ComputedArgument(argument="key", call="params", wanted="the text")
             raise LeftError(computed, key)
         if text not in self._skill.names:
-            raise LeftError(errors.UnknownKey(skill=self._skill.name, key=text), key)
+            raise LeftError(implementation_errors.UnknownKey(skill=self._skill.name, key=text), key)
         return self._skill.names[text]
 
     def leave_Expr(  # noqa: D102, N802

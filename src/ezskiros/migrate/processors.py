@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 
 import libcst as cst
 
-from ezskiros.migrate import errors
+from ezskiros.migrate import implementation_errors
 from ezskiros.migrate.calls import last_name
 from ezskiros.migrate.errors import LeftError
 
@@ -41,7 +41,7 @@ def wrapper(processor: cst.BaseExpression) -> Wrapper:
             if last_name(func) == "RetryOnFail" and (tries := _tries(inner)):
                 return _retry(tries)
     found = last_name(processor.func) if isinstance(processor, cst.Call) else None
-    raise LeftError(errors.NoProcessor(found=found or "this expression"), processor)
+    raise LeftError(implementation_errors.NoProcessor(found=found or "this expression"), processor)
 
 
 def _method(name: str) -> cst.Attribute:

@@ -204,3 +204,13 @@ def test_a_terminal_shows_a_tree() -> None:
     assert b"SerialStar" in shown
     assert b"WmMoveObject" in shown
     assert b"->Pick-pick" not in shown
+
+
+def test_a_module_that_was_not_run_whole_is_only_simulated(tmp_path: Path) -> None:
+    text = "import socket\n\narm = socket.create_connection(('arm', 1))\n" + SKILLS
+    (tmp_path / "skills.py").write_text(text, encoding="utf-8")
+    done = run("Work", folder=tmp_path)
+    assert done.returncode == 2
+    assert "EZS231" in done.stderr + done.stdout
+    assert "nothing is run" in done.stderr
+    assert run("Work", "--simulate", folder=tmp_path).returncode == 0

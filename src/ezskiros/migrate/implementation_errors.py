@@ -1,0 +1,185 @@
+"""EZS721 to EZS735: implementations of SkiROS2 that cannot be translated, and are left."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnusableSkill(Error, code="EZS721", name="unusable-skill"):
+    """An implementation of a skill whose description is not translated, or not there."""
+
+    title = "`{skill}`, which this implements, is {found}"
+    label = "implementations are derived from a description of EzSkiROS"
+    help = "name the file of its description, too, and see why that is left"
+    skill: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnusableChild(Error, code="EZS722", name="unusable-child"):
+    """A child of which no description is translated, or more than one."""
+
+    title = "the child `{skill}` is {found}"
+    label = "trees of EzSkiROS name skills by their Python classes"
+    help = "name the files that it takes, and only these; where it is left, a finding says why"
+    skill: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class SharedName(Error, code="EZS723", name="shared-name"):
+    """A child whose parameter is renamed to something that is no parameter of the compound."""
+
+    title = "`{key}`, which `{child}` shares with other children, is no parameter of `{skill}`"
+    note = "SkiROS2 makes a new name for any text that it is given, also for a misspelt one"
+    help = 'declare it: self.addParam("{key}", ..., ParamTypes.Optional) in `{skill}`'
+    skill: str
+    key: str
+    child: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnknownKey(Error, code="EZS724", name="unknown-key"):
+    """A parameter that is used, and that the description does not have."""
+
+    title = "`{skill}` has no parameter `{key}`"
+    note = "SkiROS2 fails, or goes on without a value, when the skill gets there"
+    help = "name one that it has, or declare this one in its description"
+    skill: str
+    key: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class TwiceGiven(Error, code="EZS725", name="twice-given"):
+    """A parameter of a child that is renamed and gets a value."""
+
+    title = "`{key}` is both renamed and given a value"
+    note = "SkiROS2 renames first: a value for the old name is lost"
+    help = "write it in `remap` or in `specify`"
+    key: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoProcessor(Error, code="EZS726", name="no-processor"):
+    """A processor that EzSkiROS does not have, or that is computed."""
+
+    title = "`{found}` is no processor that EzSkiROS has"
+    help = (
+        "processors are Serial, SerialStar, Selector, SelectorStar, ParallelFf, ParallelFs, "
+        "NoFail(...) and RetryOnFail(NUMBER)"
+    )
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class OwnProcessor(Error, code="EZS727", name="own-processor"):
+    """A compound that chooses its own processor while it is expanded."""
+
+    title = "`self.setProcessor` does not choose {found} for this tree"
+    note = "SkiROS2 has taken the processor before: this one is for the next task, if any"
+    help = "write `skill.setProcessor(...)`"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class SeveralTrees(Error, code="EZS728", name="several-old-trees"):
+    """A compound that adds children in several steps."""
+
+    title = "children are added once more"
+    label = "a tree of EzSkiROS is written in one step"
+    help = "write all children in one call"
+
+
+@dataclass(frozen=True, kw_only=True)
+class AskedThing(Error, code="EZS729", name="asked-thing"):
+    """A tree that depends on the world."""
+
+    title = "{found} asks a thing of the world"
+    label = "a tree of EzSkiROS is known, and checked, before there is a world"
+    help = "let a child ask, under a selector, or say it in a condition of the description"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoTree(Error, code="EZS730", name="no-tree"):
+    """Something in `expand` that is known only while the robot runs, or that nobody knows."""
+
+    title = "{found} cannot be part of a translated tree"
+    help = (
+        "write it with self.skill(...), skill.setProcessor(...) and skill(...), and move what "
+        "needs the robot to a primitive skill"
+    )
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoName(Error, code="EZS731", name="no-implementation-name"):
+    """A label that is no name of a class."""
+
+    title = "no implementation can be called `{found}`"
+    note = "in SkiROS2 the task hangs when the tree gets there, and every later one with it"
+    help = "name the class that implements it, or leave the label empty"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ParameterUse(Error, code="EZS732", name="parameter-use"):
+    """A parameter that is used otherwise than by its value."""
+
+    title = "{found} uses more of a parameter than its value"
+    label = "EzSkiROS has the values alone: `self.params.Speed`"
+    help = 'write self.params["KEY"].value, also to set it'
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class OtherBase(Error, code="EZS733", name="other-base"):
+    """An implementation that is built on another class than SkiROS2's own, or below one."""
+
+    title = "`{implementation}` {found}"
+    label = "only what is derived from SkillBase or PrimitiveBase alone is translated"
+    help = "derive it from `Skill.SkillBase` by hand, with the classes around it"
+    implementation: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class OtherDescription(Error, code="EZS734", name="other-description"):
+    """An implementation that changes its description."""
+
+    title = "{found} changes what an implementation says of its skill"
+    label = "in EzSkiROS all implementations of a skill have its description"
+    help = "write it into the description, and `self.setDescription(Skill(), ...)` alone here"
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class OfSkiros2(Warning, code="EZS735", name="of-skiros2"):
+    """Something that only SkiROS2's own base classes have."""
+
+    title = "`{found}` is of SkiROS2, and skills of EzSkiROS do not have it"
+    label = "it stays, and fails when `ezskiros run` gets there"
+    help = "use parameters and conditions for what the skill knows of the world"
+    found: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnusableSkill,
+    UnusableChild,
+    SharedName,
+    UnknownKey,
+    TwiceGiven,
+    NoProcessor,
+    OwnProcessor,
+    SeveralTrees,
+    AskedThing,
+    NoTree,
+    NoName,
+    ParameterUse,
+    OtherBase,
+    OtherDescription,
+    OfSkiros2,
+)

@@ -1,0 +1,168 @@
+"""`self.skill("Drive", "drive_fast", ...)` in, `Drive.drive_fast(...)` out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+import libcst as cst
+
+from ezskiros.migrate import errors, implementation_errors
+from ezskiros.migrate.calls import Arguments, literal_text
+from ezskiros.migrate.comments import inner_comments
+from ezskiros.migrate.description import LENGTH
+from ezskiros.migrate.errors import LeftError
+from ezskiros.migrate.names import is_name
+from ezskiros.migrate.skills import Skill
+from ezskiros.migrate.tree_context import Context, Place
+
+_Entry = tuple[cst.BaseExpression, cst.BaseExpression]
+
+
+@dataclass
+class Children:
+    """Translates the calls of skills in the tree of `skill`.
+
+    `code` gives the text of an expression, `shown` that of the statement that is being read;
+    `params` is how the argument of `expandBT` is called, `imports` what the method has to import.
+    """
+
+    skill: Skill
+    code: Callable[[cst.CSTNode], str]
+    shown: Callable[[], str]
+    context: Context
+    params: str = "params"
+    imports: dict[str, None] = field(default_factory=dict)
+
+    def translated(self, original: cst.Call, updated: cst.Call, place: Place) -> cst.BaseExpression:
+        """`Pick.pick_fast(Object=params.Object)`. Raises `LeftError`."""
+        old, new = Arguments(original, "skill"), Arguments(updated, "skill")
+        if literal_text(old["stype"]) is None:
+            raise LeftError(implementation_errors.NoTree(found=self.shown()), original)
+        if old.get("preconditions") is not None:
+            raise LeftError(
+                implementation_errors.NoTree(found="pre-conditions of a child"), original
+            )
+        child = self._called(old.text("stype").rpartition(":")[2], old["stype"])
+        label = old.text("slabel") if old.get("slabel") is not None else ""
+        label = self.context.skills.labels.get(label, label)
+        if label and (not is_name(label) or label.startswith("_")):
+            raise LeftError(implementation_errors.NoName(found=label), old["slabel"])
+        remaps = list(_entries(old, "remap"))
+        given = [*self._remapped(child, remaps), *self._specified(child, old, new, remaps)]
+        given += self._same_keys(child, {name for name, _ in given}, remaps)
+        name = self.context.wanted.name(child)
+        if line := self.context.late(name, child):
+            self.imports[line] = None
+        name += f".{label}" if label else ""
+        values = [value for _, value in _entries(new, "specify")]
+        said = [each for value in values for each in inner_comments(value)]
+        comments = [each for each in inner_comments(original) if each not in said]
+        return _written(name, given, comments, place, self.context.step)
+
+    def _called(self, name: str, node: cst.CSTNode) -> Skill:
+        """Raises `LeftError` if there is none, if it is left, or if there are several."""
+        found = self.context.skills.called(name, self.context.path)
+        if len(found) != 1 or found[0].is_left:
+            said = "described in several of these files"
+            if not found:
+                said = "described in none of these files"
+            elif len(found) == 1:
+                said = "left as it is"
+            raise LeftError(implementation_errors.UnusableChild(skill=name, found=said), node)
+        return found[0]
+
+    def _remapped(self, child: Skill, remaps: Sequence[_Entry]) -> Iterator[tuple[str, str]]:
+        """The arguments that a dictionary of remaps stands for. Raises `LeftError`."""
+        for key, target in remaps:
+            text = _text(target, "remap")
+            own_name = self.skill.names.get(text)
+            if own_name is None and text != _text(key, "remap"):
+                shared = implementation_errors.SharedName(
+                    skill=self.skill.name, key=text, child=child.name
+                )
+                raise LeftError(shared, target)
+            if own_name is not None:
+                yield _name_of(child, key), f"{self.params}.{own_name}"
+
+    def _specified(
+        self,
+        child: Skill,
+        old: Arguments,
+        new: Arguments,
+        remaps: Sequence[_Entry],
+    ) -> Iterator[tuple[str, str]]:
+        """The arguments that a dictionary of values stands for. Raises `LeftError`."""
+        renamed = {literal_text(each) for pair in remaps for each in pair}
+        for (key, _), (_, value) in zip(
+            _entries(old, "specify"), _entries(new, "specify"), strict=True
+        ):
+            if _text(key, "specify") in renamed:
+                raise LeftError(implementation_errors.TwiceGiven(key=_text(key, "specify")), key)
+            yield _name_of(child, key), self.code(value)
+
+    def _same_keys(
+        self,
+        child: Skill,
+        given: set[str],
+        remaps: Sequence[_Entry],
+    ) -> Iterator[tuple[str, str]]:
+        """What is shared because the keys are the same, where the names for them are not."""
+        renamed = {literal_text(key) for key, _ in remaps}
+        for key, name in child.names.items():
+            own_name = self.skill.names.get(key)
+            if own_name not in (None, name) and name not in given and key not in renamed:
+                yield name, f"{self.params}.{own_name}"
+
+
+def _entries(given: Arguments, key: str) -> Iterator[_Entry]:
+    """What is in a dictionary; an empty text is one without anything. Raises `LeftError`."""
+    value = given.get(key)
+    if value is None or literal_text(value) == "":
+        return
+    if not isinstance(value, cst.Dict):
+        computed = errors.ComputedArgument(argument=key, call="skill", wanted="the dictionary")
+        raise LeftError(computed, value)
+    for each in value.elements:
+        if not isinstance(each, cst.DictElement):
+            computed = errors.ComputedArgument(argument=key, call="skill", wanted="its keys")
+            raise LeftError(computed, each.value)
+        yield each.key, each.value
+
+
+def _text(node: cst.BaseExpression, argument: str) -> str:
+    """A key that is written out. Raises `LeftError`."""
+    found = literal_text(node)
+    if found is None:
+        computed = errors.ComputedArgument(argument=argument, call="skill", wanted="the texts")
+        raise LeftError(computed, node)
+    return found
+
+
+def _name_of(child: Skill, key: cst.BaseExpression) -> str:
+    """The name of a parameter of a child; what it does not have, a check finds, if it is a name.
+
+    Raises `LeftError`.
+    """
+    text = _text(key, "remap")
+    if text not in child.names and not is_name(text):
+        raise LeftError(implementation_errors.UnknownKey(skill=child.name, key=text), key)
+    return child.names.get(text, text)
+
+
+def _written(
+    name: str,
+    given: Sequence[tuple[str, str]],
+    comments: Sequence[str],
+    place: Place,
+    step: str,
+) -> cst.BaseExpression:
+    """The call of a skill, in one line if it fits."""
+    arguments = [f"{key}={value}" for key, value in given]
+    one = f"{name}({', '.join(arguments)})"
+    if comments or (arguments and place.column + len(one) >= LENGTH):
+        inside = [
+            f"{place.indent}{step}{each}" for each in (*comments, *(f"{a}," for a in arguments))
+        ]
+        one = "\n".join([f"{name}(", *inside, f"{place.indent})"])
+    return cst.parse_expression(one)

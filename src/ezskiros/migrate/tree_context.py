@@ -1,0 +1,53 @@
+"""What is known where a tree is translated: the file, its class, and the skills of all files."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import libcst as cst
+
+from ezskiros.migrate.skills import Skill, Skills
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where something stands in its file: the column, and the space that its line begins with."""
+
+    column: int
+    indent: str
+
+
+@dataclass
+class Wanted:
+    """The skills that a file names, by how it calls them.
+
+    `spell` finds out how a skill is called in the file.
+    """
+
+    spell: Callable[[Skill], str]
+    found: dict[str, Skill] = field(default_factory=dict)
+
+    def name(self, skill: Skill) -> str:
+        """How a skill is called, which is needed from now on."""
+        name = self.spell(skill)
+        self.found[name] = skill
+        return name
+
+
+@dataclass(frozen=True)
+class Context:
+    """What is known where a tree is translated.
+
+    `path` is the file, `skills` all that are described, `helpers` the methods of the class, `place`
+    says where a node is, `step` is the space by which the file indents. `late` gives the import
+    of a skill that cannot be imported before, None for others.
+    """
+
+    path: str
+    skills: Skills
+    wanted: Wanted
+    helpers: Mapping[str, cst.FunctionDef]
+    place: Callable[[cst.CSTNode], Place]
+    step: str
+    late: Callable[[str, Skill], str | None]
