@@ -149,7 +149,7 @@ class task(Task.SkillBase):
 
 
 THINGS = """A: skiros.Location, B: skiros.Location, Product: skiros.Product,
-        Found: OUTPUT[skiros.Location],"""
+        Found: OPTIONAL[skiros.Location],"""
 
 
 def told_by(
