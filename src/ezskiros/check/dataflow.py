@@ -52,7 +52,8 @@ def _known(skill: SkillInterface) -> Iterator[str]:
     """What has a value when the compound starts."""
     yield from skill.unclear
     for parameter in skill.parameters:
-        if not parameter.is_output and parameter.kind is not Kind.OPTIONAL:
+        has_value = parameter.kind is not Kind.OPTIONAL or parameter.default is not None
+        if not parameter.is_output and has_value:
             yield parameter.name
 
 

@@ -236,3 +236,12 @@ class go(Go.SkillBase):
 """
     found = findings(checked(HEADER + text))
     assert {code for code, _ in found} == {"EZS111"}
+
+
+def test_an_optional_parameter_with_a_default_has_a_value() -> None:
+    optional = 'Force: OPTIONAL[float] = 2.0, Name: OPTIONAL[str] = "a"'
+    assert findings(tree("Grip(Force=params.Force)", optional)) == []
+    without = "Force: OPTIONAL[float]"
+    assert findings(tree("Grip(Force=params.Force)", without)) == [
+        ("EZS537", "Grip(Force=params.Force)")
+    ]
