@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import signal
 from collections.abc import Iterator, Sequence
@@ -15,6 +14,7 @@ import typer
 from rich.console import Console
 
 from dslkit.command_line import Format
+from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.output import output
 
 if TYPE_CHECKING:  # the engine is loaded only where it is needed
@@ -70,16 +70,10 @@ def run(
         float | None,
         typer.Option(metavar="SECONDS", min=0.0, help="Stop the task after this time."),
     ] = None,
-    ontology: Annotated[
-        list[Path] | None,
-        typer.Option("--ontology", metavar="PATH", help="Files and folders for `load()`."),
-    ] = None,
+    ontology: Folders = None,
 ) -> None:
     """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
-    if ontology:
-        from ezskiros.ontology.load import VARIABLE
-
-        os.environ[VARIABLE] = os.pathsep.join(map(str, ontology))
+    name_ontology(ontology)
     from ezskiros.engine.expansion import Expansions
     from ezskiros.engine.setting import Setting
 

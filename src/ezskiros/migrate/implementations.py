@@ -10,6 +10,7 @@ import libcst as cst
 from dslkit.diagnostics import Template
 from ezskiros.migrate import implementation_errors
 from ezskiros.migrate.calls import Arguments, last_name, literal_text, method
+from ezskiros.migrate.classes import OLD_DESCRIPTION
 from ezskiros.migrate.comments import marked, texts, without_marks
 from ezskiros.migrate.description import Finding
 from ezskiros.migrate.docstrings import Text, docstring_of
@@ -19,7 +20,6 @@ from ezskiros.migrate.skills import Skill
 from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.trees import OLD, TreeUses
 
-OLD_DESCRIPTION = "createDescription"
 BASES = frozenset({"SkillBase", "PrimitiveBase"})
 
 

@@ -8,11 +8,12 @@ import pytest
 
 from dslkit.diagnostics import Template
 from ezskiros.catalog import CATALOG
-from ezskiros.migrate import errors
+from ezskiros.migrate import errors, implementation_errors
 from ezskiros.migrate.module import migrate_text
 from support.markdown import blocks
 
-CODES = [each.code for each in errors.ALL]
+TEMPLATES = (*errors.ALL, *implementation_errors.ALL)
+CODES = [each.code for each in TEMPLATES]
 EXPECTED = re.compile(
     r"\s*#\s*(?P<carets>\^*) ?(?P<severity>\w+)\[(?P<code>\w+)\] \"(?P<text>.*)\""
 )
@@ -50,6 +51,6 @@ def test_what_to_write_instead_is_translated(code: str) -> None:
     assert not found.diagnostics
 
 
-@pytest.mark.parametrize("template", errors.ALL, ids=lambda template: template.code)
+@pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.code)
 def test_the_texts_name_only_what_there_is(template: type[Template]) -> None:
     template.check_placeholders()

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 
 from dslkit.diagnostics import Severity
 from ezskiros.migrate.module import migrate_text
-from support.old_trees import compounds
+from support.old_trees import HEAD, compounds
 from support.round_trip import comments
 from support.tree_round_trip import new_trees, old_trees
 
@@ -30,6 +30,54 @@ def compare(text: str) -> None:
 
 def test_the_trees_of_an_example() -> None:
     compare((HERE / "before" / "trees.txt").read_text())
+
+
+def test_statements_below_a_chosen_processor_stay() -> None:
+    """Python gives the identities of nodes that are gone to others."""
+    numbers = range(150)
+    branch = (
+        "        if self.params['Careful'].value:\n            skill.setProcessor(SerialStar())\n"
+    )
+    body = "".join(f"{branch}        speed = {number}\n" for number in numbers)
+    found = migrate_text("skills.py", f'{HEAD}{body}        skill(self.skill("Go", "go"))\n')
+    kept = [line for line in found.text.splitlines() if line.startswith("        speed = ")]
+    assert kept == [f"        speed = {number}" for number in numbers]
+
+
+def test_a_processor_that_only_some_branches_choose() -> None:
+    body = """\
+        if self.params["Careful"].value:
+            skill.setProcessor(Selector())
+        skill(self.skill("Go", "go"))
+"""
+    found = migrate_text("skills.py", HEAD + body)
+    assert found.unimplemented == ["do"]
+    (problem,) = found.diagnostics
+    assert problem.code == "EZS730"
+    assert problem.title.startswith("a processor that only some branches choose")
+    assert problem.primary.span.text == 'skill(self.skill("Go", "go"))'
+    mark = found.text.splitlines().index(f"        # EZS730: {problem.title}")
+    assert found.text.splitlines()[mark + 1] == '        skill(self.skill("Go", "go"))'
+
+
+def test_children_that_are_added_twice_are_marked_where_they_are() -> None:
+    line = '        skill(self.skill("Go", "go"))\n'
+    found = migrate_text("skills.py", HEAD + line + line.replace('"go"', '""'))
+    assert [each.code for each in found.diagnostics] == ["EZS728"]
+    mark = f"        # EZS728: {found.diagnostics[0].title}\n"
+    assert line + mark + line.replace('"go"', '""') in found.text
+
+
+def test_a_method_that_calls_itself_is_left() -> None:
+    body = """\
+        skill(self.again())
+
+    def again(self):
+        return self.skill(Serial())(self.skill("Go", "go"), self.again())
+"""
+    found = migrate_text("skills.py", HEAD + body)
+    assert {each.code for each in found.diagnostics} == {"EZS730"}
+    assert found.unimplemented == ["do"]
 
 
 @settings(max_examples=40)
