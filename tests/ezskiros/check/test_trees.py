@@ -53,7 +53,7 @@ WRONG = [
     ("Grip()\nself.nofail(Watch())", "EZS506", "Grip()"),
     ("pass", "EZS507", "def expandBT(self, params):"),
     ("if params.Speed > 1:\n    Grip()", "EZS507", "def expandBT(self, params):"),
-    ("open('x').read()\nGrip()", "EZS221", "open('x')"),
+    ("open('x')\nGrip()", "EZS221", "open('x')"),
     ("raise ValueError('no')", "EZS220", "raise ValueError('no')"),
     ("Drive(Target=params.Place, Start=params.Place)", "EZS529", "params.Place"),
     ("self.selector(self.nofail(Grip()), Watch())", "EZS544", "Watch()"),
