@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import ast
 import difflib
-import inspect
 from collections.abc import Iterator
 from types import FunctionType
 
@@ -44,8 +43,10 @@ def _nothing_to_do(implementation: type[SkillImplementation]) -> Diagnostic:
     found = errors.NothingToDo(implementation=implementation.__name__)
     for name, method in vars(implementation).items():
         near = difflib.get_close_matches(name, ("expandBT", STATE), n=1, cutoff=0.7)
-        if near and inspect.isfunction(method) and isinstance(method, FunctionType):
-            return found.at(definition(method).whole, help=f"did you mean `{near[0]}`?")
+        if near and isinstance(method, FunctionType):
+            is_old = name == "expand"
+            help = "`ezskiros migrate` translates it" if is_old else f"did you mean `{near[0]}`?"
+            return found.at(definition(method).whole, help=help)
     return found.at(class_span(implementation))
 
 

@@ -12,10 +12,10 @@ from ezskiros.check.inference import check_inference
 from ezskiros.check.outputs import check_outputs
 from ezskiros.check.relations import check_relations
 from ezskiros.ontology import Ontology
-from ezskiros.skills import SkillDescription, errors
+from ezskiros.skills import SkillDescription, errors, tree_errors
 from ezskiros.skills.describe import Described, describe
 from ezskiros.skills.interface import SkillInterface
-from ezskiros.skills.syntax import attributes_in
+from ezskiros.skills.syntax import attributes_in, class_span
 from ezskiros.trees.library import implementations
 
 CHECKS = (check_relations, check_consistency, check_outputs)
@@ -28,6 +28,7 @@ def check_skills(
     found: dict[type[SkillDescription], Described] = {}
     names: dict[str, SkillInterface] = {}
     for skill in skills:
+        _report_implementing(skill)
         described = describe(skill)
         if described is None:
             continue
@@ -41,6 +42,17 @@ def check_skills(
             for diagnostic in _findings(skill, described, described.ontology):
                 session.report(_with_keys(diagnostic, interface))
     return found
+
+
+def _report_implementing(skill: type[SkillDescription]) -> None:
+    """Tell of a description that is written like an implementation."""
+    for method in ("expandBT", "execute"):
+        above = skill.__mro__[1]
+        if method in vars(skill) and above is not SkillDescription:
+            found = tree_errors.DescriptionImplemented(
+                implementation=skill.__name__, method=method, skill=above.__name__
+            )
+            session.report(found.at(class_span(skill)))
 
 
 def _findings(

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import difflib
 import enum
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown, described
@@ -60,6 +61,17 @@ class SkillImplementation(metaclass=ImplementationClass):
     """The time in seconds, by the clock of the engine while it runs there: `self.now()`."""
     progress: tuple[int, str] = (0, "")
     """How far it is, in its own numbers, and what it says of that."""
+
+    if not TYPE_CHECKING:  # for type checkers only what is written is there
+
+        def __getattr__(self, name: str) -> Any:
+            """In a behavior tree what is not there is told, with what may be meant."""
+            if not is_growing() or name.startswith("__"):
+                kind = type(self).__name__
+                raise AttributeError(f"{kind!r} object has no attribute {name!r}")
+            found = errors.UnknownProcessor(implementation=type(self).__name__, spelled=name)
+            session.report(found.at(session.here(), help=_help_for(name)))
+            return UNKNOWN
 
     # --- primitives -------------------------------------------------------------------------------
 
@@ -132,6 +144,17 @@ class SkillImplementation(metaclass=ImplementationClass):
     def timeout(self, child: Node, seconds: float) -> Node:
         """A failure when it has no result after these seconds."""
         return _decorator(Decoration.TIMEOUT, child, seconds)
+
+
+def _help_for(name: str) -> str:
+    """What to write instead of something that `self` does not have in `expandBT`."""
+    if name == "params":
+        return "`expandBT` gets the parameters: write `params.Name`"
+    if name == "skill":
+        return "a child is called by the name of its skill: `Drive(Target=params.Place)`"
+    known = [each.value.lower() for each in (*Flow, *Decoration)]
+    near = difflib.get_close_matches(name, known, n=1)
+    return f"did you mean `self.{near[0]}`?" if near else f"there is {', '.join(known)}"
 
 
 def _processor(flow: Flow, children: tuple[Any, ...]) -> Node:

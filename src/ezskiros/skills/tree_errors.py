@@ -125,6 +125,38 @@ class ComparedByIdentity(Error, code="EZS516", name="compared-by-identity"):
     spelled: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class NoParams(Error, code="EZS517", name="no-params"):
+    """An `expandBT` that does not take what it is given."""
+
+    title = "`expandBT` of `{implementation}` does not take the parameters of its skill"
+    help = "write `def expandBT(self, params):`"
+    implementation: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class DescriptionImplemented(Error, code="EZS518", name="description-implemented"):
+    """A class that is derived from a description, and that has the methods of an implementation."""
+
+    title = (
+        "`{implementation}` is a description, and has the method `{method}` of an implementation"
+    )
+    note = "what is derived from a description is another description: its methods are never run"
+    help = "write `class {implementation}({skill}.SkillBase):`"
+    implementation: str
+    method: str
+    skill: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UnknownProcessor(Error, code="EZS519", name="unknown-processor"):
+    """Something of `self` in `expandBT` that is not there."""
+
+    title = "`{implementation}` has no `{spelled}` while its behavior tree is built"
+    implementation: str
+    spelled: str
+
+
 ALL: tuple[type[Template], ...] = (
     NoChildren,
     NoNode,
@@ -138,4 +170,7 @@ ALL: tuple[type[Template], ...] = (
     UnknownSkill,
     ImplementationNamed,
     ComparedByIdentity,
+    NoParams,
+    DescriptionImplemented,
+    UnknownProcessor,
 )

@@ -68,6 +68,10 @@ def expand(
     function = inspect.getattr_static(implementation, "expandBT", None)
     if not isinstance(function, FunctionType):
         return
+    if len(inspect.signature(function).parameters) != len(("self", "params")):
+        found = errors.NoParams(implementation=implementation.__name__)
+        session.report(found.at(definition(function).whole))
+        return
     method = Method(
         implementation,
         function,

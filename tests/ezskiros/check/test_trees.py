@@ -45,6 +45,8 @@ WRONG = [
     ("Drive(Target=None)", "EZS525", "None"),
     ("Say()", "EZS526", "Say()"),
     ("Drive()", "EZS530", "Drive()"),
+    ("self.sequence(Grip())", "EZS519", "self.sequence"),
+    ("self.serialstar(Grip(Force=self.params.Force))", "EZS519", "self.params"),
     ("self.serialstar()", "EZS501", "self.serialstar()"),
     ("self.serialstar('Grip')", "EZS502", "self.serialstar('Grip')"),
     ("self.serialstar([Grip()])", "EZS502", "self.serialstar([Grip()])"),
