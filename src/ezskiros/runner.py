@@ -10,7 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from dslkit.diagnostics import Diagnostic, Severity
-from ezskiros.driver import Checked, check_paths
+from ezskiros.driver import Checked, UnknownSkillError, check_paths
 from ezskiros.engine.arguments import read_arguments
 from ezskiros.engine.scenes import load_world
 from ezskiros.engine.world import World
@@ -32,10 +32,6 @@ class Ready:
     call: SkillCall
     world: World
     warnings: Sequence[Diagnostic]
-
-
-class UnknownSkillError(LookupError):
-    """There is no such skill; the text says so, and which one may be meant."""
 
 
 class FaultyError(Exception):

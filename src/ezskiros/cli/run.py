@@ -100,8 +100,9 @@ def run(
 
 def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) -> Ready:
     """What can be run; else the run ends with the reason."""
+    from ezskiros.driver import UnknownSkillError
     from ezskiros.engine.arguments import WrongArgumentError
-    from ezskiros.runner import FaultyError, UnknownSkillError, prepare
+    from ezskiros.runner import FaultyError, prepare
 
     try:
         ready = prepare(skill, paths, scene, texts)

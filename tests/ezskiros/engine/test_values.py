@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from ezskiros.driver import UnknownSkillError
 from ezskiros.engine.arguments import WrongArgumentError
 from ezskiros.engine.events import Happened
-from ezskiros.runner import UnknownSkillError
 from support.engine import Skills
 
 SCENE = """
