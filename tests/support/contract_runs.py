@@ -1,14 +1,15 @@
 """Runs of random trees in small worlds, with choices made by chance.
 
 A child that can start finds things for its inferred parameters, and then succeeds, fails, or fails
-half way. What it makes so pushes out of the world what cannot stay, and nothing else.
+half way; one that is stopped has done some of its work, too. What it makes so pushes out of the
+world what cannot stay, and nothing else. What starts again in a later tick ends in this tick.
 """
 
 from __future__ import annotations
 
 import random
 from collections.abc import Generator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import product
 
 from ezskiros.ontology.statements import AnyOf, Relation
@@ -31,6 +32,17 @@ def ticked(running: Ticks) -> bool | None:
     return None
 
 
+@dataclass(frozen=True)
+class Place:
+    """Where a node is: in a further try of a retry, in what a later tick starts again, or where
+    others stand in for one that fails.
+    """
+
+    is_retried: bool = False
+    is_again: bool = False
+    is_spared: bool = False
+
+
 @dataclass
 class Run:
     """One run of a tree, with choices made by chance."""
@@ -40,82 +52,98 @@ class Run:
     chance: random.Random
     names: dict[str, int] = field(default_factory=lambda: dict(OWN))
     false_starts: list[tuple[SkillCall, bool]] = field(default_factory=list)
-    """Children that could not start, and whether a retry had started them."""
+    """Children that could not start, and whether that need not be told: a retry had started them,
+    or a later tick where others stand in.
+    """
     started: list[SkillCall] = field(default_factory=list)
     broken_holds: list[Clause] = field(default_factory=list)
     """Of the compound, when a child started; what a further try ends is not told."""
     is_broken: bool = False
     """Whether the compound would have failed by what it holds."""
-    retries: int = 0
 
     @property
     def world(self) -> Facts:
         return self.drawn.rules.closed(self.facts)
 
-    def run(self, node: Node) -> Ticks:
+    def run(self, node: Node, place: Place = Place()) -> Ticks:
         """Whether it has succeeded; yields between ticks."""
         match node:
             case SkillCall():
-                return (yield from self._call(node))
+                return (yield from self._call(node, place))
             case Decorator(decoration=Decoration.INVERTER, child=child):
-                return not (yield from self.run(child))
+                return not (yield from self.run(child, replace(place, is_spared=True)))
             case Decorator(decoration=Decoration.TIMEOUT, child=child):
-                return (yield from self._timed(child))
+                return (yield from self._timed(child, place))
             case Decorator(child=child):
-                return (yield from self._retried(child))
+                return (yield from self._retried(child, place))
             case Processor(flow=flow, children=below):
-                return (yield from self._processed(flow, below))
+                return (yield from self._processed(flow, below, place))
 
-    def _processed(self, flow: Flow, below: Sequence[Node]) -> Ticks:
+    def _processed(self, flow: Flow, below: Sequence[Node], place: Place) -> Ticks:
+        spared = replace(place, is_spared=True)
         match flow:
             case Flow.SERIAL | Flow.SERIAL_STAR:
-                return (yield from self._serial(below, is_star=flow is Flow.SERIAL_STAR))
+                is_star = flow is Flow.SERIAL_STAR
+                return (yield from self._in_turn(below, place, while_is=True, is_star=is_star))
             case Flow.SELECTOR | Flow.SELECTOR_STAR:
-                for child in below:
-                    if (yield from self.run(child)):
-                        return True
-                return False
+                is_star = flow is Flow.SELECTOR_STAR
+                inner = spared if len(below) > 1 else place
+                return (yield from self._in_turn(below, inner, while_is=False, is_star=is_star))
             case Flow.NO_FAIL:
-                yield from self._serial(below, is_star=True)
+                yield from self._in_turn(below, spared, while_is=True, is_star=True)
                 return True
-        return (yield from self._parallel(below, is_race=flow is Flow.PARALLEL_FS))
+        return (yield from self._parallel(below, place, is_race=flow is Flow.PARALLEL_FS))
 
-    def _timed(self, child: Node) -> Ticks:
-        running = self.run(child)
+    def _in_turn(
+        self, below: Sequence[Node], place: Place, *, while_is: bool, is_star: bool
+    ) -> Ticks:
+        """A serial goes on while children succeed, a selector while they fail; without a star each
+        tick starts with the first.
+        """
+        for index, child in enumerate(below):
+            running = self.run(child, place)
+            while (result := ticked(running)) is None:
+                yield
+                for before in () if is_star else below[:index]:
+                    if self._again(before, place) is not while_is:
+                        running.close()
+                        return not while_is
+            if result is not while_is:
+                return result
+        return while_is
+
+    def _again(self, node: Node, place: Place) -> bool:
+        """The result of what a later tick starts again."""
+        running = self.run(node, replace(place, is_again=True))
+        while (result := ticked(running)) is None:
+            pass
+        return result
+
+    def _timed(self, child: Node, place: Place) -> Ticks:
+        running = self.run(child, place)
         while (result := ticked(running)) is None:
             if self.chance.random() < 0.2:
+                running.close()
                 return False
             yield
         return result
 
-    def _retried(self, child: Node) -> Ticks:
-        if (yield from self.run(child)):
+    def _retried(self, child: Node, place: Place) -> Ticks:
+        if (yield from self.run(child, place)):
             return True
-        self.retries += 1
-        done = yield from self.run(child)
-        self.retries -= 1
-        return done
+        yield
+        return (yield from self.run(child, replace(place, is_retried=True)))
 
-    def _serial(self, below: Sequence[Node], *, is_star: bool) -> Ticks:
-        for index, child in enumerate(below):
-            running = self.run(child)
-            while (result := ticked(running)) is None:
-                yield
-                for before in () if is_star else below[:index]:
-                    if not (yield from self.run(before)):
-                        return False
-            if not result:
-                return False
-        return True
-
-    def _parallel(self, below: Sequence[Node], *, is_race: bool) -> Ticks:
-        running = [self.run(child) for child in below]
+    def _parallel(self, below: Sequence[Node], place: Place, *, is_race: bool) -> Ticks:
+        running = [self.run(child, place) for child in below]
         while running:
             for each in list(running):
                 result = ticked(each)
                 if result is not None:
                     running.remove(each)
                     if not result or is_race:
+                        for other in running:
+                            other.close()
                         return result
                 if self.chance.random() < 0.3:
                     yield
@@ -124,24 +152,29 @@ class Run:
 
     # --- children
 
-    def _call(self, call: SkillCall) -> Ticks:
+    def _call(self, call: SkillCall, place: Place) -> Ticks:
         for clause in self.drawn.compound.hold:
             if not holds(clause.statement, self.world, OWN):
                 self.is_broken = True
-                self.broken_holds += [] if self.retries else [clause]
+                self.broken_holds += [] if place.is_retried else [clause]
         skill = self.drawn.skills.skill(call.skill)
         things = self._things(call, skill)
         if things is None:
-            self.false_starts.append((call, self.retries > 0))
+            is_spared = place.is_again and place.is_spared
+            self.false_starts.append((call, place.is_retried or is_spared))
             return False
         self.started.append(call)
         for parameter in skill.parameters:
             if parameter.kind is Kind.INFERRED:
                 self.names[parameter.name] = things[parameter.name]
-        if self.chance.random() < 0.5:
-            yield
+        try:
+            if not place.is_again and self.chance.random() < 0.5:
+                yield
+        except GeneratorExit:
+            self._make_some(skill, things)
+            raise
         if self.chance.random() < 0.25:
-            self._make([each for each in skill.post if self.chance.random() < 0.5], things)
+            self._make_some(skill, things)
             return False
         self._make(skill.post, things)
         return all(holds(each.statement, self.world, things) for each in skill.post)
@@ -169,6 +202,9 @@ class Run:
             if all(holds(each.statement, self.world, found) for each in (*skill.pre, *skill.hold)):
                 return found
         return None
+
+    def _make_some(self, skill: SkillInterface, things: Mapping[str, int]) -> None:
+        self._make([each for each in skill.post if self.chance.random() < 0.5], things)
 
     def _make(self, clauses: Sequence[Clause], things: Mapping[str, int]) -> None:
         """Make conditions hold, and keep all else that can stay."""

@@ -9,7 +9,7 @@ from dslkit.diagnostics.counting import summary
 from dslkit.diagnostics.edits import apply_edits
 from dslkit.diagnostics.listing import listed
 from dslkit.diagnostics.model import Diagnostic, Edit, Fix, Label, Severity
-from dslkit.diagnostics.template import Error, Template, Warning
+from dslkit.diagnostics.template import Error, Note, Template, Warning
 
 __all__ = [
     "Collector",
@@ -18,6 +18,7 @@ __all__ = [
     "Error",
     "Fix",
     "Label",
+    "Note",
     "Severity",
     "Template",
     "Warning",

@@ -9,10 +9,13 @@ from dslkit.source import Span
 
 
 class Severity(enum.Enum):
-    """How bad it is: an error stops the compiler between two stages, a warning never does."""
+    """How bad it is: an error stops the compiler between two stages, a warning never does, and a
+    note tells what is worth knowing: a proof, or that there is none.
+    """
 
     ERROR = "error"
     WARNING = "warning"
+    NOTE = "note"
 
 
 @dataclass(frozen=True)

@@ -22,6 +22,7 @@ def render_json(diagnostics: Sequence[Diagnostic], *, file_count: int) -> str:
         "summary": {
             "errors": count(diagnostics, Severity.ERROR),
             "warnings": count(diagnostics, Severity.WARNING),
+            "notes": count(diagnostics, Severity.NOTE),
             "files": file_count,
         },
         "diagnostics": [_finding(found) for found in diagnostics],

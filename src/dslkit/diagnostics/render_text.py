@@ -23,7 +23,11 @@ from dslkit.diagnostics.snippet import GUTTER_STYLE, Gutter, Mark, draw, marks_o
 from dslkit.diagnostics.visible import visible
 from dslkit.source import SourceFile
 
-_SEVERITY_STYLE = {Severity.ERROR: "bold red", Severity.WARNING: "bold yellow"}
+_SEVERITY_STYLE = {
+    Severity.ERROR: "bold red",
+    Severity.WARNING: "bold yellow",
+    Severity.NOTE: "bold cyan",
+}
 _FIX_STYLE = "bold green"
 _MOST_FIXED_LINES = 6
 

@@ -26,7 +26,7 @@ from dslkit.source import Span
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
 class Template:
-    """The base of all declared diagnostics; use `Error` or `Warning`."""
+    """The base of all declared diagnostics; use `Error`, `Warning` or `Note`."""
 
     severity: ClassVar[Severity]
     code: ClassVar[str]
@@ -89,3 +89,10 @@ class Warning(Template):
     """A diagnostic that a user may live with."""
 
     severity = Severity.WARNING
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Note(Template):
+    """Something found out that is no fault."""
+
+    severity = Severity.NOTE

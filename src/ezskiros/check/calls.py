@@ -17,6 +17,7 @@ from ezskiros.skills.nodes import SkillCall, calls
 from ezskiros.skills.syntax import argument_places, class_span
 from ezskiros.skills.values import SymbolicValue
 from ezskiros.trees.library import Implementations, Library
+from ezskiros.trees.names import all_shared
 from ezskiros.trees.tree import ThingReference, Tree, ValueReference
 
 
@@ -49,9 +50,9 @@ class _Checker:
                 yield from self._argument(parameter, value, value_span)
             elif name not in self.skill.unclear:
                 yield self._unknown(name, name_span)
-        for parameter in self.skill.parameters:
-            if parameter.name not in self.call.arguments:
-                yield from self._inherited(parameter)
+        for shared in all_shared(self.call, self.library):
+            if not shared.is_passed:
+                yield from self._inherited(shared.parameter)
 
     # --- which implementation ---------------------------------------------------------------------
 
@@ -125,7 +126,7 @@ class _Checker:
     def _inherited(self, parameter: Parameter) -> Iterator[Diagnostic]:
         """What a parameter gets for which the child says nothing: the compound's of this name."""
         given = self.tree.skill.parameter(parameter.name)
-        if given is not None and not (parameter.default is not None and not parameter.is_thing):
+        if given is not None:
             yield from self._passed(parameter, given, self.call.span)
 
     def _passed(self, parameter: Parameter, given: Parameter, span: Span) -> Iterator[Diagnostic]:

@@ -16,8 +16,8 @@ from ezskiros.skills.markers import Kind
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall, calls
 from ezskiros.skills.syntax import set_in
 from ezskiros.trees.library import Library
-from ezskiros.trees.names import Shared, shared_names
-from ezskiros.trees.tree import Tree
+from ezskiros.trees.names import Shared, all_shared
+from ezskiros.trees.tree import Tree, ValueReference
 
 _SEQUENCES = {Flow.SERIAL, Flow.SERIAL_STAR}
 _SELECTORS = {Flow.SELECTOR, Flow.SELECTOR_STAR}
@@ -63,10 +63,9 @@ def writes(call: SkillCall, parameter: Parameter, library: Library) -> bool:
     """
     if parameter.is_output or parameter.kind is not Kind.OPTIONAL:
         return parameter.is_output
-    known = library.implementations(call.skill)
-    named = [each for each in known.values() if call.implementation in (None, each.__name__)]
-    sets = any(parameter.name in set_in(each) or hasattr(each, "expandBT") for each in named)
-    return sets or not named
+    doing = library.doing(call)
+    sets = any(parameter.name in set_in(each) or hasattr(each, "expandBT") for each in doing)
+    return sets or not doing
 
 
 def reads(parameter: Parameter) -> bool:
@@ -86,6 +85,8 @@ class _Dataflow:
 
     def after(self, node: Node, before: Known) -> After:
         """What certainly has a value after a node, given what has before."""
+        if isinstance(node, Decorator) and isinstance(node.limit, ValueReference):
+            self._limited(node, node.limit.parameter)
         match node:
             case SkillCall():
                 return After(self._after_skill(node, before), before)
@@ -106,6 +107,17 @@ class _Dataflow:
                 inner = self._after_sequence(children, before)
                 return After(_in_all([inner.success, inner.failure]), None)  # NoFail
         raise AssertionError(node)
+
+    def _limited(self, node: Decorator, given: Parameter) -> None:
+        """Tell of a limit that may be nothing when the decorator is built, with the whole tree."""
+        if given.name in self.tree.given | set(_known(self.tree.skill)):
+            return
+        nothing = errors.MayBeNothing(
+            skill=node.decoration.value.lower(),
+            parameter="count" if node.decoration is Decoration.RETRY else "seconds",
+            given=given.name,
+        )
+        self.found.append(nothing.at(node.span, Label(given.span, "declared here")))
 
     def _after_sequence(self, children: Iterable[Node], before: Known) -> After:
         failures = []
@@ -155,8 +167,7 @@ class _Dataflow:
         return frozenset(after)
 
     def _shared(self, call: SkillCall) -> Iterable[Shared]:
-        skill = self.library.skill(call.skill)
-        return shared_names(call, skill) if skill else ()
+        return all_shared(call, self.library)
 
     def _unwritten(self, call: SkillCall, shared: Shared) -> Diagnostic:
         """The finding for a value that is read: nobody gives it, or not on all ways."""

@@ -5,7 +5,7 @@ A skill can always fail: its pre-conditions may not hold when it starts.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
 from ezskiros.skills.implementation import SkillImplementation, State
 from ezskiros.skills.methods import told_states
@@ -66,11 +66,11 @@ class Outcomes:
             return any(self.is_long(child) for child in children(node))
         return any(
             each in self._long if each in self._trees else "step" in (told_states(each) or ())
-            for each in self._implementations(node)
+            for each in self._library.doing(node)
         )
 
     def _can_succeed(self, call: SkillCall) -> bool:
-        known = list(self._implementations(call))
+        known = self._library.doing(call)
         return not known or any(map(self._succeeds, known))
 
     def _succeeds(self, implementation: type[SkillImplementation]) -> bool:
@@ -78,13 +78,6 @@ class Outcomes:
             return implementation in self._succeeding
         told = told_states(implementation)
         return told is None or "success" in told
-
-    def _implementations(self, call: SkillCall) -> Iterator[type[SkillImplementation]]:
-        known = self._library.implementations(call.skill)
-        if call.implementation is None:
-            yield from known.values()
-        elif call.implementation in known:
-            yield known[call.implementation]
 
 
 def _joined(flow: Flow, results: Sequence[Results]) -> Results:

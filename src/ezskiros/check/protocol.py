@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import difflib
+import inspect
 from collections.abc import Iterator
 from types import FunctionType
 
@@ -34,8 +35,21 @@ def check_protocol(implementation: type[SkillImplementation]) -> Iterator[Diagno
     for name in (STATE, *TRUTH):
         method = own_method(implementation, name)
         found = written(method) if method else None
-        if found is not None:
+        if method is not None and (given := _given_at_once(method)):
+            wrong = errors.NoState if name == STATE else errors.NoTruth
+            problem = wrong(implementation=implementation.__name__, method=name, found=given)
+            yield problem.at(definition(method).whole)
+        elif found is not None:
             yield from _wrong_returns(implementation.__name__, name, found)
+
+
+def _given_at_once(method: FunctionType) -> str | None:
+    """What a method gives before anything in it is done, if it does."""
+    if inspect.iscoroutinefunction(method):
+        return "a coroutine, as it is `async`"
+    if inspect.isgeneratorfunction(method) or inspect.isasyncgenfunction(method):
+        return "a generator, as it has `yield`"
+    return None
 
 
 def _nothing_to_do(implementation: type[SkillImplementation]) -> Diagnostic:

@@ -11,7 +11,7 @@ from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.nodes import Flow, Node, Processor, SkillCall, calls, children
 from ezskiros.skills.syntax import argument_places
 from ezskiros.trees.library import Library
-from ezskiros.trees.names import Shared, shared_names
+from ezskiros.trees.names import all_shared, shared_names
 from ezskiros.trees.tree import Tree
 
 
@@ -22,7 +22,7 @@ def check_sharing(tree: Tree, library: Library) -> Iterator[Diagnostic]:
         skill = library.skill(call.skill)
         if skill is not None:
             yield from _aliases(call, skill)
-            yield from _dropped(call, skill)
+            yield from _dropped(call, skill, tree, library)
     yield from _written_twice(tree.root, library)
 
 
@@ -32,7 +32,7 @@ def _clashes(tree: Tree, library: Library) -> Iterator[Diagnostic]:
     first: dict[str, Parameter] = {}
     told: set[tuple[Span, Span]] = set()
     for call in calls(tree.root):
-        for shared in _shared(call, library):
+        for shared in all_shared(call, library):
             parameter = shared.parameter
             known = first.setdefault(shared.shared, parameter)
             pair = (known.span, parameter.span)
@@ -71,15 +71,20 @@ def _aliases(call: SkillCall, skill: SkillInterface) -> Iterator[Diagnostic]:
         seen.setdefault(shared.shared, name)
 
 
-def _dropped(call: SkillCall, skill: SkillInterface) -> Iterator[Diagnostic]:
-    """What is passed under a name that the child has itself, for something else."""
+def _dropped(
+    call: SkillCall, skill: SkillInterface, tree: Tree, library: Library
+) -> Iterator[Diagnostic]:
+    """What is passed under a name that the child has itself, for something else. What does not fit
+    at all is told elsewhere.
+    """
     for shared in shared_names(call, skill):
-        other = skill.parameter(shared.shared)
-        if shared.is_passed and other is not None and other.name != shared.parameter.name:
-            found = errors.OwnNamePassed(
-                skill=skill.name, parameter=shared.parameter.name, shared=shared.shared
-            )
-            yield found.at(_value_place(call, shared.parameter.name), _declared(other))
+        name, other = shared.parameter.name, skill.parameter(shared.shared)
+        given = tree.skill.parameter(shared.shared)
+        if not shared.is_passed or other is None or other.name == name or given is None:
+            continue
+        if _can_share(shared.parameter, given, library):
+            found = errors.OwnNamePassed(skill=skill.name, parameter=name, shared=shared.shared)
+            yield found.at(_value_place(call, name), _declared(other))
 
 
 def _written_twice(node: Node, library: Library) -> Iterator[Diagnostic]:
@@ -88,7 +93,7 @@ def _written_twice(node: Node, library: Library) -> Iterator[Diagnostic]:
         writers: dict[str, tuple[Node, SkillCall]] = {}
         for child in node.children:
             for call in calls(child):
-                for shared in _shared(call, library):
+                for shared in all_shared(call, library):
                     if not shared.parameter.is_output:
                         continue
                     by, other = writers.setdefault(shared.shared, (child, call))
@@ -97,11 +102,6 @@ def _written_twice(node: Node, library: Library) -> Iterator[Diagnostic]:
                         yield found.at(call.span, Label(other.span, "this does so as well"))
     for child in children(node):
         yield from _written_twice(child, library)
-
-
-def _shared(call: SkillCall, library: Library) -> Iterator[Shared]:
-    skill = library.skill(call.skill)
-    return shared_names(call, skill) if skill else iter(())
 
 
 def _value_place(call: SkillCall, name: str) -> Span:

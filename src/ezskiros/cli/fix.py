@@ -41,11 +41,11 @@ def _repairs(missing: Sequence[Missing]) -> Iterator[Repair]:
 
 
 def _write(repair: Repair) -> None:
-    from ezskiros.repair.files import read
+    from dslkit.source.python_file import read_python
     from ezskiros.repair.pre_conditions import with_pre_conditions
 
     try:
-        encoding, text = read(repair.path)
+        encoding, text = read_python(repair.path)
         changed = with_pre_conditions(text, repair.skill, repair.conditions)
         if changed is None:
             typer.echo(f"{repair.path}: `{repair.skill}` has to be completed by hand:", err=True)

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from ezskiros.contracts.judge import Judge
-from ezskiros.contracts.knowledge import Change, Known, Origin, Renewed
+from ezskiros.contracts.knowledge import Change, Known, Origin, Renewed, later
 from ezskiros.ontology.statements import Specified, Statement
 
 
@@ -27,7 +27,10 @@ def changed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
 
 def failed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
     """What is known when some of the changes may have been made, in any order, or none."""
-    return _forgetting(known, changes, judge, ())
+    if not changes:
+        return known
+    after = _forgetting(known, changes, judge, ())
+    return after.perhaps_binding(known.bound - after.bound)
 
 
 def _forgetting(
@@ -37,12 +40,8 @@ def _forgetting(
     for change in changes:
         if isinstance(change.made, Renewed):
             known = known.unbinding(change.made.subject)
-    made = [each.made for each in changes if not isinstance(each.made, Renewed)]
-    lost = {*judge.excluded([*known.facts], made)}
-    lost |= {
-        fact for fact in known.facts if any(judge.touches(each.made, fact) for each in changes)
-    }
-    return replace(known.without(lost - {*kept}), changes=(*known.changes, *changes))
+    lost = judge.ended(known, changes).difference(kept)
+    return replace(known.without(lost), changes=later(known.changes, changes))
 
 
 def join(ways: Sequence[Known], judge: Judge) -> Known:
@@ -52,15 +51,21 @@ def join(ways: Sequence[Known], judge: Judge) -> Known:
     if not others:
         return first
     facts: dict[Statement, Origin] = {}
+    changes: dict[Change, None] = {}
     for way in alive:
+        changes |= way.changes
         for fact, origin in way.facts.items():
-            if fact not in facts and all(judge.entails(each, fact) for each in alive):
-                facts[fact] = origin
-    changes = tuple(dict.fromkeys(change for way in alive for change in way.changes))
+            facts.setdefault(fact, origin)
+    facts = {
+        fact: origin
+        for fact, origin in facts.items()
+        if all(judge.entails(each, fact) for each in alive)
+    }
     common = [pair for pair in first.same.items() if all(pair in w.same.items() for w in others)]
     return Known(
         facts,
         first.bound.intersection(*(each.bound for each in others)),
+        frozenset().union(*(each.bound | each.perhaps for each in alive)),
         dict(common),
         changes,
         _common(alive),

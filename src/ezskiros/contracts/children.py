@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 from ezskiros.check.inference import names as names_of
-from ezskiros.contracts.knowledge import Change, How, Known, Name, Origin, Renewed
+from ezskiros.contracts.knowledge import Change, How, Known, Made, Name, Origin, Renewed
 from ezskiros.contracts.statements import Asked, asked
 from ezskiros.ontology.statements import Generated, Specified
 from ezskiros.skills.interface import Parameter, SkillInterface
@@ -33,17 +34,21 @@ class Child:
 
     def asked(self, known: Known) -> list[Asked]:
         """What has to hold when it starts, of things that there are."""
-        absent = {self.names[each.name] for each in self._of_kind(Kind.OPTIONAL)} - known.bound
-        both = (
+        optional = (self.names[each.name] for each in self._of_kind(Kind.OPTIONAL))
+        absent = {name for name in optional if known.is_free(name)}
+        return [each for each in self._conditions if absent.isdisjoint(names_of(each.statement))]
+
+    @cached_property
+    def _conditions(self) -> list[Asked]:
+        return [
             *asked(self.skill.pre, "pre", self.names),
             *asked(self.skill.hold, "hold", self.names),
-        )
-        return [each for each in both if absent.isdisjoint(names_of(each.statement))]
+        ]
 
     def inferred(self, known: Known) -> list[str]:
         """Names for which something is looked for in the world when it starts."""
         names = (self.names[each.name] for each in self._of_kind(Kind.INFERRED))
-        return [name for name in dict.fromkeys(names) if name not in known.bound]
+        return [name for name in dict.fromkeys(names) if known.is_free(name)]
 
     def bound(self) -> Iterable[str]:
         """Names that stand for something once it has started."""
@@ -57,19 +62,26 @@ class Child:
         """Names that stand for something else when it has succeeded."""
         return (self.names[each.name] for each in self._things() if each.is_output)
 
-    def changes(self, how: How) -> Iterator[Change]:
+    def changes(self, how: How) -> list[Change]:
         """What it does when it succeeds, in order."""
+        return [Change(made, origin, how) for made, origin in self._made]
+
+    @cached_property
+    def _made(self) -> list[tuple[Made, Origin]]:
+        return list(self._all_made())
+
+    def _all_made(self) -> Iterator[tuple[Made, Origin]]:
         for each in self._things():
             origin = Origin(each.span, "parameter", self.call)
             name = self.names[each.name]
             if each.is_output:
-                yield Change(Renewed(name), origin, how)
+                yield Renewed(name), origin
             if Option.CONSUME in each.options:
-                yield Change(Generated(name, False), origin, how)
+                yield Generated(name, False), origin
             if Option.UNSPECIFY in each.options:
-                yield Change(Specified(name, False), origin, how)
+                yield Specified(name, False), origin
         for said in asked(self.skill.post, "post", self.names):
-            yield Change(said.statement, Origin(said.clause.span, "post", self.call), how)
+            yield said.statement, Origin(said.clause.span, "post", self.call)
 
     def _of_kind(self, kind: Kind) -> Iterator[Parameter]:
         return (each for each in self._things() if each.kind is kind and not each.is_output)
@@ -78,10 +90,24 @@ class Child:
         return (each for each in self.skill.parameters if each.is_thing and each.name in self.names)
 
 
-def child_of(call: SkillCall, skill: SkillInterface, known: Known) -> Child:
-    """A child as it is called at a point of the tree."""
-    names = {each.parameter.name: known.one(each.shared) for each in shared_names(call, skill)}
-    return Child(call, skill, names)
+class Children:
+    """Those of one tree. Each is kept for the names that stand for the things of others: it is
+    asked for in every tick.
+    """
+
+    def __init__(self, skill_of: SkillOf) -> None:
+        self._skill_of = skill_of
+        self._known: dict[tuple[SkillCall, frozenset[tuple[str, str]]], Child] = {}
+
+    def of(self, call: SkillCall, known: Known) -> Child:
+        """A child as it is called at a point of the tree."""
+        key = call, frozenset(known.same.items())
+        if key not in self._known:
+            skill = self._skill_of(call)
+            shared = shared_names(call, skill)
+            names = {each.parameter.name: known.one(each.shared) for each in shared}
+            self._known[key] = Child(call, skill, names)
+        return self._known[key]
 
 
 def names_of_tree(

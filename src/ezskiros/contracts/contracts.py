@@ -9,7 +9,7 @@ from types import MappingProxyType
 from dslkit.diagnostics import Diagnostic, Severity, listed
 from ezskiros.check.calls import check_calls
 from ezskiros.check.dataflow import check_dataflow
-from ezskiros.contracts.children import SkillOf, names_of_tree
+from ezskiros.contracts.children import Children, SkillOf, names_of_tree
 from ezskiros.contracts.findings import Findings, Missing
 from ezskiros.contracts.judge import Judge
 from ezskiros.contracts.knowledge import Known, Origin
@@ -86,7 +86,7 @@ def check_tree(
     repairs = Repairs(skill, judge, others, tuple(below), ontology.ambiguous())
     findings = Findings(tree, skill, judge, repairs, branch)
     held = list(asked(skill.hold, "hold", {}))
-    outcome = Walk(judge, findings, skill_of, held).through(tree.root, start)
+    outcome = Walk(judge, findings, Children(skill_of), held).through(tree.root, start)
     alive = [each for each in outcome.endings if not each.is_dead]
     for each in asked(skill.post, "post", {}) if alive else ():
         _check_end(each, alive, judge, findings)

@@ -41,7 +41,7 @@ class MayBeLost(Warning, code="EZS552", name="may-be-lost"):
 class NeverStarts(Warning, code="EZS553", name="never-starts"):
     """A child that cannot start, and for which others stand in."""
 
-    title = "`{child}` is never of use here: `{condition}` is false"
+    title = "`{child}` cannot start here: `{condition}` is false when it is its turn"
     label = "it would start here"
     child: str
     condition: str

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from itertools import chain, combinations, islice, product
+from typing import TypeAlias
 
 from dslkit.diagnostics import Severity
 from ezskiros.check import errors
@@ -13,7 +15,7 @@ from ezskiros.check.entailed import fact_of
 from ezskiros.check.inference import names as names_of
 from ezskiros.check.thing_classes import class_clashes
 from ezskiros.check.worlds import World, alternatives
-from ezskiros.contracts.knowledge import SUPPOSED, Known, Name, Origin, Renewed
+from ezskiros.contracts.knowledge import Change, Known, Made, Name, Origin, Renewed
 from ezskiros.contracts.statements import renamed
 from ezskiros.contracts.touching import Touching
 from ezskiros.ontology.model import Model
@@ -27,13 +29,20 @@ from ezskiros.ontology.statements import (
     negated,
 )
 
+Said: TypeAlias = tuple[Statement, ...]
+"""Facts in their order, which decides which of several reasons is found."""
+
 _ANYTHING = Name(frozenset(), is_own=False)
 MOST_CHOICES = 1000
 """Of things for inferred parameters; more are not looked into."""
 
 
 class Judge:
-    """For the names of one tree."""
+    """For the names of one tree.
+
+    What has been found out is kept as long as the judge is: a tree is walked again for each tick,
+    and the same is asked of the same facts most of the time.
+    """
 
     def __init__(self, model: Model, names: Mapping[str, Name]) -> None:
         self.model, self._names = model, names
@@ -41,7 +50,13 @@ class Judge:
             name: {iri: Reason() for iri in known.classes} if len(known.classes) == 1 else {}
             for name, known in names.items()
         }
-        self._touching = Touching(model, self.may_be_same, lambda name: self._known(name).classes)
+        touching = Touching(model, self.may_be_same, lambda name: self._known(name).classes)
+        self._touches = cache(touching.touches)
+        self._clashes = cache(self._found_clashes)
+        self._clash = cache(self._found_clash)
+        self._entails = cache(self._found_entailed)
+        self._ended = cache(self._found_ended)
+        self._world = cache(self._made_world)
 
     def may_be_same(self, one: str, other: str) -> bool:
         """Whether two names may stand for one thing: not if both are the compound's own, nor if
@@ -58,10 +73,6 @@ class Judge:
             for another in there.classes
         )  # fmt: skip
 
-    def touches(self, made: Statement | Renewed, fact: Statement) -> bool:
-        """Whether a change may end what holds."""
-        return self._touching.touches(made, fact)
-
     def _known(self, name: str) -> Name:
         return self._names.get(name, _ANYTHING)
 
@@ -71,81 +82,89 @@ class Judge:
         """Whether a statement holds for certain."""
         if said in known.facts:
             return True
+        ors = tuple(each for each in known.said if isinstance(each, AnyOf))
+        return self._entails(known.said, ors, known.bound.intersection(names_of(said)), said)
+
+    def _found_entailed(
+        self, facts: Said, ors: tuple[AnyOf, ...], bound: frozenset[str], said: Statement
+    ) -> bool:
+        """Whether it follows; `ors` are those of the facts that are taken apart for it."""
+        if said in facts:
+            return True
         match said:
-            case AnyOf():
-                return self._entails_some(known, said)
             case Specified(subject=subject):
-                return said.is_true and subject in known.bound
+                return said.is_true and subject in bound
             case Generated(subject=subject):
-                is_gone = Generated(subject, False) in known.facts
-                return said.is_true and subject in known.bound and not is_gone
+                return said.is_true and subject in bound and Generated(subject, False) not in facts
             case OfType(subject=subject, owl_class=wanted):
-                classes = self._world(known.facts).classes.get(subject, {})
+                classes = self._world(facts).classes.get(subject, {})
                 return any(self.model.is_a(each, wanted) for each in classes)
             case Relation(is_abstract=True):
                 return False
-            case Relation(is_true=True):
-                if fact_of(said) in self._world(known.facts).facts:
+            case AnyOf():
+                ways = alternatives(said)
+                if any(all(self._entails(facts, ors, bound, each) for each in way) for way in ways):
                     return True
+            case _:
+                if self._follows(facts, said):
+                    return True
+        return self._follows_from_each(facts, ors, bound, said)
+
+    def _follows(self, facts: Said, said: Statement) -> bool:
+        """Whether the ontology says so, or excludes the opposite."""
+        if (
+            isinstance(said, Relation)
+            and said.is_true
+            and fact_of(said) in self._world(facts).facts
+        ):
+            return True
         opposite = negated(said)
-        if opposite is not None and self.clash(known, opposite) is not None:
-            return True
-        return self._follows_from_each(known, said)
+        return opposite is not None and self._clash(facts, opposite) is not None
 
-    def _entails_some(self, known: Known, said: AnyOf) -> bool:
-        """An `or` of which one part holds, or that would be excluded if none did."""
-        ways = alternatives(said)
-        if any(all(self.entails(known, each) for each in way) for way in ways):
-            return True
-        return self._follows_from_each(known, said)
-
-    def _follows_from_each(self, known: Known, said: Statement) -> bool:
-        """Whether it follows from each alternative of an `or` that holds."""
-        for fact in known.facts:
-            if isinstance(fact, AnyOf):
-                rest = known.without([fact])
-                ways = alternatives(fact)
-                if all(self.entails(_with(rest, way), said) for way in ways):
-                    return True
+    def _follows_from_each(
+        self, facts: Said, ors: tuple[AnyOf, ...], bound: frozenset[str], said: Statement
+    ) -> bool:
+        """Whether it follows from each alternative of an `or` that holds. Of several only those
+        further on are taken apart then: so each selection of them is looked at once.
+        """
+        for index, one in enumerate(ors):
+            rest = [each for each in facts if each != one]
+            ways = (tuple(dict.fromkeys([*way, *rest])) for way in alternatives(one))
+            if all(self._entails(way, ors[index + 1 :], bound, said) for way in ways):
+                return True
         return False
 
     # --- what cannot be ---------------------------------------------------------------------------
 
     def clash(self, known: Known, said: Statement) -> Clash | None:
         """Why a statement cannot hold, whichever names stand for one thing; None if it can."""
+        return self._clash(known.said, said)
+
+    def _found_clash(self, facts: Said, said: Statement) -> Clash | None:
         if isinstance(said, AnyOf):
-            found = [self._clash_of_all(known, way) for way in alternatives(said)]
+            found = [self._clash_of_all(facts, way) for way in alternatives(said)]
             return found[0] if found and all(found) else None
-        facts = [*known.facts, said]
-        own = [each for each in facts if all(self._known(n).is_own for n in names_of(each))]
-        for each in chain(self._clashes(facts), self._clashes([*own, said])):
+        own = (each for each in facts if all(self._known(n).is_own for n in names_of(each)))
+        for each in chain(self._clashes((*facts, said)), self._clashes((*own, said))):
             if said in each.said and self._is_certain(each):
                 return each
         return None
 
-    def _clash_of_all(self, known: Known, way: Iterable[Statement]) -> Clash | None:
-        found = (self.clash(known, each) for each in way)
+    def _clash_of_all(self, facts: Said, way: Iterable[Statement]) -> Clash | None:
+        found = (self._clash(facts, each) for each in way)
         return next(filter(None, found), None)
 
     def is_impossible(self, said: Iterable[Statement]) -> bool:
         """Whether statements cannot hold together."""
-        return any(True for _ in self._clashes(list(said)))
+        return bool(self._clashes(tuple(said)))
 
-    def excluded(
-        self, facts: Sequence[Statement], made: Sequence[Statement]
-    ) -> Iterator[Statement]:
-        """Facts that cannot hold any more, or not all of them, when something else does."""
-        for each in self._clashes([*facts, *made]):
-            if not each.said.isdisjoint(made):
-                yield from (fact for fact in facts if fact in each.said)
-
-    def _world(self, said: Iterable[Statement]) -> World:
-        return World(self._declared, self.model, said)
-
-    def _clashes(self, said: Sequence[Statement]) -> Iterator[Clash]:
+    def _found_clashes(self, said: Said) -> tuple[Clash, ...]:
         world = self._world(said)
         found = chain(world.clashes(), class_clashes(world.facts, world.classes, self.model))
-        yield from (each for each in found if each.kind.severity is Severity.ERROR)
+        return tuple(each for each in found if each.kind.severity is Severity.ERROR)
+
+    def _made_world(self, said: Said) -> World:
+        return World(self._declared, self.model, said)
 
     def _is_certain(self, clash: Clash) -> bool:
         """Whether it stays one if two names stand for one thing."""
@@ -160,11 +179,28 @@ class Judge:
                 if not self.is_impossible(merged):
                     yield one, other
 
+    # --- what ends --------------------------------------------------------------------------------
+
+    def touches(self, made: Made, fact: Statement) -> bool:
+        """Whether a change may end what holds."""
+        return self._touches(made, fact)
+
+    def ended(self, known: Known, changes: Iterable[Change]) -> frozenset[Statement]:
+        """Facts that may end by changes, by one alone or by some together with what holds."""
+        return self._ended(known.said, tuple(each.made for each in changes))
+
+    def _found_ended(self, facts: Said, made: tuple[Made, ...]) -> frozenset[Statement]:
+        new = tuple(each for each in made if not isinstance(each, Renewed))
+        clashes = (each.said for each in self._clashes((*facts, *new)))
+        excluded = frozenset().union(*(said for said in clashes if not said.isdisjoint(new)))
+        touched = (fact for fact in facts if any(self._touches(each, fact) for each in made))
+        return excluded.intersection(facts).union(touched)
+
     # --- names ------------------------------------------------------------------------------------
 
     def merged(self, known: Known) -> Known:
         """With names taken for one that have to stand for one thing, as by functional relations."""
-        for clash in self._clashes([*known.facts]):
+        for clash in self._clashes(known.said):
             if clash.kind is errors.TwoPlaces and len(clash.said) == 2:
                 ways = list(self._ways_out(clash))
                 if len(ways) == 1:
@@ -199,7 +235,7 @@ class Judge:
         """Names that fit, and of which is known what is asked of this one, as far as one can tell
         before the others are chosen.
         """
-        facts = self._world(known.facts).facts
+        facts = self._world(known.said).facts
         related: list[set[str]] = []
         for each in asked:
             if isinstance(each, Relation) and each.is_true and not each.is_abstract:
@@ -215,7 +251,3 @@ class Judge:
         """Whether the thing of one name is of the class of the other."""
         here, there = self._known(name).classes, self._known(free).classes
         return all(any(self.model.is_a(iri, wanted) for wanted in there) for iri in here)
-
-
-def _with(known: Known, way: Iterable[Statement]) -> Known:
-    return known.assuming(dict.fromkeys(way, SUPPOSED))

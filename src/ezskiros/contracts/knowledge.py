@@ -5,11 +5,12 @@ from __future__ import annotations
 import enum
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import TypeAlias
 
 from dslkit.source import Span
 from ezskiros.check.inference import names as names_of
 from ezskiros.ontology.statements import Statement
-from ezskiros.session import NOWHERE
 from ezskiros.skills.nodes import SkillCall
 
 
@@ -23,10 +24,6 @@ class Origin:
     span: Span
     kind: str
     call: SkillCall | None = None
-
-
-SUPPOSED = Origin(NOWHERE, "pre")
-"""Of what is supposed to see what follows."""
 
 
 class How(enum.Enum):
@@ -46,11 +43,15 @@ class Renewed:
     subject: str
 
 
+Made: TypeAlias = "Statement | Renewed"
+"""What a change brings about."""
+
+
 @dataclass(frozen=True)
 class Change:
     """What a child does to the world, or to a name."""
 
-    made: Statement | Renewed
+    made: Made
     origin: Origin
     how: How
 
@@ -70,16 +71,35 @@ class Name:
 class Known:
     """What is known at one point.
 
-    `same` names names that stand for the thing of another; `changes` are all that have been on the
-    way here; `trail` says which way that is. What is `dead` is never reached.
+    Names that are `bound` stand for something, those that are `perhaps` may: what children would
+    find that have failed, or that may not have run. `same` names names that stand for the thing of
+    another; `changes` are all that have been on the way here, in order; `trail` says which way that
+    is. What is `dead` is never reached.
     """
 
     facts: Mapping[Statement, Origin]
     bound: frozenset[str]
+    perhaps: frozenset[str] = frozenset()
     same: Mapping[str, str] = field(default_factory=dict)
-    changes: tuple[Change, ...] = ()
+    changes: Mapping[Change, None] = field(default_factory=dict)
     trail: tuple[str, ...] = ()
     is_dead: bool = False
+
+    @cached_property
+    def said(self) -> tuple[Statement, ...]:
+        """The facts, in their order: what follows from them is kept by these."""
+        return tuple(self.facts)
+
+    @property
+    def without_way(self) -> tuple[object, ...]:
+        """All that what comes next depends on: not on which way one has come here."""
+        facts, same = tuple(self.facts.items()), frozenset(self.same.items())
+        return facts, self.bound, self.perhaps, same, self.is_dead
+
+    def after(self, before: Known) -> Known:
+        """The same where more has been on the way here."""
+        changes = later(before.changes, self.changes)
+        return replace(self, changes=changes, trail=(*before.trail, *self.trail))
 
     def one(self, name: str) -> str:
         """A name, or the one that stands for the same thing."""
@@ -92,18 +112,50 @@ class Known:
     def without(self, lost: Iterable[Statement]) -> Known:
         """With less that is known."""
         gone = set(lost)
+        if not gone:
+            return self
         return replace(self, facts={k: v for k, v in self.facts.items() if k not in gone})
 
     def binding(self, names: Iterable[str]) -> Known:
         """With names that stand for something."""
-        return replace(self, bound=self.bound.union(names))
+        bound = self.bound.union(names)
+        return self if bound == self.bound else replace(self, bound=bound)
+
+    def is_free(self, name: str) -> bool:
+        """Whether a name stands for nothing yet, for certain."""
+        return name not in self.bound and name not in self.perhaps
+
+    def is_as_much_as(self, other: Known) -> bool:
+        """Whether the same is known of facts and names."""
+        names, other_names = self.bound | self.perhaps, other.bound | other.perhaps
+        is_same = self.facts.keys() == other.facts.keys() and self.bound == other.bound
+        return is_same and names == other_names
+
+    def perhaps_binding(self, names: Iterable[str]) -> Known:
+        """With names that may stand for something."""
+        perhaps = self.perhaps.union(names)
+        return self if perhaps == self.perhaps else replace(self, perhaps=perhaps)
 
     def unbinding(self, name: str) -> Known:
         """With a name of which nothing is known."""
         same = {k: v for k, v in self.same.items() if name not in (k, v)}
         gone = [each for each in self.facts if name in names_of(each)]
-        return replace(self.without(gone), bound=self.bound - {name}, same=same)
+        return replace(
+            self.without(gone),
+            bound=self.bound - {name},
+            perhaps=self.perhaps - {name},
+            same=same,
+        )
 
     def by(self, *steps: str) -> Known:
         """On a way that is described further."""
         return replace(self, trail=(*self.trail, *steps))
+
+
+def later(before: Mapping[Change, None], changes: Iterable[Change]) -> Mapping[Change, None]:
+    """Changes and those that come after them, each where it comes last."""
+    found = dict(before)
+    for each in changes:
+        found.pop(each, None)
+        found[each] = None
+    return found

@@ -12,7 +12,7 @@ from ezskiros.check.clash import Reason
 from ezskiros.check.entailed import Fact, Facts, entailed
 from ezskiros.check.inference import names as names_of
 from ezskiros.check.limits import limit_of_subjects, limits
-from ezskiros.contracts.knowledge import Renewed
+from ezskiros.contracts.knowledge import Made, Renewed
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import (
     AnyOf,
@@ -39,7 +39,7 @@ class Touching:
         self._known_closed: dict[Fact, Facts] = {}
         self._known_supports: dict[Fact, tuple[Fact, ...]] = {}
 
-    def touches(self, made: Statement | Renewed, fact: Statement) -> bool:
+    def touches(self, made: Made, fact: Statement) -> bool:
         """Whether a fact may end by a change."""
         if made == fact:
             return False
@@ -59,7 +59,7 @@ class Touching:
             case _:
                 return isinstance(fact, (Comparison, HasProperty)) and self._sets(made, fact)
 
-    def _touches_in_parts(self, made: Statement | Renewed, fact: Statement) -> bool:
+    def _touches_in_parts(self, made: Made, fact: Statement) -> bool:
         if isinstance(made, Renewed):
             return made.subject in names_of(fact)
         if isinstance(made, AnyOf):

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from ezskiros.check.inference import names as names_of
 from ezskiros.contracts.changing import changed, failed, join
-from ezskiros.contracts.children import Child, SkillOf, child_of
+from ezskiros.contracts.children import Child, Children
 from ezskiros.contracts.findings import Findings
 from ezskiros.contracts.judge import Judge
 from ezskiros.contracts.knowledge import Change, How, Known, Origin
@@ -22,9 +22,12 @@ from ezskiros.skills.nodes import (
     calls,
     children,
 )
+from ezskiros.skills.values import Symbol
 
 MOST_TRIES = 5
 """Of a retry that are looked at, until no further one has less to rely on."""
+MOST_TICKS = 10
+"""In which a child goes on, until no further one leaves less to rely on; else nothing is known."""
 
 
 @dataclass(frozen=True)
@@ -38,10 +41,21 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a node is: whether the compound fails with it, and whether findings are told."""
+    """Where a node is: whether the compound fails with it, and whether findings are told.
+
+    `tick` is what becomes of what is known when a tick begins while a child runs there: what comes
+    before it in a serial or a selector is started again, what is beside it goes on; findings of
+    that are told, or not. `again` says why the node is started again, if it is.
+    """
 
     is_fatal: bool = True
     is_told: bool = True
+    tick: Callable[[Known, bool], Known] | None = None
+    again: str | None = None
+
+    def at_next_tick(self, known: Known, *, is_told: bool) -> Known:
+        """What is known when the next tick gets there."""
+        return self.tick(known, is_told) if self.tick else known
 
 
 @dataclass
@@ -50,10 +64,12 @@ class Walk:
 
     judge: Judge
     findings: Findings
-    skill_of: SkillOf
+    children: Children
     held: Sequence[Asked]
     _started: dict[int, list[Asked]] = field(default_factory=dict)
     """By calls: what was known to hold when they started first."""
+    _steps: dict[tuple[object, ...], Outcome] = field(default_factory=dict)
+    """By calls and what is known, what becomes of it: most later ticks find what others did."""
 
     def through(self, node: Node, known: Known, place: Place = Place()) -> Outcome:
         """What becomes of what is known."""
@@ -61,12 +77,14 @@ class Walk:
             case SkillCall():
                 return self._skill(node, known, place)
             case Decorator(decoration=decoration, child=child, limit=limit):
-                return self._decorated(decoration, child, limit or 1, known, place)
+                tries = MOST_TRIES if isinstance(limit, Symbol) else int(limit or 1)
+                return self._decorated(decoration, child, tries, known, place)
             case Processor(flow=Flow.SERIAL | Flow.SERIAL_STAR, children=below):
                 is_restarting = node.flow is Flow.SERIAL
                 return self._sequence(below, known, place, is_restarting=is_restarting)
             case Processor(flow=Flow.SELECTOR | Flow.SELECTOR_STAR, children=below):
-                return self._selector(below, known, place)
+                is_restarting = node.flow is Flow.SELECTOR
+                return self._selector(below, known, place, is_restarting=is_restarting)
             case Processor(flow=Flow.NO_FAIL, children=below):
                 inner = self._sequence(below, known, replace(place, is_fatal=False))
                 ways = (*inner.endings, *inner.failures)
@@ -78,31 +96,47 @@ class Walk:
     # --- skills -----------------------------------------------------------------------------------
 
     def _skill(self, call: SkillCall, known: Known, place: Place) -> Outcome:
-        child = child_of(call, self.skill_of(call), known)
+        child = self.children.of(call, known)
         self._hold(child, known, place)
-        asked = child.asked(known)
-        free = child.inferred(known)
+        wrong = self._judged(child, known, place)
+        right = [each for each in child.asked(known) if each not in wrong]
+        self._started.setdefault(id(call), right)
+        if place.tick is not None:
+            return self._step(child, known, wrong, place)
+        key = (call, *known.without_way)
+        if key not in self._steps:
+            bare = replace(known, changes={}, trail=())
+            self._steps[key] = self._step(child, bare, wrong, place)
+        step = self._steps[key]
+        success = step.success.after(known)
+        return Outcome(success, (success,), tuple(each.after(known) for each in step.failures))
+
+    def _step(
+        self, child: Child, known: Known, wrong: Mapping[Asked, bool], place: Place
+    ) -> Outcome:
+        """What becomes of what is known by a child of which some conditions need not hold."""
+        asked, free = child.asked(known), child.inferred(known)
         ready = known.binding(child.bound())
-        wrong = self._judged(child, asked, free, known, place)
         about_free = [each for each in asked if not set(free).isdisjoint(names_of(each.statement))]
         is_found = not any(each in wrong for each in about_free)
         started = self.judge.merged(self._assuming(ready, asked, child))
-        self._started.setdefault(id(call), [each for each in asked if each not in wrong])
-        again = child_of(call, child.skill, started)
-        after = changed(started, list(again.changes(How.DONE)), self.judge)
+        running = self._running(started, place)
+        again = self.children.of(child.call, running)
+        after = changed(running, again.changes(How.DONE), self.judge)
         after = after.binding(again.outputs())
         if any(is_false for is_false in wrong.values()):
             return Outcome(replace(after, is_dead=True), (replace(after, is_dead=True),), (known,))
         before = self._assuming(ready, about_free, child) if is_found else known
-        before = self.judge.merged(before)
-        again = child_of(call, child.skill, before)
-        failure = failed(before, list(again.changes(How.FAILED)), self.judge)
+        before = self.judge.merged(before).perhaps_binding(free)
+        if place.tick is not None:
+            before = join((before, running), self.judge)
+        again = self.children.of(child.call, before)
+        failure = failed(before, again.changes(How.FAILED), self.judge)
         return Outcome(after, (after,), (failure.by(f"`{child.label}` has failed"),))
 
-    def _judged(
-        self, child: Child, asked: Sequence[Asked], free: Sequence[str], known: Known, place: Place
-    ) -> dict[Asked, bool]:
+    def _judged(self, child: Child, known: Known, place: Place) -> dict[Asked, bool]:
         """The conditions of a child that need not hold; whether they are certain not to."""
+        asked, free = child.asked(known), child.inferred(known)
         about = [
             each.statement for each in asked if not set(free).isdisjoint(names_of(each.statement))
         ]
@@ -115,7 +149,10 @@ class Walk:
             wrong[each] = clash is not None
             if not place.is_told:
                 continue
-            if clash is not None:
+            if place.again is not None:
+                if place.is_fatal and each in self._started.get(id(child.call), ()):
+                    self.findings.restart(child.call, each, known, clash, place.again)
+            elif clash is not None:
                 self.findings.false_at_start(
                     child.call, each, known, clash, is_fatal=place.is_fatal
                 )
@@ -140,7 +177,8 @@ class Walk:
     def _hold(self, child: Child, known: Known, place: Place) -> None:
         for each in self.held if place.is_told else ():
             if not self.judge.entails(known, each.statement):
-                clash = self.judge.clash(known, each.statement)
+                is_certain = place.again is None
+                clash = self.judge.clash(known, each.statement) if is_certain else None
                 self.findings.hold(child.call, each, known, clash)
 
     # --- processors -------------------------------------------------------------------------------
@@ -151,45 +189,78 @@ class Walk:
         failures: list[Known] = []
         endings: tuple[Known, ...] = (known,)
         for index, node in enumerate(below):
-            if is_restarting and place.is_told:
-                self._restart(below[:index], known, "a serial starts it again in each tick")
-            outcome = self.through(node, known, place)
+            inner = place
+            if is_restarting and index:
+                inner = self._with_serial(below[:index], place)
+                failures.append(self._partly(below[: index + 1], known, place))
+            outcome = self.through(node, known, inner)
             known, endings = outcome.success, outcome.endings
             failures += outcome.failures
         return Outcome(known, endings, tuple(failures))
 
-    def _selector(self, below: Sequence[Node], known: Known, place: Place) -> Outcome:
+    def _with_serial(self, before: Sequence[Node], place: Place) -> Place:
+        """Where each tick starts children of a serial again that are before."""
+        why = "a serial starts it again in each tick"
+
+        def tick(known: Known, is_told: bool) -> Known:
+            known = place.at_next_tick(known, is_told=is_told)
+            again = Place(place.is_fatal, place.is_told and is_told, again=why)
+            return self._sequence(before, known, again).success
+
+        return replace(place, tick=tick)
+
+    def _selector(
+        self, below: Sequence[Node], known: Known, place: Place, *, is_restarting: bool = False
+    ) -> Outcome:
         inner = place if len(below) == 1 else replace(place, is_fatal=False)
         endings: list[Known] = []
         failures: tuple[Known, ...] = (known,)
-        for node in below:
+        for index, node in enumerate(below):
             before = join(failures, self.judge) if failures else replace(known, is_dead=True)
+            stopped: list[Known] = []
+            if is_restarting and index:
+                inner = self._with_selector(below[:index], place, stopped)
             outcome = self.through(node, before, inner)
             names = " and ".join(f"`{each.skill.__name__}`" for each in calls(node))
             endings += [each.by(f"{names} succeeded") for each in outcome.endings]
+            endings += [self._partly([node], each, place) for each in stopped]
             failures = outcome.failures
         return Outcome(join(endings, self.judge), tuple(endings), failures)
+
+    def _with_selector(self, before: Sequence[Node], place: Place, stopped: list[Known]) -> Place:
+        """Where each tick tries children of a selector again that are before; what is known when
+        one of them succeeds is `stopped`.
+        """
+        why = "a selector tries it again in each tick"
+
+        def tick(known: Known, is_told: bool) -> Known:
+            known = place.at_next_tick(known, is_told=is_told)
+            again = Place(False, place.is_told and is_told, again=why)
+            outcome = self._selector(before, known, again)
+            stopped[:] = [join([*stopped, *outcome.endings], self.judge)]
+            failures = outcome.failures or (replace(known, is_dead=True),)
+            return join(failures, self.judge)
+
+        return replace(place, is_fatal=False, tick=tick)
 
     def _parallel(
         self, below: Sequence[Node], known: Known, place: Place, *, is_race: bool
     ) -> Outcome:
-        own = [list(self._changes(node, known, How.BESIDE)) for node in below]
         outcomes = []
         for index, node in enumerate(below):
-            beside = [each for other in (*own[:index], *own[index + 1 :]) for each in other]
-            is_first = index == 0 or not is_race  # else the first may be done before it starts
-            own_place = replace(place, is_fatal=place.is_fatal and is_first)
-            before = failed(known, beside, self.judge)
             others = (*below[:index], *below[index + 1 :])
-            before = before.binding(name for each in others for name in self._found(each, known))
+            own_place = self._with_others(others, known, place)
+            # in a race all else may never start: another child may be done before
+            is_certain = not is_race or (index == 0 and isinstance(node, SkillCall))
+            own_place = replace(own_place, is_fatal=place.is_fatal and is_certain)
+            before = own_place.at_next_tick(known, is_told=False)
             outcome = self.through(node, before, own_place)
             if len(below) > 1 and not is_race and place.is_told:
                 again = "SkiROS2 starts it again in each tick until the others are done"
                 self._restart([node], outcome.success, again)
-            kept = failed(outcome.success, beside, self.judge)
+            kept = self._partly(others, outcome.success, place, How.BESIDE)
             outcomes.append(replace(outcome, success=kept))
-        everything = [each for changes in own for each in changes]
-        stopped = failed(known, everything, self.judge).by("a child of the parallel has failed")
+        stopped = self._partly(below, known, place).by("a child of the parallel has failed")
         endings = tuple(each.success for each in outcomes)
         if is_race:
             return Outcome(join(endings, self.judge), endings, (stopped,))
@@ -198,25 +269,61 @@ class Walk:
             merged = replace(
                 merged.assuming(each.facts).binding(each.bound),
                 same={**merged.same, **each.same},
-                changes=tuple(dict.fromkeys((*merged.changes, *each.changes))),
+                changes={**merged.changes, **each.changes},
                 is_dead=merged.is_dead or each.is_dead,
             )
         return Outcome(merged, (merged,), (stopped,))
 
+    def _with_others(self, others: Sequence[Node], known: Known, place: Place) -> Place:
+        """Where others run at the same time."""
+        changes = [each for node in others for each in self._changes(node, known, How.BESIDE)]
+        names = {name for node in others for name in self._found(node, known)}
+
+        def tick(known: Known, is_told: bool) -> Known:
+            known = place.at_next_tick(known, is_told=is_told)
+            return failed(known, changes, self.judge).perhaps_binding(names)
+
+        return replace(place, tick=tick)
+
+    # --- ticks ------------------------------------------------------------------------------------
+
+    def _partly(
+        self, below: Sequence[Node], known: Known, place: Place, how: How = How.FAILED
+    ) -> Known:
+        """What is known when nodes may have done some of their work, in any number of ticks."""
+        changes = [each for node in below for each in self._changes(node, known, how)]
+        names = [name for node in below for name in self._found(node, known)]
+        return self._running(known.perhaps_binding(names), place, changes)
+
+    def _running(self, known: Known, place: Place, changes: Sequence[Change] = ()) -> Known:
+        """What is known while a skill runs, in any number of ticks; or, with nothing told, while
+        changes may be made.
+        """
+        known = failed(known, changes, self.judge)
+        if place.tick is None:
+            return known
+        for _ in range(MOST_TICKS):
+            after = failed(place.tick(known, not changes), changes, self.judge)
+            later = join((known, after), self.judge)
+            if later.is_as_much_as(known):
+                return later
+            known = later
+        return known.without(known.facts)
+
     def _changes(self, node: Node, known: Known, how: How) -> Iterator[Change]:
         """All that may be changed below a node."""
         for call in calls(node):
-            yield from child_of(call, self.skill_of(call), known).changes(how)
+            yield from self.children.of(call, known).changes(how)
 
     def _found(self, node: Node, known: Known) -> Iterator[str]:
         """Names for which a node may find things."""
         for call in calls(node):
-            yield from child_of(call, self.skill_of(call), known).bound()
+            yield from self.children.of(call, known).bound()
 
     # --- decorators -------------------------------------------------------------------------------
 
     def _decorated(
-        self, decoration: Decoration, child: Node, limit: float, known: Known, place: Place
+        self, decoration: Decoration, child: Node, tries: int, known: Known, place: Place
     ) -> Outcome:
         if decoration is Decoration.INVERTER:
             inner = self.through(child, known, replace(place, is_fatal=False))
@@ -224,19 +331,18 @@ class Walk:
             return Outcome(join(failures, self.judge), failures, (inner.success,))
         outcome = self.through(child, known, place)
         if decoration is Decoration.TIMEOUT:
-            stopped = failed(known, list(self._changes(child, known, How.FAILED)), self.judge)
-            late = stopped.by("the time was over")
+            late = self._partly([child], known, place).by("the time was over")
             return replace(outcome, failures=(*outcome.failures, late))
-        return self._retried(child, int(limit), outcome, place)
+        return self._retried(child, tries, outcome, place)
 
-    def _retried(self, child: Node, limit: int, outcome: Outcome, place: Place) -> Outcome:
+    def _retried(self, child: Node, tries: int, outcome: Outcome, place: Place) -> Outcome:
         """Further tries start where one has failed; they may fail in turn."""
         endings, failures = outcome.endings, outcome.failures
-        if limit > 1 and place.is_told:
+        if tries > 1 and place.is_told:
             for each in failures:
                 self._restart([child], each, "the retry starts it again", is_certain=True)
-        for _ in range(min(limit - 1, MOST_TRIES) if failures else 0):
-            before = join(failures, self.judge)
+        for _ in range(min(tries - 1, MOST_TRIES) if failures else 0):
+            before = self._running(join(failures, self.judge), place)
             again = self.through(child, before, replace(place, is_told=False, is_fatal=False))
             endings = (*endings, *again.endings)
             failures = again.failures

@@ -22,7 +22,7 @@ from ezskiros.drawing.nested import Nested
 from ezskiros.drawing.outline import branch_texts
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall, calls
-from ezskiros.skills.values import SymbolicValue
+from ezskiros.skills.values import Symbol, SymbolicValue
 from ezskiros.trees.library import Library
 from ezskiros.trees.names import shared_names
 from ezskiros.trees.tree import ThingReference, Tree, ValueReference
@@ -127,10 +127,16 @@ class _Writer:
                 self._node(child, ET.SubElement(above, element, ports))
 
     def _decorator(self, node: Decorator) -> tuple[str, dict[str, str]]:
-        limit = node.limit or 1
-        if node.decoration is Decoration.INVERTER:
+        limit = node.limit
+        if limit is None:
             return "Inverter", {}
         is_retry = node.decoration is Decoration.RETRY
+        if is_retry and isinstance(limit, ValueReference):
+            return "RetryUntilSuccessful", {"num_attempts": f"{{{limit.parameter.name}}}"}
+        if isinstance(limit, Symbol):
+            computed = errors.ComputedLimit(decorator=node.decoration.value.lower())
+            self.found.add(computed.at(node.span))
+            limit = 1
         most = _MOST_TRIES if is_retry else _MOST_MILLISECONDS / 1000
         if limit > most:
             large = errors.LimitTooLarge(decorator=node.decoration.value.lower())

@@ -75,6 +75,16 @@ class SeveralTrees(Warning, code="EZS836", name="several-trees"):
     skill: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class ComputedLimit(Error, code="EZS837", name="computed-limit"):
+    """A limit that Python computes, or converts, when the skill is started."""
+
+    title = "BehaviorTree.CPP cannot compute the limit of this {decorator}"
+    note = "its blackboard passes values on as they are, and its `Timeout` counts milliseconds"
+    help = "write a number; `self.retry(child, params.Count)` can be exported as well"
+    decorator: str
+
+
 ALL: tuple[type[Template], ...] = (
     ComputedArgument,
     NoPort,
@@ -83,4 +93,5 @@ ALL: tuple[type[Template], ...] = (
     LimitTooLarge,
     CallsItself,
     SeveralTrees,
+    ComputedLimit,
 )

@@ -12,8 +12,8 @@ from ezskiros.drawing.nested import Nested
 from ezskiros.ontology.statements import Statement
 from ezskiros.ontology.things import Unknown
 from ezskiros.skills.interface import Clause, SkillInterface
-from ezskiros.skills.nodes import Decorator, Flow, Node, Processor, SkillCall
-from ezskiros.skills.values import SymbolicValue
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall
+from ezskiros.skills.values import Symbol, SymbolicValue
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import ThingReference, Tree, ValueReference
 
@@ -111,11 +111,9 @@ class _Writer:
             case Processor(flow=flow, children=below):
                 inside = tuple(self.box(child, depth, above) for child in below)
                 return Box(flow.value.lower(), TOKENS[flow], (), inside)
-            case Decorator(decoration=decoration, child=child, limit=limit):
-                unit = " s" if decoration.value == "Timeout" else ""
-                shown = "" if limit is None else f" {limit:g}{unit}"
+            case Decorator(decoration=decoration, child=child):
                 inside = (self.box(child, depth, above),)
-                return Box(f"{decoration.value.lower()}{shown}", "<>", (), inside)
+                return Box(f"{decoration.value.lower()}{_limit(node)}", "<>", (), inside)
 
     def _skill(self, call: SkillCall, depth: int, above: tuple[str, ...]) -> Box:
         lines = [*_arguments(call)]
@@ -148,6 +146,20 @@ class _Writer:
         statement: Statement = clause.statement
         ontology = self.library.ontology()
         return spelled(statement, ontology.model) if ontology else clause.span.text
+
+
+def _limit(node: Decorator) -> str:
+    """What stands behind the word for a decorator."""
+    unit = " s" if node.decoration is Decoration.TIMEOUT else ""
+    match node.limit:
+        case None:
+            return ""
+        case ValueReference(parameter=parameter):
+            return f" {parameter.name}{unit}"
+        case Symbol():
+            return f" ...{unit}"
+        case number:
+            return f" {number:g}{unit}"
 
 
 def _arguments(call: SkillCall) -> Iterator[Line]:

@@ -85,6 +85,8 @@ def svg(outlines: Sequence[Outline]) -> str:
     name = escape(outlines[0].root.title) if outlines else ""
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+        # In a browser all of it is in sight, however large it is.
+        f'style="max-width: 100vw; max-height: 100vh" '
         f'viewBox="0 0 {width} {height}" role="img">\n<title>{name}</title>\n'
         f"<style>{_STYLE}</style>\n"
         f'<rect width="{width}" height="{height}" fill="#ffffff"/>\n'

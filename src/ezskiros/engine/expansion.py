@@ -71,7 +71,7 @@ def _is_fixed(root: Node) -> bool:
         work += children(node)
         if isinstance(node, SkillCall) and any(map(_is_computed, node.arguments.values())):
             return False
-        if isinstance(node, Decorator) and _is_computed(node.limit):
+        if isinstance(node, Decorator) and isinstance(node.limit, Symbol):
             return False
     return True
 

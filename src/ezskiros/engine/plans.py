@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -11,9 +11,9 @@ from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
 from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.values import plain
 from ezskiros.trees.library import Implementations, Library
-from ezskiros.trees.names import shared_names
-from ezskiros.trees.tree import plain
+from ezskiros.trees.names import Shared, found_out, shared_names
 
 _BASIC = frozenset((str, float, bool))
 
@@ -23,8 +23,8 @@ class Plan(NamedTuple):
 
     `fixed` are the values that its parameters have by default, or by the call; `shared` has for
     those that share a name with siblings that name, and `received` only for those that have a value
-    before. `label` names the implementation, if there is
-    one; that of a compound builds a tree.
+    before. `found_out` has those that share a name only when the child has succeeded. `label` names
+    the implementation, if there is one; that of a compound builds a tree.
     """
 
     skill: SkillInterface
@@ -34,6 +34,7 @@ class Plan(NamedTuple):
     fixed: Mapping[str, Any]
     shared: tuple[tuple[str, str], ...]
     received: tuple[tuple[str, str], ...]
+    found_out: tuple[tuple[str, str], ...]
     needed: tuple[Parameter, ...]
     inferred: tuple[Parameter, ...]
     things: tuple[Parameter, ...]
@@ -52,6 +53,8 @@ class _Known:
     defaults: Mapping[str, object]
     shared: tuple[tuple[str, str], ...]
     """Of those that a call says nothing of."""
+    found_out: Mapping[type[SkillImplementation] | None, tuple[tuple[str, str], ...]]
+    """The same, by implementations."""
     as_they_are: frozenset[type]
     """The types of values that need no look: a whole number may be meant for a float."""
     needed: tuple[Parameter, ...]
@@ -94,6 +97,7 @@ class Plans:
             fixed=fixed,
             shared=shared,
             received=_received(shared, known.outputs),
+            found_out=tuple(pair for pair in known.found_out.get(kind, ()) if pair[0] not in given),
             needed=known.needed,
             inferred=known.inferred,
             things=known.things,
@@ -106,13 +110,19 @@ class Plans:
         skill = self._library.skill(call.skill)
         if skill is None:
             raise LookupError(f"`{call.skill.__name__}` describes no skill")
+        implementations = self._library.implementations(call.skill)
+        nothing_given = replace(call, arguments={})
         has_floats = any(each.type is float for each in skill.parameters)
         found = self._known[call.skill] = _Known(
             skill=with_options(skill),
-            implementations=self._library.implementations(call.skill),
+            implementations=implementations,
             parameters={each.name: each for each in skill.parameters},
             defaults={each.name: each.default for each in skill.parameters},
-            shared=_shared(replace(call, arguments={}), skill),
+            shared=_pairs(shared_names(nothing_given, skill)),
+            found_out={
+                each: _pairs(found_out(nothing_given, skill, [each]))
+                for each in implementations.values()
+            },
             as_they_are=_BASIC if has_floats else _BASIC | {int},
             needed=tuple(each for each in skill.parameters if _is_needed(each)),
             inferred=tuple(each for each in skill.parameters if each.kind is Kind.INFERRED),
@@ -131,14 +141,14 @@ def _looked_at(
     fixed = dict(known.defaults)
     for name, value in call.arguments.items():
         fixed[name] = _converted(plain(value), known.parameters.get(name))
-    shared = _shared(call, known.skill)
+    shared = _pairs(shared_names(call, known.skill))
     for own, _ in shared:
         fixed[own] = known.defaults[own]
     return fixed, shared
 
 
-def _shared(call: SkillCall, skill: SkillInterface) -> tuple[tuple[str, str], ...]:
-    return tuple((each.parameter.name, each.shared) for each in shared_names(call, skill))
+def _pairs(those: Iterable[Shared]) -> tuple[tuple[str, str], ...]:
+    return tuple((each.parameter.name, each.shared) for each in those)
 
 
 def _implementation(call: SkillCall, known: Implementations) -> type[SkillImplementation] | None:

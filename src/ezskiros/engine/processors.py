@@ -17,6 +17,7 @@ from py_trees.common import Status
 
 from ezskiros.engine.events import Code, Reason
 from ezskiros.skills.nodes import Decoration, Decorator, Flow
+from ezskiros.skills.values import Symbol
 
 if TYPE_CHECKING:  # what runs is built of these
     from ezskiros.engine.setting import Setting
@@ -47,13 +48,14 @@ def processor(
 def decorator(node: Decorator, child: Behaviour, setting: Setting) -> Behaviour:
     """A decorator around a child."""
     name, limit = node.decoration.value, node.limit or 0
+    assert not isinstance(limit, Symbol), "a tree that starts is built for values"
     match node.decoration:
         case Decoration.INVERTER:
             return _Inverter(name, child, node, setting)
         case Decoration.RETRY:
             return _Retry(name, child, int(limit))
         case Decoration.TIMEOUT:
-            return _Timeout(name, child, node, setting)
+            return _Timeout(child, limit, node, setting)
 
 
 class _Alone(Behaviour):
@@ -98,13 +100,13 @@ class _Inverter(_Alone, decorators.Inverter):
 class _Timeout(_Alone, decorators.Decorator):
     """Fails when its child has no result in time, by the clock of the task."""
 
-    def __init__(self, name: str, child: Behaviour, node: Decorator, setting: Setting) -> None:
-        super().__init__(name, child)
-        self._node, self._setting, self._end = node, setting, 0.0
+    def __init__(self, child: Behaviour, seconds: float, node: Decorator, setting: Setting) -> None:
+        super().__init__(node.decoration.value, child)
+        self._seconds, self._node, self._setting, self._end = seconds, node, setting, 0.0
 
     def initialise(self) -> None:
         """Time starts to run."""
-        self._end = self._setting.clock() + (self._node.limit or 0)
+        self._end = self._setting.clock() + self._seconds
 
     def update(self) -> Status:
         """The result of the child, if it comes in time."""
@@ -112,7 +114,7 @@ class _Timeout(_Alone, decorators.Decorator):
         if status is not Status.RUNNING or self._setting.clock() < self._end:
             return status
         self.decorated.stop(Status.INVALID)
-        text = f"no result within {self._node.limit:g} s ({self._node.span})"
+        text = f"no result within {self._seconds:g} s ({self._node.span})"
         self._setting.last_failure = Reason(Code.EXECUTION, text)
         return Status.FAILURE
 

@@ -237,6 +237,8 @@ class RunningSkill(Behaviour):
         for name in plan.emptied:
             values[name] = None
         self._share()
+        for own, shared in plan.found_out:
+            self._names.values[shared] = values[own]
         self._release()
         self._tell(Happened.SUCCEEDED, code, text)
         return Status.SUCCESS

@@ -62,6 +62,9 @@ class Values:
         self._given[name] = float(value) if parameter.type is float else value
         vars(self)["_is_changed"] = True
 
+    def __getitem__(self, name: object) -> None:
+        raise TypeError(f"write `self.params.{name}`")
+
     def is_changed(self) -> bool:
         """Whether the skill has given any a value."""
         return bool(self._is_changed)

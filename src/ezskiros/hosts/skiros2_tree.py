@@ -19,8 +19,9 @@ from ezskiros.ontology.statements import Value
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
 from ezskiros.skills.nodes import Decorator, Node, Processor, SkillCall
+from ezskiros.skills.values import Symbol
 from ezskiros.trees.library import Library
-from ezskiros.trees.names import shared_names
+from ezskiros.trees.names import all_shared, shared_names
 
 
 @dataclass(frozen=True)
@@ -87,6 +88,7 @@ def hosted(node: Node, scope: Scope, library: Library) -> HostedNode | HostedCal
         case Processor(flow=flow, children=children):
             return HostedNode(flow.value, tuple(hosted(each, scope, library) for each in children))
         case Decorator(decoration=decoration, child=child, limit=limit):
+            assert not isinstance(limit, Symbol), "a tree that starts is built for values"
             return HostedNode(decoration.value, (hosted(child, scope, library),), limit)
 
 
@@ -95,7 +97,7 @@ def _call(call: SkillCall, scope: Scope, library: Library) -> HostedCall:
     assert skill is not None, call  # a library with a skill that says nothing is refused
     end = scope.call()
     keys = {each.key: each.key + end for each in skill.parameters}
-    for shared in shared_names(call, skill):
+    for shared in all_shared(call, library):
         keys[shared.parameter.key] = scope.shared(shared.shared)
     keys.setdefault(ROBOT, scope.robot())
     passed = {shared.parameter.name for shared in shared_names(call, skill)}

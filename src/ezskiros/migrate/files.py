@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import difflib
-import tokenize
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile, Span, is_file, is_folder
+from dslkit.source.python_file import read_python
 from ezskiros.migrate import errors
 from ezskiros.migrate.module import Migrated, migrate_text
 from ezskiros.migrate.modules import imported_files, reaches
+from ezskiros.migrate.robots import with_robots
 from ezskiros.migrate.skills import Skills
 from ezskiros.skills.load import skill_files
 from ezskiros.skills.load_errors import NoFile
@@ -91,7 +92,7 @@ def migrate_paths(
             wrong.append(NoFile(path=str(path)).at(nowhere))
     for path in skill_files(paths):
         try:
-            sources.append(_Source(path, *_read(path)))
+            sources.append(_Source(path, *read_python(path)))
         except (SyntaxError, UnicodeDecodeError) as problem:  # noqa: PERF203 - each is told
             found = errors.UnreadableSource(said=str(problem).partition("\n")[0])
             wrong.append(found.at(Span(SourceFile(str(path), ""), 0, 0)))
@@ -121,7 +122,8 @@ class _Migrations:
 
     def all(self) -> list[Migrated]:
         """What becomes of the files, in order."""
-        robots = {name for each in self._found for name in each.robots}
+        described = [skill for each in self._found for skill in each.skills]
+        robots = with_robots((each.robots for each in self._found), described)
         inherited = [self._inherited(each) for each in self._found]
         no_skills = Skills((), robots)
         self._again(
@@ -180,13 +182,6 @@ class _Migrations:
             {path for path in each.wanted if reaches(path, own, imports)}
             for own, each in zip(files, self._found, strict=True)
         ]
-
-
-def _read(path: Path) -> tuple[str, str]:
-    """The encoding of a Python file, and its text, with the line ends that it has."""
-    with path.open("rb") as file:
-        encoding, _ = tokenize.detect_encoding(file.readline)
-    return encoding, path.read_bytes().decode(encoding)
 
 
 def _become(found: Sequence[tuple[Sequence[str], Sequence[str]]], thing: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import libcst as cst
@@ -311,44 +311,6 @@ def with_marks(node: cst.ClassDef, findings: Sequence[Finding]) -> cst.ClassDef:
     found = node.visit(_Marks(templates))
     assert isinstance(found, cst.ClassDef)
     return found
-
-
-class _Robots(cst.CSTVisitor):
-    """Whether a class speaks of the robot, and the children whose robot it gives."""
-
-    def __init__(self, robot: str) -> None:
-        self._robot = robot
-        self.is_own = False
-        self.children: set[str] = set()
-
-    def visit_Call(self, node: cst.Call) -> None:  # noqa: N802
-        if method(node) != "skill" or not node.args:
-            return
-        name = (literal_text(node.args[0].value) or "").rpartition(":")[2]
-        keys = [
-            literal_text(each.key)
-            for argument in node.args[1:]
-            for each in getattr(argument.value, "elements", ())
-            if isinstance(each, cst.DictElement)
-        ]
-        if self._robot in keys:
-            self.children.add(name)
-
-    def visit_SimpleString(self, node: cst.SimpleString) -> None:  # noqa: N802
-        self.is_own = self.is_own or literal_text(node) == self._robot
-
-
-def robots_in(node: cst.ClassDef, robot: str) -> Iterator[str]:
-    """The skills of which a class that implements one needs the parameter that SkiROS2 adds."""
-    call = described_by(node)
-    if call is None:
-        return
-    found = _Robots(robot)
-    node.visit(found)
-    yield from found.children
-    name = description_name(call)
-    if found.is_own and name:
-        yield name
 
 
 def labels_in(classes: Iterable[cst.ClassDef]) -> dict[str, str]:

@@ -20,7 +20,6 @@ from ezskiros.migrate.implementations import (
     described_by,
     helpers_of,
     labels_in,
-    robots_in,
     translate_implementation,
     with_marks,
 )
@@ -33,9 +32,9 @@ from ezskiros.migrate.imports import (
     used_names,
     with_imports,
 )
-from ezskiros.migrate.keys import ROBOT
 from ezskiros.migrate.names import Names
 from ezskiros.migrate.positions import Positions
+from ezskiros.migrate.robots import Robots, robots_in, with_robots
 from ezskiros.migrate.skills import Skill, Skills, new_skills
 from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.tree_context import Wanted as WantedSkills
@@ -49,9 +48,9 @@ class Migrated:
     `translated` and `left` are the classes that describe skills, `implemented` and `unimplemented`
     those that implement them, `bases` those that any class is built on.
 
-    `skills` are what is described, `robots` the names of skills that have to say which robot they
-    are of, `labels` what implementations call themselves, with the names of their classes,
-    `sources` the modules that are imported, `wanted` the files that trees need besides.
+    `skills` are what is described, `robots` what is said of their robots, `labels` what
+    implementations call themselves, with the names of their classes, `sources` the modules that are
+    imported, `wanted` the files that trees need besides.
     """
 
     file: SourceFile
@@ -62,7 +61,7 @@ class Migrated:
     unimplemented: Sequence[str] = ()
     bases: Collection[str] = ()
     skills: Sequence[Skill] = ()
-    robots: Collection[str] = ()
+    robots: Robots = field(default_factory=Robots)
     labels: Mapping[str, str] = field(default_factory=dict)
     sources: Collection[str] = ()
     wanted: Collection[str] = ()
@@ -96,8 +95,9 @@ def migrate_text(
         return Migrated(file, text, diagnostics=[found])
     if skills is None:
         own = _File(file, module, world, inherited, ambiguous, Skills(), ()).migrated()
-        robots = _File(file, module, world, inherited, ambiguous, Skills((), own.robots), ())
-        skills = Skills(robots.migrated().skills, own.robots, own.labels)
+        names = with_robots([own.robots], own.skills)
+        robots = _File(file, module, world, inherited, ambiguous, Skills((), names), ())
+        skills = Skills(robots.migrated().skills, names, own.labels)
     return _File(file, module, world, inherited, ambiguous, skills, late).migrated()
 
 
@@ -154,7 +154,7 @@ class _File:
                 *(each.skill(self._file.path) for each in found),
                 *new_skills(self._module, self._file.path),
             ],
-            robots={name for node in classes for name in robots_in(node, ROBOT)},
+            robots=robots_in(classes),
             labels=labels_in(classes),
             sources=sources(self._module),
             wanted=self._foreign.files(),

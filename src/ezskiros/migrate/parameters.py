@@ -22,7 +22,9 @@ _OPTIONS = {option.value: option for option in Option}
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter as it is written, and what is said of it; `key` is what SkiROS2 calls it."""
+    """A parameter as it is written, and what is said of it; `key` is what SkiROS2 calls it. One
+    that `is_required` has to be given.
+    """
 
     key: str
     name: str
@@ -30,6 +32,7 @@ class Parameter:
     default: str | None = None
     doc: str = ""
     is_thing: bool = False
+    is_required: bool = False
 
     def __str__(self) -> str:
         return f"{self.name}: {self.annotation}" + (f" = {self.default}" if self.default else "")
@@ -76,7 +79,9 @@ class ParameterReader:
             warn(errors.LeftOutput(key=key), written)
         marks: list[Kind | Option] = [Option.OUTPUT] if can_be_output else [*options, kind]
         annotation = self._marked(key, annotation, marks)
-        return Parameter(key, self.called[key], annotation, default, _doc(given), is_thing)
+        is_required = kind is Kind.REQUIRED and default is None
+        name, doc = self.called[key], _doc(given)
+        return Parameter(key, name, annotation, default, doc, is_thing, is_required)
 
     def _marked(self, key: str, annotation: str, marks: Sequence[Kind | Option]) -> str:
         """A class or basic type with all that stands around it."""

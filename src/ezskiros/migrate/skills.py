@@ -10,9 +10,12 @@ from types import MappingProxyType
 import libcst as cst
 
 from ezskiros.migrate.calls import last_name, literal_text
+from ezskiros.migrate.keys import ROBOT
 from ezskiros.migrate.parameters import Parameter
 from ezskiros.migrate.values import BASIC
+from ezskiros.skills.markers import Kind, Option
 
+_NOT_REQUIRED = {Kind.INFERRED.name, Kind.OPTIONAL.name, Option.OUTPUT.name}
 NEW = "description"
 """The method by which EzSkiROS describes a skill."""
 
@@ -21,7 +24,7 @@ NEW = "description"
 class Skill:
     """A skill: the names of its parameters by their keys, and those that stand for things.
 
-    Of one that `is_left` neither is known.
+    Of one that `is_left` neither is known. One that `needs_robot` has to be given one.
     """
 
     name: str
@@ -29,13 +32,16 @@ class Skill:
     names: Mapping[str, str] = field(default_factory=dict)
     things: Collection[str] = frozenset()
     is_left: bool = False
+    needs_robot: bool = False
 
 
 def skill_of(name: str, path: str, parameters: Iterable[Parameter]) -> Skill:
     """The skill of a description that is translated."""
     found = list(parameters)
     names = {each.key: each.name for each in found}
-    return Skill(name, path, names, {each.name for each in found if each.is_thing})
+    things = {each.name for each in found if each.is_thing}
+    needs_robot = any(each.key == ROBOT and each.is_required for each in found)
+    return Skill(name, path, names, things, needs_robot=needs_robot)
 
 
 class Skills:
@@ -79,7 +85,16 @@ def _declared(parameters: cst.Parameters) -> Iterator[Parameter]:
         annotation = each.annotation.annotation if each.annotation else cst.Name(name)
         key, kind = _read(annotation)
         is_thing = isinstance(kind, (cst.Attribute, cst.Subscript)) or last_name(kind) not in BASIC
-        yield Parameter(key or name, name, "", is_thing=is_thing)
+        is_required = each.default is None and _NOT_REQUIRED.isdisjoint(_marks(annotation))
+        yield Parameter(key or name, name, "", is_thing=is_thing, is_required=is_required)
+
+
+def _marks(annotation: cst.BaseExpression) -> Iterator[str]:
+    """The names around a class: `LOCK` and `INFERRED` of `LOCK[INFERRED[skiros.Product]]`."""
+    while isinstance(annotation, cst.Subscript):
+        yield last_name(annotation.value) or ""
+        inner = annotation.slice[0].slice
+        annotation = inner.value if isinstance(inner, cst.Index) else annotation.value
 
 
 def _read(annotation: cst.BaseExpression) -> tuple[str, cst.BaseExpression]:

@@ -6,10 +6,13 @@ that this implementation has to do. `Pick.SkillBase` is what implementations are
 
 from __future__ import annotations
 
+import inspect
 from dataclasses import dataclass
+from types import FunctionType
 from typing import TYPE_CHECKING, Any, cast
 
 from ezskiros import session
+from ezskiros.ontology.things import UNKNOWN
 from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.nodes import SkillCall, made
 
@@ -58,6 +61,18 @@ def _child(
 ) -> Any:
     span = session.here()
     if positional:
-        session.report(errors.NamelessArgument(skill=skill.__name__).at(span))
+        meant = [each for each in _parameters(skill) if each not in arguments][: len(positional)]
+        named = ", ".join(f"{each}=..." for each in meant) or "Parameter=value"
+        found = errors.NamelessArgument(skill=skill.__name__, named=named)
+        session.report(found.at(span))
+        arguments |= dict.fromkeys(meant, UNKNOWN)  # that they have a value is not told besides
     called = cast("type[SkillDescription]", skill)
     return made(SkillCall(called, implementation, arguments, span))
+
+
+def _parameters(skill: SkillClass) -> list[str]:
+    """The names of the parameters of a skill, as its description is written."""
+    description = getattr(skill, "description", None)
+    if not isinstance(description, FunctionType):
+        return []
+    return list(inspect.signature(description).parameters)[1:]

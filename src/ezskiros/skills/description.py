@@ -100,7 +100,7 @@ class SkillDescription(metaclass=SkillClass):
         self.post_conditions = Conditions("post")
 
     def __setattr__(self, name: str, value: object) -> None:
-        if name in _CONDITIONS and name in self.__dict__ and value is not self.__dict__[name]:
+        if name in CONDITIONS and name in self.__dict__ and value is not self.__dict__[name]:
             session.report(errors.ReplacedConditions(conditions=name).at(session.here()))
             self.__dict__[name].replaced_by(value)
             return
@@ -108,7 +108,7 @@ class SkillDescription(metaclass=SkillClass):
 
     def __getattr__(self, name: str) -> Conditions:
         """The conditions that are meant, after a finding."""
-        near = difflib.get_close_matches(name, _CONDITIONS, n=1, cutoff=0.75)
+        near = difflib.get_close_matches(name, CONDITIONS, n=1, cutoff=0.75)
         if name.startswith("__") or not near:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         session.report(errors.NoConditions(spelled=name, meant=near[0]).at(session.here()))
@@ -116,7 +116,8 @@ class SkillDescription(metaclass=SkillClass):
         return meant
 
 
-_CONDITIONS = ("pre_conditions", "hold_conditions", "post_conditions")
+CONDITIONS = ("pre_conditions", "hold_conditions", "post_conditions")
+"""What `self` has in a description."""
 
 
 def specified(parameter: object) -> Condition | Unknown:

@@ -4,13 +4,26 @@ from __future__ import annotations
 
 import difflib
 import enum
+import math
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown, described
 from ezskiros.skills import tree_errors as errors
-from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, is_growing, made
-from ezskiros.skills.values import has_decided
+from ezskiros.skills.calls import SkillClass
+from ezskiros.skills.nodes import (
+    Decoration,
+    Decorator,
+    Flow,
+    Node,
+    Nowhere,
+    Processor,
+    drop,
+    is_growing,
+    made,
+)
+from ezskiros.skills.values import SymbolicValue, has_decided, plain
 
 
 class State(enum.Enum):
@@ -71,7 +84,7 @@ class SkillImplementation(metaclass=ImplementationClass):
                 raise AttributeError(f"{kind!r} object has no attribute {name!r}")
             found = errors.UnknownProcessor(implementation=type(self).__name__, spelled=name)
             session.report(found.at(session.here(), help=_help_for(name)))
-            return UNKNOWN
+            return Nowhere()
 
     # --- primitives -------------------------------------------------------------------------------
 
@@ -138,12 +151,23 @@ class SkillImplementation(metaclass=ImplementationClass):
         return _decorator(Decoration.INVERTER, child, None)
 
     def retry(self, child: Node, count: int) -> Node:
-        """Again when it fails, `count` times at most in all."""
+        """Again when it fails, `count` times at most in all; it may be `params.Count`."""
         return _decorator(Decoration.RETRY, child, count)
 
     def timeout(self, child: Node, seconds: float) -> Node:
-        """A failure when it has no result after these seconds."""
+        """A failure when it has no result after these seconds; they may be `params.Seconds`."""
         return _decorator(Decoration.TIMEOUT, child, seconds)
+
+
+MAKERS = tuple(each.value.lower() for each in (*Flow, *Decoration))
+"""The methods that make processors and decorators."""
+_ELSEWHERE = {
+    "sequence": "serialstar",
+    "sequential": "serialstar",
+    "fallback": "selectorstar",
+    "parallel": "parallelff",
+}
+"""Names that others have for some of them."""
 
 
 def _help_for(name: str) -> str:
@@ -152,9 +176,10 @@ def _help_for(name: str) -> str:
         return "`expandBT` gets the parameters: write `params.Name`"
     if name == "skill":
         return "a child is called by the name of its skill: `Drive(Target=params.Place)`"
-    known = [each.value.lower() for each in (*Flow, *Decoration)]
-    near = difflib.get_close_matches(name, known, n=1)
-    return f"did you mean `self.{near[0]}`?" if near else f"there is {', '.join(known)}"
+    if name in _ELSEWHERE:
+        return f"write `self.{_ELSEWHERE[name]}(...)`"
+    near = difflib.get_close_matches(name, MAKERS, n=1)
+    return f"did you mean `self.{near[0]}`?" if near else f"there is {', '.join(MAKERS)}"
 
 
 def _processor(flow: Flow, children: tuple[Any, ...]) -> Node:
@@ -167,8 +192,16 @@ def _processor(flow: Flow, children: tuple[Any, ...]) -> Node:
 
 def _decorator(decoration: Decoration, child: Node, limit: Any) -> Node:
     span = session.here()
-    if decoration is not Decoration.INVERTER and not _is_positive(limit):
-        found = errors.WrongLimit(decorator=decoration.value.lower(), found=described(limit))
+    limit = plain(limit)
+    is_swapped = isinstance(limit, Node) and not isinstance(child, Node)
+    if is_swapped:
+        child = limit
+    if decoration in _LIMITS and not _can_limit(limit, _LIMITS[decoration]):
+        found = errors.WrongLimit(
+            decorator=decoration.value.lower(),
+            numbers="whole number" if decoration is Decoration.RETRY else "number",
+            found="a child" if is_swapped else described(limit),
+        )
         session.report(found.at(span))
         limit = 1
     if not _is_node(child):
@@ -176,8 +209,18 @@ def _decorator(decoration: Decoration, child: Node, limit: Any) -> Node:
     return made(Decorator(decoration, child, limit, span))
 
 
-def _is_positive(limit: object) -> bool:
-    return isinstance(limit, (int, float)) and not isinstance(limit, bool) and limit > 0
+_LIMITS: Mapping[Decoration, tuple[type, ...]] = {
+    Decoration.RETRY: (int,),
+    Decoration.TIMEOUT: (int, float),
+}
+"""What counts the tries of a retry, and the seconds of a timeout."""
+
+
+def _can_limit(limit: object, kinds: tuple[type, ...]) -> bool:
+    """Whether it is a number above 0 that ends, or can be one when the skill runs."""
+    if isinstance(limit, SymbolicValue):
+        return limit.__may_be__(kinds)
+    return type(limit) in kinds and 0 < limit < math.inf  # type: ignore[operator]
 
 
 def _is_node(child: object) -> bool:
@@ -185,5 +228,21 @@ def _is_node(child: object) -> bool:
     if isinstance(child, Node):
         return True
     if not isinstance(child, Unknown):
-        session.report(errors.NoNode(found=described(child)).at(session.here()))
+        found = errors.NoNode(found=described(child))
+        session.report(found.at(session.here(), help=_help_for_child(child)))
+    if isinstance(child, (list, tuple)):
+        drop(child)
     return False
+
+
+def _help_for_child(child: object) -> str | None:
+    """What to write instead of something that is no child, where that is plain."""
+    if isinstance(child, str) and child.isidentifier():
+        return f"write `{child}(...)`: skills are named without quotes"
+    if isinstance(child, SkillClass):
+        return f"write `{child.__name__}(...)`"
+    if isinstance(child, (list, tuple)):
+        return "write `*[...]`, with an asterisk: children are given one by one"
+    if callable(child):
+        return "call it: a tree consists of what the calls give"
+    return None

@@ -6,16 +6,18 @@ Nodes are made where a tree is written, in `expandBT`; each knows its place ther
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from dslkit.source import Span
+from ezskiros.ontology.things import Unknown
 
 if TYPE_CHECKING:  # a description is what makes nodes
     from ezskiros.skills.description import SkillDescription
+    from ezskiros.skills.values import Symbol
 
 
 class Flow(enum.Enum):
@@ -64,16 +66,18 @@ class Processor:
 @dataclass(frozen=True, eq=False)
 class Decorator:
     """A child, and what becomes of its result. `limit` is the number of tries of a retry, or the
-    seconds of a timeout; None of an inverter.
+    seconds of a timeout; None of an inverter. It is a symbol until the skill runs if it depends on
+    parameters.
     """
 
     decoration: Decoration
     child: Node
-    limit: float | None
+    limit: float | Symbol | None
     span: Span
 
 
 Node = SkillCall | Processor | Decorator
+Children = list[Any] | tuple[Any, ...]
 
 
 class Growing:
@@ -92,6 +96,11 @@ class Growing:
         for child in children(node):
             self._loose.pop(id(child), None)
         self._loose[id(node)] = node
+
+    def drop(self, those: Iterable[object]) -> None:
+        """Nodes are left out of the tree."""
+        for each in those:
+            self._loose.pop(id(each), None)
 
 
 _growing: ContextVar[Growing | None] = ContextVar("growing", default=None)
@@ -119,6 +128,29 @@ def made(node: Node) -> Node:
     if tree is not None:
         tree.add(node)
     return node
+
+
+def times(those: Children, count: int) -> Children:
+    """Children as often as a number says: `[Step()] * params.Count`; without them if it is 0."""
+    if count < 1:
+        drop(those)
+    return those * count
+
+
+def drop(those: Iterable[object]) -> None:
+    """Nodes that something is given that is wrong, and told, are no part of the tree."""
+    tree = _growing.get()
+    if tree is not None:
+        tree.drop(those)
+
+
+class Nowhere(Unknown):
+    """What stands in for a processor that is not there: it takes its children."""
+
+    def __call__(self, *those: object, **_named: object) -> Unknown:
+        """Goes on."""
+        drop(those)
+        return self
 
 
 def children(node: Node) -> tuple[Node, ...]:

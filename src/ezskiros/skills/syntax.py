@@ -6,6 +6,7 @@ import ast
 import inspect
 import re
 import sys
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from types import FunctionType
@@ -85,7 +86,7 @@ class _Written:
     attributes: dict[str, frozenset[str]] = field(default_factory=dict)
     """By the names of classes: all names that stand behind a dot in them."""
     parameters_set: dict[str, frozenset[str]] = field(default_factory=dict)
-    """By the names of classes: which parameters they set, as in `self.params.Force = 3.5`."""
+    """By the names of classes: which parameters they give a value."""
     functions: dict[int, tuple[int, ast.arguments]] = field(default_factory=dict)
     """By the first line, decorators included: the line of `def`, and the parameters."""
 
@@ -104,9 +105,7 @@ def _written(file: SourceFile) -> _Written:
             found.classes.setdefault(node.name, span)
             dotted = [each for each in ast.walk(node) if isinstance(each, ast.Attribute)]
             found.attributes[node.name] = frozenset(each.attr for each in dotted)
-            found.parameters_set[node.name] = frozenset(
-                each.attr for each in dotted if _is_parameter_set(each)
-            )
+            found.parameters_set[node.name] = frozenset(_parameters_set(node))
             if node in outer:
                 found.outer_classes.append((node.name, span))
         elif isinstance(node, ast.FunctionDef):
@@ -125,14 +124,50 @@ def attributes_in(owner: type) -> frozenset[str]:
 
 
 def set_in(owner: type) -> frozenset[str]:
-    """The parameters that a class that users wrote sets: `self.params.Force = 3.5`."""
+    """The parameters that a class that users wrote gives a value: `self.params.Force = 3.5`, or for
+    a thing `self.wmi.add_element(self.params.Pose)`, which in SkiROS2 makes it one of the world.
+    """
     file = source_file(file_of(owner))
     return _written(file).parameters_set.get(owner.__name__, frozenset()) if file else frozenset()
 
 
-def _is_parameter_set(node: ast.Attribute) -> bool:
-    is_set = isinstance(node.ctx, ast.Store)
-    return is_set and isinstance(node.value, ast.Attribute) and node.value.attr == "params"
+def _parameters_set(owner: ast.ClassDef) -> Iterator[str]:
+    for each in ast.walk(owner):
+        if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Store):
+            yield from filter(None, [_parameter(each)])
+        elif isinstance(each, ast.FunctionDef):
+            yield from _things_added(each)
+
+
+def _things_added(method: ast.FunctionDef) -> Iterator[str]:
+    """The parameters whose things a method adds to the world model, by any name that it gives them:
+    `pose = self.params.Pose`.
+    """
+    called: dict[str, str | None] = {}
+    added: list[ast.expr] = []
+    for each in ast.walk(method):
+        match each:
+            case ast.Assign(targets=[ast.Name(id=name)], value=value):
+                called[name] = _parameter(value)
+            case ast.Call(
+                func=ast.Attribute(
+                    value=ast.Attribute(attr="wmi" | "_wmi"), attr="add_element" | "add_elements"
+                ),
+                args=[given, *_],
+            ):
+                added += given.elts if isinstance(given, ast.List) else [given]
+    for thing in added:
+        parameter = called.get(thing.id) if isinstance(thing, ast.Name) else _parameter(thing)
+        if parameter is not None:
+            yield parameter
+
+
+def _parameter(node: ast.expr) -> str | None:
+    """The name of the parameter in `self.params.Force`."""
+    match node:
+        case ast.Attribute(value=ast.Attribute(attr="params"), attr=name):
+            return name
+    return None
 
 
 def names_in(span: Span) -> dict[str, Span]:

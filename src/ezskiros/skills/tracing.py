@@ -19,6 +19,7 @@ from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN
 from ezskiros.skills import errors
 from ezskiros.skills.blame import said, user_files, user_place
+from ezskiros.skills.description import CONDITIONS
 from ezskiros.skills.guard import Interrupted, SideEffectError, TimeOverError, guarded
 from ezskiros.skills.importing import forget_since, importing
 from ezskiros.skills.intercept import intercept
@@ -36,7 +37,7 @@ class Method:
     """A method under check, and the class that it is of.
 
     Messages call it `called`, and give `advice` on what to do with a side effect of it; `undefined`
-    is the finding for a name that is nowhere, with its help.
+    is the finding for a name that is nowhere, with its help; `substitute` is what stands in for it.
     """
 
     owner: type
@@ -44,6 +45,7 @@ class Method:
     called: str
     advice: str
     undefined: Callable[[str], tuple[Template, str | None]]
+    substitute: object = UNKNOWN
 
 
 @dataclass(frozen=True)
@@ -112,7 +114,7 @@ def _way(
         session.report(_raised(method, problem))
     missing = _missing_name(problem)
     if missing:
-        substitutes[missing] = UNKNOWN
+        substitutes[missing] = method.substitute
     to_intercept = [*guard.files, *([] if missing else user_files(problem))]
     return Way(instance, decisions, problem is None), to_intercept
 
@@ -143,4 +145,12 @@ def _raised(method: Method, problem: BaseException) -> Diagnostic:
         found, help = method.undefined(missing)
         return found.at(span, help=help)
     kind = type(problem).__name__
-    return errors.Raised(method=method.called, exception=kind, said=said(problem)).at(span)
+    found = errors.Raised(method=method.called, exception=kind, said=said(problem))
+    return found.at(span, help=_help_for(problem))
+
+
+def _help_for(problem: BaseException) -> str | None:
+    """What to write where `self.` is forgotten: `pre_conditions += ...`."""
+    unbound = isinstance(problem, UnboundLocalError)
+    names = (each for each in CONDITIONS if unbound and f"'{each}'" in str(problem))
+    return next((f"write `self.{each} += ...`" for each in names), None)

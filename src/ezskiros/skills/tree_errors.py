@@ -30,9 +30,10 @@ class NoNode(Error, code="EZS502", name="no-node"):
 class WrongLimit(Error, code="EZS503", name="wrong-limit"):
     """A number of tries or seconds that is none."""
 
-    title = "{decorator} needs a number above 0, not {found}"
+    title = "{decorator} needs a {numbers} above 0, not {found}"
     help = "write `self.retry(child, 3)` or `self.timeout(child, 5.0)`"
     decorator: str
+    numbers: str
     found: str
 
 
@@ -51,8 +52,9 @@ class NamelessArgument(Error, code="EZS505", name="nameless-argument"):
     """A value for a parameter that is not named."""
 
     title = "`{skill}` gets a value without the name of its parameter"
-    help = "write `{skill}(Parameter=value)`"
+    help = "write `{skill}({named})`"
     skill: str
+    named: str
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -23,6 +23,7 @@ from ezskiros import session
 from ezskiros.ontology import condition_errors as errors
 from ezskiros.ontology.things import SYMBOL_IN_TEXT, UNKNOWN, Described, Unknown
 from ezskiros.skills.guard import TimeOverError
+from ezskiros.skills.nodes import times
 
 MOST_PATHS = 64
 MOST_DECISIONS = 1000
@@ -96,6 +97,10 @@ class Symbol(Described):
     def __derived__(self) -> Symbol:
         """What depends on it."""
 
+    def __plain__(self) -> object:
+        """What it stands for, if that is known."""
+        return self
+
     def __bool__(self) -> bool:
         return decided(self)
 
@@ -128,12 +133,24 @@ class Symbol(Described):
     def _operated(self, *_others: object) -> Any:
         return self.__derived__()
 
-    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = _operated
+    def _times(self, other: object) -> Any:
+        """A list as often as it says: like a loop, never or once."""
+        if not isinstance(other, (list, tuple)):
+            return self.__derived__()
+        return times(other, int(_decisions.get() is not None and bool(self)))
+
+    __mul__ = __rmul__ = _times
+    __add__ = __radd__ = __sub__ = __rsub__ = _operated
     __truediv__ = __rtruediv__ = __floordiv__ = __rfloordiv__ = __mod__ = __rmod__ = _operated
     __pow__ = __rpow__ = __neg__ = __pos__ = __abs__ = __getitem__ = _operated
     __lt__ = __le__ = __gt__ = __ge__ = _operated
     __eq__ = __ne__ = _operated
     __hash__ = object.__hash__
+
+
+def plain(value: object) -> object:
+    """What a symbol stands for, if that is known; all else stays."""
+    return value.__plain__() if isinstance(value, Symbol) else value
 
 
 def _names_for_parts(frame: FrameType) -> int | None:
@@ -154,6 +171,10 @@ class SymbolicValue(Symbol):
         if self._kind is None:
             return f"a value that depends on the parameter `{self._name}`"
         return f"the parameter `{self._name}`, of type {self._kind.__name__}"
+
+    def __may_be__(self, kinds: tuple[type, ...]) -> bool:
+        """Whether it can be of one of these types."""
+        return self._kind is None or self._kind in kinds
 
     def __derived__(self) -> SymbolicValue:
         """What is computed from it."""

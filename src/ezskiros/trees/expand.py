@@ -16,10 +16,10 @@ from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown
 from ezskiros.skills import tree_errors as errors
-from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.implementation import MAKERS, SkillImplementation
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.methods import written
-from ezskiros.skills.nodes import Node, growing
+from ezskiros.skills.nodes import Node, Nowhere, growing
 from ezskiros.skills.syntax import class_span, definition
 from ezskiros.skills.tracing import Method, ways
 from ezskiros.skills.values import Decisions
@@ -30,8 +30,11 @@ from ezskiros.trees.tree import Reference, Tree, reference
 class References:
     """The parameters of the compound: `params.GraspPose`."""
 
+    _skill: SkillInterface
+    _known: Mapping[str, object]
+
     def __init__(self, skill: SkillInterface, known: Mapping[str, object]) -> None:
-        self._skill, self._known = skill, known
+        vars(self).update(_skill=skill, _known=known)
 
     def __getattr__(self, name: str) -> Reference | Unknown:
         if name.startswith("__"):
@@ -46,6 +49,14 @@ class References:
         help = f"did you mean `{near[0]}`?" if near else None
         session.report(found.at(session.here(), help=help))
         return UNKNOWN
+
+    def __setattr__(self, name: str, _value: object) -> None:
+        raise AttributeError(
+            f"`expandBT` cannot set a parameter: give the value to the child, `Skill({name}=...)`"
+        )
+
+    def __getitem__(self, name: object) -> None:
+        raise TypeError(f"write `params.{name}`")
 
 
 class _Written:
@@ -78,6 +89,7 @@ def expand(
         f"`expandBT` of `{implementation.__name__}`",
         "`expandBT` only builds a tree; move this to a primitive skill",
         lambda spelled: _undefined(spelled, function),
+        Nowhere(),
     )
 
     def run(written: _Written, expand_by: FunctionType) -> None:
@@ -103,6 +115,8 @@ def expand(
 def _undefined(spelled: str, function: FunctionType) -> tuple[Template, str | None]:
     """The finding for a name that is nowhere, with the skill that may be meant."""
     found = errors.UnknownSkill(spelled=spelled)
+    if spelled in MAKERS:
+        return found, f"write `self.{spelled}(...)`"
     modules = {each.__name__: each.__module__ for each in known_skills()}
     if spelled in modules:
         return found, f"import it: `from {modules[spelled]} import {spelled}`"
@@ -143,4 +157,6 @@ def _report_empty(
 ) -> None:
     labels = (Label(span, f"where this is {str(answer).lower()}") for span, answer in branch)
     empty = errors.EmptyTree(implementation=implementation.__name__)
-    session.report(empty.at(definition(function).whole, *labels))
+    is_generator = inspect.isgeneratorfunction(function)
+    help = "leave out `yield`: what `expandBT` calls is the tree" if is_generator else None
+    session.report(empty.at(definition(function).whole, *labels, help=help))

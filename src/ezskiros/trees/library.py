@@ -12,6 +12,7 @@ from ezskiros.skills.describe import Described, describe
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.nodes import SkillCall
 
 T = TypeVar("T")
 Implementations = Mapping[str, type[SkillImplementation]]
@@ -55,6 +56,11 @@ class Library:
     def implementations(self, description: type[SkillDescription]) -> Implementations:
         """What implements a skill, by name, in the order in which it was loaded."""
         return implementations(description)
+
+    def doing(self, call: SkillCall) -> list[type[SkillImplementation]]:
+        """The implementations that may do a child of a tree."""
+        known = self.implementations(call.skill).values()
+        return [each for each in known if call.implementation in (None, each.__name__)]
 
     def owner(self, implementation: str) -> SkillInterface | None:
         """The skill that something of this name implements."""

@@ -1,16 +1,21 @@
 """Which names the parameters of a child share with the compound and with its other children.
 
 As in SkiROS2 a running tree has one set of names. A parameter of a child that is passed one of the
-compound shares the name of that; one that is given nothing shares its own name.
+compound shares the name of that; one that is given nothing shares its own name, unless it has a
+default: then only what the skill finds out goes there.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
+from ezskiros.skills.markers import Kind
 from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.syntax import set_in
+from ezskiros.trees.library import Library
 from ezskiros.trees.tree import ThingReference, ValueReference
 
 
@@ -34,3 +39,29 @@ def shared_names(call: SkillCall, skill: SkillInterface) -> Iterator[Shared]:
         given = call.arguments[parameter.name]
         if isinstance(given, (ThingReference, ValueReference)):
             yield Shared(parameter, given.parameter.name, True)
+
+
+def found_out(
+    call: SkillCall, skill: SkillInterface, implementations: Iterable[type[SkillImplementation]]
+) -> list[Shared]:
+    """The parameters that have their default when the child starts, and that an implementation
+    sets: when it has succeeded, their names have what they are then.
+    """
+    own = [
+        each
+        for each in skill.parameters
+        if each.kind is Kind.OPTIONAL
+        and each.default is not None
+        and each.name not in call.arguments
+    ]
+    names = {name for each in implementations for name in set_in(each)} if own else set()
+    return [Shared(each, each.name, False) for each in own if each.name in names]
+
+
+def all_shared(call: SkillCall, library: Library) -> list[Shared]:
+    """All that a child shares, whichever implementation does it; nothing of an unknown skill."""
+    skill = library.skill(call.skill)
+    if skill is None:
+        return []
+    doing = library.doing(call)
+    return [*shared_names(call, skill), *found_out(call, skill, doing)]

@@ -5,15 +5,15 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 from dslkit.source import Span
 from ezskiros.ontology.things import Described
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
-from ezskiros.skills.nodes import Node
-from ezskiros.skills.values import SymbolicValue, decided
+from ezskiros.skills.nodes import Node, times
+from ezskiros.skills.values import SymbolicValue, decided, plain
 
 
 class ThingReference(Described):
@@ -28,6 +28,10 @@ class ThingReference(Described):
     def __bool__(self) -> bool:
         may_be_nothing = self.parameter.kind is Kind.OPTIONAL or self.parameter.is_output
         return decided(self) if may_be_nothing else True
+
+    def __call__(self, *_arguments: object, **_named: object) -> None:
+        """Nothing can be done with a thing before the robot runs. Raises `TypeError`."""
+        raise TypeError(f"`{self!r}` is a thing, and cannot be called")
 
     def described(self) -> str:
         """For messages."""
@@ -63,6 +67,9 @@ class KnownReference(ValueReference):
         super().__init__(parameter)
         self.value = value
 
+    def __plain__(self) -> object:
+        return self.value
+
     def __bool__(self) -> bool:
         return bool(self.value)
 
@@ -75,16 +82,18 @@ class KnownReference(ValueReference):
     def __contains__(self, part: object) -> bool:
         return operator.contains(self.value, plain(part))  # type: ignore[arg-type]
 
+    def _times(self, other: object) -> Any:
+        if isinstance(other, (list, tuple)):
+            return times(other, cast("int", self.value))
+        return operator.mul(cast("Any", self.value), plain(other))
+
+    __mul__ = __rmul__ = _times
+
     def __getattr__(self, name: str) -> Any:
         return getattr(self.value, name)
 
     def __hash__(self) -> int:
         return hash(self.value)
-
-
-def plain(value: object) -> object:
-    """What a reference refers to, if that is known; all else stays."""
-    return value.value if isinstance(value, KnownReference) else value
 
 
 def _operate(name: str) -> None:
@@ -103,7 +112,7 @@ def _operate(name: str) -> None:
 
 
 for _name in (
-    *("add", "sub", "mul", "truediv", "floordiv", "mod", "pow", "neg", "pos", "abs"),
+    *("add", "sub", "truediv", "floordiv", "mod", "pow", "neg", "pos", "abs"),
     *("lt", "le", "gt", "ge", "eq", "ne", "getitem"),
 ):
     _operate(_name)

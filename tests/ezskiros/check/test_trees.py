@@ -20,6 +20,8 @@ FINE = [
     "Grip(Force=params.Speed * 2)",
     "self.serialstar(*(Grip(Force=1.0 * each) for each in range(int(params.Speed))))",
     "steps = [Grip(Force=1.0) for each in params.Name.split()]\nself.serialstar(*steps, Grip())",
+    "self.serialstar(*[Grip(Force=1.0)] * int(params.Speed), Grip())",
+    "self.serialstar(*int(params.Speed) * (Grip(Force=1.0),))",
     "if params.Speed > 1:\n    Grip()\nelse:\n    self.nofail(Grip())",
     "self.serialstar(self.selector(Measure(), Grip(Force=1.0)), Grip())",
     "self.serialstar(Drive(Target=params.Place, Speed=params.Speed))",
@@ -79,6 +81,72 @@ def test_nothing_is_found_in_a_tree_that_is_right(body: str) -> None:
 @pytest.mark.parametrize(("body", "code", "place"), WRONG, ids=[body for body, _, _ in WRONG])
 def test_what_is_wrong_is_found_at_its_place(body: str, code: str, place: str) -> None:
     assert (code, place) in findings(tree(body))
+
+
+MISWRITTEN = [
+    ("serialstar(Grip(Force=1.0), Watch())", "EZS510", "write `self.serialstar(...)`"),
+    ("self.serailstar(Grip(Force=1.0))", "EZS519", "did you mean `self.serialstar`?"),
+    ("self.fallback(Grip(Force=1.0))", "EZS519", "write `self.selectorstar(...)`"),
+    ("self.skill('Grip', 'grip')", "EZS519", "`Drive(Target=params.Place)`"),
+    ("Grip(Force=params['Force'])", "EZS220", "write `params.Force`"),
+    ("params.Force = 1.0\nGrip()", "EZS220", "give the value to the child, `Skill(Force=...)`"),
+    ("Drive(Target=params.Place())", "EZS220", "`params.Place` is a thing"),
+    ("self.serialstar('Grip')", "EZS502", "write `Grip(...)`: skills are named without quotes"),
+    ("self.serialstar(Grip)", "EZS502", "write `Grip(...)`"),
+    ("self.serialstar([Grip(Force=1.0)])", "EZS502", "write `*[...]`"),
+    ("self.serialstar(lambda: Grip(Force=1.0))", "EZS502", "call it"),
+    ("self.retry(3, Grip(Force=1.0))", "EZS503", "write `self.retry(child, 3)`"),
+    ("yield Grip(Force=1.0)", "EZS507", "leave out `yield`"),
+]
+"""Trees as newcomers write them, and what they are told: one message."""
+
+
+@pytest.mark.parametrize(
+    ("body", "code", "told"), MISWRITTEN, ids=[each for each, *_ in MISWRITTEN]
+)
+def test_what_is_miswritten_is_told_once_with_what_to_write(
+    body: str, code: str, told: str
+) -> None:
+    found = [each for each in tree(body).diagnostics if each.code != "EZS420"]
+    assert [each.code for each in found] == [code]
+    assert told in f"{found[0].help} {found[0].primary.text}"
+
+
+def test_a_value_without_its_name_is_told_once() -> None:
+    found = tree("self.serialstar(Drive(params.Place), Grip(2.0))")
+    assert findings(found) == [("EZS505", "Drive(params.Place)"), ("EZS505", "Grip(2.0)")]
+    assert "`Drive(Target=...)`" in str(found.diagnostics[0].help)
+
+
+@pytest.mark.parametrize(
+    ("child", "codes"),
+    [
+        ("Hand(Tool=params.Part, Part=params.Part)", ["EZS526", "EZS529"]),
+        ("Hand(Tool=params.Part)", ["EZS526"]),
+        ("Hand(Tool=params.Place)", ["EZS535"]),
+    ],
+)
+def test_what_does_not_fit_is_not_told_to_be_dropped_besides(child: str, codes: list[str]) -> None:
+    text = f"""
+class Hand(SkillDescription):
+    def description(
+        self, Tool: OPTIONAL[skiros.Location], Part: skiros.Product, Place: skiros.Location
+    ): ...
+
+class hand(Hand.SkillBase):
+    def execute(self):
+        return self.success(f"{{self.params.Tool}}, {{self.params.Part}}, {{self.params.Place}}")
+
+class Give(SkillDescription):
+    def description(self, Part: skiros.Product, Place: skiros.Location):
+        self.pre_conditions += Place.contain(Part)
+
+class give(Give.SkillBase):
+    def expandBT(self, params):
+        self.serialstar({child})
+"""
+    found = findings(checked(HEADER + text))
+    assert [code for code, _ in found if code != "EZS420"] == codes
 
 
 OUTPUTS = [
@@ -155,6 +223,11 @@ PROTOCOL = [
         "def execute(self):\n    return self.success('a') if self.ok else False",
         [("EZS540", "False")],
     ),
+    (
+        "async def execute(self):\n    return self.success('a')",
+        [("EZS540", "async def execute(self):")],
+    ),
+    ("def execute(self):\n    yield self.step('a')", [("EZS540", "def execute(self):")]),
     ("def exeucte(self):\n    return self.success('a')", [("EZS542", "def exeucte(self):")]),
     ("pass", [("EZS542", "skill")]),
     (
@@ -186,7 +259,14 @@ def test_primitives_return_what_is_waited_for(
 
 @pytest.mark.parametrize(
     ("sets", "expected"),
-    [("self.params.Pose = self.found", []), ("self.found = 1", [("EZS530", "Use()")])],
+    [
+        ("self.params.Pose = self.found", []),
+        ("self.wmi.add_element(self.params.Pose)", []),
+        ("pose = self.params.Pose; self._wmi.add_elements([pose])", []),
+        ("self.found = 1", [("EZS530", "Use()")]),
+        ("self.wmi.update_element(self.params.Pose)", [("EZS530", "Use()")]),
+        ("pose = self.params.Pose; self.wmi.add_element(self.found)", [("EZS530", "Use()")]),
+    ],
 )
 def test_an_optional_parameter_that_is_set_has_a_value(
     sets: str, expected: list[tuple[str, str]]
@@ -215,6 +295,50 @@ class both(Both.SkillBase):
         self.serialstar(Make(), Use())
 """
     found = findings(checked(HEADER + text))
+    assert [each for each in found if each[0] not in ("EZS420", "EZS533")] == expected
+
+
+FINDS_OUT = """
+class Weigh(SkillDescription):
+    def description(self, Force: OPTIONAL[float] = 1.0): ...
+
+class weigh(Weigh.SkillBase):
+    def execute(self):
+        {sets}
+        return self.success("weighed")
+
+class Use(SkillDescription):
+    def description(self, Force: float): ...
+
+class use(Use.SkillBase):
+    def execute(self):
+        return self.success(str(self.params.Force))
+
+class Both(SkillDescription):
+    def description(self{own}): ...
+
+class both(Both.SkillBase):
+    def expandBT(self, params):
+        self.serialstar({children})
+"""
+
+
+@pytest.mark.parametrize(
+    ("sets", "own", "children", "expected"),
+    [
+        ("self.params.Force = 3.5", "", "Weigh(), Use()", []),
+        ("self.params.Force = 3.5", "", "Weigh(Force=2.0), Use()", [("EZS530", "Use()")]),
+        ("self.found = 3.5", "", "Weigh(), Use()", [("EZS530", "Use()")]),
+        ("self.params.Force = 3.5", "", "Use(), Weigh()", [("EZS531", "Use()")]),
+        ("self.params.Force = 3.5", "", "self.parallelff(Weigh(), Use())", [("EZS532", "Use()")]),
+        ("self.params.Force = 3.5", ", Force: str", "Weigh()", [("EZS526", "Weigh()")]),
+        ("self.found = 3.5", ", Force: str", "Weigh()", []),
+    ],
+)
+def test_a_default_is_passed_on_when_it_is_set(
+    sets: str, own: str, children: str, expected: list[tuple[str, str]]
+) -> None:
+    found = findings(checked(HEADER + FINDS_OUT.format(sets=sets, own=own, children=children)))
     assert [each for each in found if each[0] not in ("EZS420", "EZS533")] == expected
 
 
@@ -247,3 +371,20 @@ def test_an_optional_parameter_with_a_default_has_a_value() -> None:
     assert findings(tree("Grip(Force=params.Force)", without)) == [
         ("EZS537", "Grip(Force=params.Force)")
     ]
+
+
+@pytest.mark.parametrize(
+    ("limit", "parameters", "codes"),
+    [
+        ("self.retry(Grip(Force=1.0), params.Tries)", "Tries: int", []),
+        ("self.retry(Grip(Force=1.0), params.Tries + 1)", "Tries: int", []),
+        ("self.retry(Grip(Force=1.0), params.Tries)", "Tries: float", ["EZS503"]),
+        ("self.retry(Grip(Force=1.0), 2.5)", "", ["EZS503"]),
+        ("self.timeout(Grip(Force=1.0), params.Tries)", "Tries: int", []),
+        ("self.timeout(Grip(Force=1.0), params.Tries)", "Tries: str", ["EZS503"]),
+        ("self.timeout(Grip(Force=1.0), float('inf'))", "", ["EZS503"]),
+        ("self.timeout(Grip(Force=1.0), params.Tries)", "Tries: OPTIONAL[float]", ["EZS537"]),
+    ],
+)
+def test_limits_that_are_parameters(limit: str, parameters: str, codes: list[str]) -> None:
+    assert [code for code, _ in findings(tree(limit, parameters))] == codes

@@ -12,7 +12,6 @@ from dslkit.source import Span
 from ezskiros.contracts.contracts import check_tree
 from ezskiros.contracts.findings import Findings
 from ezskiros.skills.implementation import SkillImplementation
-from ezskiros.skills.nodes import Flow, Node, Processor, SkillCall, children
 from ezskiros.trees.tree import Tree
 from support.contract_runs import Run, finished, start
 from support.contract_trees import OWN, Drawn, drawn, holds
@@ -38,20 +37,14 @@ class compound(SkillImplementation):  # noqa: N801 - as implementations are call
     """Whose tree it is."""
 
 
-def has_later_ticks(node: Node) -> bool:
-    """Whether a serial is over more than skills: in later ticks other children of these may start,
-    which the checks do not follow.
-    """
-    below = children(node)
-    is_serial = isinstance(node, Processor) and node.flow is Flow.SERIAL
-    is_over_others = not all(isinstance(child, SkillCall) for child in below)
-    return (is_serial and is_over_others) or any(map(has_later_ticks, below))
-
-
-@settings(max_examples=120, deadline=None, report_multiple_bugs=False, derandomize=True)
+@settings(max_examples=120, deadline=None, report_multiple_bugs=False)
 @given(st.integers(0, 2**32))
 @example(43)
 @example(105)
+@example(622)
+@example(156227934)
+@example(266052121)
+@example(1664858960)
 def test_findings_are_what_runs_show(seed: int) -> None:
     check(seed)
 
@@ -69,15 +62,14 @@ def check(seed: int) -> None:
 
 def compare(found: Drawn, findings: Findings, chance: random.Random) -> None:
     codes = {each.code for each in findings.found.values()}
-    is_followed = not has_later_ticks(found.root)
     for _ in range(15):
         facts = start(found, chance)
         if facts is None:
             return
         run = Run(found, facts, chance)
         has_succeeded = finished(run)
-        for call, is_retried in run.false_starts:
-            if is_followed and not is_retried:
+        for call, is_spared in run.false_starts:
+            if not is_spared:
                 assert codes_at(findings, call.span) & AT_START, call.span
         for clause in run.broken_holds:
             assert about(findings, clause.span) & {"EZS557", "EZS558"}, clause

@@ -114,6 +114,15 @@ def test_decorators(body: str, tag: str, ports: dict[str, str], tmp_path: Path) 
     assert (found.tag, found.attrib) == (tag, ports)
 
 
+def test_tries_that_are_a_parameter_are_an_entry_of_the_blackboard(tmp_path: Path) -> None:
+    text = compound("self.retry(Wait(Duration=1.0), params.Tries)", "Tries: int")
+    found, codes = exported(checked_text(text, tmp_path), "task")
+    assert codes == []
+    retry = ET.fromstring(found).find("BehaviorTree/RetryUntilSuccessful")
+    assert retry is not None
+    assert retry.attrib == {"num_attempts": "{Tries}"}
+
+
 def test_several_trees_have_names_of_their_own_and_say_when(gripping: Checked) -> None:
     tree = trees_of("pause", gripping)[1]
     text, _ = export([tree, tree], gripping.trees, gripping.library, depth=0)
@@ -156,6 +165,7 @@ FAULTS = {
     + compound("self.serialstar(Wait.Sleep(Duration=1.0))"),
     "EZS833": INNER + compound("self.serialstar(Say(Words='{Text}', Volume=1.0))"),
     "EZS834": compound("self.timeout(Wait(Duration=1.0), 1e9)"),
+    "EZS837": compound("self.timeout(Wait(Duration=1.0), params.Seconds)", "Seconds: float"),
     "EZS835": compound("self.serialstar(Task.task())"),
 }
 

@@ -292,6 +292,52 @@ def test_retry_is_given_up_after_its_count(tmp_path: Path) -> None:
     assert (ran.outcome.is_success, ran.reason) == (False, "try 2")
 
 
+LIMITED = (
+    FLAKY
+    + """
+class Wide(SkillDescription):
+    def description(self, Count: int, Factor: int = 1, Seconds: float = 9.0):
+        pass
+
+
+class wide(Wide.SkillBase):
+    def expandBT(self, params):
+        self.timeout(self.retry(Try(), params.Count * params.Factor), params.Seconds)
+
+
+class OnlyCount(SkillDescription):
+    def description(self, Count: int):
+        pass
+
+
+class only(OnlyCount.SkillBase):
+    def expandBT(self, params):
+        self.retry(Try(), params.Count)
+"""
+)
+
+
+@pytest.mark.parametrize(
+    ("skill", "values", "is_success"),
+    [
+        ("Wide", "Count=3", True),
+        ("Wide", "Count=2", False),
+        ("Wide", "Count=2 Factor=2", True),
+        ("OnlyCount", "Count=3", True),
+        ("OnlyCount", "Count=2", False),
+    ],
+)
+def test_limits_are_parameters(skill: str, values: str, is_success: bool, tmp_path: Path) -> None:
+    ran = skills(tmp_path, LIMITED, "").run(skill, *values.split())
+    assert ran.outcome.is_success is is_success
+
+
+def test_a_limit_that_turns_out_to_be_none_is_a_failure_to_start(tmp_path: Path) -> None:
+    ran = skills(tmp_path, LIMITED, "").run("OnlyCount", "Count=0")
+    assert not ran.outcome.is_success
+    assert "retry needs a whole number above 0, not 0" in ran.reason
+
+
 def test_an_inverter_turns_results(tmp_path: Path) -> None:
     assert skills(tmp_path, FLAKY, "").run("Not").outcome.is_success
     ran = skills(tmp_path, FLAKY.replace("== 3", "== 1"), "").run("Not")

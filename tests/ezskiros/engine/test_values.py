@@ -342,3 +342,48 @@ def test_what_is_consumed_is_gone_and_its_parameter_is_empty(tmp_path: Path) -> 
     skills.source = LOCKS.replace("self.world.remove", "print")
     reason = skills.run("eat", "Object=nut", "Place=bench").reason
     assert reason.startswith("post-condition does not hold: Object (")
+
+
+LOUDNESS = """
+class Listen(SkillDescription):
+    def description(self, Value: OPTIONAL[float] = 1.0, Note: OPTIONAL[str] = ""): ...
+
+
+class listen(Listen.SkillBase):
+    def execute(self):
+        heard = self.params.Value
+        self.params.Value = heard + 2.5
+        return self.success(f"heard {heard}")
+
+
+class Show(SkillDescription):
+    def description(self, Value: float, Note: OPTIONAL[str]): ...
+
+
+class show(Show.SkillBase):
+    def execute(self):
+        return self.success(f"shows {self.params.Value} {self.params.Note}")
+
+
+class Hear(SkillDescription):
+    def description(self): ...
+
+
+class hear(Hear.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Listen(), Show(), Listen(Value=2.0), Show(), Listen(), Show())
+"""
+
+
+@pytest.mark.parametrize("simulate", [False, True])
+def test_a_default_that_is_set_is_passed_on_and_takes_nothing(
+    tmp_path: Path, simulate: bool
+) -> None:
+    skills = Skills(tmp_path, LOUDNESS)
+    skills.options["simulate"] = simulate
+    ran = skills.run("hear")
+    assert ran.outcome.is_success, ran.reason
+    if not simulate:
+        told = [each for each in ran.notes if each not in ("Start", "End")]
+        shown = "shows 3.5 None"
+        assert told == ["heard 1.0", shown, "heard 2.0", shown, "heard 1.0", shown]

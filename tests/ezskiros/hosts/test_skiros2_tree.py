@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ezskiros import Key, SkillDescription
+from ezskiros import OPTIONAL, Key, SkillDescription
 from ezskiros.hosts.skiros2_tree import HostedCall, HostedNode, Scope, hosted, lowered, raised
 from ezskiros.ontology import load
 from ezskiros.trees.build import build
@@ -36,12 +36,14 @@ class Move(SkillDescription):
         Target: skiros.Location,  # type: ignore[name-defined]
         Speed: float = 0.1,
         Mode: Mode = Mode.SLOW,
+        Loud: OPTIONAL[bool] = False,
     ) -> None:
         pass
 
 
 class move(Move.SkillBase):
     def execute(self) -> Any:
+        self.params.Loud = True
         return self.success()
 
 
@@ -106,6 +108,13 @@ def test_values_and_defaults_have_keys_that_nobody_shares() -> None:
     assert second.values == {"Mode": "FAST"}
     own = [call.keys[key] for call in (first, second) for key in ("Speed", "Mode")]
     assert len({*own, "Speed", "Mode"}) == 6
+
+
+def test_a_default_that_the_child_sets_has_the_key_of_the_compound() -> None:
+    assert only(lambda _, _params: Move()).keys["Loud"] == "Loud"
+    given = only(lambda _, _params: Move(Loud=True))
+    assert given.keys["Loud"] != "Loud"
+    assert given.values == {"Loud": True}
 
 
 def test_keys_are_those_that_the_compound_has_on_the_blackboard() -> None:

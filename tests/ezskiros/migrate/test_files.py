@@ -229,6 +229,46 @@ def test_a_robot_that_another_file_speaks_of_is_written_out(tmp_path: Path, give
     assert errors(checked(package)) == []
 
 
+def test_a_robot_that_only_a_child_needs_is_that_of_the_compound(tmp_path: Path) -> None:
+    robot = '        self.addParam("Robot", Element("sumo:Agent"), ParamTypes.Required)\n'
+    package = written(
+        tmp_path,
+        driving=f"{IMPORT_PRIMITIVE}{DRIVE}{robot}{PRIMITIVE}",
+        delivering=f"{IMPORT_BASE}{DELIVER}{COMPOUND}",
+    )
+    found, texts = migrated(package)
+    assert not found.diagnostics
+    assert "Target: skiros.Location, Robot: INFERRED[sumo.Agent])" in texts["delivering"]
+    assert errors(checked(package)) == []
+
+
+def test_a_robot_that_a_new_skill_needs_is_that_of_the_compound(tmp_path: Path) -> None:
+    new = """\
+from ezskiros import INFERRED, SkillDescription
+from .world import skiros, sumo
+
+
+class Drive(SkillDescription):
+    def description(self, Target: skiros.Location, Robot: {robot}): ...
+
+
+class drive(Drive.SkillBase):
+    def execute(self):
+        return self.success("done")
+"""
+    for folder, robot in (("needed", "sumo.Agent"), ("found", "INFERRED[sumo.Agent]")):
+        (tmp_path / folder).mkdir()
+        package = written(
+            tmp_path / folder,
+            driving=new.format(robot=robot),
+            delivering=f"{IMPORT_BASE}{DELIVER}{COMPOUND}",
+        )
+        _, texts = migrated(package)
+        is_needed = folder == "needed"
+        assert ("Robot: INFERRED[sumo.Agent])" in texts["delivering"]) == is_needed
+        assert errors(checked(package)) == []
+
+
 def test_an_implementation_of_a_skill_that_another_file_leaves(tmp_path: Path) -> None:
     package = written(
         tmp_path,

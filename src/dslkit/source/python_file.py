@@ -6,7 +6,7 @@ import tokenize
 from pathlib import Path
 
 
-def read(path: Path) -> tuple[str, str]:
+def read_python(path: Path) -> tuple[str, str]:
     """The encoding of a file, and its text. Raises `OSError`, `SyntaxError`, `UnicodeError`."""
     with path.open("rb") as file:
         encoding, _ = tokenize.detect_encoding(file.readline)
