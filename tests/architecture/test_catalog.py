@@ -44,7 +44,8 @@ class Tool:
 
 
 # 0 syntax, 1 names and declarations, 2 types, 3 units and time, 4 meaning, 5 targets, 6 recordings,
-# 8 files and configuration, 9 defects of the tool.
+# 7 what rules mean together, tests, coverage and reports, 8 files and configuration, 9 defects of
+# the tool.
 ROSSMARIE = Tool(
     rossmarie.catalog.CATALOG,
     "ROSS",
@@ -55,6 +56,9 @@ ROSSMARIE = Tool(
         "targets": {5},
         "native": {5},
         "recordings": {6},
+        "testing": {7},
+        "analysis": {7},
+        "report": {7},
         "driver": {8},
         "catalog": {9},
     },
@@ -120,7 +124,8 @@ def test_a_diagnostic_is_declared_properly(tool: Tool, found: type[Template]) ->
 def test_a_diagnostic_has_a_page(tool: Tool, found: type[Template]) -> None:
     text = tool.catalog.page(found.code)
     assert text.split("\n")[0] == f"# {found.code} {found.name}"
-    reason = "an error" if found.severity is Severity.ERROR else "a warning"
+    article = "an" if found.severity is Severity.ERROR else "a"
+    reason = f"{article} {found.severity.value}"
     headings = re.findall(r"^## (.*)$", text, flags=re.MULTILINE)
     assert headings == [*SECTIONS, f"Why it is {reason}"]
     assert text.endswith("\n")

@@ -8,9 +8,8 @@ import pytest
 
 from dslkit.diagnostics import Severity
 from rossmarie import catalog
-from rossmarie.driver import check_file
 from support import expectations
-from support.checking import compare_file, useless_fixes
+from support.checking import compare_file, findings, useless_fixes
 from support.markdown import Block, blocks, replace_block
 
 PAGES = sorted((Path(catalog.__file__).parent / "pages").glob("*.md"))
@@ -47,7 +46,7 @@ def test_what_to_write_instead_is_fine(page: Path, tmp_path: Path) -> None:
     for block in [*programs(page, "Example"), *programs(page, "Write instead")]:
         path = write(block, tmp_path)
         if block.heading == "Write instead":
-            found = check_file(path).diagnostics
+            found = findings(path)
             assert page.stem not in {one.code for one in found}
             assert [one.title for one in found if one.severity is Severity.ERROR] == []
 

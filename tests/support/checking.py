@@ -6,8 +6,17 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from dslkit.diagnostics import Diagnostic, apply_edits
-from rossmarie.driver import check_file
+from rossmarie.driver.analyze import analyze_file
 from support import expectations
+
+THOROUGH = "// rossmarie check --thorough"
+"""What stands in rules of which all questions are asked."""
+
+
+def findings(path: Path) -> tuple[Diagnostic, ...]:
+    """What `rossmarie check` says of a rules file."""
+    text = path.read_text(encoding="utf-8", errors="replace") if path.exists() else ""
+    return analyze_file(path, thorough=THOROUGH in text).diagnostics
 
 
 def compare_file(path: Path, *, bless: bool) -> list[str]:
@@ -15,7 +24,7 @@ def compare_file(path: Path, *, bless: bool) -> list[str]:
 
     Findings in the files that it imports are compared with the expectations there.
     """
-    found = check_file(path).diagnostics
+    found = findings(path)
     own = [one for one in found if one.primary.span.file.path == str(path)]
     text = path.read_bytes().decode("utf-8")
     if bless:
@@ -32,7 +41,7 @@ def compare_file(path: Path, *, bless: bool) -> list[str]:
 def useless_fixes(path: Path) -> list[str]:
     """The findings on a rules file that are still there when their own fix has been applied."""
     useless = []
-    for one in check_file(path).diagnostics:
+    for one in findings(path):
         edits = one.fix.edits if one.fix is not None else ()
         in_file = [edit for edit in edits if edit.span.file.path == str(path)]
         if not in_file or len(in_file) != len(edits):
@@ -40,9 +49,9 @@ def useless_fixes(path: Path) -> list[str]:
         before = path.read_bytes()
         fixed = apply_edits(in_file[0].span.file.text, in_file)
         path.write_bytes(fixed.encode("utf-8"))
-        after = check_file(path).diagnostics
+        after = findings(path)
         path.write_bytes(before)
-        if _count(after, one) >= _count(check_file(path).diagnostics, one):
+        if _count(after, one) >= _count(findings(path), one):
             useless.append(f"{one.primary.span}: {one.code}: {one.title}: {one.fix}")
     return useless
 

@@ -25,7 +25,7 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 
 _FINDING = (
-    r"""\s*{sign}(?:~|\s*(?P<carets>\^+))\s+(?P<severity>error|warning)\[(?P<code>\w+)\]"""
+    r"""\s*{sign}(?:~|\s*(?P<carets>\^+))\s+(?P<severity>error|warning|note)\[(?P<code>\w+)\]"""
     r"""(?:\s+"(?P<text>.*)")?\s*"""
 )
 _NOTE = r"""\s*{sign}\s+(?P<tildes>~+)\s+note(?:\s+"(?P<text>.*)")?\s*"""

@@ -91,16 +91,16 @@ class Plans:
         self, effect: reactions.Effect, *, otherwise: Sequence[int] = (), resource: int = 0
     ) -> int:
         """A task; what needs something for itself needs the first resource if nothing is said."""
-        needed = resource if reactions.needs_resource(effect) else None
+        needed = resource if reactions.target_of(effect) is not None else None
         self.tasks.append(reactions.Task(0, effect, needed, tuple(otherwise), NOWHERE))
         return len(self.tasks) - 1
 
-    def rule(self, *stages: Stage) -> int:
+    def rule(self, *stages: Stage, unless: Sequence[int] = ()) -> int:
         """A rule with these stages; escalations come along."""
         tasks = [task for stage in stages for task in stage]
         for task in tasks:
             tasks.extend(self.tasks[task].otherwise)
-        plan = reactions.Plan(tuple(map(tuple, stages)), tuple(sorted(tasks)))
+        plan = reactions.Plan(tuple(map(tuple, stages)), tuple(sorted(tasks)), tuple(unless))
         self.plans.append(plan)
         return len(self.plans) - 1
 

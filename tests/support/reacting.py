@@ -51,7 +51,9 @@ class Sprouting:
         first = len(self.tasks)
         stages = [self._tasks(3, depth=2) for _ in range(self.draw(st.sampled_from((1, 2, 3, 0))))]
         tasks = tuple(range(first, len(self.tasks)))
-        self.plans.append(reactions.Plan(tuple(stages), tasks))
+        others = range(len(self.plans))  # earlier rules only: then there is no circle
+        unless = self.draw(st.lists(st.sampled_from(others), max_size=2)) if others else []
+        self.plans.append(reactions.Plan(tuple(stages), tasks, tuple(unless)))
 
     def _tasks(self, most: int, depth: int) -> tuple[int, ...]:
         return tuple(
@@ -62,7 +64,7 @@ class Sprouting:
         index = len(self.tasks)
         self.tasks.append(None)  # what follows from its failure stands behind it
         effect = self._effect()
-        needs = reactions.needs_resource(effect)
+        needs = reactions.target_of(effect) is not None
         resource = self.draw(st.sampled_from((0, 0, 1))) if needs else None
         otherwise = self._tasks(2, depth - 1) if depth and self.draw(st.booleans()) else ()
         self.tasks[index] = reactions.Task(0, effect, resource, otherwise, NOWHERE)

@@ -31,16 +31,6 @@ class UntypedTarget(Error, code="ROSS119", name="untyped-target"):
 
 
 @dataclass(frozen=True, kw_only=True)
-class UndeclaredRule(Error, code="ROSS120", name="undeclared-rule"):
-    """An order of rules that names a rule that does not exist."""
-
-    title = "there is no rule `{identifier}`"
-    label = "no rule has this name"
-    help = "name the rule that is meant: `rule {identifier}: if ...`"
-    identifier: str
-
-
-@dataclass(frozen=True, kw_only=True)
 class UnknownLevel(Error, code="ROSS121", name="unknown-level"):
     """A level of a log or a diagnosis that does not exist."""
 
@@ -59,17 +49,6 @@ class CircularEscalation(Error, code="ROSS122", name="circular-escalation"):
     label = "this leads back: {cycle}"
     note = "each escalation has to lead to something stronger, and that has to end somewhere"
     help = "let the last action of the chain have no `else`"
-    identifier: str
-    cycle: str
-
-
-@dataclass(frozen=True, kw_only=True)
-class CircularPriority(Error, code="ROSS123", name="circular-priority"):
-    """Rules of which each is more important than the next, in a circle."""
-
-    title = "rule `{identifier}` is put over itself"
-    label = "this leads back: {cycle}"
-    help = "remove one of the orders"
     identifier: str
     cycle: str
 
@@ -310,20 +289,6 @@ class LatchConflict(Error, code="ROSS417", name="latch-conflict"):
 
 
 @dataclass(frozen=True, kw_only=True)
-class UnorderedRules(Warning, code="ROSS418", name="unordered-rules"):
-    """Two rules that need the same thing for themselves, with no order between them."""
-
-    title = "rules `{first}` and `{second}` both need {resource}"
-    label = "which one gets it if both are active?"
-    note = "without an order, the rule that stands first in the file gets it: `{first}`"
-    help = "{advice}"
-    first: str
-    second: str
-    resource: str
-    advice: str
-
-
-@dataclass(frozen=True, kw_only=True)
 class ControllerConflict(Error, code="ROSS419", name="controller-conflict"):
     """A controller that is to be started and stopped at once."""
 
@@ -347,10 +312,8 @@ class PlanTooLarge(Error, code="ROSS420", name="plan-too-large"):
 ALL: tuple[type[Template], ...] = (
     UnknownSentType,
     UntypedTarget,
-    UndeclaredRule,
     UnknownLevel,
     CircularEscalation,
-    CircularPriority,
     FieldGivenTwice,
     ReservedHook,
     NothingToBound,
@@ -372,7 +335,6 @@ ALL: tuple[type[Template], ...] = (
     MissingTimeLimit,
     UnguardedConfirmation,
     LatchConflict,
-    UnorderedRules,
     ControllerConflict,
     PlanTooLarge,
 )

@@ -17,6 +17,7 @@ from rossmarie.check.declarations import collect
 from rossmarie.check.effects import EffectChecker
 from rossmarie.check.expressions import infer
 from rossmarie.check.field_units import check_read_units
+from rossmarie.check.hazards import declared_hazards
 from rossmarie.check.inputs import resolve_inputs, resolve_timeouts
 from rossmarie.check.model import CheckedEffect, CheckedProgram, ConditionKey, Symbols, Value
 from rossmarie.check.name_errors import CircularCondition, CircularConstant
@@ -27,7 +28,9 @@ from rossmarie.check.plans import check_escalations, check_latches, check_size
 from rossmarie.check.priorities import order_of_rules
 from rossmarie.check.system_model import read_system_model
 from rossmarie.check.targets import Targets
+from rossmarie.check.tests import check_tests
 from rossmarie.check.trees import constant_of
+from rossmarie.check.unless import giving_way
 from rossmarie.check.usage import (
     warn_of_empty_actions,
     warn_of_missing_rules,
@@ -35,6 +38,7 @@ from rossmarie.check.usage import (
     warn_of_unused,
 )
 from rossmarie.ir.reactions import CommandTopic
+from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import walk
 from rossmarie.types import Unknown
@@ -57,6 +61,8 @@ class _Actions:
     commands: Mapping[str, CommandTopic]
     confirmations: tuple[tuple[Label, Uses], ...]
     order: tuple[int, ...]
+    unless: tuple[tuple[int, ...], ...]
+    priorities: tuple[tuple[int, int], ...]
 
 
 def check(
@@ -79,12 +85,14 @@ def check(
     actions = _check_actions(Targets(model, context, was_parsed), context)
     _check_circles(conditions, context)
     check_read_units(stated_units, context)
+    tests = check_tests(context, is_parsed=was_parsed)
     if was_parsed:
         warn_of_unused(context)
         warn_of_missing_rules(context)
         warn_of_empty_actions(context)
     warn_of_missing_timeouts((*resting, *actions.confirmations), conditions, context)
-    return None if collector.has_errors else _program(actions, context)
+    hazards = declared_hazards(context, is_parsed=was_parsed)
+    return None if collector.has_errors else _program(actions, hazards, tests, context)
 
 
 def _check_constants(context: Context) -> None:
@@ -176,10 +184,13 @@ def _check_actions(targets: Targets, context: Context) -> _Actions:
         if isinstance(item, ast.Action):
             effects.setdefault(item.name.text, checker.check(item))
     order: tuple[int, ...] = ()
+    priorities: tuple[tuple[int, int], ...] = ()
+    unless = giving_way(context)
     if check_escalations(effects, context) and check_size(effects, context):
         check_latches(effects, context)
-        order = order_of_rules(effects, context)
-    return _Actions(effects, checker.commands, tuple(checker.confirmations), order)
+        order, priorities = order_of_rules(context)
+    confirmations = tuple(checker.confirmations)
+    return _Actions(effects, checker.commands, confirmations, order, unless, priorities)
 
 
 def _check_circles(conditions: dict[ConditionKey, Uses], context: Context) -> None:
@@ -193,7 +204,12 @@ def _check_circles(conditions: dict[ConditionKey, Uses], context: Context) -> No
         context.collector.add(finding.at(first, *labels))
 
 
-def _program(found: _Actions, context: Context) -> CheckedProgram:
+def _program(
+    found: _Actions,
+    hazards: Mapping[str, ast.Hazard],
+    tests: tuple[Script, ...],
+    context: Context,
+) -> CheckedProgram:
     declarations = context.declarations
     constants: dict[str, Value] = {}
     actions: dict[str, ast.Action] = {}
@@ -216,4 +232,8 @@ def _program(found: _Actions, context: Context) -> CheckedProgram:
         effects=found.effects,
         commands=found.commands,
         order=found.order,
+        unless=found.unless,
+        hazards=hazards,
+        tests=tests,
+        priorities=found.priorities,
     )

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from dslkit.diagnostics import Collector
+from dslkit.diagnostics import Collector, Template
 from dslkit.source import Span
 from rossmarie.check.declarations import Declarations
 from rossmarie.check.model import CheckedInput, ConditionKey, Value
-from rossmarie.check.suggestions import Suggestions
+from rossmarie.check.suggestions import Suggestions, near_name, rename
 from rossmarie.check.trees import stripped
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import walk
@@ -68,6 +69,15 @@ class Context:
     def may_suggest(self) -> bool:
         """Whether to look for what a misspelt name may have meant."""
         return self.suggestions.take(len(self.declarations.names))
+
+    def report_unknown(self, finding: Template, name: ast.Name, known: Iterable[str]) -> None:
+        """Report a name that is none of those known, with the one that may be meant."""
+        near = near_name(name.text, known) if self.may_suggest() else None
+        if near is None:
+            self.collector.add(finding.at(name.span))
+            return
+        help, fix = f"did you mean `{near}`?", rename(name, near)
+        self.collector.add(finding.at(name.span, help=help, fix=fix))
 
     def type_of(self, node: ast.Expression) -> Type:
         """The type found for a node; `Unknown` if it was passed over."""

@@ -27,6 +27,7 @@ from rossmarie.check.model import CheckedEffect
 from rossmarie.check.names import use_action
 from rossmarie.check.operands import require_condition, require_constant
 from rossmarie.check.reserved_hooks import CPLUSPLUS_WORDS
+from rossmarie.check.resources import declared_resources
 from rossmarie.check.suggestions import near_name, rename
 from rossmarie.check.system_model import full_name
 from rossmarie.check.targets import Targets, insertion
@@ -49,6 +50,7 @@ class EffectChecker:
         self.commands: dict[str, reactions.CommandTopic] = {}
         self.confirmations: list[tuple[Label, Uses]] = []
         self._command_checker = CommandChecker(targets, self.commands)
+        self._resources = declared_resources(targets)
         self._published = {
             targets.full_name(Kind.MESSAGE, name)
             for system in self._context.declarations.systems
@@ -93,8 +95,8 @@ class EffectChecker:
             command = command_of(sent, effect.target.name.span, self._targets)
             self.commands.setdefault(sent.name, command)
         found = reactions.Publish(sent.name, sent.type, assignments, period, None)
-        filtered, resource = sent.name if is_shared else None, f"topic {sent.name}"
-        return CheckedEffect(found, filtered, None, resource, None, effect.span)
+        filtered = sent.name if is_shared else None
+        return CheckedEffect(found, filtered, None, self._resource(found), None, effect.span)
 
     def _words(self, effect: ast.Log | ast.Diagnose) -> CheckedEffect | None:
         levels = {level.value: level for level in reactions.Level}
@@ -147,7 +149,7 @@ class EffectChecker:
         if sent is None or assignments is None or timeout is None:
             return None
         found = reactions.Call(sent.name, sent.type, assignments, timeout)
-        return _exclusive(found, f"service {sent.name}", effect)
+        return self._exclusive(found, effect)
 
     def _set(self, effect: ast.SetParameter, timeout: int | None) -> CheckedEffect | None:
         value = self._parameter(effect)
@@ -156,7 +158,7 @@ class EffectChecker:
         node = full_name(effect.node.text)
         parameter = ".".join(name.text for name in effect.parameter)
         found = reactions.SetParameter(node, parameter, value, timeout)
-        return _exclusive(found, f"parameter {node}.{parameter}", effect)
+        return self._exclusive(found, effect)
 
     def _parameter(self, effect: ast.SetParameter) -> reactions.Scalar | None:
         type_ = infer(effect.value, self._context)
@@ -212,7 +214,7 @@ class EffectChecker:
         )
         manager = full_name(effect.manager.text)
         found = reactions.SwitchControllers(manager, start, stop, timeout)
-        return _exclusive(found, f"controller manager {manager}", effect)
+        return self._exclusive(found, effect)
 
     # --- goals -------------------------------------------------------------------------------
 
@@ -226,7 +228,7 @@ class EffectChecker:
             return None
         interrupted = _interrupted(effect.interrupted)
         found = reactions.SendGoal(sent.name, sent.type, assignments, timeout, interrupted)
-        return _exclusive(found, f"action server {sent.name}", effect)
+        return self._exclusive(found, effect)
 
     def _cancel(
         self, effect: ast.CancelGoal, timeout: int | None, uses: Uses
@@ -246,9 +248,22 @@ class EffectChecker:
         kind = None if stated is None else stated.text.replace("/action/", "/")
         interrupted = _interrupted(effect.interrupted)
         found = reactions.CancelGoal(server, kind, None, timeout, interrupted)
-        resource, otherwise = f"action server {server}", _name(effect.otherwise)
+        resource, otherwise = self._resource(found), _name(effect.otherwise)
         confirmation = effect.confirmation
         return CheckedEffect(found, None, confirmation, resource, otherwise, effect.span)
+
+    # --- resources ---------------------------------------------------------------------------
+
+    def _exclusive(self, found: reactions.Effect, effect: ast.Awaited) -> CheckedEffect:
+        resource, otherwise = self._resource(found), _name(effect.otherwise)
+        return CheckedEffect(found, None, None, resource, otherwise, effect.span)
+
+    def _resource(self, effect: reactions.Effect) -> str:
+        """What it needs for itself, by the name that a system model gives it, if it does."""
+        target = reactions.target_of(effect)
+        assert target is not None, "only effects that need something are asked for it"
+        declared = self._resources.get(target.name)
+        return str(target) if declared is None else f"resource {declared}"
 
     def _add(self, finding: Diagnostic) -> None:
         self._context.collector.add(finding)
@@ -264,7 +279,3 @@ def _name(name: ast.Name | None) -> str | None:
 
 def _shared(found: reactions.Effect, effect: ast.Effect) -> CheckedEffect:
     return CheckedEffect(found, None, None, None, None, effect.span)
-
-
-def _exclusive(found: reactions.Effect, resource: str, effect: ast.Awaited) -> CheckedEffect:
-    return CheckedEffect(found, None, None, resource, _name(effect.otherwise), effect.span)

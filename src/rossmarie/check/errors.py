@@ -7,6 +7,8 @@ from rossmarie.check import (
     action_errors,
     meaning_errors,
     name_errors,
+    rule_errors,
+    test_errors,
     type_errors,
     unit_errors,
 )
@@ -17,4 +19,6 @@ ALL: tuple[type[Template], ...] = (
     *unit_errors.ALL,
     *meaning_errors.ALL,
     *action_errors.ALL,
+    *rule_errors.ALL,
+    *test_errors.ALL,
 )

@@ -105,6 +105,16 @@ class NeverCleared(Warning, code="ROSS408", name="never-cleared"):
 
 
 @dataclass(frozen=True, kw_only=True)
+class UnmitigatedHazard(Warning, code="ROSS421", name="unmitigated-hazard"):
+    """A hazard against which there is no rule."""
+
+    title = "no rule mitigates hazard `{identifier}`"
+    label = "declared here"
+    help = "write `mitigates {identifier}` behind the rules that do, or remove the hazard"
+    identifier: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class JumpingAngle(Warning, code="ROSS409", name="jumping-angle"):
     """A change of an angle that jumps by 360 deg at half a turn."""
 
@@ -130,4 +140,5 @@ ALL: tuple[type[Template], ...] = (
     NoRules,
     NeverCleared,
     JumpingAngle,
+    UnmitigatedHazard,
 )

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from dslkit.source import Span
 from rossmarie.ir import reactions
+from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
 from rossmarie.types import Type
 
@@ -82,8 +83,9 @@ class CheckedProgram:
     nodes reachable from conditions, rules and contracts: `types` holds every one of them, `values`
     those that are constant (literals, constants and operators on them; durations; interval and box
     literals). `rules` are in file order, imported files first; `order` are their numbers, the most
-    important first. `effects` are those of each action, `commands` the topics that may pass through
-    the safety filter.
+    important first, `priorities` the pairs that were put in an order, `unless` of each rule those
+    that it gives way to. `effects` are those of each action, `commands` the topics that may pass
+    through the safety filter.
     """
 
     name: str
@@ -94,3 +96,7 @@ class CheckedProgram:
     effects: Mapping[str, tuple[CheckedEffect, ...]]
     commands: Mapping[str, reactions.CommandTopic]
     order: tuple[int, ...]
+    priorities: tuple[tuple[int, int], ...]
+    unless: tuple[tuple[int, ...], ...]
+    hazards: Mapping[str, ast.Hazard]
+    tests: tuple[Script, ...] = ()

@@ -196,6 +196,16 @@ class MessageFolderMissing(Error, code="ROSS117", name="message-folder-missing")
     looked_for: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class UndeclaredHazard(Error, code="ROSS143", name="undeclared-hazard"):
+    """A rule that mitigates a hazard that does not exist."""
+
+    title = "there is no hazard `{identifier}`"
+    label = "no hazard has this name"
+    help = 'declare it: `hazard {identifier} "WHAT MAY HAPPEN";`'
+    identifier: str
+
+
 ALL: tuple[type[Template], ...] = (
     UndeclaredName,
     UndeclaredEntity,
@@ -214,4 +224,5 @@ ALL: tuple[type[Template], ...] = (
     SeveralContracts,
     MalformedMessageDefinition,
     MessageFolderMissing,
+    UndeclaredHazard,
 )

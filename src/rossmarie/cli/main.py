@@ -9,12 +9,21 @@ from __future__ import annotations
 
 import enum
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
 from dslkit.command_line import Format
-from rossmarie.cli.output import each_once, output
+from rossmarie.cli.options import (
+    MessageFolders,
+    Rules,
+    RulesFiles,
+    Systems,
+    TopicMap,
+    choice,
+    written,
+)
+from rossmarie.cli.output import output
 
 app = typer.Typer(
     help="Safety rules for robots: check them, build their monitor, replay a recording.",
@@ -24,46 +33,6 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-
-
-def _written(text: str) -> Path:
-    """A path to write to; an empty one would be the folder that one happens to be in."""
-    if not text:
-        raise typer.BadParameter("the path is empty")
-    return Path(text)
-
-
-def _choice(kind: type[enum.Enum], text: str) -> Any:
-    """An option that takes one of the values of `kind`, in upper or lower case."""
-    values = [str(member.value) for member in kind]
-
-    def parse(word: str) -> enum.Enum:
-        if isinstance(word, kind):
-            return word  # the default
-        if word.lower() not in values:
-            raise typer.BadParameter(f"`{word}` is none of {', '.join(values)}")
-        return kind(word.lower())
-
-    return typer.Option(help=text, parser=parse, metavar="|".join(values))
-
-
-# Not `readable`: a file that cannot be read is a finding like others (ROSS801, ROSS611).
-Rules = Annotated[Path, typer.Argument(metavar="RULES", help="A .ross file.", readable=False)]
-RulesFiles = Annotated[
-    list[Path], typer.Argument(metavar="RULES...", help=".ross files.", readable=False)
-]
-Systems = Annotated[
-    list[Path] | None,
-    typer.Option(
-        "--system", metavar="FILE", help="A system model beside those imported.", readable=False
-    ),
-]
-MessageFolders = Annotated[
-    list[Path] | None,
-    typer.Option(
-        "--messages", metavar="DIR", help="A folder with .msg files.", exists=True, file_okay=False
-    ),
-]
 
 
 @app.callback()
@@ -108,31 +77,34 @@ class DumpFormat(str, enum.Enum):
 def check(
     files: RulesFiles,
     format: Annotated[  # noqa: A002
-        Format, _choice(Format, "How findings are printed.")
+        Format, choice(Format, "How findings are printed.")
     ] = Format.TEXT,
     target: Annotated[
-        TargetName | None, _choice(TargetName, "Also report what this target cannot do.")
+        TargetName | None, choice(TargetName, "Also report what this target cannot do.")
+    ] = None,
+    thorough: Annotated[
+        bool, typer.Option("--thorough", help="Ask all questions, and tell proofs as well.")
+    ] = False,
+    toggle: Annotated[
+        float,
+        typer.Option(
+            metavar="SECONDS", min=0.0, help="With --thorough: how soon no rule may toggle."
+        ),
+    ] = 1.0,
+    witnesses: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR", help="Write what shows a finding here, for replay.", parser=written
+        ),
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
-    """Check rules files: names, types, units, and what cannot work."""
-    folders, systems = messages or (), system or ()
-    if target is None:
-        from rossmarie.driver import check_file
+    """Check rules files: names, types, units, what cannot work, and what rules mean together."""
+    from rossmarie.cli.check import run_check
 
-        results = [check_file(path, systems=systems, message_folders=folders) for path in files]
-        findings = [result.diagnostics for result in results]
-    else:
-        from rossmarie.driver.build import check_for
-
-        findings = [
-            check_for(target.value, path, systems=systems, message_folders=folders)
-            for path in files
-        ]
-    found = each_once(finding for those in findings for finding in those)
-    output.print_diagnostics(found, format, file_count=len(files))
-    raise typer.Exit(output.exit_code(found))
+    name = None if target is None else target.value
+    run_check(files, format, name, thorough, toggle, witnesses, system or (), messages or ())
 
 
 @app.command()
@@ -177,9 +149,9 @@ def fmt(
 @app.command()
 def dump(
     rules: Rules,
-    after: Annotated[StageName, _choice(StageName, "The stage to stop after.")] = StageName.LOWER,
+    after: Annotated[StageName, choice(StageName, "The stage to stop after.")] = StageName.LOWER,
     format: Annotated[  # noqa: A002
-        DumpFormat, _choice(DumpFormat, "How it is written.")
+        DumpFormat, choice(DumpFormat, "How it is written.")
     ] = DumpFormat.TEXT,
     system: Systems = None,
     messages: MessageFolders = None,
@@ -206,9 +178,9 @@ def dump(
 def build(
     rules: Rules,
     out: Annotated[
-        Path, typer.Option("--out", "-o", metavar="DIR", help="Where to write.", parser=_written)
+        Path, typer.Option("--out", "-o", metavar="DIR", help="Where to write.", parser=written)
     ],
-    target: Annotated[TargetName, _choice(TargetName, "What to generate.")] = TargetName.C99,
+    target: Annotated[TargetName, choice(TargetName, "What to generate.")] = TargetName.C99,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
@@ -238,11 +210,11 @@ def build(
 def graph(
     rules: Rules,
     format: Annotated[  # noqa: A002
-        GraphFormat, _choice(GraphFormat, "How it is drawn.")
+        GraphFormat, choice(GraphFormat, "How it is drawn.")
     ] = GraphFormat.TEXT,
     out: Annotated[
         Path | None,
-        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=_written),
+        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=written),
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
@@ -254,6 +226,44 @@ def graph(
 
 
 @app.command()
+def failures(rules: Rules, system: Systems = None, messages: MessageFolders = None) -> None:
+    """Tell for each input which rules become active when it is lost."""
+    from rossmarie.cli.failures import run_failures
+
+    run_failures(rules, system or [], messages or [])
+
+
+@app.command()
+def report(
+    rules: Rules,
+    out: Annotated[
+        Path,
+        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=written),
+    ] = Path("report.html"),
+    verification: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="A report of what was proved, as JSON.", readable=False),
+    ] = None,
+    coverage: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="A report of what was exercised, as JSON.", readable=False
+        ),
+    ] = None,
+    date: Annotated[
+        str | None,
+        typer.Option(metavar="YYYY-MM-DD", help="The day that the file bears; else today, in UTC."),
+    ] = None,
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Write the safety file of rules: hazards, rules in sentences, what is proved, what is not."""
+    from rossmarie.cli.report import run_report
+
+    run_report(rules, out, verification, coverage, date, system or [], messages or [])
+
+
+@app.command()
 def replay(
     rules: Rules,
     recording: Annotated[
@@ -262,14 +272,7 @@ def replay(
             metavar="RECORDING", help=".bag, .db3, .mcap, a bag folder, or .csv.", readable=False
         ),
     ],
-    topic_map: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--topic-map",
-            metavar="RULES=RECORDED",
-            help="Read the topic that the rules call RULES from the recorded topic RECORDED.",
-        ),
-    ] = None,
+    topic_map: TopicMap = None,
     out: Annotated[
         Path | None,
         typer.Option(
@@ -277,7 +280,7 @@ def replay(
             "-o",
             metavar="DIR",
             help="Write timeline.html and verdicts.jsonl here.",
-            parser=_written,
+            parser=written,
         ),
     ] = None,
     system: Systems = None,
@@ -289,6 +292,56 @@ def replay(
     run_replay(rules, recording, topic_map or [], out, system or [], messages or [])
 
 
+@app.command("test")
+def run_tests(
+    rules: Rules,
+    tests: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="TESTS...", help="Names of tests; `*` stands for anything."),
+    ] = None,
+    write: Annotated[
+        bool,
+        typer.Option("--write", help="First write tests of all boundaries beside the rules."),
+    ] = False,
+    junit: Annotated[
+        Path | None,
+        typer.Option("--junit", metavar="FILE", help="Also write JUnit's XML.", parser=written),
+    ] = None,
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Run the tests of a rules file on the interpreter and in C, and say what they cover."""
+    from rossmarie.cli.testing import run_test
+
+    run_test(
+        rules,
+        tests or [],
+        write=write,
+        junit=junit,
+        systems=system or (),
+        message_folders=messages or (),
+    )
+
+
+@app.command()
+def coverage(
+    rules: Rules,
+    recordings: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="RECORDINGS...", help=".bag, .db3, .mcap, bag folders, or .csv.", readable=False
+        ),
+    ],
+    topic_map: TopicMap = None,
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Say what recordings exercise of the rules, and how far each threshold could be moved."""
+    from rossmarie.cli.testing import run_coverage
+
+    run_coverage(rules, recordings, topic_map or [], system or [], messages or [])
+
+
 @app.command()
 def model(
     recording: Annotated[
@@ -296,7 +349,7 @@ def model(
     ],
     out: Annotated[
         Path | None,
-        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=_written),
+        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=written),
     ] = None,
 ) -> None:
     """Write the system model of a recording: its topics and their types."""

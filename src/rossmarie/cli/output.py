@@ -20,7 +20,7 @@ output = CommandLine(
     tool="rossmarie",
     subject="your rules",
     internal_code="ROSS900",
-    unreadable=frozenset({"ROSS610", "ROSS611", "ROSS801", "ROSS802"}),
+    unreadable=frozenset({"ROSS610", "ROSS611", "ROSS780", "ROSS801", "ROSS802"}),
     catalog=_catalog,
 )
 

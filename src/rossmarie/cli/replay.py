@@ -33,11 +33,11 @@ def run_replay(
     message_folders: Sequence[Path],
 ) -> None:
     """Replay, print the findings and the table, and write the reports into `out`."""
-    pairs = _topic_pairs(topic_map)
+    pairs = topic_pairs(topic_map)
     if out is not None:
         _check_folder(out)
     try:
-        with _bar() as progress:
+        with progress_bar("replaying") as progress:
             task = progress.add_task("replay", total=1.0)
             replay, found = replay_file(
                 rules,
@@ -60,11 +60,11 @@ def run_replay(
         _write_reports(replay, out)
 
 
-def _bar() -> Progress:
+def progress_bar(what: str) -> Progress:
     """A progress bar on standard error, if that is a terminal."""
     console = Console(stderr=True)
     return Progress(
-        TextColumn("replaying"),
+        TextColumn(what),
         BarColumn(),
         TaskProgressColumn(),
         TimeRemainingColumn(),
@@ -74,7 +74,8 @@ def _bar() -> Progress:
     )
 
 
-def _topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:
+def topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:
+    """What `--topic-map` says; the run ends if it contradicts itself."""
     pairs: dict[str, str] = {}
     for text in topic_map:
         wanted, recorded = _pair(text)

@@ -6,17 +6,19 @@ last one that runs.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic, Severity
+from dslkit.source import SourceFile
 from rossmarie.check import CheckedProgram, CheckOptions, check
 from rossmarie.driver.shortened import shortened
 from rossmarie.driver.workspace import load_modules
 from rossmarie.ir import Machine, verify
+from rossmarie.ir.script import Script
 from rossmarie.lowering import lower
-from rossmarie.syntax import ast
+from rossmarie.syntax import ast, parse
 from rossmarie.targets.unsupported import unsupported
 
 
@@ -40,15 +42,21 @@ class RulesError(Exception):
 
 
 def check_file(
-    rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
+    rules: Path,
+    *,
+    systems: Sequence[Path] = (),
+    message_folders: Sequence[Path] = (),
+    tests: SourceFile | None = None,
 ) -> CheckResult:
     """Parse and check a rules file and all that it imports.
 
     `systems` are further system models, `message_folders` hold .msg files; a file `system.ross`
-    beside the rules is a system model without being named.
+    beside the rules is a system model without being named. `tests` is a file of tests that is
+    not on the disk: it is checked as if it imported the rules.
     """
     collector = Collector()
     modules = load_modules(rules, systems, collector)
+    modules += [] if tests is None else [parse(tests, collector)]
     options = CheckOptions(message_folders=tuple(message_folders))
     program = check(modules, options, collector)
     return CheckResult(modules, program, shortened(collector.sorted()))
@@ -57,19 +65,25 @@ def check_file(
 @dataclass(frozen=True)
 class Compiled:
     """A rules file without errors: its machine, the warnings on it, and where the definitions of
-    its messages may lie.
+    its messages may lie, the tests in it, and of each input the path that its declaration chooses.
     """
 
     machine: Machine
     warnings: tuple[Diagnostic, ...]
     message_folders: tuple[Path, ...]
+    tests: tuple[Script, ...]
+    bases: Mapping[str, tuple[str, ...]]
 
 
 def compile_file(
-    rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
+    rules: Path,
+    *,
+    systems: Sequence[Path] = (),
+    message_folders: Sequence[Path] = (),
+    tests: SourceFile | None = None,
 ) -> Compiled:
-    """Check a rules file and lower it. Raises `RulesError`."""
-    result = check_file(rules, systems=systems, message_folders=message_folders)
+    """Check a rules file and lower it, as `check_file` does. Raises `RulesError`."""
+    result = check_file(rules, systems=systems, message_folders=message_folders, tests=tests)
     return compile_checked(result, message_folders)
 
 
@@ -84,7 +98,8 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
     if refused := tuple(unsupported(machine)):
         raise RulesError((*result.diagnostics, *refused))
     folders = (*message_folders, *_declared_folders(result.modules))
-    return Compiled(machine, result.diagnostics, folders)
+    bases = {name: used.path for name, used in result.program.symbols.inputs.items()}
+    return Compiled(machine, result.diagnostics, folders, result.program.tests, bases)
 
 
 def _declared_folders(modules: Sequence[ast.Module]) -> Iterator[Path]:

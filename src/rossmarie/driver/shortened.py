@@ -29,6 +29,8 @@ def shortened(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
         count = counts[id(span.file), severity]
         if count <= MAXIMUM_ERRORS:
             shown.append(finding)
+        elif severity not in _CLOSING:
+            shown.append(finding)  # notes are as many as were asked for
         elif count == MAXIMUM_ERRORS + 1:
             here = Span(span.file, span.start, span.start)
             shown.append(_CLOSING[severity](limit=MAXIMUM_ERRORS).at(here))

@@ -52,7 +52,7 @@ class Reactor:
     """Turns the activity of rules into orders. Instants are nanoseconds on one clock, between
     `ir.EARLIEST_NS` and `ir.LATEST_NS`; `react` and `report` raise `ValueError` outside that range.
 
-    `engaged` says of each rule whether it is active and not exempted (R1), `watches` what the
+    `active` says of each rule whether it is active and not exempted (R1), `watches` what the
     confirmations of `cancel` are worth, in the order of `Machine.watches`.
     """
 
@@ -80,10 +80,11 @@ class Reactor:
         self._filter.open()
 
     def react(
-        self, at_ns: int, engaged: Sequence[bool], watches: Sequence[TruthValue]
+        self, at_ns: int, active: Sequence[bool], watches: Sequence[TruthValue]
     ) -> list[Order]:
-        """The orders that follow from which rules are engaged at an instant."""
+        """The orders that follow from which rules are active at an instant."""
         self._set_clock(at_ns)
+        engaged = self._engaged(active)
         for rule, is_engaged in enumerate(engaged):
             if not is_engaged:
                 self._release(rule)
@@ -114,6 +115,13 @@ class Reactor:
     def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
         """What lies on the fields of a command topic at an instant (R11)."""
         return self._filter.bounds(at_ns, command)
+
+    def _engaged(self, active: Sequence[bool]) -> list[bool]:
+        """R1: of each rule whether it is carried out."""
+        return [
+            active[rule] and not any(active[other] for other in plan.unless)
+            for rule, plan in enumerate(self._reactions.plans)
+        ]
 
     # --- time --------------------------------------------------------------------------------
 

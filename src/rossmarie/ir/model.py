@@ -316,7 +316,8 @@ class Rule:
     reset while `condition` is false.
 
     `contract` says in words what clears it. `terms` are the truths, and `signals` the signals that
-    are not constant, whose state a verdict carries; `inputs` are the inputs it rests on.
+    are not constant, whose state a verdict carries; `inputs` are the inputs it rests on, `hazards`
+    those it mitigates.
     """
 
     name: str
@@ -328,6 +329,17 @@ class Rule:
     terms: tuple[int, ...]
     signals: tuple[int, ...]
     inputs: tuple[int, ...]
+    span: Span
+    hazards: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True)
+class Hazard:
+    """What may happen, in words, that rules are there to mitigate (ISO 12100, 3.6)."""
+
+    name: str
+    text: str
+    documentation: str | None
     span: Span
 
 
@@ -346,3 +358,4 @@ class Machine:
     rules: tuple[Rule, ...]
     watches: tuple[int, ...] = ()
     reactions: Reactions = NO_REACTIONS
+    hazards: tuple[Hazard, ...] = ()

@@ -235,17 +235,20 @@ class Action:
 class Plan:
     """What a rule does: stages one after the other; the tasks of a stage side by side.
 
-    `tasks` are all of it in the order in which they stand in the file, escalations included.
+    `tasks` are all of it in the order in which they stand in the file, escalations included. It is
+    not carried out while one of the rules `unless` is active.
     """
 
     stages: tuple[tuple[int, ...], ...]
     tasks: tuple[int, ...]
+    unless: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
 class Reactions:
     """What the rules of a machine do. `plans` has one entry for each rule; `order` are the rules
-    from the first to the last that gets a resource that several need.
+    from the first to the last that gets a resource that several need; `priorities` are the pairs of
+    rules of which the first was put over the second.
     """
 
     commands: tuple[CommandTopic, ...]
@@ -254,6 +257,7 @@ class Reactions:
     tasks: tuple[Task, ...]
     plans: tuple[Plan, ...]
     order: tuple[int, ...]
+    priorities: tuple[tuple[int, int], ...] = ()
 
 
 NO_REACTIONS = Reactions((), (), (), (), (), ())
@@ -284,9 +288,35 @@ def is_lasting(effect: Effect) -> bool:
             return True
 
 
-def needs_resource(effect: Effect) -> bool:
-    """Whether it needs something for itself; others share (R2)."""
-    return isinstance(effect, Publish) or timeout_ns(effect) is not None
+@dataclass(frozen=True)
+class Target:
+    """What an effect needs for itself: `controller manager /controller_manager`. `name` is the
+    ROS name; a parameter is told apart by its own behind that.
+    """
+
+    kind: str
+    name: str
+    parameter: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.kind} {self.name}{self.parameter}"
+
+
+def target_of(effect: Effect) -> Target | None:
+    """What an effect needs for itself; None if it shares (R2)."""
+    match effect:
+        case Publish(topic=topic):
+            return Target("topic", topic)
+        case Call(service=service):
+            return Target("service", service)
+        case SetParameter(node=node, parameter=parameter):
+            return Target("parameter", node, f".{parameter}")
+        case SwitchControllers(manager=manager):
+            return Target("controller manager", manager)
+        case SendGoal(server=server) | CancelGoal(server=server):
+            return Target("action server", server)
+        case _:
+            return None
 
 
 def waits(effect: Effect) -> bool:

@@ -53,7 +53,8 @@ def _plans(machine: Machine) -> Iterator[str]:
     found = machine.reactions
     for rule, plan in zip(machine.rules, found.plans, strict=False):
         stages = ", then ".join(map(_tasks, plan.stages)) or "nothing"
-        yield f"plan of {rule.name} = {stages}"
+        others = ", ".join(machine.rules[other].name for other in plan.unless)
+        yield f"plan of {rule.name} = {stages}{f' unless {others}' if others else ''}"
     if found.order:
         yield f"order {', '.join(machine.rules[rule].name for rule in found.order)}"
 

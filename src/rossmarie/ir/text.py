@@ -26,6 +26,7 @@ def dump_text(machine: ir.Machine) -> str:
         tuple(_signals(machine)),
         tuple(_truths(machine)),
         tuple(line for rule in machine.rules for line in _rule(rule)),
+        tuple(_hazards(machine)),
         *reaction_sections(machine),
     )
     return "\n\n".join("\n".join(section) for section in sections if section) + "\n"
@@ -142,6 +143,13 @@ def _rule(rule: ir.Rule) -> Iterator[str]:
     yield f"{line:{_WIDTH}} | {rule.contract} | {rule.span}"
     yield f"  actions {', '.join(rule.actions)}"
     yield f"  terms {_names('t', rule.terms)}; signals {_names('s', rule.signals)}"
+
+
+def _hazards(machine: ir.Machine) -> Iterator[str]:
+    for index, hazard in enumerate(machine.hazards):
+        rules = (rule.name for rule in machine.rules if index in rule.hazards)
+        line = f"hazard {hazard.name} = {_quoted(hazard.text)}, mitigated by {', '.join(rules)}"
+        yield f"{line:{_WIDTH}} | {hazard.span}"
 
 
 def _names(letter: str, indexes: tuple[int, ...]) -> str:

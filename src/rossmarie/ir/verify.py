@@ -261,6 +261,8 @@ def _verify_rules(machine: ir.Machine, arrays: ElementArrays) -> None:
         require(rule.signals == rule_signals(machine, condition), where, "wrong signals")
         inputs = tuple(sorted(rests_on[condition].inputs))
         require(rule.inputs == inputs, where, "wrong inputs")
+        for hazard in rule.hazards:
+            require_index(hazard, len(machine.hazards), where, "hazard")
     for name, times in Counter(rule.name for rule in machine.rules).items():
         require(times == 1, f"rule {name}", f"there are {times} of this name")
 

@@ -21,6 +21,10 @@ def verify_reactions(machine: Machine) -> None:
     require(len(found.plans) == len(machine.rules), "plans", "not one for each rule")
     rules = list(range(len(found.plans)))
     require(sorted(found.order) == rules, "order", "not each rule once")
+    place = {rule: position for position, rule in enumerate(found.order)}
+    for first, second in found.priorities:
+        is_kept = place.get(first, len(rules)) < place.get(second, -1)
+        require(is_kept, "order", f"rule {first} is not before {second}")
     for index in range(len(found.tasks)):
         _verify_task(machine, index)
     for index, plan in enumerate(found.plans):
@@ -41,13 +45,15 @@ def _verify_plan(found: reactions.Reactions, plan: reactions.Plan, where: str) -
         waiting.extend(found.tasks[task].otherwise)
     for task in plan.tasks:
         require(task in begun, where, f"task {task} never begins")
+    for rule in plan.unless:
+        require_index(rule, len(found.plans), where, "rule")
 
 
 def _verify_task(machine: Machine, index: int) -> None:
     found, task = machine.reactions, machine.reactions.tasks[index]
     where = f"task {index} ({type(task.effect).__name__})"
     require_index(task.action, len(found.actions), where, "action")
-    is_right = reactions.needs_resource(task.effect) == (task.resource is not None)
+    is_right = (reactions.target_of(task.effect) is None) == (task.resource is None)
     require(is_right, where, f"resource {task.resource}")
     if task.resource is not None:
         require_index(task.resource, len(found.resources), where, "resource")

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram
 from rossmarie.check.plans import latch_of
+from rossmarie.check.rule_names import rule_names
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.reactions import Plans
@@ -39,6 +40,10 @@ def lower(program: CheckedProgram) -> ir.Machine:
         rules=(),
         watches=tuple(plans.watches),
         reactions=reactions,
+        hazards=tuple(
+            ir.Hazard(name, item.text.value, item.documentation, item.name.span)
+            for name, item in program.hazards.items()
+        ),
     )
     return _with_rules(machine, program, contracts)
 
@@ -88,7 +93,8 @@ def _with_rules(
     machine: ir.Machine, program: CheckedProgram, contracts: list[_Contract]
 ) -> ir.Machine:
     rests_on = ir.supports(machine).truths
-    names = _rule_names(program.rules)
+    hazards = {name: index for index, name in enumerate(program.hazards)}
+    names = rule_names(program.rules)
     rules = tuple(
         ir.Rule(
             name=name,
@@ -101,19 +107,8 @@ def _with_rules(
             signals=ir.rule_signals(machine, contract.condition),
             inputs=tuple(sorted(rests_on[contract.condition].inputs)),
             span=rule.span,
+            hazards=tuple(dict.fromkeys(hazards[hazard.text] for hazard in rule.mitigates)),
         )
         for name, rule, contract in zip(names, program.rules, contracts, strict=True)
     )
     return dataclasses.replace(machine, rules=rules)
-
-
-def _rule_names(rules: tuple[ast.Rule, ...]) -> list[str]:
-    """The given names; a rule without one is called by its position, `rule_2`."""
-    taken = {rule.name.text for rule in rules if rule.name is not None}
-    names: list[str] = []
-    for position, rule in enumerate(rules, start=1):
-        name = f"rule_{position}" if rule.name is None else rule.name.text
-        while rule.name is None and name in taken:
-            name += "_"
-        names.append(name)
-    return names

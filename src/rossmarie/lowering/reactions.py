@@ -46,7 +46,10 @@ class Plans:
 
     def lower(self) -> ir.Reactions:
         """What the rules do; truths are added to the machine for the confirmations."""
-        plans = tuple(self._plan(rule) for rule in self.program.rules)
+        plans = tuple(
+            self._plan(rule, unless)
+            for rule, unless in zip(self.program.rules, self.program.unless, strict=True)
+        )
         if not self._drafts:
             return ir.NO_REACTIONS
         topics = {draft.checked.command for draft in self._drafts} - {None}
@@ -70,7 +73,13 @@ class Plans:
             for draft in self._drafts
         )
         return ir.Reactions(
-            tuple(commands), actions, tuple(resources), tasks, plans, self.program.order
+            tuple(commands),
+            actions,
+            tuple(resources),
+            tasks,
+            plans,
+            self.program.order,
+            self.program.priorities,
         )
 
     def _actions(self) -> tuple[reactions.Action, ...]:
@@ -88,7 +97,7 @@ class Plans:
 
     # --- plans -------------------------------------------------------------------------------
 
-    def _plan(self, rule: ast.Rule) -> reactions.Plan:
+    def _plan(self, rule: ast.Rule, unless: tuple[int, ...]) -> reactions.Plan:
         first = len(self._drafts)
         stages: list[tuple[int, ...]] = []
         escalations: deque[_Escalation] = deque()
@@ -104,7 +113,7 @@ class Plans:
             following = self._begin(one.action, one.last_resort, escalations)
             self._drafts[one.task].otherwise = following
         planned = tuple(range(first, len(self._drafts)))
-        return reactions.Plan(tuple(stage for stage in stages if stage), planned)
+        return reactions.Plan(tuple(stage for stage in stages if stage), planned, unless)
 
     def _begin(
         self, action: str, last_resort: str | None, escalations: deque[_Escalation]

@@ -92,6 +92,10 @@ class NativeMonitor:
         self.active_bytes = (max(1, len(machine.rules)) + 7) // 8
         self._waiting = b""
 
+    def fresh(self) -> NativeMonitor:
+        """Another monitor of the same machine, that has seen nothing."""
+        return NativeMonitor(self._machine, self.library, self._reader)
+
     # --- as the interpreter ------------------------------------------------------------------
 
     @property

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from dslkit.source import Span
 from rossmarie.syntax import ast
-from rossmarie.syntax.build_effect import EffectBuilder
+from rossmarie.syntax.build_test import TestBuilder
 from rossmarie.syntax.scan import Token
 
 
@@ -25,7 +25,21 @@ class _Steps(NamedTuple):
     span: Span
 
 
-class Builder(EffectBuilder):
+class Unless(NamedTuple):
+    """The rules behind `unless`."""
+
+    rules: tuple[ast.Name, ...]
+    span: Span
+
+
+class Mitigates(NamedTuple):
+    """The hazards behind `mitigates`."""
+
+    hazards: tuple[ast.Name, ...]
+    span: Span
+
+
+class Builder(TestBuilder):
     """Builds all nodes of one file."""
 
     # --- items -----------------------------------------------------------------------------------
@@ -89,9 +103,26 @@ class Builder(EffectBuilder):
         """`rule NAME: if CONDITION then { STEP; ... } CONTRACT`."""
         is_named = _is(parts, 2, ":")
         name = self.name(parts[1]) if is_named else None
-        condition, _, steps, *contracts = parts[4 if is_named else 1 :]
-        documentation, span = self._documentation(parts), self._span(parts)
-        return ast.Rule(name, condition, steps.steps, tuple(contracts), documentation, span)
+        condition, *rest = parts[4 if is_named else 1 :]
+        unless = rest.pop(0).rules if isinstance(rest[0], Unless) else ()
+        _, steps, *contracts = rest
+        is_linked = bool(contracts) and isinstance(contracts[-1], Mitigates)
+        mitigates = contracts.pop().hazards if is_linked else ()
+        ends = tuple(contracts), mitigates, self._documentation(parts), self._span(parts)
+        return ast.Rule(name, condition, unless, steps.steps, *ends)
+
+    def unless(self, parts: list[Any]) -> Unless:
+        """`unless RULE, RULE`."""
+        return Unless(tuple(map(self.name, parts[1::2])), self._span(parts))
+
+    def mitigates(self, parts: list[Any]) -> Mitigates:
+        """`mitigates HAZARD, HAZARD`."""
+        return Mitigates(tuple(map(self.name, parts[1::2])), self._span(parts))
+
+    def hazard(self, parts: list[Any]) -> ast.Hazard:
+        """`hazard NAME TEXT`."""
+        documentation, text = self._documentation(parts), self.text([parts[2]])
+        return ast.Hazard(self.name(parts[1]), text, documentation, self._span(parts))
 
     def steps(self, parts: list[Any]) -> _Steps:
         """`{ STEP; ... }`."""
@@ -146,6 +177,11 @@ class Builder(EffectBuilder):
         """`server SERVER : TYPE`."""
         name, kind = self.name(parts[1]), self._type(parts[3])
         return ast.ServerDeclaration(name, kind, self._span(parts))
+
+    def resource_declaration(self, parts: list[Any]) -> ast.ResourceDeclaration:
+        """`resource NAME : TARGET, TARGET`."""
+        targets = tuple(map(self.name, parts[3::2]))
+        return ast.ResourceDeclaration(self.name(parts[1]), targets, self._span(parts))
 
     def unit_declaration(self, parts: list[Any]) -> ast.UnitDeclaration:
         """`unit TYPE.path = UNIT`."""

@@ -23,7 +23,9 @@ from rossmarie.syntax.words import (
 )
 
 _NEVER_LAST = RESERVED - {"true", "false"}
-_CONTINUATIONS = frozenset({"when", "until", "timeout", "then", "clear", "latched"})
+_CONTINUATIONS = frozenset(
+    {"when", "until", "timeout", "then", "clear", "latched", "unless", "mitigates"}
+)
 _LATCH = frozenset({"latched", "until", "reset"})
 _BEHIND_NAME = frozenset({";", ":", "=", ".", "["})
 # Words that do not make a declaration of the unknown word in front of them, as `imu` does in
@@ -109,7 +111,12 @@ class _Cutter:
     def _begins_item(self, index: int, depth: int) -> bool:
         token = self._tokens[index]
         before = self._tokens[index - 1]
+        if token.text == "hazard":
+            return self._is_word(index + 1) and self._is_kind(index + 2, "text")
         if token.text in CONTEXTUAL_ITEM_WORDS:
+            if token.text == "test":
+                is_apart = depth == 0 or self._source.begins_line(index)
+                return is_apart and self._is_kind(index + 1, "text")
             return self._is_word(index + 1) and self._text(index + 2) == "over"
         if token.text not in ITEM_WORDS:
             return False
@@ -152,6 +159,9 @@ class _Cutter:
         if token.kind != "word":
             return token.kind == "text"
         return token.text not in _NEVER_DECLARED
+
+    def _is_kind(self, index: int, kind: str) -> bool:
+        return index < len(self._tokens) and self._tokens[index].kind == kind
 
     def _meant(self, index: int) -> str | None:
         """The word that begins an item and is nearest to this one."""

@@ -312,6 +312,18 @@ class UnknownEffect(Error, code="ROSS028", name="unknown-effect"):
     advice: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class UnknownStatement(Error, code="ROSS029", name="unknown-statement"):
+    """A statement of a test that begins with no word of the language."""
+
+    title = "`{found}` begins no statement of a test"
+    label = "not a statement"
+    note = "a statement of a test begins with `at`, `every` or `expect`"
+    help = "did you mean `{meant}`?"
+    found: str
+    meant: str
+
+
 ALL: tuple[type[Template], ...] = (
     FileTooLarge,
     UnexpectedCharacter,
@@ -340,4 +352,5 @@ ALL: tuple[type[Template], ...] = (
     HiddenCharacter,
     ForeignForm,
     UnknownEffect,
+    UnknownStatement,
 )

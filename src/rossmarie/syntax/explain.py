@@ -246,7 +246,16 @@ class _Case:
         if _VALUE in self._expected or before is None:
             return None
         finding = errors.MissingName(place="after", form=self._form)
-        return finding.at(self._source.span(before))
+        return finding.at(self._source.span(before), help=self._help_with_unit(before))
+
+    def _help_with_unit(self, before: Token) -> str | None:
+        """In `at 0 speed = 1 m/s` the name of the input was read as the unit of the instant."""
+        at, number = self._index - 3, self._index - 2
+        if at < self._first or self._tokens[at].text != "at":
+            return None
+        if self._tokens[number].kind != "number":
+            return None
+        return f"an instant has a unit: write `at {self._tokens[number].text} sec {before.text}`"
 
     def _value(self) -> Diagnostic | None:
         if not self._operand_is_missing():

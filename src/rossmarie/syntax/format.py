@@ -2,7 +2,7 @@
 
 - Four spaces for each level; one statement on a line, broken if it exceeds 100 columns (`layout`).
 - Items, conditions and effects end in `;`; what ends in a brace of its own does not: entities,
-  systems, and actions with a body.
+  systems, tests, and actions with a body.
 - A condition is `name : expression;`, a rule `rule name: if condition then { action; };`.
 - Entities, systems, rules and actions with a body are set apart by an empty line, as are items of
   different kinds; elsewhere up to one empty line of the author's stays.
@@ -25,7 +25,7 @@ from rossmarie.syntax.layout import Atom, Comment, indented, lay_out
 from rossmarie.syntax.scan import Scan, Token, documentation_text, scan
 from rossmarie.syntax.style import Style, collect_style
 
-_Statement = ast.Item | ast.Condition | ast.SystemMember | ast.Effect
+_Statement = ast.Item | ast.Condition | ast.SystemMember | ast.Effect | ast.Statement
 _EMPTY_LINE = re.compile(r"\n\s*\n")
 
 
@@ -170,7 +170,8 @@ class _Formatter:
 
     def _statement(self, node: _Statement, indent: int) -> _Entry:
         start, end = node.span.start, node.span.end
-        group = "effect" if isinstance(node, ast.Effect) else type(node).__name__
+        is_inner = isinstance(node, ast.Effect | ast.Statement)
+        group = "inner" if is_inner else type(node).__name__
         match node:
             case ast.Entity(conditions=inner) | ast.System(members=inner):
                 lines = self._braced(node, inner, end, indent)
@@ -178,6 +179,8 @@ class _Formatter:
             case ast.Action(body=Span(end=brace_end), effects=effects):
                 lines = self._braced(node, effects, brace_end, indent)
                 return _Entry(lines, start, end, group, True)
+            case ast.Test(statements=inner):
+                return _Entry(self._braced(node, inner, end, indent), start, end, group, True)
             case ast.NodeDeclaration():
                 return _Entry(self._lines(start, end, "", indent), start, end, group)
             case _:
@@ -186,7 +189,7 @@ class _Formatter:
 
     def _braced(
         self,
-        node: ast.Entity | ast.System | ast.Action,
+        node: ast.Entity | ast.System | ast.Action | ast.Test,
         inner: Sequence[_Statement],
         end: int,
         indent: int,

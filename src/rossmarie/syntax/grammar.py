@@ -24,6 +24,7 @@ from rossmarie.syntax.words import (
     FOREIGN,
     OPERATOR_WORDS,
     RESERVED,
+    STATEMENT_WORDS,
 )
 
 START_RULES = (
@@ -35,16 +36,22 @@ START_RULES = (
     "entity",
     "rule",
     "priority",
+    "hazard",
     "condition",
     "expression",
+    "unless",
+    "mitigates",
     "contract",
     "step",
     "topic_declaration",
     "service_declaration",
     "server_declaration",
+    "resource_declaration",
     "unit_declaration",
     "messages_declaration",
     "node",
+    "test",
+    *STATEMENT_WORDS.values(),
     *EFFECT_WORDS.values(),
 )
 _UNIT_PART = r"(?:[^\W\d_]|[%°])[\w%°]*(?:\^-?[0-9]+)?"

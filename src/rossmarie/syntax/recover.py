@@ -24,6 +24,7 @@ from rossmarie.syntax.recover_parts import (
     start_of_body,
 )
 from rossmarie.syntax.recover_rule import recover_rule
+from rossmarie.syntax.recover_test import recover_test
 from rossmarie.syntax.scan import Token
 from rossmarie.syntax.words import FORMS, MEMBER_WORDS
 
@@ -36,6 +37,8 @@ def recover(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Ite
         saved = recover_rule(part, item.first, item.last, item.head)
     elif item.kind == "action":
         saved = recover_action(part, item, failure)
+    elif item.kind == "test":
+        saved = recover_test(part, item, failure)
     elif item.kind == "entity":
         saved = _recover_entity(part, item, failure)
     elif item.kind == "system":
@@ -65,6 +68,8 @@ def _recover_simple(part: PartParser, item: Stretch) -> ast.Item | None:
     if item.kind == "constant":
         value = part.broken(item.first + 3, item.last, name.span)
         return ast.Constant(name, value, documentation, span)
+    if item.kind == "hazard":
+        return ast.Hazard(name, ast.Text("", name.span), documentation, span)
     unreadable = ast.Name("", name.span)
     return ast.Input(name, unreadable, None, (), None, None, documentation, span)
 

@@ -42,12 +42,13 @@ class _Recovery:
         """The rule; `head` is its first word."""
         self._index += 1
         name = self._name() if head == "rule" else None
-        condition = self._condition()
+        condition, unless = self._condition()
         steps = self._steps()
         contracts = self._contracts()
+        mitigates = self._mitigates()
         span = self._source.span(self._tokens[self._first], self._tokens[self._last - 1])
         documentation = self._source.documentation.get(span.start)
-        return ast.Rule(name, condition, steps, contracts, documentation, span)
+        return ast.Rule(name, condition, unless, steps, contracts, mitigates, documentation, span)
 
     def _text(self, offset: int = 0) -> str:
         index = self._index + offset
@@ -76,23 +77,31 @@ class _Recovery:
                 self._part.findings.add(finding)
         return name
 
-    def _condition(self) -> ast.Expression:
-        """Up to `then`; where that is missing, up to the brace."""
+    def _condition(self) -> tuple[ast.Expression, tuple[ast.Name, ...]]:
+        """Up to `then`, with the rules behind `unless`; without `then` up to the brace."""
         first = self._index
-        end = next(
-            (at for at in range(first, self._last) if self._tokens[at].text in ("then", "{")),
-            self._last,
-        )
+        end = self._next(first, ("then", "{"))
         has_then = end < self._last and self._tokens[end].text == "then"
         self._index = end + has_then
+        if end > first and not has_then and not self._is_cut_off:
+            self._report_missing_then(self._source.span(self._tokens[end - 1]))
+        between = min(self._next(first, ("unless",)), end)
+        others = self._part.parse("unless", between, end) if between < end else None
+        condition = self._expression(first, between)
+        return condition, () if others is None else others.rules
+
+    def _next(self, first: int, words: tuple[str, ...]) -> int:
+        """The first place of any of some words, or the end of the rule."""
+        places = range(first, self._last)
+        return next((at for at in places if self._tokens[at].text in words), self._last)
+
+    def _expression(self, first: int, end: int) -> ast.Expression:
         before = self._source.span(self._tokens[first - 1])
         if first == end:
             sign = self._tokens[first - 1].text
             finding = errors.MissingValue(place="after", sign=sign, form=FORMS["rule"])
             self._part.findings.add(finding.at(before))
             return self._part.broken(first, end, before)
-        if not has_then and not self._is_cut_off:
-            self._report_missing_then(self._source.span(self._tokens[end - 1]))
         condition: ast.Expression | None = self._part.parse("expression", first, end)
         return condition or self._part.broken(first, end, before)
 
@@ -186,7 +195,7 @@ class _Recovery:
     def _contracts(self) -> tuple[ast.ResumeContract, ...]:
         """`clear when ...` and so on, up to the end of the rule."""
         found = []
-        while self._goes_on():
+        while self._goes_on() and self._text() != "mitigates":
             first = self._index
             self._index += 1
             while self._index < self._last and not self._begins_contract():
@@ -196,8 +205,15 @@ class _Recovery:
                 found.append(contract)
         return tuple(found)
 
+    def _mitigates(self) -> tuple[ast.Name, ...]:
+        """`mitigates HAZARD, HAZARD`, at the end of the rule."""
+        if self._index >= self._last:
+            return ()
+        found = self._part.parse("mitigates", self._index, self._last)
+        return () if found is None else found.hazards
+
     def _goes_on(self) -> bool:
         return self._index < self._last and not self._part.findings.is_full
 
     def _begins_contract(self) -> bool:
-        return (self._text(), self._text(1)) in _CONTRACT_STARTS
+        return (self._text(), self._text(1)) in _CONTRACT_STARTS or self._text() == "mitigates"

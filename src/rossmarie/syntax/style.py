@@ -59,6 +59,9 @@ class Style:
             case ast.Action(effects=effects):
                 for effect in effects:
                     self._effect(effect)
+            case ast.Test(statements=statements):
+                for statement in statements:
+                    self._statement(statement)
             case _:
                 pass
         for root in expressions(item):
@@ -85,6 +88,8 @@ class Style:
                 self._word(name, kind)
             case ast.ServerDeclaration(name=name, action_type=kind):
                 self._word(name, kind)
+            case ast.ResourceDeclaration(targets=targets):
+                self._word(*targets)
             case ast.NodeDeclaration():
                 self._word(*member.publishes, *member.subscribes)
                 self._node(member)
@@ -115,14 +120,24 @@ class Style:
         """The lines in the braces of an effect, broken in front of each."""
         for part in inner:
             self.breaks[part.span.start] = _PART
-            self.tight_behind.update(
-                before.span.end
-                for before, step in zip(part.path.steps, part.path.steps[1:], strict=False)
-                if isinstance(step, ast.Position)
-            )
+            self._index_sticks(part.path)
         if inner:
             semicolon = self.index(inner[-1].span.end)
             self.breaks[self.source.tokens[semicolon + 1].start] = Break(1, 0)
+
+    def _statement(self, statement: ast.Statement) -> None:
+        """The settings of a message: a line may be broken in front of each."""
+        settings = statement.settings if isinstance(statement, ast.Arrival) else ()
+        for setting in settings:
+            self.breaks[setting.span.start] = _PART
+            self._index_sticks(setting.path)
+
+    def _index_sticks(self, path: ast.FieldPath) -> None:
+        self.tight_behind.update(
+            before.span.end
+            for before, step in zip(path.steps, path.steps[1:], strict=False)
+            if isinstance(step, ast.Position)
+        )
 
     def _node(self, node: ast.NodeDeclaration) -> None:
         tokens = self.source.tokens
@@ -137,11 +152,16 @@ class Style:
             self.tight.add(self._start(rule.name.span.end))
         self._operators(rule.condition)
         self.breaks[self._start(rule.condition.span.end)] = _PART
+        if rule.unless:
+            self.breaks[self._start(rule.unless[-1].span.end)] = _PART
         for step in rule.steps:
             self.breaks[step.span.start] = _ACTION
         if rule.steps:
             semicolon = self.index(rule.steps[-1].span.end)
             self.breaks[self.source.tokens[semicolon + 1].start] = Break(2, 1)
+        if rule.mitigates:
+            word = self.index(rule.mitigates[0].span.start) - 1
+            self.breaks[self.source.tokens[word].start] = _PART
         for contract in rule.contracts:
             self.breaks[contract.span.start] = _PART
             if isinstance(contract, ast.ClearWhen):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import chain
 
 from rossmarie.syntax import ast
 
@@ -50,7 +51,9 @@ def depth(expression: ast.Expression) -> int:
     return deepest
 
 
-def expressions(item: ast.Item | ast.Condition | ast.Effect) -> Iterator[ast.Expression]:
+def expressions(
+    item: ast.Item | ast.Condition | ast.Effect | ast.Statement,
+) -> Iterator[ast.Expression]:
     """The outermost expressions of an item or a part of one, in the order in which they are
     written.
     """
@@ -68,8 +71,11 @@ def expressions(item: ast.Item | ast.Condition | ast.Effect) -> Iterator[ast.Exp
             for contract in contracts:
                 yield from _of_contract(contract)
         case ast.Action(effects=effects):
-            for effect in effects:
-                yield from _of_effect(effect)
+            yield from chain.from_iterable(map(_of_effect, effects))
+        case ast.Test(statements=statements):
+            yield from chain.from_iterable(map(_of_statement, statements))
+        case ast.Arrival() | ast.OperatorReset() | ast.Expectation():
+            yield from _of_statement(item)
         case _:
             if isinstance(item, ast.Effect):
                 yield from _of_effect(item)
@@ -96,6 +102,17 @@ def _of_effect(effect: ast.Effect) -> Iterator[ast.Expression]:
             found = (last,)
         case ast.CancelGoal(confirmation=confirmation, timeout=last):
             found = (confirmation, last)
+    yield from (expression for expression in found if expression is not None)
+
+
+def _of_statement(statement: ast.Statement) -> Iterator[ast.Expression]:
+    found: list[ast.Expression | None] = [statement.at]
+    if isinstance(statement, ast.Arrival):
+        found.append(statement.period)
+    if not isinstance(statement, ast.OperatorReset) and statement.stretch is not None:
+        found += [statement.stretch.first, statement.stretch.last]
+    if isinstance(statement, ast.Arrival):
+        found += [setting.value for setting in statement.settings]
     yield from (expression for expression in found if expression is not None)
 
 

@@ -19,8 +19,11 @@ ITEM_WORDS = {
 }
 """The words that begin an item, and the grammar's rule for that item."""
 
-CONTEXTUAL_ITEM_WORDS = {"priority": "priority"}
+CONTEXTUAL_ITEM_WORDS = {"priority": "priority", "hazard": "hazard", "test": "test"}
 """Likewise, but free as names elsewhere."""
+
+STATEMENT_WORDS = {"at": "at_instant", "every": "repeated", "expect": "expectation"}
+"""The words that begin a statement of a test, and the grammar's rule for it."""
 
 EFFECT_WORDS = {
     "limit": "limit",
@@ -43,6 +46,7 @@ MEMBER_WORDS = {
     "topic": "topic_declaration",
     "service": "service_declaration",
     "server": "server_declaration",
+    "resource": "resource_declaration",
     "unit": "unit_declaration",
     "messages": "messages_declaration",
     "node": "node",
@@ -51,7 +55,7 @@ MEMBER_WORDS = {
 
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by"}
-    | {"publishes", "subscribes"}
+    | {"unless", "mitigates", "publishes", "subscribes"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
 
@@ -103,6 +107,7 @@ FORMS = {
     "entity": "an entity is written `entity NAME { CONDITION : EXPRESSION; }`",
     "condition": "a condition is written `NAME : EXPRESSION;`",
     "rule": "a rule is written `rule NAME: if CONDITION then { ACTION; };`",
+    "unless": "rules that come first are written `if CONDITION unless RULE, RULE then ...`",
     "contract": "a resume contract is `clear when CONDITION`, `clear for 2 sec` or "
     "`latched until reset`",
     "expression": "a condition is built of names, comparisons, `and`, `or`, `not` and "
@@ -110,10 +115,21 @@ FORMS = {
     "topic_declaration": "a topic is declared as `topic /TOPIC : PACKAGE/TYPE;`",
     "service_declaration": "a service is declared as `service /SERVICE : PACKAGE/TYPE;`",
     "server_declaration": "an action server is declared as `server /SERVER : PACKAGE/TYPE;`",
+    "resource_declaration": "a resource is declared as `resource NAME : /TOPIC, /SERVER;`",
     "unit_declaration": "the unit of a field is declared as `unit PACKAGE/TYPE.FIELD = rad/s;`",
     "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
+    "hazard": 'a hazard is written `hazard NAME "WHAT MAY HAPPEN";`',
+    "mitigates": "what a rule is for is written behind its contract: `mitigates HAZARD, HAZARD`",
     "priority": "the order of rules is written `priority RULE over RULE;`",
+    "test": "a test is written "
+    '`test "NAME" { at 0 sec INPUT = VALUE; expect RULE active at 1 sec; }`',
+    "statement": "a statement of a test begins with `at`, `every` or `expect`",
+    "at_instant": "a message is written `at 1 sec INPUT.FIELD = VALUE, INPUT;`, "
+    "a reset `at 1 sec reset;`",
+    "repeated": "messages are repeated by `every 0.1 sec from 0 sec to 5 sec INPUT.FIELD = VALUE;`",
+    "expectation": "an expectation is written `expect RULE active at 1 sec;` or "
+    "`expect RULE inactive from 0 sec until 1 sec;`",
     "effect": "an effect begins with the word that says what it does, such as `limit`",
     "limit": "a limit is written `limit /TOPIC { FIELD in [-0.2, 0.2] m/s; } ramp 0.3 m/s^2;`",
     "scale": "a command is scaled by `scale /TOPIC by 50 % ramp 20 %/s;`",

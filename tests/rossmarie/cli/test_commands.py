@@ -72,7 +72,7 @@ def test_a_finding_in_an_imported_file_is_told_once(tmp_path: Path, wrong: Path)
 
 def test_check_for_machines(wrong: Path) -> None:
     as_json = json.loads(run("check", wrong, "--format", "json").stdout)
-    assert as_json["summary"] == {"errors": 1, "warnings": 0, "files": 1}
+    assert as_json["summary"] == {"errors": 1, "warnings": 0, "notes": 0, "files": 1}
     log = json.loads(run("check", wrong, "--format", "sarif").stdout)
     (found,) = log["runs"][0]["results"]
     assert found["ruleId"] == "ROSS101"
@@ -337,9 +337,9 @@ def test_a_topic_map_leads_elsewhere(rules: Path, tmp_path: Path) -> None:
 
 def test_a_defect_of_ours_is_called_that(rules: Path) -> None:
     program = (
-        "import rossmarie.driver as driver\n"
+        "import rossmarie.driver.analyze as analyze\n"
         "def broken(*a, **k): raise RuntimeError('oh')\n"
-        "driver.check_file = broken\n"
+        "analyze.analyze_file = broken\n"
         "from rossmarie.cli.main import main\n"
         "main()\n"
     )

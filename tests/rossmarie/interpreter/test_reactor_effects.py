@@ -49,7 +49,7 @@ def test_r10_effects_behave_as_the_table_says() -> None:
     def behaviour(effect: reactions.Effect) -> list[str]:
         is_awaited = reactions.timeout_ns(effect) is not None
         properties = (
-            reactions.needs_resource(effect),
+            reactions.target_of(effect) is not None,
             is_awaited,
             reactions.is_lasting(effect),
             reactions.waits(effect),

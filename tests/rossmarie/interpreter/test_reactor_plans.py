@@ -33,6 +33,18 @@ def test_r1_orders_of_one_instant_come_in_the_order_of_the_rules_of_this_page() 
     ]  # fmt: skip
 
 
+def test_r1_a_rule_gives_way_to_others_that_are_active() -> None:
+    plans = Plans()
+    plans.rule([plans.task(diagnose())], unless=[1, 2])
+    plans.rule([plans.task(diagnose())], unless=[2])
+    plans.rule([plans.task(diagnose())])
+    bench = ReactorBench(plans)
+    assert bench.react(0, 0) == ["start 0"]
+    assert bench.react(1, 0, 1) == ["stop 0", "start 1"]
+    assert bench.react(2, 0, 1, 2) == ["stop 1", "start 2"]
+    assert bench.react(3, 0) == ["stop 2", "start 0"]
+
+
 def test_r1_looking_twice_is_looking_once() -> None:
     plans = Plans()
     plans.rule([plans.task(diagnose()), plans.task(call())])

@@ -148,7 +148,7 @@ def assign(value: float) -> reactions.Call:
     ],
 )
 def test_effects(effect: reactions.Effect, said: str) -> None:
-    resource = 0 if reactions.needs_resource(effect) else None
+    resource = 0 if reactions.target_of(effect) is not None else None
     found = with_task(0, lambda task: replace(task, effect=effect, resource=resource))
     assert refused(found) == f"task 0 ({type(effect).__name__}): {said}"
 

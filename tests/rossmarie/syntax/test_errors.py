@@ -66,6 +66,10 @@ FIXABLE = [
     ("''' a\nconst b = 3", "ROSS004", "'''", "''' a'''\nconst b = 3"),
     ("action a { lmit /c { x in b; }; }", "ROSS028", "lmit", "action a { limit /c { x in b; }; }"),
     ("action a { block /c }", "ROSS006", "c", "action a { block /c; }"),
+    ('test "a" { att 0 s b; }', "ROSS029", "att", 'test "a" { at 0 s b; }'),
+    ('test "a" { at 0 s b }', "ROSS006", "b", 'test "a" { at 0 s b; }'),
+    ('test "a" { at 0 s b\nat 1 s b; }', "ROSS006", "b", 'test "a" { at 0 s b;\nat 1 s b; }'),
+    ('test "a" { at 0 s b;', "ROSS007", "{", 'test "a" { at 0 s b;\n}'),
     ("action a { block /c\nhook b; }", "ROSS006", "c", "action a { block /c;\nhook b; }"),
     ("action a { limit /c { x in b };}", "ROSS006", "b", "action a { limit /c { x in b; };}"),
     ("action a { block /c;", "ROSS007", "{", "action a { block /c;\n}"),
@@ -168,11 +172,20 @@ MISTAKES = [
     ("action a\nhello;", "ROSS005", "hello"),
     ("action a { fly /c; block /c; }", "ROSS028", "fly"),
     ("action a { log info b; }", "ROSS018", "b"),
+    ('test "a" { expect b; }', "ROSS017", "b"),
+    ('test "a" { at 0 s; }', "ROSS015", "s"),
+    ('test "a" { every 1 s at 0 s b; }', "ROSS018", "at"),
+    ('test "a" { 3; }', "ROSS018", "3"),
     ("action a { limit /c { x in ; }; }", "ROSS016", "in"),
     ("action a { publish /c { x y; }; }", "ROSS006", "x"),
     ("action a { reset; } latched until;", "ROSS017", "until"),
     ("rule r: if a then { b else; }", "ROSS015", "else"),
     ("priority a;", "ROSS017", "a"),
+    ("hazard H1;", "ROSS017", "H1"),
+    ('if a then { b; } mitigates "H1";', "ROSS015", "mitigates"),
+    ("if a unless then { b; }", "ROSS015", "unless"),
+    ("if a unless b, then { b; }", "ROSS015", ","),
+    ("system s { resource base /a; }", "ROSS006", "base"),
     ("if a then { b; }\nelse { c; }", "ROSS005", "else"),
     ("entity e { a : not b in c > d; }", "ROSS011", ">"),
     ("entity e { a : b > 1 m/s == c; }", "ROSS011", "=="),
@@ -205,6 +218,12 @@ def test_a_mistake_costs_nothing_around_it(
     names = [item.name.text for item in module.items if isinstance(item, ast.Constant | ast.Action)]
     assert names[0] == "before"
     assert names[-2:] == ["behind", "last"]
+
+
+def test_an_instant_without_a_unit_says_what_to_write(parsed: Parsed) -> None:
+    _, (found,) = parsed('test "a" { at 0 speed = 1 m/s; }')
+    assert found.code == "ROSS015"
+    assert found.help == "an instant has a unit: write `at 0 sec speed`"
 
 
 def test_capitals_are_reported_once_for_each_word(parsed: Parsed) -> None:

@@ -84,6 +84,34 @@ action a {
         "rule r:if a then{b;also c else d;also;}priority r over s  over t",
         "rule r: if a then { b; also c else d; also; };\n\npriority r over s over t;\n",
     ),
+    "hazards, and rules that give way": (
+        'hazard  H1 "x";hazard H2  "y"\n'
+        "rule r:if a  unless s,t then{b;}clear for 1 s mitigates H1,H2",
+        'hazard H1 "x";\nhazard H2 "y";\n\n'
+        "rule r: if a unless s, t then { b; } clear for 1 s mitigates H1, H2;\n",
+    ),
+    "resources": (
+        "system s{topic a:p/T;resource  base:a,/b , /c/d;}",
+        "system s {\n    topic a : p/T;\n\n    resource base : a, /b, /c/d;\n}\n",
+    ),
+    "a test": (
+        """test "a  b"{every 0.1s from 0s to 5 s x,y . z[ 0 ]=-3 m;// trailing
+
+at 1s reset ;at 2 s reset r;expect r  active at 3s;
+expect r inactive from 0s until(a+b);}const c=1""",
+        """\
+test "a  b" {
+    every 0.1 s from 0 s to 5 s x, y.z[0] = -3 m;  // trailing
+
+    at 1 s reset;
+    at 2 s reset r;
+    expect r active at 3 s;
+    expect r inactive from 0 s until (a + b);
+}
+
+const c = 1;
+""",
+    ),
     "an entity": (
         "entity e{a:b for 2 s;\n\n\nc : not d   in[1,2]m ;}if e.a then{x;y;}",
         """\

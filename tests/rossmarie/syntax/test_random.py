@@ -21,7 +21,8 @@ Parsed = Callable[[str], tuple[ast.Module, tuple[Diagnostic, ...]]]
 WithoutSpans = Callable[[ast.Module], Any]
 
 ROOT = Path(__file__).parents[3]
-FOLDERS = (ROOT / "examples", ROOT / "tests" / "fixtures" / "actions", ROOT / "src")
+FIXTURES = ROOT / "tests" / "fixtures"
+FOLDERS = (ROOT / "examples", FIXTURES / "actions", FIXTURES / "testing", ROOT / "src")
 PATHS = [path for folder in FOLDERS for path in sorted(folder.rglob("*.ross"))]
 EXAMPLES = [path.read_text(encoding="utf-8") for path in PATHS]
 
@@ -32,6 +33,7 @@ WORDS = [
     *"'\";:,.=<!+-*/()[]{}@\0\ud800é°%^",
     *("action a {", "limit", "publish", "cancel", "log", "ramp", "at", "to"),
     *("else", "also", "over", "priority"),
+    *('test "a" {', "every", "from", "expect", "active", "unknown"),
     *("==", "&&", "||", "->", "=>", "oscillates", "messages", "unit"),
 ]
 
@@ -173,6 +175,19 @@ MEMBERS = (
         st.sampled_from([[], [";"]]),
     )
 )
+# Behind a number any word is a unit, and behind `at` and an instant `reset` is the keyword.
+TIMES = words(NUMBERS, UNITS) | words("(", EXPRESSIONS, ")")
+STRETCHES = words("from", TIMES, st.sampled_from(["to", "until"]), TIMES)
+INPUTS = st.sampled_from(["a", "speed", "unit", "test", "at"])
+VALUES = SUMS | st.just(["unknown"])
+SETTINGS = words(INPUTS, PATH, st.sampled_from([[], ["[", "3", "]"]]), optional("=", VALUES))
+STATEMENTS = (
+    words("at", TIMES, SETTINGS, repeated(words(",", SETTINGS)), ";")
+    | words("at", TIMES, "reset", optional(INPUTS), ";")
+    | words("every", TIMES, STRETCHES, SETTINGS, ";")
+    | words("expect", NAMES, "active", "at", TIMES, ";")
+    | words("expect", NAMES, "inactive", STRETCHES, ";")
+)
 ITEMS = (
     words("import", '"a.ross"', END)
     | words("action", NAMES, END)
@@ -191,6 +206,7 @@ ITEMS = (
     )
     | words("entity", NAMES, "{", repeated(words(NAMES, ":", EXPRESSIONS, ";")), "}", END)
     | words("system", NAMES, "{", repeated(MEMBERS), "}", END)
+    | words("test", '"name"', "{", repeated(STATEMENTS), "}", END)
     | words(
         optional("rule", NAMES, ":"),
         "if",

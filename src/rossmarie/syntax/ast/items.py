@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from dslkit.source import SourceFile, Span
 from rossmarie.syntax.ast.effects import Effect
 from rossmarie.syntax.ast.expressions import Expression, Name, Text, Unit
+from rossmarie.syntax.ast.tests import Test
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,17 @@ class NodeDeclaration:
 
 
 @dataclass(frozen=True)
+class ResourceDeclaration:
+    """`resource drive : /cmd_vel, /move_base;` -- topics, services and so on that command one
+    thing.
+    """
+
+    name: Name
+    targets: tuple[Name, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
 class UnitDeclaration:
     """`unit my_msgs/Wheel.speed = rad/s;` -- the unit of a message field."""
 
@@ -81,6 +93,7 @@ SystemMember = (
     | ServiceDeclaration
     | ServerDeclaration
     | NodeDeclaration
+    | ResourceDeclaration
     | UnitDeclaration
     | MessagesDeclaration
 )
@@ -199,15 +212,18 @@ class Step:
 
 @dataclass(frozen=True)
 class Rule:
-    """`rule NAME: if COND then { STEP; ... } CONTRACT;` -- name and contracts are optional.
+    """`rule NAME: if COND unless RULE then { STEP; ... } CONTRACT mitigates HAZARD;` -- name, other
+    rules, contracts and hazards are optional.
 
     More than one contract is reported by the checker.
     """
 
     name: Name | None
     condition: Expression
+    unless: tuple[Name, ...]
     steps: tuple[Step, ...]
     contracts: tuple[ResumeContract, ...]
+    mitigates: tuple[Name, ...]
     documentation: str | None
     span: Span
 
@@ -225,7 +241,17 @@ class Priority:
     span: Span
 
 
-Item = Import | System | Action | Constant | Input | Entity | Rule | Priority
+@dataclass(frozen=True)
+class Hazard:
+    """`hazard H1 "collision with person";` -- what may happen, in words."""
+
+    name: Name
+    text: Text
+    documentation: str | None
+    span: Span
+
+
+Item = Import | System | Action | Constant | Input | Entity | Rule | Priority | Hazard | Test
 
 
 @dataclass(frozen=True)

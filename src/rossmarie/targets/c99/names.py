@@ -38,12 +38,12 @@ _GENERATED = """
 # collects them.
 _PRIVATE = """
     age always append array at before begins by catch change claiming column command covered cross
-    dbl due earliest element factor failed flag flt forget fp from gain gap give guard has held host
-    how index input int32 int64 is late latest leaf limit look lose lost maximum minimum never no
-    node now oldest on opposite or pass pitch planned rate receive report resource roll row rule
-    sampled samples scale set settle shown since size slot stage staged stamp start started swings t
-    take task term text texts topic truth truths turn uint16 uint64 uint8 unknown unknowns value
-    values wake was watched width yaw
+    dbl due earliest element engages factor failed flag flt forget fp from gain gap give goes guard
+    has held host how index input int32 int64 is late latest leaf limit look lose lost maximum
+    minimum never no node now oldest on opposite or others pass pitch planned rate receive report
+    resource roll row rule sampled samples scale set settle shown since size slot stage staged stamp
+    start started swings t take task term text texts topic truth truths turn uint16 uint64 uint8
+    unknown unknowns value values wake was watched width yaw yields
 """
 
 _RESERVED = frozenset((_LANGUAGE + _GENERATED).split())

@@ -26,6 +26,7 @@ def blanks(layout: Layout) -> dict[str, object]:
         "rules": len(found.plans),
         "commands": len(found.commands),
         "confirmed": is_confirmed,
+        "yielding": _is_yielding(found),
         "tables": "\n\n".join(_tables(found, is_confirmed=is_confirmed)),
     }
 
@@ -104,8 +105,20 @@ def _plan_tables(found: reactions.Reactions) -> str:
             table("index_t", "rule_stages", places),
             lists("index_t", "stage_tasks", "staged_tasks", stages),
             lists("index_t", "rule_tasks", "planned_tasks", [plan.tasks for plan in found.plans]),
+            *_unless_table(found),
         ]
     )
+
+
+def _unless_table(found: reactions.Reactions) -> list[str]:
+    """The rules while one of which is active another one is not carried out, if any are."""
+    others = [plan.unless for plan in found.plans]
+    return [lists("index_t", "rule_unless", "others", others)] if _is_yielding(found) else []
+
+
+def _is_yielding(found: reactions.Reactions) -> bool:
+    """Whether any rule is not carried out while another one is active."""
+    return any(plan.unless for plan in found.plans)
 
 
 def _resource_tables(found: reactions.Reactions) -> str:

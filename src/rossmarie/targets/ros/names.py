@@ -57,13 +57,14 @@ def message_makers(machine: ir.Machine, tasks: Sequence[int]) -> dict[int, str]:
 
 
 def shared(machine: ir.Machine) -> dict[int, str]:
-    """For each task that shares an object with the others that need its resource, that object."""
+    """For each task that shares an object with the others of its target, that object."""
     family = names.Family(taken=("host", "filters", "tasks"))
-    objects = [family.name(resource) for resource in machine.reactions.resources]
+    targets = [reactions.target_of(task.effect) for task in machine.reactions.tasks]
+    objects = {target: family.name(str(target)) for target in dict.fromkeys(targets) if target}
     return {
-        index: objects[task.resource]
-        for index, task in enumerate(machine.reactions.tasks)
-        if isinstance(task.effect, _SHARING) and task.resource is not None
+        index: objects[target]
+        for index, (task, target) in enumerate(zip(machine.reactions.tasks, targets, strict=True))
+        if isinstance(task.effect, _SHARING) and target is not None
     }
 
 

@@ -37,7 +37,7 @@ def relayed(machine: ir.Machine) -> dict[str, str]:
 
 
 class SharedObject(NamedTuple):
-    """What the tasks of one resource share: a variable, its class, and what it is made of."""
+    """What the tasks of one target share: a variable, its class, and what it is made of."""
 
     name: str
     kind: str
@@ -82,13 +82,14 @@ class Other(NamedTuple):
 
 
 def others(machine: ir.Machine, dialect: Dialect) -> list[Other]:
-    """What has to be there besides the node, in the order of the resources."""
-    found: dict[int, Other] = {}
+    """What has to be there besides the node, in the order of the tasks."""
+    found: dict[str, Other] = {}
     for task in machine.reactions.tasks:
         offered = _offered(task.effect, dialect)
-        if offered is not None and task.resource is not None:
-            found[task.resource] = Other(machine.reactions.resources[task.resource], *offered)
-    return [found[resource] for resource in sorted(found)]
+        if offered is not None:
+            title = str(reactions.target_of(task.effect))
+            found.setdefault(title, Other(title, *offered))
+    return list(found.values())
 
 
 def _offered(effect: reactions.Effect, dialect: Dialect) -> tuple[str, bool] | None:

@@ -380,6 +380,12 @@ void reacting_reactor_init(reactor *r, reacting_perform perform, void *user)
 
 void reacting_reactor_open(reactor *r) { r->opened = true; }
 
+/* Whether a rule is to be carried out. */
+static bool engages(const reacting_monitor *m, const unsigned char *exempted, unsigned rule)
+{
+    return reacting_is_active(m, (int)rule) && !(exempted && exempted[rule]);
+}
+
 void reacting_react(reactor *r, const reacting_monitor *m, const unsigned char *exempted,
         int64_t t_ns)
 {
@@ -387,9 +393,9 @@ void reacting_react(reactor *r, const reacting_monitor *m, const unsigned char *
     if (!set_clock(r, t_ns))
         return;
     for (unsigned rule = 0; rule != RULES; rule++) {
-        const bool engages = reacting_is_active(m, (int)rule) && !(exempted && exempted[rule]);
-        starts[rule] = engages && !r->engaged[rule];
-        if (r->engaged[rule] && !engages)
+        const bool goes_on = engages(m, exempted, rule);
+        starts[rule] = goes_on && !r->engaged[rule];
+        if (r->engaged[rule] && !goes_on)
             release(r, rule);
     }
     for (unsigned rule = 0; rule != RULES; rule++) {

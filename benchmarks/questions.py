@@ -1,0 +1,105 @@
+"""What the questions about rules cost, by how many rules there are: writes the table as a page."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from pathlib import Path
+
+from machine import processor
+
+from rossmarie.analysis.conflict import find_conflicts
+from rossmarie.analysis.decided import find_decided
+from rossmarie.analysis.failures import find_unnoticed
+from rossmarie.analysis.implied import find_implied
+from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.recovery import find_blocked
+from rossmarie.analysis.release import find_never_cleared
+from rossmarie.driver import compile_file
+
+HERE = Path(__file__).parent
+BENCH = HERE.parent / "build" / "bench"
+COUNTS = (3, 10, 30, 100)
+MOST_OF_SLOW = 3
+"""Rules that the slow questions are measured with."""
+QUESTIONS = {
+    "in conflict (quick)": lambda asked: find_conflicts(asked, thorough=False),
+    "never or always active, constant parts (quick)": lambda asked: find_decided(
+        asked, thorough=False
+    ),
+    "whose loss nobody notices (quick)": find_unnoticed,
+    "recoveries that are blocked (quick)": find_blocked,
+    "superfluous, or never its turn": find_implied,
+    "never cleared": find_never_cleared,
+}
+
+
+def rules(count: int) -> str:
+    """Rules with durations over four inputs, of which every other needs the same parameter."""
+    lines = [
+        "input orientation = topic /imu : sensor_msgs/Imu .orientation timeout 0.2 sec",
+        "input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec",
+        "input force = topic /wrench : geometry_msgs/Wrench .force timeout 0.1 sec",
+        "input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 0.5 sec",
+    ]
+    conditions = (
+        "(orientation.pitch() > {0} deg for 2 sec) and speed > 0.{0} m/s",
+        "(norm(force) > {0} N for 1 sec) or min(ranges) < 0.{0} m",
+        "abs(speed) > {0} m/s and (any(ranges < 0.{0} m) for 0.5 sec)",
+    )
+    for number in range(count):
+        condition = conditions[number % 3].format(10 + number % 70)
+        lines.append(f"action act{number} {{ set /planner{number // 2}.speed to 0.{number + 1}; }}")
+        lines.append(f"rule r{number}: if {condition} then {{ act{number}; }} clear for 2 sec;")
+    return "\n".join(lines) + "\n"
+
+
+def seconds(count: int) -> dict[str, float]:
+    """CPU time of each question about so many rules."""
+    BENCH.mkdir(parents=True, exist_ok=True)
+    path = BENCH / f"questions_{count}.ross"
+    path.write_text(rules(count), encoding="utf-8")
+    machine = compile_file(path).machine
+    took = {}
+    for name, question in QUESTIONS.items():
+        if "quick" not in name and count > MOST_OF_SLOW:
+            continue
+        start = time.process_time()
+        list(question(Inquiry(machine)))
+        took[name] = time.process_time() - start
+    return took
+
+
+def page() -> str:
+    """The whole page."""
+    found = {count: seconds(count) for count in COUNTS}
+    lines = [
+        "# What questions about rules cost",
+        "",
+        "Written by `benchmarks/questions.py`; do not edit. CPU seconds of one process, on",
+        f"{processor()}. The rules are generated: durations over four inputs,",
+        "and every two rules need the same parameter.",
+        "",
+        "| Question | " + " | ".join(f"{count} rules" for count in COUNTS) + " |",
+        "|---" * (len(COUNTS) + 1) + "|",
+    ]
+    for name in QUESTIONS:
+        times = [found[count].get(name) for count in COUNTS]
+        cells = " | ".join("not measured" if took is None else f"{took:.2f}" for took in times)
+        lines.append(f"| {name} | {cells} |")
+    quick = (
+        sum(took for name, took in found[count].items() if "quick" in name) for count in COUNTS
+    )
+    lines.append("| all quick ones | " + " | ".join(f"{total:.2f}" for total in quick) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def main() -> None:
+    """Write the page."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, required=True)
+    parser.parse_args().out.write_text(page(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

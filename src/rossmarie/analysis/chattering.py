@@ -1,0 +1,67 @@
+"""Rules that can toggle fast, because a number that lies at a threshold is never quite still."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+
+import z3
+
+from rossmarie.analysis.activity import truths_of
+from rossmarie.analysis.course import Course
+from rossmarie.analysis.errors import Chattering
+from rossmarie.analysis.finding import Finding, head, witness_note
+from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.witness import View
+from rossmarie.ir import Machine
+from rossmarie.ir.duration_text import duration_text
+
+SECOND = 1_000_000_000
+_LEGS = 4
+"""Active, cleared, active again, with the beginning before."""
+
+
+def find_chattering(inquiry: Inquiry, within_ns: int) -> Iterator[Finding]:
+    """A warning of each rule that is shown to become active twice within a time. A rule whose
+    contract asks for time (`clear for`), or for a reset, is not asked about.
+    """
+    machine = inquiry.machine
+    for index, rule in enumerate(machine.rules):
+        if rule.release is None or not rule.inputs or not _is_simple(machine, rule.release):
+            continue
+        claim = partial(_toggles, rule=index, within_ns=within_ns)
+        witness = inquiry.quick_witness(
+            truths_of(machine, (index,)), _LEGS, partial(_alternates, rule=index), claim
+        )
+        if witness is not None:
+            note = witness_note(machine, witness, (rule.condition,))
+            finding = Chattering(
+                rule=rule.name,
+                within=duration_text(within_ns),
+                found=duration_text(witness.end_ns),
+            )
+            yield Finding(finding.at(head(machine, rule), notes=(note,)), witness)
+
+
+def _is_simple(machine: Machine, release: int) -> bool:
+    return machine.truths[release].text == "true"
+
+
+def _alternates(course: Course, rule: int) -> z3.BoolRef:
+    """The condition at the first message of each leg: true, false, true, false or the opposite."""
+    condition = course.asked.machine.rules[rule].condition
+    firsts = [moment.truth(condition) for moment in course.moments[::2]]
+    return z3.And(
+        [fact.false if number % 2 == 0 else fact.true for number, fact in enumerate(firsts)]
+    )
+
+
+def _toggles(seen: Sequence[View], rule: int, within_ns: int) -> bool:
+    """Whether a rule became active twice within a time, the second time just now."""
+    starts = [
+        view.at_ns
+        for view, before in zip(seen[1:], seen, strict=False)
+        if view.active[rule] and not before.active[rule]
+    ]
+    is_now = len(seen) > 1 and seen[-1].active[rule] and not seen[-2].active[rule]
+    return is_now and len(starts) > 1 and starts[-1] - starts[-2] <= within_ns

@@ -1,0 +1,112 @@
+"""Rules that can be active together and need the same thing, with no order between them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+
+from dslkit.diagnostics import Label
+from rossmarie.analysis.activity import seen_together, together, truths_of
+from rossmarie.analysis.errors import ConflictOrdered, NeverTogether, RulesConflict, Undecided
+from rossmarie.analysis.finding import Finding, head, witness_note
+from rossmarie.analysis.inquiry import Asked, Inquiry
+from rossmarie.analysis.solver import Outcome
+from rossmarie.ir import Machine
+
+Needs = Mapping[int, frozenset[int]]
+"""What a rule needs for itself: the resource, and the actions that need it, by index."""
+
+
+def find_conflicts(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
+    """A warning of each rule that an earlier one is in conflict with, once for each resource.
+
+    With `thorough` all pairs are asked about, and proofs and orders are told as well.
+    """
+    machine = inquiry.machine
+    needs = [_needs(machine, rule) for rule in range(len(machine.rules))]
+    ordered = _ordered(machine)
+    told: set[tuple[int, int]] = set()
+    for second, needed in enumerate(needs):
+        for resource, actions in needed.items():
+            for first in range(second):
+                if needs[first].get(resource, actions) == actions or (first, second) in told:
+                    continue
+                is_ordered = (first, second) in ordered or (second, first) in ordered
+                if is_ordered and not thorough:
+                    continue
+                told.add((first, second))
+                found = _judged(inquiry, first, second, resource, ordered)
+                is_conflict = isinstance(found, Finding) and found.diagnostic.code == "ROSS700"
+                if thorough or found.diagnostic.code in ("ROSS700", "ROSS729"):
+                    yield found
+                if is_conflict and not thorough:
+                    break
+
+
+def _needs(machine: Machine, rule: int) -> Needs:
+    found: dict[int, set[int]] = {}
+    if machine.reactions.plans:
+        for index in machine.reactions.plans[rule].tasks:
+            task = machine.reactions.tasks[index]
+            if task.resource is not None:
+                found.setdefault(task.resource, set()).add(task.action)
+    return {resource: frozenset(actions) for resource, actions in found.items()}
+
+
+def _ordered(machine: Machine) -> set[tuple[int, int]]:
+    """The pairs of which the first is put over the second, by way of others too, or the second
+    gives way to the first.
+    """
+    below: dict[int, set[int]] = {rule: set() for rule in range(len(machine.rules))}
+    for rule in reversed(machine.reactions.order):
+        for first, second in machine.reactions.priorities:
+            if first == rule:
+                below[rule] |= {second} | below[second]
+    plans = enumerate(machine.reactions.plans)
+    giving_way = {(other, rule) for rule, plan in plans for other in plan.unless}
+    return {(first, second) for first, seconds in below.items() for second in seconds} | giving_way
+
+
+def _judged(
+    inquiry: Inquiry, first: int, second: int, resource: int, ordered: set[tuple[int, int]]
+) -> Finding:
+    machine = inquiry.machine
+    rules = (machine.rules[first], machine.rules[second])
+    needed = machine.reactions.resources[resource]
+    truths = truths_of(machine, (first, second))
+    result = inquiry.decide(
+        Asked(
+            truths,
+            partial(together, one=first, other=second),
+            partial(seen_together, one=first, other=second),
+            lambda seen: seen[-1].active[first] and seen[-1].active[second],
+        )
+    )
+    names = (rules[0].name, rules[1].name)
+    place = Label(head(machine, rules[0]), "this rule needs it too")
+    span = head(machine, rules[1])
+    if result.outcome is Outcome.IMPOSSIBLE:
+        never = NeverTogether(first=names[0], second=names[1], resource=needed)
+        return Finding(never.at(span, place))
+    notes = () if result.witness is None else (witness_note(machine, result.witness, truths),)
+    if (first, second) in ordered or (second, first) in ordered:
+        upper = names if (first, second) in ordered else names[::-1]
+        known = "they can be active together" if notes else "whether both can be active is open"
+        order = ConflictOrdered(first=upper[0], second=upper[1], resource=needed, together=known)
+        return Finding(order.at(span, place, notes=notes), result.witness)
+    if result.witness is None:
+        question = f"can rules `{names[0]}` and `{names[1]}`, which both need {needed}, be active"
+        open_one = Undecided(question=f"{question} together?", reason="no order between them")
+        return Finding(open_one.at(span, place, help=_advice(machine, first, second)))
+    finding = RulesConflict(
+        first=names[0], second=names[1], resource=needed, advice=_advice(machine, first, second)
+    )
+    return Finding(finding.at(span, place, notes=notes), result.witness)
+
+
+def _advice(machine: Machine, first: int, second: int) -> str:
+    rules = (machine.rules[first], machine.rules[second])
+    if any(head(machine, rule) == machine.truths[rule.condition].span for rule in rules):
+        return "name both rules, and say which is more important: `priority RULE over RULE;`"
+    order = f"`priority {rules[0].name} over {rules[1].name};`, or the other way round"
+    return f"say which is more important: {order}; or let one give way: `if ... unless RULE then`"

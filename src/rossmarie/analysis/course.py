@@ -1,0 +1,373 @@
+"""A course of events in a few legs, unrolled from the start of a trace.
+
+On each leg some channels send the same message over and over for a while, and the others are
+silent. A leg is looked at twice: at its first message and at its end. What the terms say of such a
+course is a proposal: the interpreter has the last word (`shrink`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import z3
+
+from rossmarie import ir
+from rossmarie.analysis import arithmetic
+from rossmarie.analysis.encoding import Cell, Encoding, Questioned
+from rossmarie.analysis.state import kind_facts, shape_facts
+from rossmarie.analysis.terms import (
+    FALSE,
+    NO,
+    Fact,
+    Number,
+    choice,
+    constant,
+    literal,
+)
+from rossmarie.analysis.times import SECOND, Times
+
+
+@dataclass(frozen=True)
+class Leg:
+    """What is sent on a leg, as terms; `shakes` are oscillations that its messages make."""
+
+    sends: dict[int, z3.BoolRef]
+    slots: dict[int, Number]
+    cells: dict[int, Sequence[Cell]]
+    length_ns: z3.ArithRef
+    shakes: dict[int, z3.BoolRef]
+
+    @property
+    def is_silent(self) -> z3.BoolRef:
+        """Whether a channel is."""
+        return z3.Not(z3.And(list(self.sends.values())))
+
+
+class Moment(Encoding):
+    """The evaluation at the first message of a leg, or at its end."""
+
+    rounded = False
+
+    def __init__(
+        self, asked: Questioned, times: Times, leg: Leg, before: Moment | None, *, is_end: bool
+    ) -> None:
+        super().__init__(asked)
+        self.leg = leg
+        self._times = times
+        self._before = before
+        self._is_end = is_end
+        self._elapsed: dict[int, z3.ArithRef] = {}
+
+    def slot(self, index: int) -> Number:
+        """What the leg sends, else what was sent before, until it expires."""
+        slot = self.machine.slots[index]
+        sends = self.leg.sends[self.machine.inputs[slot.input].channel]
+        sent = self.leg.slots[index]
+        fresh = self.is_fresh(slot.input)
+        if self._before is None:
+            return Number(z3.And(sends, fresh, sent.known), sent.value)
+        kept = self._before.slot(index)
+        known = z3.And(fresh, z3.If(sends, sent.known, kept.known))
+        return Number(known, z3.If(sends, sent.value, kept.value))
+
+    def cells(self, array: int) -> Sequence[Cell]:
+        """The same for the elements of an array."""
+        used = self.machine.arrays[array].input
+        sends = self.leg.sends[self.machine.inputs[used].channel]
+        fresh = self.is_fresh(used)
+        kept = None if self._before is None else self._before.cells(array)
+        found = []
+        for i, sent in enumerate(self.leg.cells[array]):
+            there, value = z3.And(sends, sent.is_there), sent.number.value
+            if kept is not None:
+                there = z3.If(sends, sent.is_there, kept[i].is_there)
+                value = z3.If(sends, value, kept[i].number.value)
+            found.append(Cell(z3.And(fresh, there), Number(sent.number.known, value)))
+        return found
+
+    def apply(self, index: int, function: ir.Function, numbers: Sequence[Number]) -> Number:
+        """A function of what has not changed has not changed, also where its terms do not say so:
+        an angle, or a length.
+        """
+        result = super().apply(index, function, numbers)
+        if self._before is not None and not self.asked.supports.signals[index].samples:
+            is_same = z3.BoolVal(True) if self._is_end else z3.Not(self._is_sampled(index))
+            same = result.value == self._before.signal(index).value
+            self.facts.append(z3.Implies(is_same, same))
+        return result
+
+    def has_arrived(self, channel: int) -> z3.BoolRef:
+        """Whether this leg or an earlier one sends."""
+        earlier = NO if self._before is None else self._before.has_arrived(channel)
+        return z3.Or(self.leg.sends[channel], earlier)
+
+    def age(self, channel: int) -> z3.ArithRef:
+        """None at each message."""
+        passed = z3.IntVal(0)
+        if self._before is not None:
+            gap = self.leg.length_ns if self._is_end else self._times.period_ns
+            passed = self._before.age(channel) + gap
+        return z3.If(self.leg.sends[channel], z3.IntVal(0), passed)
+
+    def _is_sampled(self, signal: int) -> z3.BoolRef:
+        """Whether this leg brings samples of a signal."""
+        channels = self.asked.supports.signals[signal].channels
+        return z3.Or([self.leg.sends[channel] for channel in channels])
+
+    def rate(self, index: int, node: ir.Rate) -> Number:
+        """A step at the first message, then nothing changes."""
+        number, sampled = self.signal(node.signal), self._is_sampled(node.signal)
+        if self._before is None:
+            return Number(NO, z3.RealVal(0))
+        earlier = self._before.signal(index)
+        if self._is_end:
+            known = z3.And(number.known, z3.Or(sampled, earlier.known))
+            return Number(known, z3.If(sampled, z3.RealVal(0), earlier.value))
+        last = self._before.signal(node.signal)
+        slope = (number.value - last.value) * SECOND / self._times.period_ns
+        known = z3.If(sampled, z3.And(number.known, last.known), earlier.known)
+        return Number(known, z3.If(sampled, slope, earlier.value))
+
+    def previous(self, index: int, node: ir.Previous) -> Number:
+        """The last value of the leg before, then the same value."""
+        number, sampled = self.signal(node.signal), self._is_sampled(node.signal)
+        if self._before is None:
+            return Number(NO, z3.RealVal(0))
+        earlier = self._before.signal(index)
+        last = number if self._is_end else self._before.signal(node.signal)
+        return Number(
+            z3.If(sampled, last.known, earlier.known), z3.If(sampled, last.value, earlier.value)
+        )
+
+    def count(self, node: ir.Count) -> Number:
+        """Those for which it is true."""
+        array = self.asked.elements.truths[node.element]
+        assert array is not None
+        cells = self.cells(array)
+        found = [self.element_truth(node.element, cell.number) for cell in cells]
+        pairs = list(zip(cells, found, strict=True))
+        ones = [z3.If(z3.And(cell.is_there, one.true), 1, 0) for cell, one in pairs]
+        known = [z3.Implies(cell.is_there, z3.Or(one.true, one.false)) for cell, one in pairs]
+        return Number(z3.And(cells[0].is_there, *known), z3.ToReal(z3.Sum(ones)))
+
+    def held(self, _: int, node: ir.Held, operand: Fact) -> Fact:
+        """True once the operand has been for long enough; before that what the operand was."""
+        matured = self.elapsed(node.operand) >= node.duration_ns
+        return choice(operand.true, choice(matured, literal(True), self.was(node.operand)), operand)
+
+    def elapsed(self, operand: int) -> z3.ArithRef:
+        """For how long a truth has been true, where it is, at the least."""
+        if operand not in self._elapsed:
+            begun = z3.IntVal(0)
+            if self._is_end:
+                # What became true on the way did so after all below it had settled.
+                begun = self.leg.length_ns - self._times.settling(operand)
+                begun = begun - z3.If(self.leg.is_silent, self._times.silence_ns, 0)
+            if self._before is not None:
+                gap = self.leg.length_ns if self._is_end else self._times.period_ns
+                longer = self._before.elapsed(operand) + gap
+                begun = z3.If(self._before.truth(operand).true, longer, begun)
+            self._elapsed[operand] = begun
+        return self._elapsed[operand]
+
+    def was(self, operand: int) -> Fact:
+        """What a truth was before it became true, where it is."""
+        if self._before is None:
+            return FALSE
+        before = self._before.truth(operand)
+        return choice(before.true, self._before.was(operand), before)
+
+    def oscillating(self, index: int) -> Fact:
+        """What the messages of the leg make it."""
+        if self._is_end:
+            return choice(self.leg.shakes.get(index, NO), literal(True), FALSE)
+        return FALSE if self._before is None else self._before.truth(index)
+
+
+class Course:
+    """A few legs, and which rules are active at each of their moments. The legs of a brief course
+    are single messages.
+    """
+
+    def __init__(
+        self, asked: Questioned, truths: Sequence[int], legs: int, *, is_brief: bool = False
+    ) -> None:
+        self.asked = asked
+        self._is_brief = is_brief
+        self.times = Times(asked, truths)
+        self.legs = [self._leg(number) for number in range(legs)]
+        self.moments: list[Moment] = []
+        for leg in self.legs:
+            for is_end in (False, True):
+                before = self.moments[-1] if self.moments else None
+                self.moments.append(Moment(asked, self.times, leg, before, is_end=is_end))
+        self._active: dict[tuple[int, int], z3.BoolRef] = {}
+
+    @property
+    def facts(self) -> list[z3.BoolRef]:
+        """What holds of every course; complete once all has been asked of the moments."""
+        found = [fact for moment in self.moments for fact in moment.facts]
+        for leg in self.legs:
+            found += self._leg_facts(leg)
+        if len(self.legs) > 1:  # nothing is evaluated before the first message
+            found.append(z3.Or(list(self.legs[0].sends.values())))
+        return found
+
+    @property
+    def calm(self) -> list[z3.BoolRef]:
+        """What holds of a course on which every sensor sends what it measures."""
+        found = []
+        for leg in self.legs:
+            found += list(leg.sends.values())
+            found += [number.known for number in leg.slots.values()]
+            found += [cells[0].is_there for cells in leg.cells.values()]
+        return found
+
+    def is_active(self, rule: int, moment: int) -> z3.BoolRef:
+        """S35 to S37."""
+        if moment < 0:
+            return NO
+        if (rule, moment) not in self._active:
+            declared = self.asked.machine.rules[rule]
+            condition = self.moments[moment].truth(declared.condition)
+            cleared = NO
+            if declared.release is not None:
+                release = self.moments[moment].truth(declared.release)
+                cleared = z3.And(condition.false, release.true)
+            before = self.is_active(rule, moment - 1)
+            self._active[rule, moment] = z3.If(before, z3.Not(cleared), condition.activates)
+        return self._active[rule, moment]
+
+    # --- legs --------------------------------------------------------------------------------
+
+    def _leg(self, number: int) -> Leg:
+        machine, channels = self.asked.machine, self.times.channels
+        slots = {
+            index: Number(z3.Bool(f"leg{number}.slot{index}.known"),
+                          z3.Real(f"leg{number}.slot{index}"))
+            for index, slot in enumerate(machine.slots)
+            if machine.inputs[slot.input].channel in channels
+        }  # fmt: skip
+        cells = {
+            index: self._cells(f"leg{number}.array{index}", self.asked.array_uses[index])
+            for index, array in enumerate(machine.arrays)
+            if machine.inputs[array.input].channel in channels
+        }
+        return Leg(
+            {channel: z3.Bool(f"leg{number}.channel{channel}") for channel in channels},
+            slots,
+            cells,
+            z3.Int(f"leg{number}.length"),
+            {truth: z3.Bool(f"leg{number}.shakes{truth}") for truth in self._shakable()},
+        )
+
+    def _cells(self, name: str, count: int) -> Sequence[Cell]:
+        return [
+            Cell(z3.Bool(f"{name}.{i}"), Number(z3.BoolVal(True), z3.Real(f"{name}.{i}.value")))
+            for i in range(count)
+        ]
+
+    def _shakable(self) -> Iterator[int]:
+        """The oscillations of what a message carries as it is."""
+        machine = self.asked.machine
+        for truth in self.times.truths:
+            node = machine.truths[truth].node
+            if not isinstance(node, ir.Oscillates):
+                continue
+            if isinstance(machine.signals[node.signal].node, ir.Read):
+                yield truth
+
+    def _leg_facts(self, leg: Leg) -> list[z3.BoolRef]:
+        machine = self.asked.machine
+        found = []
+        for index, number in leg.slots.items():
+            found += kind_facts(machine, machine.slots[index], number.value)
+        for cells in leg.cells.values():
+            found += shape_facts(cells)
+        for truth, shakes in leg.shakes.items():
+            (channel,) = self.asked.supports.truths[truth].channels
+            found.append(z3.Implies(shakes, leg.sends[channel]))
+        if self._is_brief:
+            return [*found, leg.length_ns == 0]
+        return [
+            *found,
+            leg.length_ns >= self.times.shortest_ns,
+            leg.length_ns <= self.times.longest_ns + self.times.shortest_ns,
+        ]
+
+    def hints(self) -> list[list[z3.BoolRef]]:
+        """What makes it likely that a proposal is borne out and easy to read, from much to nothing:
+        where a length rests on several numbers, one of them is all of it; and numbers are near
+        what they are compared with, and not negative.
+        """
+        lengths = []
+        near = []
+        for moment in self.moments:
+            for index in sorted(self._norms()):
+                node = self.asked.machine.signals[index].node
+                assert isinstance(node, ir.Apply)
+                parts = [moment.signal(operand).value for operand in node.operands]
+                lengths.append(_one_is_all(parts, moment.signal(index).value))
+            for index, (low, high) in self._near.items():
+                value = moment.signal(index).value
+                near += [value >= constant(low), value <= constant(high)]
+        return [[*lengths, *near], *([lengths] if lengths else ()), []]
+
+    @cached_property
+    def _near(self) -> dict[int, tuple[float, float]]:
+        """Numbers around the constants that each signal is compared with."""
+        machine = self.asked.machine
+        limits: dict[int, list[float]] = {}
+        for truth in self.times.truths:
+            if self.asked.elements.truths[truth] is not None:
+                continue
+            compared = ir.compared_signals(machine.truths[truth].node)
+            nodes = [machine.signals[signal].node for signal in compared]
+            values = [node.value for node in nodes if isinstance(node, ir.Constant)]
+            for signal, node in zip(compared, nodes, strict=True):
+                if values and not isinstance(node, ir.Constant):
+                    limits.setdefault(signal, []).extend(values)
+        return {
+            signal: (
+                min(0.0, *(value - abs(value) / 2 for value in values))
+                if max(values) <= 0
+                else 0.0,
+                max(
+                    1.0 if max(values) <= 0 else 0.0, *(value + abs(value) / 2 for value in values)
+                ),
+            )
+            for signal, values in limits.items()
+        }
+
+    def _norms(self) -> set[int]:
+        """The lengths that are asked for."""
+        machine = self.asked.machine
+        waiting = [
+            signal
+            for truth in self.times.truths
+            for signal in ir.compared_signals(machine.truths[truth].node)
+        ]
+        found: set[int] = set()
+        while waiting:
+            index = waiting.pop()
+            node = machine.signals[index].node
+            if self.asked.elements.signals[index] is None:
+                waiting += ir.signal_operands(node)
+                if isinstance(node, ir.Apply) and node.function is ir.Function.NORM:
+                    found.add(index)
+        return found
+
+
+def _one_is_all(parts: Sequence[z3.ArithRef], length: z3.ArithRef) -> z3.BoolRef:
+    """Whether all but one of some numbers are 0, and that one is the length of all."""
+    return z3.Or(
+        [
+            z3.And(
+                arithmetic.absolute(part) == length,
+                *(other == 0 for other in parts if other is not part),
+            )
+            for part in parts
+        ]
+    )

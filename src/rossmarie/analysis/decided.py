@@ -1,0 +1,230 @@
+"""Rules that are never, or always, active, and parts of conditions that are constant.
+
+What a constant alone decides is said by the check; here it is what numbers can be.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
+
+import z3
+
+from dslkit.diagnostics import Diagnostic, Label
+from rossmarie.analysis.course import Course
+from rossmarie.analysis.errors import AlwaysActive, ConstantPart, NeverActive, Undecided
+from rossmarie.analysis.finding import Finding, head
+from rossmarie.analysis.inquiry import Asked, Inquiry
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.witness import View, shown_value
+from rossmarie.ir import (
+    Apply,
+    Constant,
+    Count,
+    Function,
+    Held,
+    Kind,
+    Literal,
+    Machine,
+    Not,
+    Read,
+    TruthValue,
+    compared_signals,
+    is_leaf,
+    kleene,
+    reachable_truths,
+    truth_operands,
+)
+
+NEVER, ALWAYS = TruthValue.TRUE, TruthValue.FALSE
+"""Constant parts by the value that they cannot have."""
+
+
+def find_decided(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
+    """A warning of each rule that is never or always active, and of each other constant part of a
+    condition; with `thorough`, what is undecided about the rules.
+    """
+    machine = inquiry.machine
+    constant = _constant_parts(inquiry)
+    explained: set[int] = set()
+    for index, rule in enumerate(machine.rules):
+        below = reachable_truths(machine, rule.condition)
+        lacking = _lacking(machine, constant, rule.condition)
+        if lacking is not None and rule.inputs:
+            explained |= set(below)
+            cause = next(((each, constant[each]) for each in below if each in constant), None)
+            yield Finding(_rule_finding(inquiry, index, lacking, cause))
+        elif thorough:
+            yield from _open_questions(inquiry, index)
+    for truth, lacking in constant.items():
+        if truth not in explained:
+            yield Finding(_part_finding(machine, truth, lacking))
+
+
+def _lacking(machine: Machine, constant: Mapping[int, TruthValue], truth: int) -> TruthValue | None:
+    """The value that a truth lacks, if it does; `not` and `for` lack what is inside of them."""
+    node = machine.truths[truth].node
+    if isinstance(node, Held):
+        return _lacking(machine, constant, node.operand)
+    if isinstance(node, Not):
+        inner = _lacking(machine, constant, node.operand)
+        return None if inner is None else kleene.negation(inner)
+    return constant.get(truth)
+
+
+def _impossible(inquiry: Inquiry, truth: int) -> TruthValue | None:
+    """The value, T or F, that a truth is proved never to have; F not counting until it settled."""
+    for value in (NEVER, ALWAYS):
+        if inquiry.is_impossible(partial(_has, truth=truth, value=value), settled=value is ALWAYS):
+            return value
+    return None
+
+
+def _has(state: ArbitraryState, truth: int, value: TruthValue) -> z3.BoolRef:
+    return state.truth(truth).is_value(value)
+
+
+# --- parts -----------------------------------------------------------------------------------
+
+
+def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
+    """The innermost parts of conditions and releases that lack a value, and which one."""
+    machine = inquiry.machine
+    found: dict[int, TruthValue] = {}
+    rests_on = inquiry.asked.supports.truths
+    used = {
+        truth
+        for rule in machine.rules
+        for root in (rule.condition, rule.release)
+        if root is not None
+        for truth in reachable_truths(machine, root)
+    }
+    varied: set[int] = set()
+    for truth in sorted(used):
+        node = machine.truths[truth].node
+        is_plain = isinstance(node, Literal | Not | Held) or not rests_on[truth].inputs
+        if is_plain or _is_free(machine, truth) or _joins_apart(inquiry, truth, varied):
+            varied.add(truth)
+            continue
+        if any(below in found for below in reachable_truths(machine, truth)):
+            continue
+        lacking = _impossible(inquiry, truth)
+        if lacking is None:
+            varied.add(truth)
+        else:
+            found[truth] = lacking
+    return found
+
+
+def _is_free(machine: Machine, truth: int) -> bool:
+    """Whether a number that a message carries, and nothing else, is compared with constants that
+    it can lie on both sides of.
+    """
+    nodes = [machine.signals[each].node for each in compared_signals(machine.truths[truth].node)]
+    others = [node for node in nodes if not isinstance(node, Constant)]
+    if len(others) != 1 or not isinstance(others[0], Read):
+        return False
+    return machine.slots[others[0].slot].kind is Kind.REAL or len(nodes) == 1
+
+
+def _joins_apart(inquiry: Inquiry, truth: int, varied: set[int]) -> bool:
+    """Whether the parts of an `and` or `or` can be both, and rest on different messages."""
+    node = inquiry.machine.truths[truth].node
+    operands = truth_operands(node)
+    if is_leaf(node) or not varied.issuperset(operands):
+        return False
+    channels = [inquiry.asked.supports.truths[operand].channels for operand in operands]
+    return len(frozenset().union(*channels)) == sum(map(len, channels))
+
+
+def _rule_finding(
+    inquiry: Inquiry, index: int, lacking: TruthValue, cause: tuple[int, TruthValue] | None
+) -> Diagnostic:
+    machine = inquiry.machine
+    rule = machine.rules[index]
+    labels: tuple[Label, ...] = ()
+    notes: tuple[str, ...] = ()
+    if cause is not None:
+        part, value = cause
+        labels = (Label(machine.truths[part].span, f"this is {_WORDS[value]}"),)
+        notes = _reasons(machine, part)
+    span = head(machine, rule)
+    if lacking is ALWAYS:
+        return AlwaysActive(rule=rule.name).at(span, *labels, notes=notes)
+    is_lost = partial(_has, truth=rule.condition, value=TruthValue.LOST)
+    can_be_lost = not inquiry.is_impossible(is_lost)
+    rest = "only a missing input makes it active" if can_be_lost else "nothing makes it active"
+    return NeverActive(rule=rule.name, rest=rest).at(span, *labels, notes=notes)
+
+
+def _part_finding(machine: Machine, truth: int, lacking: TruthValue) -> Diagnostic:
+    part = machine.truths[truth]
+    finding = ConstantPart(condition=part.text, outcome=_WORDS[lacking])
+    return finding.at(part.span, notes=_reasons(machine, truth))
+
+
+_WORDS = {NEVER: "never true", ALWAYS: "always true"}
+
+
+# --- reasons ---------------------------------------------------------------------------------
+
+_RANGES = {
+    Function.PITCH: (-math.pi / 2, math.pi / 2),
+    Function.ROLL: (-math.pi, math.pi),
+    Function.YAW: (-math.pi, math.pi),
+    Function.NORM: (0.0, math.inf),
+    Function.ABSOLUTE: (0.0, math.inf),
+}
+
+
+def _reasons(machine: Machine, truth: int) -> tuple[str, ...]:
+    """What the numbers that a leaf compares can be."""
+    return tuple(
+        f"`{machine.signals[signal].text}` is {_range(machine, signal)}"
+        for signal in compared_signals(machine.truths[truth].node)
+        if _range(machine, signal)
+    )
+
+
+def _range(machine: Machine, signal: int) -> str:
+    match machine.signals[signal].node:
+        case Apply(function=function) if function in _RANGES:
+            low, high = _RANGES[function]
+        case Count():
+            low, high = 0.0, math.inf
+        case _:
+            return ""
+    if high == math.inf:
+        return "never negative"
+    return f"between {shown_value(machine, signal, low)} and {shown_value(machine, signal, high)}"
+
+
+# --- what stays open -------------------------------------------------------------------------
+
+
+def _open_questions(inquiry: Inquiry, index: int) -> Iterator[Finding]:
+    """That it is not known whether a rule can be active, and inactive."""
+    machine = inquiry.machine
+    rule = machine.rules[index]
+    for value, word in ((TruthValue.TRUE, "true"), (TruthValue.FALSE, "false")):
+        question = Asked(
+            (rule.condition,),
+            partial(_has, truth=rule.condition, value=value),
+            partial(_comes_to, truth=rule.condition, value=value),
+            partial(_is_seen, truth=rule.condition, value=value),
+        )
+        if inquiry.witness(question) is None:
+            finding = Undecided(
+                question=f"can the condition of rule `{rule.name}` be {word}?",
+                reason="no short course of events makes it so, and no proof excludes it",
+            )
+            yield Finding(finding.at(head(machine, rule)))
+
+
+def _comes_to(course: Course, truth: int, value: TruthValue) -> z3.BoolRef:
+    return z3.Or([moment.truth(truth).is_value(value) for moment in course.moments])
+
+
+def _is_seen(seen: Sequence[View], truth: int, value: TruthValue) -> bool:
+    return seen[-1].truths[truth] is value

@@ -1,0 +1,358 @@
+"""One evaluation of a machine (S11) as terms of the solver.
+
+Signals and truths become terms node by node, as the interpreter evaluates them. What lies outside
+of one evaluation is left to the two kinds of encoding: `state.ArbitraryState`, where memories hold
+anything that a trace could have left there, and `course.Moment`, which is part of a course of
+events.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import z3
+
+from rossmarie import ir
+from rossmarie.analysis import arithmetic
+from rossmarie.analysis.terms import (
+    NO,
+    YES,
+    Fact,
+    Number,
+    conjunction,
+    constant,
+    disjunction,
+    literal,
+    negation,
+)
+
+
+@dataclass(frozen=True)
+class Cell:
+    """An element of an array, if the array is that long."""
+
+    is_there: z3.BoolRef
+    number: Number
+
+
+class Questioned:
+    """A machine, with what every question about it asks over and over."""
+
+    def __init__(self, machine: ir.Machine) -> None:
+        self.machine = machine
+        self.supports = ir.supports(machine)
+        self.elements = ir.element_arrays(machine)
+
+    @cached_property
+    def array_uses(self) -> tuple[int, ...]:
+        """How many nodes look at each array: that many elements, and one, show whatever an array
+        of any length can show to all of them.
+        """
+        uses = [1] * len(self.machine.arrays)
+        for signal in self.machine.signals:
+            match signal.node:
+                case ir.Fold(element=element):
+                    uses[self._array(self.elements.signals[element])] += 1
+                case ir.Count(element=element):
+                    uses[self._array(self.elements.truths[element])] += 1
+        for truth in self.machine.truths:
+            if isinstance(truth.node, ir.Quantified):
+                uses[self._array(self.elements.truths[truth.node.element])] += 1
+        return tuple(uses)
+
+    def _array(self, array: int | None) -> int:
+        assert array is not None, "verified: only elements are folded"
+        return array
+
+    def has_timeout(self, inputs: Iterator[int] | Sequence[int] | frozenset[int]) -> bool:
+        """Whether one of some inputs can be lost."""
+        return any(self.machine.inputs[used].timeout_ns is not None for used in inputs)
+
+
+class Encoding(ABC):
+    """The signals and truths of one evaluation; `facts` hold whatever they are.
+
+    With `rounded`, numbers cover all that doubles can give; without, they are exact.
+    """
+
+    rounded: bool
+
+    def __init__(self, asked: Questioned) -> None:
+        self.asked = asked
+        self.machine = asked.machine
+        self.facts: list[z3.BoolRef] = []
+        self._signals: dict[int, Number] = {}
+        self._truths: dict[int, Fact] = {}
+
+    @property
+    def known_signals(self) -> frozenset[int]:
+        """The signals that were asked for, by index."""
+        return frozenset(self._signals)
+
+    # --- what lies outside of one evaluation -------------------------------------------------
+
+    @abstractmethod
+    def slot(self, index: int) -> Number:
+        """The value of a slot."""
+
+    @abstractmethod
+    def cells(self, array: int) -> Sequence[Cell]:
+        """The elements of an array; none is there if it has not arrived or has expired."""
+
+    @abstractmethod
+    def has_arrived(self, channel: int) -> z3.BoolRef:
+        """Whether a message has ever come."""
+
+    @abstractmethod
+    def age(self, channel: int) -> z3.ArithRef:
+        """How old the last message is, in nanoseconds."""
+
+    @abstractmethod
+    def rate(self, index: int, node: ir.Rate) -> Number:
+        """S19."""
+
+    @abstractmethod
+    def previous(self, index: int, node: ir.Previous) -> Number:
+        """S20."""
+
+    @abstractmethod
+    def count(self, node: ir.Count) -> Number:
+        """S24."""
+
+    @abstractmethod
+    def held(self, index: int, node: ir.Held, operand: Fact) -> Fact:
+        """S33."""
+
+    @abstractmethod
+    def oscillating(self, index: int) -> Fact:
+        """S32, where the signal is known."""
+
+    # --- inputs ------------------------------------------------------------------------------
+
+    def is_fresh(self, used: int) -> z3.BoolRef:
+        """Whether an input is there and has not expired (S10)."""
+        declared = self.machine.inputs[used]
+        arrived = self.has_arrived(declared.channel)
+        if declared.timeout_ns is None:
+            return arrived
+        return z3.And(arrived, self.age(declared.channel) < declared.timeout_ns)
+
+    # --- signals -----------------------------------------------------------------------------
+
+    def signal(self, index: int) -> Number:
+        """A signal that has one value for the whole machine."""
+        if index not in self._signals:
+            self._signals[index] = self._signal(index, self.machine.signals[index].node)
+        return self._signals[index]
+
+    def _signal(self, index: int, node: ir.SignalNode) -> Number:
+        match node:
+            case ir.Constant(value=value):
+                return Number(YES, constant(value))
+            case ir.Read(slot=slot):
+                return self.slot(slot)
+            case ir.Apply(function=function, operands=operands):
+                numbers = [self.signal(operand) for operand in operands]
+                return self.apply(index, function, numbers)
+            case ir.Rate():
+                return self.rate(index, node)
+            case ir.Previous():
+                return self.previous(index, node)
+            case ir.Fold():
+                return self._fold(node)
+            case ir.Count():
+                return self.count(node)
+            case ir.Element():
+                raise AssertionError("an element has no value of its own")
+
+    def apply(self, index: int, function: ir.Function, numbers: Sequence[Number]) -> Number:
+        """A function of other signals, or of an element."""
+        result = arithmetic.apply(function, numbers, self.facts, rounded=self.rounded)
+        support = self.asked.supports.signals[index]
+        if self.rounded and (support.arrays or support.samples):
+            # An element may be infinite (S8), and what is computed from it is unknown then.
+            return Number(z3.And(result.known, z3.FreshBool("finite")), result.value)
+        return result
+
+    def _fold(self, node: ir.Fold) -> Number:
+        array = self.asked.elements.signals[node.element]
+        assert array is not None
+        cells = self.cells(array)
+        numbers = [self._element_signal(node.element, cell.number) for cell in cells]
+        result = z3.FreshReal("fold")
+        pairs = list(zip(cells, numbers, strict=True))
+        is_minimum = node.folding is ir.Folding.MINIMUM
+        self.facts += [
+            z3.Implies(
+                cell.is_there,
+                result <= number.value if is_minimum else result >= number.value,
+            )
+            for cell, number in pairs
+        ]
+        is_one = [z3.And(cell.is_there, result == number.value) for cell, number in pairs]
+        known = [z3.Implies(cell.is_there, number.known) for cell, number in pairs]
+        self.facts.append(z3.Implies(cells[0].is_there, z3.Or(is_one)))
+        return Number(z3.And(cells[0].is_there, *known), result)
+
+    # --- truths ------------------------------------------------------------------------------
+
+    def truth(self, index: int) -> Fact:
+        """A truth that has one value for the whole machine."""
+        if index not in self._truths:
+            for below in ir.reachable_truths(self.machine, index):
+                if below not in self._truths:
+                    self._truths[below] = self._truth(below, self.machine.truths[below].node)
+        return self._truths[index]
+
+    def _truth(self, index: int, node: ir.TruthNode) -> Fact:
+        match node:
+            case ir.Literal(value=value):
+                return literal(value)
+            case ir.Not(operand=operand):
+                return negation(self._truths[operand])
+            case ir.And(operands=operands):
+                return conjunction([self._truths[operand] for operand in operands])
+            case ir.Or(operands=operands):
+                return disjunction([self._truths[operand] for operand in operands])
+            case ir.Held(operand=operand):
+                return self.held(index, node, self._truths[operand])
+            case ir.Oscillates(signal=signal):
+                return self._oscillates(index, node, self.signal(signal))
+            case ir.AgeReaches(input=used, age_ns=age_ns):
+                channel = self.machine.inputs[used].channel
+                reached = self.age(channel) >= age_ns
+                return self._leaf(index, node, self.has_arrived(channel), reached)
+            case ir.Quantified():
+                return self._quantified(index, node)
+            case _:
+                numbers = [self.signal(signal) for signal in ir.compared_signals(node)]
+                known = z3.And([number.known for number in numbers])
+                return self._leaf(index, node, known, _holds(node, numbers))
+
+    def _leaf(self, index: int, node: ir.TruthNode, known: z3.BoolRef, holds: z3.BoolRef) -> Fact:
+        unknown = z3.Not(known)
+        lost = z3.And(unknown, self.is_lost(index, node))
+        return Fact(z3.And(known, holds), z3.And(known, z3.Not(holds)), lost)
+
+    def is_lost(self, index: int, node: ir.TruthNode) -> z3.BoolRef:
+        """S30: whether an unknown leaf lacks an input with a timeout."""
+        support = self.asked.supports.truths[index]
+        if not self.asked.has_timeout(support.inputs):
+            return NO
+        if isinstance(node, ir.Quantified | ir.AgeReaches):
+            return YES
+        slots = {slot: self.slot(slot).known for slot in support.slots}
+        lacking = [
+            z3.Not(known)
+            for slot, known in slots.items()
+            if self.asked.has_timeout((self.machine.slots[slot].input,))
+        ]
+        lacking += [
+            z3.Not(self.signal(fold).known)
+            for fold in support.folds
+            if self.asked.has_timeout(self.asked.supports.signals[fold].inputs)
+        ]
+        complete = z3.And(list(slots.values()))
+        if support.folds or support.samples:
+            # These excuse a leaf as well where they are unknown, or infinite.
+            complete = z3.And(complete, z3.FreshBool("complete")) if self.rounded else NO
+        return z3.Or(*lacking, complete)
+
+    def _oscillates(self, index: int, node: ir.Oscillates, number: Number) -> Fact:
+        if not self.asked.supports.signals[node.signal].channels:
+            return literal(False)
+        unknown = z3.Not(number.known)
+        found = self.oscillating(index)
+        lost = self.is_lost(index, node)
+        return Fact(
+            z3.And(number.known, found.true),
+            z3.And(number.known, found.false),
+            z3.If(unknown, lost, found.lost),
+        )
+
+    # --- elements ----------------------------------------------------------------------------
+
+    def _quantified(self, index: int, node: ir.Quantified) -> Fact:
+        array = self.asked.elements.truths[node.element]
+        assert array is not None
+        cells = self.cells(array)
+        is_any = node.quantifier is ir.Quantifier.ANY
+        neutral = literal(not is_any)
+        parts = []
+        for cell in cells:
+            found = self.element_truth(node.element, cell.number)
+            parts.append(
+                Fact(
+                    z3.If(cell.is_there, found.true, neutral.true),
+                    z3.If(cell.is_there, found.false, neutral.false),
+                    NO,
+                )
+            )
+        whole = disjunction(parts) if is_any else conjunction(parts)
+        there = cells[0].is_there
+        true, false = z3.And(there, whole.true), z3.And(there, whole.false)
+        unknown = z3.Not(z3.Or(true, false))
+        return Fact(true, false, z3.And(unknown, self.is_lost(index, node)))
+
+    def _element_signal(self, index: int, element: Number) -> Number:
+        match self.machine.signals[index].node:
+            case ir.Element():
+                return element
+            case ir.Constant(value=value):
+                return Number(YES, constant(value))
+            case ir.Apply(function=function, operands=operands):
+                numbers = [self._element_signal(operand, element) for operand in operands]
+                return Encoding.apply(self, index, function, numbers)
+            case node:
+                raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
+
+    def element_truth(self, index: int, element: Number) -> Fact:
+        """What a truth is worth for one element; unknown is never lost here (S22)."""
+        node = self.machine.truths[index].node
+        operands = [self.element_truth(each, element) for each in ir.truth_operands(node)]
+        match node:
+            case ir.Literal(value=value):
+                return literal(value)
+            case ir.Not():
+                return negation(operands[0])
+            case ir.And():
+                return conjunction(operands)
+            case ir.Or():
+                return disjunction(operands)
+        numbers = [self._element_signal(signal, element) for signal in ir.compared_signals(node)]
+        known = z3.And([number.known for number in numbers])
+        holds = _holds(node, numbers)
+        return Fact(z3.And(known, holds), z3.And(known, z3.Not(holds)), NO)
+
+
+def _holds(node: ir.TruthNode, numbers: Sequence[Number]) -> z3.BoolRef:
+    """S27 to S29, of known numbers."""
+    values = [number.value for number in numbers]
+    match node:
+        case ir.Compare(comparison=comparison):
+            return _compared(comparison, *values)
+        case ir.Between():
+            return z3.And(values[1] <= values[0], values[0] <= values[2])
+        case ir.Flag():
+            return values[0] != 0
+        case _:
+            raise AssertionError(f"{type(node).__name__} compares no numbers")
+
+
+def _compared(comparison: ir.Comparison, left: z3.ArithRef, right: z3.ArithRef) -> z3.BoolRef:
+    match comparison:
+        case ir.Comparison.EQUAL:
+            return left == right
+        case ir.Comparison.NOT_EQUAL:
+            return left != right
+        case ir.Comparison.LESS:
+            return left < right
+        case ir.Comparison.LESS_OR_EQUAL:
+            return left <= right
+        case ir.Comparison.GREATER:
+            return left > right
+        case ir.Comparison.GREATER_OR_EQUAL:
+            return left >= right

@@ -1,0 +1,187 @@
+"""ROSS7xx: what rules mean together, with a witness or a proof."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Note, Template, Warning
+
+
+@dataclass(frozen=True, kw_only=True)
+class RulesConflict(Warning, code="ROSS700", name="rules-conflict"):
+    """Two rules that are active together and need the same thing, with no order between them."""
+
+    title = "rules `{first}` and `{second}` can be active together, and both need {resource}"
+    label = "which one gets it?"
+    note = "without an order, the rule that stands first in the file gets it: `{first}`"
+    help = "{advice}"
+    first: str
+    second: str
+    resource: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NeverTogether(Note, code="ROSS701", name="never-together"):
+    """A proof that two rules that need the same thing are never active together."""
+
+    title = "proved: rules `{first}` and `{second}` are never active together"
+    label = "both need {resource}, and need no order"
+    first: str
+    second: str
+    resource: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ConflictOrdered(Note, code="ROSS702", name="conflict-ordered"):
+    """Two rules that need the same thing, and the order that says which one gets it."""
+
+    title = "rules `{first}` and `{second}` both need {resource}: `{first}` comes first"
+    label = "{together}"
+    first: str
+    second: str
+    resource: str
+    together: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NeverActive(Warning, code="ROSS703", name="never-active"):
+    """A rule whose condition cannot be true."""
+
+    title = "rule `{rule}` is never active: its condition cannot be true"
+    label = "{rest}"
+    help = "mend the condition, or leave the rule out"
+    rule: str
+    rest: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class AlwaysActive(Warning, code="ROSS704", name="always-active"):
+    """A rule whose condition cannot be false."""
+
+    title = "rule `{rule}` is always active: its condition cannot be false"
+    label = "once active, nothing clears it"
+    help = "mend the condition; what is always to be done needs no rule"
+    rule: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ConstantPart(Warning, code="ROSS705", name="constant-part"):
+    """A part of a condition that has one outcome whatever is measured."""
+
+    title = "`{condition}` is {outcome}"
+    label = "whatever is measured"
+    help = "mend it, or leave it out"
+    condition: str
+    outcome: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RuleImplied(Warning, code="ROSS706", name="rule-implied"):
+    """A rule that does what another one does whenever it is active."""
+
+    title = "rule `{rule}` adds nothing: whenever it is active, `{other}` is, with the same actions"
+    label = "leaving it out changes nothing"
+    help = "leave it out, or give it actions of its own"
+    rule: str
+    other: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoWayOut(Warning, code="ROSS707", name="no-way-out"):
+    """A rule that nothing clears once it is active."""
+
+    title = "rule `{rule}` is never cleared"
+    label = "its condition cannot be false while its contract is met"
+    help = "mend the contract; if somebody has to look first, write `latched until reset`"
+    rule: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Chattering(Warning, code="ROSS708", name="chattering"):
+    """A rule that can become active again within a short time."""
+
+    title = "rule `{rule}` can toggle within {within}"
+    label = "active twice within {found}"
+    help = "add `clear for` a time, or `clear when` with a second threshold"
+    rule: str
+    within: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RecoveryBlocked(Warning, code="ROSS709", name="recovery-blocked"):
+    """A command that a limit in force at the same time cuts to zero."""
+
+    title = "rule `{rule}` publishes {field} = {value} on {topic}, and {limit} makes it 0"
+    label = "this command does nothing"
+    help = "let the limit leave room for the command: its bounds are [{low}, {high}]"
+    rule: str
+    field: str
+    value: str
+    topic: str
+    limit: str
+    low: str
+    high: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class LimitHoldsCondition(Warning, code="ROSS710", name="limit-holds-condition"):
+    """A limit that keeps the condition of its own rule from becoming false."""
+
+    title = "rule `{rule}` keeps itself active: it limits {field}, which its condition reads"
+    label = "within these bounds the rule is never cleared"
+    help = "read what the planner asks for or what the robot does, not what the limit lets pass"
+    rule: str
+    field: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NeverItsTurn(Warning, code="ROSS711", name="never-its-turn"):
+    """A rule that never gets what it needs."""
+
+    title = "rule `{rule}` never gets {resource}: whenever it is active, `{other}` is, and has it"
+    label = "`{other}` comes first"
+    help = "put it first: `priority {rule} over {other};`, or narrow the condition of `{other}`"
+    rule: str
+    other: str
+    resource: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class LossUnnoticed(Warning, code="ROSS712", name="loss-unnoticed"):
+    """An input with a timeout on whose loss no rule becomes active."""
+
+    title = "nothing happens when `{input}` is lost"
+    label = "no rule becomes active when its timeout is over"
+    help = "let a rule notice: `if age({input}) > ... then ...`"
+    input: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Undecided(Note, code="ROSS729", name="undecided"):
+    """A question to which neither a proof nor a witness was found."""
+
+    title = "undecided: {question}"
+    label = "{reason}"
+    note = "this is neither proved nor shown; do not take it for an answer"
+    question: str
+    reason: str
+
+
+ALL: tuple[type[Template], ...] = (
+    RulesConflict,
+    NeverTogether,
+    ConflictOrdered,
+    NeverActive,
+    AlwaysActive,
+    ConstantPart,
+    RuleImplied,
+    NoWayOut,
+    Chattering,
+    RecoveryBlocked,
+    LimitHoldsCondition,
+    NeverItsTurn,
+    LossUnnoticed,
+    Undecided,
+)

@@ -1,0 +1,92 @@
+"""What happens when an input is lost: which rules become active."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import z3
+
+from rossmarie.analysis.activity import becomes_active
+from rossmarie.analysis.errors import LossUnnoticed
+from rossmarie.analysis.finding import Finding
+from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.loss import Effect, Loss
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.ir import AgeReaches, Machine, reachable_truths, supports
+
+
+def losses(inquiry: Inquiry) -> Iterator[Loss]:
+    """The loss of each input on its own: its channel falls silent after it has sent."""
+    machine = inquiry.machine
+    for index, declared in enumerate(machine.inputs):
+        ages = [declared.timeout_ns] if declared.timeout_ns is not None else []
+        ages += _ages(machine, index)
+        if not ages:
+            yield Loss(index, None, {})
+            continue
+        after_ns = max(ages)
+        effects = {
+            rule: effect
+            for rule, declared_rule in enumerate(machine.rules)
+            if index in declared_rule.inputs
+            and (effect := _effect(inquiry, index, after_ns, rule)) is not Effect.NOTHING
+        }
+        yield Loss(index, after_ns, effects)
+
+
+def _ages(machine: Machine, used: int) -> Iterator[int]:
+    """The ages of an input that rules ask for."""
+    for rule in machine.rules:
+        for truth in reachable_truths(machine, rule.condition):
+            node = machine.truths[truth].node
+            if isinstance(node, AgeReaches) and node.input == used:
+                yield node.age_ns
+
+
+def _effect(inquiry: Inquiry, used: int, after_ns: int, rule: int) -> Effect:
+    lost = partial(_is_lost, used=used, after_ns=after_ns)
+    if inquiry.is_impossible(
+        lambda state: z3.And(lost(state), z3.Not(becomes_active(state, rule))), settled=True
+    ):
+        return Effect.ACTIVATES
+    if inquiry.is_impossible(
+        lambda state: z3.And(
+            lost(state), becomes_active(state, rule), _others_work(state, used, rule)
+        ),
+        settled=True,
+    ):
+        # What it does only together with the loss of another is counted there.
+        return Effect.NOTHING
+    return Effect.DEPENDS
+
+
+def _is_lost(state: ArbitraryState, used: int, after_ns: int) -> z3.BoolRef:
+    channel = state.machine.inputs[used].channel
+    return z3.And(state.has_arrived(channel), state.age(channel) >= after_ns)
+
+
+def _others_work(state: ArbitraryState, used: int, rule: int) -> z3.BoolRef:
+    """All other inputs of a rule are fresh, and all their numbers known."""
+    machine = state.machine
+    channel = machine.inputs[used].channel
+    others = [i for i in machine.rules[rule].inputs if machine.inputs[i].channel != channel]
+    support = state.asked.supports.truths[machine.rules[rule].condition]
+    known = [
+        state.slot(slot).known for slot in support.slots if machine.slots[slot].input in others
+    ]
+    return z3.And([state.is_fresh(other) for other in others] + known)
+
+
+def find_unnoticed(inquiry: Inquiry) -> Iterator[Finding]:
+    """A warning of each input with a timeout on whose loss no rule becomes active."""
+    machine = inquiry.machine
+    rests_on = supports(machine).truths
+    roots = {root for rule in machine.rules for root in (rule.condition, rule.release)} - {None}
+    in_rules = {used for root in roots if root is not None for used in rests_on[root].inputs}
+    for loss in losses(inquiry):
+        declared = machine.inputs[loss.input]
+        if declared.timeout_ns is None or loss.input not in in_rules:
+            continue  # it is never lost; or it only confirms, and what is unknown confirms nothing
+        if not loss.effects:
+            yield Finding(LossUnnoticed(input=declared.name).at(declared.span))

@@ -1,0 +1,42 @@
+"""A finding of a question, and the words that all questions share."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import Span
+from rossmarie.analysis.witness import Witness, told
+from rossmarie.ir import Constant, Machine, Rule, compared_signals, reachable_truths
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What is to be said, and the witness that shows it."""
+
+    diagnostic: Diagnostic
+    witness: Witness | None = None
+
+
+def head(machine: Machine, rule: Rule) -> Span:
+    """Where a rule is pointed at: its name, or its condition if it has none."""
+    named = re.search(rf"\brule\s+({re.escape(rule.name)})\b", rule.span.text)
+    if named is None:
+        return machine.truths[rule.condition].span
+    start = rule.span.start + named.start(1)
+    return Span(rule.span.file, start, start + len(rule.name))
+
+
+def witness_note(machine: Machine, witness: Witness, truths: Sequence[int]) -> str:
+    """The witness in words, as a note: what the truths look at, and when."""
+    signals = {
+        signal
+        for root in truths
+        for truth in reachable_truths(machine, root)
+        for signal in compared_signals(machine.truths[truth].node)
+        if not isinstance(machine.signals[signal].node, Constant)
+    }
+    what = "shown by this" if witness.is_calm else "shown by this, where an input is missing"
+    return f"{what}: {told(machine, witness, sorted(signals))}"

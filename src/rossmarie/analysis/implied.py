@@ -1,0 +1,132 @@
+"""Rules that are active only while another one is.
+
+With the same actions such a rule adds nothing; where both need the same thing and the other comes
+first, it never gets it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+
+import z3
+
+from dslkit.diagnostics import Label
+from rossmarie.analysis.activity import (
+    becomes_active,
+    is_cleared,
+    seen_together,
+    together,
+    truths_of,
+)
+from rossmarie.analysis.errors import NeverItsTurn, RuleImplied
+from rossmarie.analysis.finding import Finding, head, witness_note
+from rossmarie.analysis.inquiry import Asked, Inquiry
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.ir import Machine
+
+_AT_ONCE = 4
+"""Candidates that one question is about."""
+
+
+def find_implied(inquiry: Inquiry) -> Iterator[Finding]:
+    """A warning of each rule that is superfluous, or never gets what it needs."""
+    machine = inquiry.machine
+    for rule in range(len(machine.rules)):
+        candidates = [
+            other
+            for other in range(len(machine.rules))
+            if other != rule
+            and not _gives_way(machine, other)
+            and (_has_same_actions(machine, rule, other) or _shared(machine, rule, other))
+        ]
+        for start in range(0, len(candidates), _AT_ONCE):
+            needed = _needed(inquiry, rule, candidates[start : start + _AT_ONCE])
+            if needed is not None:
+                yield from _told(inquiry, rule, needed)
+                break
+
+
+def _needed(inquiry: Inquiry, rule: int, candidates: Sequence[int]) -> int | None:
+    """The first of some rules without which a rule is not active. If it can become active without
+    any of them, none of them is it.
+    """
+    if inquiry.is_impossible(partial(_starts_without, rule=rule, others=candidates)):
+        return next((other for other in candidates if needs(inquiry, rule, other)), None)
+    return None
+
+
+def _starts_without(state: ArbitraryState, rule: int, others: Sequence[int]) -> z3.BoolRef:
+    none = [z3.Not(becomes_active(state, other)) for other in others]
+    return z3.And(becomes_active(state, rule), *none)
+
+
+def needs(inquiry: Inquiry, rule: int, other: int) -> bool:
+    """Whether it is proved that a rule is active only while another one is."""
+    if any(inquiry.machine.rules[each].release is None for each in (rule, other)):
+        return False  # a reset clears one of them at any time
+    machine = inquiry.machine
+    one, two = machine.rules[rule], machine.rules[other]
+    if not machine.rules[rule].inputs:
+        return False
+    if (one.condition, one.release) == (two.condition, two.release):
+        return True
+    return inquiry.is_impossible(
+        partial(_starts_without, rule=rule, others=(other,))
+    ) and inquiry.is_impossible(partial(_is_left, rule=rule, other=other))
+
+
+def _is_left(state: ArbitraryState, rule: int, other: int) -> z3.BoolRef:
+    return z3.And(is_cleared(state, other), z3.Not(is_cleared(state, rule)))
+
+
+def _gives_way(machine: Machine, rule: int) -> bool:
+    """Whether a rule may be active and not carried out."""
+    return bool(machine.reactions.plans) and bool(machine.reactions.plans[rule].unless)
+
+
+def _has_same_actions(machine: Machine, rule: int, other: int) -> bool:
+    """Whether two rules do the same."""
+    return (
+        machine.rules[rule].actions == machine.rules[other].actions
+        and len(machine.rules[rule].actions) > 0
+    )
+
+
+def _shared(machine: Machine, rule: int, other: int) -> str | None:
+    """What a rule needs that another one, which comes first, needs as well for other actions."""
+    reactions = machine.reactions
+    if not reactions.plans or reactions.order.index(other) > reactions.order.index(rule):
+        return None
+    theirs = {reactions.tasks[task].resource for task in reactions.plans[other].tasks}
+    for task in reactions.plans[rule].tasks:
+        resource = reactions.tasks[task].resource
+        if resource is not None and resource in theirs:
+            return reactions.resources[resource]
+    return None
+
+
+def _told(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
+    machine = inquiry.machine
+    one, two = machine.rules[rule], machine.rules[other]
+    is_same = _has_same_actions(machine, rule, other)
+    if is_same and rule < other and needs(inquiry, other, rule):
+        return  # told of the later one
+    truths = truths_of(machine, (rule, other))
+    witness = inquiry.witness(
+        Asked(
+            truths,
+            partial(together, one=rule, other=other),
+            partial(seen_together, one=rule, other=other),
+            lambda seen: seen[-1].active[rule] and seen[-1].active[other],
+        )
+    )
+    notes = () if witness is None else (witness_note(machine, witness, truths),)
+    place = Label(head(machine, two), "whenever this is not, that is not either")
+    resource = _shared(machine, rule, other)
+    if is_same:
+        finding = RuleImplied(rule=one.name, other=two.name)
+        yield Finding(finding.at(head(machine, one), place, notes=notes), witness)
+    elif resource is not None:
+        turn = NeverItsTurn(rule=one.name, other=two.name, resource=resource)
+        yield Finding(turn.at(head(machine, one), place, notes=notes), witness)

@@ -1,0 +1,158 @@
+"""How a question is asked: proved impossible, shown by a witness, or undecided."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+import z3
+
+from rossmarie.analysis.course import Course
+from rossmarie.analysis.draft import drafted
+from rossmarie.analysis.encoding import Questioned
+from rossmarie.analysis.shrink import Replays, shortened
+from rossmarie.analysis.solver import Outcome, ask
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.witness import Claim, Witness
+from rossmarie.ir import Machine, TruthValue
+
+_MOST_AWAITED = 16
+"""Conditions of `for` in one question that are compared with each other."""
+
+StateClaim = Callable[[ArbitraryState], z3.BoolRef]
+CourseClaim = Callable[[Course], z3.BoolRef]
+
+
+class OutOfTimeError(Exception):
+    """The questions of a run took longer than they may."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What is asked: the claim as terms over one state, and over a course, and as the interpreter
+    sees it. `truths` are those that it rests on, by index.
+    """
+
+    truths: tuple[int, ...]
+    in_state: StateClaim
+    in_course: CourseClaim
+    in_view: Claim
+
+
+@dataclass(frozen=True)
+class Result:
+    """What came of it, with the witness of what is POSSIBLE."""
+
+    outcome: Outcome
+    witness: Witness | None = None
+
+
+@dataclass
+class Inquiry:
+    """Asks about one machine. After `deadline_s`, on the clock of `time.process_time`, every
+    further question raises `OutOfTimeError`; None: no question does.
+    """
+
+    machine: Machine
+    deadline_s: float | None = None
+    _orders: dict[tuple[int, int, TruthValue], bool] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.asked = Questioned(self.machine)
+
+    def decide(self, question: Asked) -> Result:
+        """All that can be found out."""
+        if self.is_impossible(question.in_state):
+            return Result(Outcome.IMPOSSIBLE)
+        witness = self.witness(question)
+        return Result(Outcome.UNDECIDED if witness is None else Outcome.POSSIBLE, witness)
+
+    # --- proofs ------------------------------------------------------------------------------
+
+    def is_impossible(self, claim: StateClaim, *, settled: bool = False) -> bool:
+        """Whether a claim is proved to hold in no state that any trace leads to."""
+        self._check_time()
+        state = ArbitraryState(self.asked, settled=settled)
+        term = claim(state)
+        return self._is_refuted(state, term)
+
+    def _is_refuted(self, state: ArbitraryState, term: z3.BoolRef) -> bool:
+        outcome = ask(state.facts, term).outcome
+        if outcome is Outcome.POSSIBLE and 1 < len(state.awaited) <= _MOST_AWAITED:
+            orders = list(self.orders(state))
+            outcome = ask([*state.facts, *orders], term).outcome
+        return outcome is Outcome.IMPOSSIBLE
+
+    def orders(self, state: ArbitraryState) -> Iterator[z3.BoolRef]:
+        """What is true only while something else is has not been true for longer."""
+        for one in state.awaited:
+            for other in state.awaited:
+                if one == other or not self._needs(one, other, TruthValue.TRUE):
+                    continue
+                yield state.is_longer(one, other)
+                for value in (TruthValue.UNKNOWN, TruthValue.LOST):
+                    if self._needs(one, other, value):
+                        yield state.is_unknown_with(one, other, value)
+
+    def _needs(self, one: int, other: int, value: TruthValue) -> bool:
+        """Whether it is proved that one truth has a value only while another one has it."""
+        if (one, other, value) not in self._orders:
+            state = ArbitraryState(self.asked)
+            theirs = z3.Not(state.truth(other).is_value(value))
+            without = z3.And(state.truth(one).is_value(value), theirs)
+            proved = self._is_refuted(state, without)  # about truths that lie deeper
+            self._orders[one, other, value] = proved
+        return self._orders[one, other, value]
+
+    # --- witnesses ---------------------------------------------------------------------------
+
+    def witness(self, question: Asked) -> Witness | None:
+        """A witness that the interpreter bears out: one in which all sensors work, if there is."""
+        for legs, is_calm in _ATTEMPTS:
+            self._check_time()
+            course = Course(self.asked, question.truths, legs)
+            witness = self._borne_out(course, question, is_calm)
+            if witness is not None:
+                return witness
+        return None
+
+    def _borne_out(self, course: Course, question: Asked, is_calm: bool) -> Witness | None:
+        """A witness on a course, the easiest to read that is found."""
+        claim = question.in_course(course)
+        wishes: Sequence[z3.BoolRef] = course.calm if is_calm else ()
+        for hints in course.hints():
+            answer = ask(course.facts, claim, *wishes, *hints)
+            if answer.model is None:
+                continue
+            draft = drafted(course, answer.model, is_calm=is_calm)
+            replays = Replays(self.machine, question.in_view, question.truths)
+            witness = shortened(self.machine, draft, replays)
+            if witness is not None:
+                return witness
+        return None
+
+    def quick_witness(
+        self, truths: tuple[int, ...], legs: int, in_course: CourseClaim, in_view: Claim
+    ) -> Witness | None:
+        """A witness of single messages, one after the other, while all sensors work."""
+        self._check_time()
+        course = Course(self.asked, truths, legs, is_brief=True)
+        claim = in_course(course)
+        for hints in course.hints():
+            answer = ask(course.facts, claim, *course.calm, *hints)
+            if answer.model is not None:
+                draft = drafted(course, answer.model, is_calm=True)
+                replays = Replays(self.machine, in_view, truths)
+                return shortened(self.machine, draft, replays)
+        return None
+
+    def _check_time(self) -> None:
+        if self.deadline_s is not None and time.process_time() > self.deadline_s:
+            raise OutOfTimeError
+
+
+_ATTEMPTS = ((1, True), (2, True), (1, False), (2, False), (3, True), (3, False))
+"""How many legs, and whether all sensors work: the simplest first. What needs more changes than
+three legs allow stays undecided.
+"""

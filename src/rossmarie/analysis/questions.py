@@ -1,0 +1,66 @@
+"""All questions about a machine, the quick ones first."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+
+from rossmarie.analysis.chattering import find_chattering
+from rossmarie.analysis.conflict import find_conflicts
+from rossmarie.analysis.decided import find_decided
+from rossmarie.analysis.errors import Undecided
+from rossmarie.analysis.failures import find_unnoticed
+from rossmarie.analysis.finding import Finding
+from rossmarie.analysis.implied import find_implied
+from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
+from rossmarie.analysis.recovery import find_blocked, find_self_holding
+from rossmarie.analysis.release import find_never_cleared
+from rossmarie.ir import Machine
+
+QUICK_S = 5.0
+"""The quick questions about one file are given up after this, in seconds of CPU time."""
+
+THOROUGH_S = 600.0
+"""The same for all questions."""
+
+Question = Callable[[Inquiry], Iterator[Finding]]
+
+
+def ask_all(machine: Machine, *, thorough: bool, within_ns: int) -> Iterator[Finding]:
+    """The findings of the quick questions, or of all; that time ran out is one of them.
+
+    `within_ns` is how soon a rule may not toggle, in nanoseconds.
+    """
+    if not machine.rules:
+        return
+    limit_s = THOROUGH_S if thorough else QUICK_S
+    inquiry = Inquiry(machine, time.process_time() + limit_s)
+    for name, question in _questions(thorough, within_ns).items():
+        yield from _in_time(inquiry, name, question, limit_s)
+
+
+def _in_time(inquiry: Inquiry, name: str, question: Question, limit_s: float) -> Iterator[Finding]:
+    try:
+        yield from question(inquiry)
+    except OutOfTimeError:
+        finding = Undecided(
+            question=name,
+            reason=f"not all was asked within {limit_s:g} s; `--thorough` takes its time",
+        )
+        yield Finding(finding.at(inquiry.machine.rules[0].span))
+
+
+def _questions(thorough: bool, within_ns: int) -> dict[str, Question]:
+    quick: dict[str, Question] = {
+        "which rules are in conflict?": lambda asked: find_conflicts(asked, thorough=thorough),
+        "what is never or always so?": lambda asked: find_decided(asked, thorough=thorough),
+        "whose loss does nobody notice?": find_unnoticed,
+        "which commands are blocked?": find_blocked,
+        "which limits hold their own rule?": find_self_holding,
+    }
+    slow: dict[str, Question] = {
+        "which rules add nothing?": find_implied,
+        "which rules are never cleared?": find_never_cleared,
+        "which rules toggle fast?": lambda asked: find_chattering(asked, within_ns),
+    }
+    return {**quick, **slow} if thorough else quick

@@ -1,0 +1,165 @@
+"""Recoveries that fight their own rule: commands that a limit cuts to 0, and limits that keep the
+condition of their rule from becoming false.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+import z3
+
+from dslkit.diagnostics import Label
+from rossmarie.analysis.activity import is_cleared, seen_together, together, truths_of
+from rossmarie.analysis.errors import LimitHoldsCondition, RecoveryBlocked, Undecided
+from rossmarie.analysis.finding import Finding, head, witness_note
+from rossmarie.analysis.inquiry import Asked, Inquiry, Result
+from rossmarie.analysis.solver import Outcome
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.terms import constant
+from rossmarie.ir import Machine
+from rossmarie.ir.reactions import Bound, Limit, Publish, Task
+
+
+def find_blocked(inquiry: Inquiry) -> Iterator[Finding]:
+    """A warning of each command of a rule that a limit in force at the same time makes 0."""
+    machine = inquiry.machine
+    for rule, task, publish in _published(machine):
+        for other, limit_task, bound in _limits(machine, publish):
+            value = _cut(machine, publish, bound)
+            if value is None:
+                continue
+            result = _both(inquiry, rule, other)
+            if result.outcome is not Outcome.IMPOSSIBLE:
+                yield _blocked(machine, rule, other, task, limit_task, bound, value, result)
+                break
+
+
+def _published(machine: Machine) -> Iterator[tuple[int, Task, Publish]]:
+    for rule, plan in enumerate(machine.reactions.plans):
+        for index in plan.tasks:
+            task = machine.reactions.tasks[index]
+            if isinstance(task.effect, Publish) and task.effect.command is not None:
+                yield rule, task, task.effect
+
+
+def _limits(machine: Machine, publish: Publish) -> Iterator[tuple[int, Task, Bound]]:
+    """The bounds of all rules on the topic of a command, by rule and task."""
+    for rule, plan in enumerate(machine.reactions.plans):
+        for index in plan.tasks:
+            task = machine.reactions.tasks[index]
+            if isinstance(task.effect, Limit) and task.effect.topic == publish.command:
+                yield from ((rule, task, bound) for bound in task.effect.bounds)
+
+
+def _cut(machine: Machine, publish: Publish, bound: Bound) -> float | None:
+    """The number of a command that a bound makes 0; None if it leaves something of it."""
+    assert publish.command is not None
+    path = machine.reactions.commands[publish.command].fields[bound.field].path
+    for assignment in publish.assignments:
+        value = assignment.value
+        if assignment.path == path and isinstance(value, float) and value != 0.0:
+            is_cut = bound.low == 0.0 if value < 0.0 else bound.high == 0.0
+            return value if is_cut else None
+    return None
+
+
+def _both(inquiry: Inquiry, rule: int, other: int) -> Result:
+    if rule == other:
+        return Result(Outcome.POSSIBLE)
+    plans = inquiry.machine.reactions.plans
+    if other in plans[rule].unless or rule in plans[other].unless:
+        return Result(Outcome.IMPOSSIBLE)
+    return inquiry.decide(
+        Asked(
+            truths_of(inquiry.machine, (rule, other)),
+            partial(together, one=rule, other=other),
+            partial(seen_together, one=rule, other=other),
+            lambda seen: seen[-1].active[rule] and seen[-1].active[other],
+        )
+    )
+
+
+def _blocked(
+    machine: Machine,
+    rule: int,
+    other: int,
+    task: Task,
+    limit_task: Task,
+    bound: Bound,
+    value: float,
+    result: Result,
+) -> Finding:
+    publish = task.effect
+    assert isinstance(publish, Publish)
+    assert publish.command is not None
+    name, limit = machine.rules[rule].name, machine.reactions.actions[limit_task.action].name
+    by = f"its own `{limit}`" if rule == other else f"`{limit}` of `{machine.rules[other].name}`"
+    field = machine.reactions.commands[publish.command].fields[bound.field]
+    path = ".".join(str(step) for step in field.path)
+    place = Label(limit_task.span, "this lies on it at the same time")
+    if result.outcome is Outcome.UNDECIDED:
+        question = f"can rule `{name}` publish {path} on {publish.topic} while {by} makes it 0?"
+        open_one = Undecided(question=question, reason="whether both can be active is open")
+        return Finding(open_one.at(task.span, place))
+    finding = RecoveryBlocked(
+        rule=name,
+        field=path,
+        value=f"{value:.6g} {field.unit}".rstrip(),
+        topic=publish.topic,
+        limit=by,
+        low=f"{bound.low:.6g}",
+        high=f"{bound.high:.6g}",
+    )
+    truths = truths_of(machine, (rule, other))
+    witness = result.witness
+    notes = () if witness is None else (witness_note(machine, witness, truths),)
+    return Finding(finding.at(task.span, place, notes=notes), witness)
+
+
+# --- limits on what is read ------------------------------------------------------------------
+
+
+def find_self_holding(inquiry: Inquiry) -> Iterator[Finding]:
+    """A warning of each rule that is not cleared as long as what it reads obeys its own limits."""
+    machine = inquiry.machine
+    for rule, plan in enumerate(machine.reactions.plans):
+        if machine.rules[rule].release is None:
+            continue
+        for index in plan.tasks:
+            effect = machine.reactions.tasks[index].effect
+            for slot, bound in _read(machine, effect) if isinstance(effect, Limit) else ():
+                rests_on = inquiry.asked.supports.truths[machine.rules[rule].condition].slots
+                if slot not in rests_on:
+                    continue
+                held = partial(_is_cleared_within, rule=rule, slot=slot, bound=bound)
+                free = partial(is_cleared, rule=rule)
+                if inquiry.is_impossible(held, settled=True) and not inquiry.is_impossible(free):
+                    yield _self_holding(machine, rule, index, bound)
+
+
+def _read(machine: Machine, limit: Limit) -> Iterator[tuple[int, Bound]]:
+    """The slots that carry a field that is limited."""
+    command = machine.reactions.commands[limit.topic]
+    for bound in limit.bounds:
+        for index, slot in enumerate(machine.slots):
+            topic = machine.channels[machine.inputs[slot.input].channel].topic
+            if topic == command.topic and slot.path == command.fields[bound.field].path:
+                yield index, bound
+
+
+def _is_cleared_within(state: ArbitraryState, rule: int, slot: int, bound: Bound) -> z3.BoolRef:
+    source, value = state.machine.slots[slot], state.slot(slot).value
+    low, high = (end * source.scale + source.offset for end in (bound.low, bound.high))
+    return z3.And(is_cleared(state, rule), value >= constant(low), value <= constant(high))
+
+
+def _self_holding(machine: Machine, rule: int, task: int, bound: Bound) -> Finding:
+    effect = machine.reactions.tasks[task].effect
+    assert isinstance(effect, Limit)
+    command = machine.reactions.commands[effect.topic]
+    path = ".".join(str(step) for step in command.fields[bound.field].path)
+    place = Label(machine.reactions.tasks[task].span, "the limit")
+    name = machine.rules[rule].name
+    finding = LimitHoldsCondition(rule=name, field=f"{path} on {command.topic}")
+    return Finding(finding.at(head(machine, machine.rules[rule]), place))

@@ -1,0 +1,61 @@
+"""Rules that are never cleared once they are active."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+
+import z3
+
+from rossmarie.analysis.activity import is_cleared, truths_of
+from rossmarie.analysis.course import Course
+from rossmarie.analysis.errors import NoWayOut, Undecided
+from rossmarie.analysis.finding import Finding, head
+from rossmarie.analysis.inquiry import Asked, Inquiry
+from rossmarie.analysis.solver import Outcome
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.witness import View
+from rossmarie.ir import TruthValue
+
+
+def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
+    """A warning of each rule without a way out whose condition alone could become false."""
+    machine = inquiry.machine
+    for index, rule in enumerate(machine.rules):
+        if rule.release is None or not rule.inputs:
+            continue
+        if inquiry.is_impossible(partial(_is_false, condition=rule.condition)):
+            continue  # always active, which is said elsewhere
+        result = inquiry.decide(
+            Asked(
+                truths_of(machine, (index,)),
+                partial(is_cleared, rule=index),
+                partial(_clears, rule=index),
+                partial(_is_seen_to_clear, rule=index),
+            )
+        )
+        span = head(machine, rule)
+        if result.outcome is Outcome.IMPOSSIBLE:
+            yield Finding(NoWayOut(rule=rule.name).at(span))
+        elif result.outcome is Outcome.UNDECIDED:
+            question = f"can rule `{rule.name}` be cleared once it is active?"
+            reason = "no short course of events does so, and no proof excludes it"
+            yield Finding(Undecided(question=question, reason=reason).at(span))
+
+
+def _is_false(state: ArbitraryState, condition: int) -> z3.BoolRef:
+    return state.truth(condition).is_value(TruthValue.FALSE)
+
+
+def _clears(course: Course, rule: int) -> z3.BoolRef:
+    moments = range(1, len(course.moments))
+    return z3.Or(
+        [
+            z3.And(course.is_active(rule, moment - 1), z3.Not(course.is_active(rule, moment)))
+            for moment in moments
+        ]
+    )
+
+
+def _is_seen_to_clear(seen: Sequence[View], rule: int) -> bool:
+    return len(seen) > 1 and seen[-2].active[rule] and not seen[-1].active[rule]

@@ -1,0 +1,146 @@
+"""Witnesses made short: fewer legs, fewer messages, round numbers, and no time after the end."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from rossmarie.analysis.draft import Draft, DraftLeg, Knob, witness_of
+from rossmarie.analysis.witness import Claim, View, Witness, views
+from rossmarie.ir import AgeReaches, Count, Fold, Held, Kind, Machine, Read, supports
+
+_MOST_REPLAYS = 80
+_MOST_MESSAGES = 400
+"""In a witness that is tried out again and again."""
+
+
+class Replays:
+    """Whether drafts show a claim, each tried out by the interpreter, up to a number of tries."""
+
+    def __init__(self, machine: Machine, claim: Claim, asked: Sequence[int]) -> None:
+        self._machine = machine
+        self._claim = claim
+        self._asked = asked
+        self._left = _MOST_REPLAYS
+        self._channels = [support.channels for support in supports(machine).signals]
+
+    def show(self, draft: Draft) -> Witness | None:
+        """The witness up to the instant at which it shows the claim; None if it does not."""
+        if self._left <= 0 or _messages(draft) > _MOST_MESSAGES * 20:
+            return None
+        self._left -= 1 + _messages(draft) // _MOST_MESSAGES
+        witness = witness_of(self._machine, draft)
+        seen: list[View] = []
+        for view in views(self._machine, witness, self._asked):
+            seen.append(view)
+            if draft.is_calm and self._has_gap(draft, view):
+                return None
+            if self._claim(seen):
+                return _until(witness, view)
+        return None
+
+    def _has_gap(self, draft: Draft, view: View) -> bool:
+        """Whether something that the draft sends is not known."""
+        channels = {channel for leg in draft.legs for channel in leg.channels}
+        return any(
+            math.isnan(view.signals[index]) and self._channels[index] <= channels
+            for index, signal in enumerate(self._machine.signals)
+            if isinstance(signal.node, Read | Fold | Count)
+        )
+
+
+def _messages(draft: Draft) -> int:
+    return sum(leg.length_ns // draft.period_ns + 2 for leg in draft.legs)
+
+
+def _until(witness: Witness, view: View) -> Witness:
+    events = tuple(event for event in witness.events if event.at_ns <= view.at_ns)
+    return Witness(events, view.at_ns, witness.is_calm)
+
+
+def shortened(machine: Machine, draft: Draft, replays: Replays) -> Witness | None:
+    """The shortest witness that is found around a draft; None if the draft is not borne out."""
+    best = replays.show(draft)
+    if best is None:
+        return None
+    changed = True
+    while changed:
+        changed = False
+        for simpler in _simpler(machine, draft):
+            witness = replays.show(simpler)
+            if witness is not None:
+                best, draft, changed = witness, simpler, True
+                break
+    return best
+
+
+def _simpler(machine: Machine, draft: Draft) -> Iterator[Draft]:
+    """Drafts with less in them, the greatest step first."""
+    for number, leg in enumerate(draft.legs):
+        if len(draft.legs) > 1:
+            yield draft.with_leg(number, None)
+        for channel in () if draft.is_calm else leg.channels:
+            yield draft.with_leg(number, _without(machine, leg, channel))
+        for length_ns in _lengths(machine):
+            if length_ns < leg.length_ns:
+                yield draft.with_leg(number, replace(leg, length_ns=length_ns))
+        if leg.shakes:
+            yield draft.with_leg(number, replace(leg, shakes={}))
+    if draft.period_ns * 1000 < max(leg.length_ns for leg in draft.legs):
+        yield replace(draft, period_ns=draft.period_ns * 10)
+    longest = max(leg.length_ns for leg in draft.legs)
+    if longest > draft.period_ns:
+        yield replace(draft, period_ns=longest)
+    for number, leg in enumerate(draft.legs):
+        for knob, value in leg.values.items():
+            for rounder in _rounder(machine, knob, value):
+                yield draft.with_value(number, knob, rounder)
+
+
+def _lengths(machine: Machine) -> list[int]:
+    """How long a leg is best: no time at all, or a duration in the rules."""
+    durations = {
+        node.duration_ns for truth in machine.truths if isinstance(node := truth.node, Held)
+    }
+    ages = {node.age_ns for truth in machine.truths if isinstance(node := truth.node, AgeReaches)}
+    return sorted({0} | durations | ages)
+
+
+def _without(machine: Machine, leg: DraftLeg, channel: int) -> DraftLeg:
+    """A leg without a channel."""
+    kept = {knob: value for knob, value in leg.values.items() if _channel(machine, knob) != channel}
+    return replace(leg, channels=tuple(c for c in leg.channels if c != channel), values=kept)
+
+
+def _channel(machine: Machine, knob: Knob) -> int:
+    source = machine.slots[knob.slots[0]] if knob.array is None else machine.arrays[knob.array]
+    return machine.inputs[source.input].channel
+
+
+def _rounder(machine: Machine, knob: Knob, value: float) -> Iterator[float]:
+    """Rounder values near one, in the unit that the user sees, the roundest first."""
+    is_slot = knob.array is None and knob.angle is None
+    if is_slot and machine.slots[knob.slots[0]].kind is not Kind.REAL:
+        return
+    shown_value = value * knob.scale + knob.offset
+    for text in _round_numbers(shown_value):
+        if cost(text) < cost(shown_value):
+            yield (text - knob.offset) / knob.scale
+
+
+def cost(number: float) -> tuple[int, float]:
+    """How many digits a number has; of equally many, 5 and 0 are rounder."""
+    digits = f"{abs(number):.12e}".partition("e")[0].replace(".", "").rstrip("0")
+    return (len(digits), float(digits[-1:] not in ("5", "")))
+
+
+def _round_numbers(number: float) -> Iterator[float]:
+    yield 0.0
+    if number == 0.0 or not math.isfinite(number):
+        return
+    exponent = math.floor(math.log10(abs(number)))
+    for power in range(exponent, exponent - 4, -1):
+        for step in (10.0**power, 5.0 * 10.0 ** (power - 1)):
+            for whole in (math.floor(number / step), math.ceil(number / step)):
+                yield float(f"{whole * step:.12g}")

@@ -1,0 +1,57 @@
+"""Asking z3, with a limit: an answer is a model, a proof that there is none, or neither."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import z3
+
+EFFORT = 3_000_000
+"""What a question may cost, in steps of the solver: the same everywhere, unlike time."""
+
+LIMIT_MS = 20_000
+"""After this, in milliseconds, a question is given up however few steps it took."""
+
+
+class Outcome(enum.Enum):
+    """What came of a question."""
+
+    POSSIBLE = "possible"
+    IMPOSSIBLE = "impossible"
+    UNDECIDED = "undecided"
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The outcome, with a model where it is POSSIBLE."""
+
+    outcome: Outcome
+    model: z3.ModelRef | None = None
+
+
+_OUTCOMES = {"sat": Outcome.POSSIBLE, "unsat": Outcome.IMPOSSIBLE}
+
+
+class Solver:
+    """Facts that stay, and claims that are asked together with them, one after the other."""
+
+    def __init__(self, facts: Sequence[z3.BoolRef]) -> None:
+        self._solver = z3.Solver()
+        self._solver.set(timeout=LIMIT_MS, rlimit=EFFORT)
+        self._solver.add(facts)
+
+    def ask(self, *claims: z3.BoolRef) -> Answer:
+        """Whether the claims can be so, all of them."""
+        self._solver.push()
+        self._solver.add(claims)
+        outcome = _OUTCOMES.get(str(self._solver.check()), Outcome.UNDECIDED)
+        model = self._solver.model() if outcome is Outcome.POSSIBLE else None
+        self._solver.pop()
+        return Answer(outcome, model)
+
+
+def ask(facts: Sequence[z3.BoolRef], *claims: z3.BoolRef) -> Answer:
+    """A single question."""
+    return Solver(facts).ask(*claims)

@@ -1,0 +1,167 @@
+"""An arbitrary well-formed state at any evaluation of any trace.
+
+Every state that a trace leads to is one of these, so what holds in all of them holds always. The
+opposite is not true: memories (`for`, `rate`, `previous`, `oscillates`) hold anything that fits the
+present value of what they remember.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
+import z3
+
+from rossmarie import ir
+from rossmarie.analysis.encoding import Cell, Encoding, Questioned
+from rossmarie.analysis.terms import FALSE, YES, Fact, Number, choice, free_fact
+from rossmarie.ir import TruthValue
+
+
+class ArbitraryState(Encoding):
+    """Anything that can be at an evaluation.
+
+    `settled` leaves out the time in which a `for` has not matured yet although its condition is
+    true; what is false only then is false only at the beginning.
+    """
+
+    rounded = True
+
+    def __init__(self, asked: Questioned, *, settled: bool = False) -> None:
+        super().__init__(asked)
+        self._settled = settled
+        self._slots: dict[int, Number] = {}
+        self._cells: dict[int, Sequence[Cell]] = {}
+        self._before: dict[int, Fact] = {}
+        self._elapsed: dict[int, z3.ArithRef] = {}
+        self._ages: dict[int, z3.ArithRef] = {}
+
+    def slot(self, index: int) -> Number:
+        """Any value of its kind, while the input is fresh."""
+        if index not in self._slots:
+            slot = self.machine.slots[index]
+            value, known = z3.Real(f"slot{index}"), z3.Bool(f"slot{index}.known")
+            self.facts += kind_facts(self.machine, slot, value)
+            self.facts.append(z3.Implies(known, self.is_fresh(slot.input)))
+            self._slots[index] = Number(known, value)
+        return self._slots[index]
+
+    def cells(self, array: int) -> Sequence[Cell]:
+        """As many elements as can matter, while the input is fresh."""
+        if array not in self._cells:
+            cells = [
+                Cell(
+                    z3.Bool(f"array{array}.{i}"),
+                    Number(z3.Bool(f"array{array}.{i}.known"), z3.Real(f"array{array}.{i}.value")),
+                )
+                for i in range(self.asked.array_uses[array])
+            ]
+            self.facts += shape_facts(cells)
+            fresh = self.is_fresh(self.machine.arrays[array].input)
+            self.facts.append(z3.Implies(cells[0].is_there, fresh))
+            self._cells[array] = cells
+        return self._cells[array]
+
+    def has_arrived(self, channel: int) -> z3.BoolRef:
+        """Either."""
+        return z3.Bool(f"channel{channel}.arrived")
+
+    def age(self, channel: int) -> z3.ArithRef:
+        """Any age."""
+        if channel not in self._ages:
+            self._ages[channel] = z3.Int(f"channel{channel}.age")
+            self.facts.append(self._ages[channel] >= 0)
+        return self._ages[channel]
+
+    def rate(self, _: int, node: ir.Rate) -> Number:
+        """Any slope."""
+        return self._remembered(node.signal)
+
+    def previous(self, _: int, node: ir.Previous) -> Number:
+        """Any sample."""
+        return self._remembered(node.signal)
+
+    def _remembered(self, signal: int) -> Number:
+        """Samples do not outlive their inputs (S21)."""
+        known = z3.FreshBool("sampled")
+        for used in sorted(self.asked.supports.signals[signal].inputs):
+            self.facts.append(z3.Implies(known, self.is_fresh(used)))
+        return Number(known, z3.FreshReal("sample"))
+
+    def count(self, node: ir.Count) -> Number:
+        """Any number of elements, if all of them are known."""
+        array = self.asked.elements.truths[node.element]
+        assert array is not None
+        known = [self.cells(array)[0].is_there]
+        for cell in self.cells(array):
+            found = self.element_truth(node.element, cell.number)
+            known.append(z3.Implies(cell.is_there, z3.Or(found.true, found.false)))
+        number = z3.FreshInt("count")
+        self.facts.append(number >= 0)
+        return Number(z3.And(known), z3.ToReal(number))
+
+    def held(self, _: int, node: ir.Held, operand: Fact) -> Fact:
+        """True once its condition has been true for long enough, before that whatever it was."""
+        if self._settled:
+            return operand
+        matured = self.elapsed(node.operand) >= node.duration_ns
+        return choice(operand.true, choice(matured, _TRUE, self.before(node.operand)), operand)
+
+    def before(self, operand: int) -> Fact:
+        """What a truth was before it became true, where it is."""
+        if operand not in self._before:
+            found = free_fact(f"truth{operand}.before", self.facts)
+            self.facts.append(z3.Not(found.true))
+            if not self.asked.has_timeout(self.asked.supports.truths[operand].inputs):
+                self.facts.append(z3.Not(found.lost))
+            self._before[operand] = found
+        return self._before[operand]
+
+    def elapsed(self, operand: int) -> z3.ArithRef:
+        """For how long a truth has been true, where it is, in nanoseconds."""
+        if operand not in self._elapsed:
+            self._elapsed[operand] = z3.Int(f"truth{operand}.elapsed")
+            self.facts.append(self._elapsed[operand] >= 0)
+        return self._elapsed[operand]
+
+    @property
+    def awaited(self) -> tuple[int, ...]:
+        """The truths of which it was asked for how long they have been true."""
+        return tuple(self._elapsed)
+
+    def is_longer(self, operand: int, other: int) -> z3.BoolRef:
+        """What holds if a truth cannot be true while another is not."""
+        return z3.Implies(self.truth(operand).true, self.elapsed(other) >= self.elapsed(operand))
+
+    def is_unknown_with(self, operand: int, other: int, value: TruthValue) -> z3.BoolRef:
+        """What holds besides if the one cannot be U, or L, while the other is not: after they were,
+        they became true together. A jump in time makes both U (S17).
+        """
+        was_unknown = z3.And(self.truth(operand).true, self.before(operand).is_value(value))
+        is_equal = self.elapsed(other) == self.elapsed(operand)
+        return z3.Implies(was_unknown, z3.And(self.before(other).is_value(value), is_equal))
+
+    def oscillating(self, index: int) -> Fact:
+        """Anything."""
+        return free_fact(f"truth{index}", self.facts)
+
+
+_TRUE = Fact(YES, FALSE.true, FALSE.true)
+
+
+def kind_facts(machine: ir.Machine, slot: ir.Slot, value: z3.ArithRef) -> list[z3.BoolRef]:
+    """What values a slot can have."""
+    match slot.kind:
+        case ir.Kind.FLAG:
+            return [z3.Or(value == 0, value == 1)]
+        case ir.Kind.TEXT:
+            return [z3.Or([value == number for number in range(-1, len(machine.texts))])]
+        case ir.Kind.REAL:
+            return []
+
+
+def shape_facts(cells: Sequence[Cell]) -> list[z3.BoolRef]:
+    """An array has no gaps."""
+    return [
+        z3.Implies(later.is_there, earlier.is_there) for earlier, later in itertools.pairwise(cells)
+    ]

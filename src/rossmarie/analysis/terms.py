@@ -1,0 +1,106 @@
+"""Numbers and truths as terms of the solver: Kleene's logic (S1, S2) and exact constants."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import z3
+
+from rossmarie.ir import TruthValue
+
+YES = z3.BoolVal(True)
+NO = z3.BoolVal(False)
+
+
+@dataclass(frozen=True)
+class Number:
+    """A signal: whether it is known, and its value in SI where it is."""
+
+    known: z3.BoolRef
+    value: z3.ArithRef
+
+
+@dataclass(frozen=True)
+class Fact:
+    """A truth: whether it is T, F, or L. At most one of the three; none means U."""
+
+    true: z3.BoolRef
+    false: z3.BoolRef
+    lost: z3.BoolRef
+
+    def is_same_as(self, other: Fact) -> z3.BoolRef:
+        """Whether two truths have one value."""
+        return z3.And(self.true == other.true, self.false == other.false, self.lost == other.lost)
+
+    def is_value(self, value: TruthValue) -> z3.BoolRef:
+        """Whether a truth has this value."""
+        match value:
+            case TruthValue.TRUE:
+                return self.true
+            case TruthValue.FALSE:
+                return self.false
+            case TruthValue.LOST:
+                return self.lost
+        return z3.Not(z3.Or(self.true, self.false, self.lost))
+
+    @property
+    def activates(self) -> z3.BoolRef:
+        """Whether a rule with this condition becomes active (S35)."""
+        return z3.Or(self.true, self.lost)
+
+
+def literal(value: bool) -> Fact:
+    """T or F."""
+    return Fact(YES if value else NO, NO if value else YES, NO)
+
+
+FALSE = literal(False)
+
+
+def free_fact(name: str, facts: list[z3.BoolRef]) -> Fact:
+    """A truth of any value; what holds of it goes to `facts`."""
+    true, false, lost = (z3.Bool(f"{name}.{value}") for value in "TFL")
+    facts.append(z3.AtMost(true, false, lost, 1))
+    return Fact(true, false, lost)
+
+
+def choice(condition: z3.BoolRef, one: Fact, other: Fact) -> Fact:
+    """The one truth where the condition holds, else the other."""
+    return Fact(
+        z3.If(condition, one.true, other.true),
+        z3.If(condition, one.false, other.false),
+        z3.If(condition, one.lost, other.lost),
+    )
+
+
+def negation(operand: Fact) -> Fact:
+    """`not` (S2)."""
+    return Fact(operand.false, operand.true, operand.lost)
+
+
+def conjunction(operands: Sequence[Fact]) -> Fact:
+    """`and` (S2)."""
+    false = z3.Or([operand.false for operand in operands])
+    lost = z3.And(z3.Not(false), z3.Or([operand.lost for operand in operands]))
+    return Fact(z3.And([operand.true for operand in operands]), false, lost)
+
+
+def disjunction(operands: Sequence[Fact]) -> Fact:
+    """`or` (S2)."""
+    return negation(conjunction([negation(operand) for operand in operands]))
+
+
+def constant(value: float) -> z3.ArithRef:
+    """A finite double, exactly."""
+    return z3.RealVal(str(Fraction(value)))
+
+
+def number_of(value: z3.ExprRef) -> float:
+    """The double nearest to a number of a model."""
+    if z3.is_algebraic_value(value):
+        value = value.approx(30)
+    if z3.is_int_value(value):
+        return float(value.as_long())
+    return float(value.as_fraction()) if z3.is_rational_value(value) else 0.0

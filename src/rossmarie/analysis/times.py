@@ -1,0 +1,68 @@
+"""The times of a course of events, from the durations in the rules."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+
+from rossmarie import ir
+from rossmarie.analysis.encoding import Questioned
+
+SECOND = 1_000_000_000
+_LONGEST_PERIOD_NS = SECOND // 10
+
+
+class Times:
+    """The times of a course, from those in a part of a machine: of channels, and below truths."""
+
+    def __init__(self, asked: Questioned, truths: Sequence[int]) -> None:
+        machine = asked.machine
+        support = [asked.supports.truths[truth] for truth in truths]
+        self.channels = tuple(sorted(set().union(*(each.channels for each in support))))
+        self.truths = tuple(
+            sorted({below for root in truths for below in ir.reachable_truths(machine, root)})
+        )
+        inputs = [used for used in machine.inputs if used.channel in self.channels]
+        self.timeouts = [used.timeout_ns for used in inputs if used.timeout_ns is not None]
+        self.silence_ns = max([*self.timeouts, *self._ages(machine)], default=0)
+        self._settled = self._settling(machine)
+        self.longest_ns = max(self._settled.values(), default=0) + self.silence_ns + self.period_ns
+        windows = [
+            node.window_ns
+            for truth in self.truths
+            if isinstance(node := machine.truths[truth].node, ir.Oscillates)
+        ]
+        second_sample = 2 * self.period_ns if any(each.samples for each in support) else 0
+        self.shortest_ns = max([second_sample, *windows])
+
+    def settling(self, truth: int) -> int:
+        """How long a truth takes to settle when nothing changes any more."""
+        return self._settled[truth]
+
+    @cached_property
+    def period_ns(self) -> int:
+        """Between two messages of a channel."""
+        least = min((timeout // 2 for timeout in self.timeouts), default=_LONGEST_PERIOD_NS)
+        return max(min(least, _LONGEST_PERIOD_NS), 1)
+
+    def _ages(self, machine: ir.Machine) -> Iterator[int]:
+        for truth in self.truths:
+            node = machine.truths[truth].node
+            if isinstance(node, ir.AgeReaches):
+                yield node.age_ns
+
+    def _settling(self, machine: ir.Machine) -> dict[int, int]:
+        """How long each truth takes to settle when nothing changes any more."""
+        needed: dict[int, int] = {}
+        for truth in self.truths:
+            node = machine.truths[truth].node
+            below = 0
+            if not isinstance(node, ir.Quantified):
+                below = max((needed[each] for each in ir.truth_operands(node)), default=0)
+            match node:
+                case ir.Held(duration_ns=duration_ns):
+                    below += duration_ns
+                case ir.Oscillates(window_ns=window_ns):
+                    below += window_ns
+            needed[truth] = below
+        return needed

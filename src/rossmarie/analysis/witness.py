@@ -1,0 +1,199 @@
+"""A witness: a short trace that shows what a finding says.
+
+It is told in the words of the rules file, and can be written as a recording.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from rossmarie.interpreter import Interpreter
+from rossmarie.ir import ChannelValues, Kind, Machine, TruthValue
+from rossmarie.ir.duration_text import duration_text
+
+SECOND = 1_000_000_000
+
+
+@dataclass(frozen=True)
+class Sending:
+    """Messages that arrive at one instant, in nanoseconds, by channel; numbers are raw, as in
+    `ChannelValues`.
+    """
+
+    at_ns: int
+    messages: Mapping[int, ChannelValues]
+
+
+@dataclass(frozen=True)
+class Witness:
+    """Messages in the order in which they arrive, and the instant at which all is seen. `is_calm`
+    says whether all sensors that matter work.
+    """
+
+    events: tuple[Sending, ...]
+    end_ns: int
+    is_calm: bool
+
+
+@dataclass(frozen=True)
+class View:
+    """What can be seen right after an evaluation: rules and asked truths, by index; signals."""
+
+    at_ns: int
+    active: tuple[bool, ...]
+    truths: Mapping[int, TruthValue]
+    signals: tuple[float, ...]
+
+
+Claim = Callable[[Sequence[View]], bool]
+"""Whether the views up to the last one show what is to be shown."""
+
+
+def views(machine: Machine, witness: Witness, asked: Sequence[int] = ()) -> Iterator[View]:
+    """The evaluations that a witness leads to, with what some truths are worth."""
+    watching = replace(machine, watches=tuple(asked))
+    monitor = Interpreter(watching)
+
+    def seen(at_ns: int) -> View:
+        truths = dict(zip(asked, monitor.watches, strict=True))
+        return View(at_ns, monitor.active, truths, monitor.signals)
+
+    for sending in witness.events:
+        while (wake_ns := monitor.next_wake()) is not None and wake_ns < sending.at_ns:
+            monitor.advance(wake_ns)
+            yield seen(wake_ns)
+        monitor.update(sending.at_ns, sending.messages)
+        yield seen(sending.at_ns)
+    while (wake_ns := monitor.next_wake()) is not None and wake_ns <= witness.end_ns:
+        monitor.advance(wake_ns)
+        yield seen(wake_ns)
+    if not witness.events:
+        monitor.advance(witness.end_ns)
+        yield seen(witness.end_ns)
+
+
+def as_csv(machine: Machine, witness: Witness) -> str:
+    """The witness as a recording that `rossmarie replay` reads; numbers without loss.
+
+    A message of which the rules read nothing but its age has no column, and is left out.
+    """
+    channels = sorted({channel for event in witness.events for channel in event.messages})
+    if not channels:  # a recording has to know what it is silent about
+        channels = list(range(len(machine.channels)))
+    columns = [column for channel in channels for column in _columns(machine, channel, witness)]
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["time_ns", *(column.name for column in columns)])
+    for event in witness.events:
+        writer.writerow([event.at_ns, *(column.cell(machine, event) for column in columns)])
+    if not witness.events or witness.end_ns > witness.events[-1].at_ns:
+        writer.writerow([witness.end_ns, *("" for _ in columns)])
+    return text.getvalue()
+
+
+@dataclass(frozen=True)
+class _Column:
+    """A column of a recording: a slot, or with `element` one of an array."""
+
+    name: str
+    channel: int
+    index: int
+    element: int | None = None
+
+    def cell(self, machine: Machine, event: Sending) -> str:
+        """What stands in the row of an event."""
+        values = event.messages.get(self.channel)
+        if values is None:
+            return ""
+        if self.element is not None:
+            elements = values.arrays.get(self.index, ())
+            return repr(elements[self.element]) if self.element < len(elements) else ""
+        raw = values.slots.get(self.index, math.nan)
+        match machine.slots[self.index].kind:
+            case _ if math.isnan(raw):
+                return "nan" if machine.slots[self.index].kind is Kind.REAL else ""
+            case Kind.FLAG:
+                return str(raw != 0.0).lower()
+            case Kind.TEXT:
+                return machine.texts[int(raw)] if raw >= 0.0 else other_text(machine)
+        return repr(raw)
+
+
+def other_text(machine: Machine) -> str:
+    """A text that the rules do not mention."""
+    text = "another"
+    while text in machine.texts:
+        text += "_"
+    return text
+
+
+def _columns(machine: Machine, channel: int, witness: Witness) -> Iterator[_Column]:
+    topic = machine.channels[channel].topic
+    for index, slot in enumerate(machine.slots):
+        if machine.inputs[slot.input].channel == channel:
+            yield _Column(_name(topic, slot.path), channel, index)
+    for index, array in enumerate(machine.arrays):
+        if machine.inputs[array.input].channel == channel:
+            for element in range(_longest(witness, channel, index)):
+                name = _name(topic, (*array.path, element))
+                yield _Column(name, channel, index, element)
+
+
+def _longest(witness: Witness, channel: int, array: int) -> int:
+    found = (event.messages.get(channel) for event in witness.events)
+    return max((len(values.arrays.get(array, ())) for values in found if values), default=0)
+
+
+def _name(topic: str, path: Sequence[str | int]) -> str:
+    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
+    return topic + "".join(steps)
+
+
+# --- words -----------------------------------------------------------------------------------
+
+
+def told(machine: Machine, witness: Witness, signals: Sequence[int]) -> str:
+    """What happens in a witness, on one line: what is measured from when on, and what is silent.
+
+    `signals` are those worth telling, by index.
+    """
+    if not witness.events:
+        return "before any message"
+    parts = []
+    before: list[str] | None = None
+    for view in views(machine, witness):
+        now = list(dict.fromkeys(_shown(machine, index, view) for index in signals))
+        if now != before:
+            parts.append(f"at {duration_text(view.at_ns)} {', '.join(now)}")
+        before = now
+    ends = duration_text(witness.end_ns)
+    return "; ".join(parts) + (f"; until {ends}" if witness.end_ns else "")
+
+
+def _shown(machine: Machine, index: int, view: View) -> str:
+    signal = machine.signals[index]
+    text, value = signal.text, view.signals[index]
+    return f"{text} = {shown_value(machine, index, value)}"
+
+
+def shown_value(machine: Machine, index: int, value: float) -> str:
+    """A value of a signal as its user writes it: `20 deg`, `true`, `"docked"`, `unknown`."""
+    signal = machine.signals[index]
+    if math.isnan(value):
+        return "unknown"
+    kind = slot_kind(machine, index)
+    if kind is Kind.FLAG:
+        return str(value != 0.0).lower()
+    if kind is Kind.TEXT:
+        return f'"{machine.texts[int(value)]}"' if value >= 0.0 else "another string"
+    return f"{value * signal.scale + signal.offset:.6g} {signal.unit}".rstrip()
+
+
+def slot_kind(machine: Machine, index: int) -> Kind:
+    """What a signal holds."""
+    slot = getattr(machine.signals[index].node, "slot", None)
+    return Kind.REAL if slot is None else machine.slots[slot].kind

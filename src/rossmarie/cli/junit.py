@@ -1,0 +1,21 @@
+"""The outcome of tests in the XML of JUnit, which build servers read."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+
+from rossmarie.driver.testing import Outcome
+
+
+def junit_text(tested: Outcome) -> str:
+    """A test suite with a case for each test; a failed one has the findings on it."""
+    failed = sum(bool(ran.found) for ran in tested.ran)
+    attributes = {"name": "rossmarie", "tests": str(len(tested.ran)), "failures": str(failed)}
+    suite = ET.Element("testsuite", attributes)
+    for ran in tested.ran:
+        case = ET.SubElement(suite, "testcase", name=ran.script.name, time=f"{ran.seconds:.3f}")
+        for finding in ran.found:
+            failure = ET.SubElement(case, "failure", message=finding.title)
+            failure.text = "\n".join((str(finding.primary.span), *finding.notes))
+    ET.indent(suite)
+    return ET.tostring(suite, encoding="unicode", xml_declaration=True) + "\n"

@@ -1,0 +1,58 @@
+"""Arguments and options that several subcommands take."""
+
+from __future__ import annotations
+
+import enum
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+
+def written(text: str) -> Path:
+    """A path to write to; an empty one would be the folder that one happens to be in."""
+    if not text:
+        raise typer.BadParameter("the path is empty")
+    return Path(text)
+
+
+def choice(kind: type[enum.Enum], text: str) -> Any:
+    """An option that takes one of the values of `kind`, in upper or lower case."""
+    values = [str(member.value) for member in kind]
+
+    def parse(word: str) -> enum.Enum:
+        if isinstance(word, kind):
+            return word  # the default
+        if word.lower() not in values:
+            raise typer.BadParameter(f"`{word}` is none of {', '.join(values)}")
+        return kind(word.lower())
+
+    return typer.Option(help=text, parser=parse, metavar="|".join(values))
+
+
+# Not `readable`: a file that cannot be read is a finding like others (ROSS801, ROSS611).
+Rules = Annotated[Path, typer.Argument(metavar="RULES", help="A .ross file.", readable=False)]
+RulesFiles = Annotated[
+    list[Path], typer.Argument(metavar="RULES...", help=".ross files.", readable=False)
+]
+Systems = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--system", metavar="FILE", help="A system model beside those imported.", readable=False
+    ),
+]
+MessageFolders = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--messages", metavar="DIR", help="A folder with .msg files.", exists=True, file_okay=False
+    ),
+]
+
+TopicMap = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--topic-map",
+        metavar="RULES=RECORDED",
+        help="Read the topic that the rules call RULES from the recorded topic RECORDED.",
+    ),
+]

@@ -1,0 +1,113 @@
+"""`rossmarie test` and `rossmarie coverage`: what tests and recordings show of the rules."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+import typer
+
+from rossmarie.cli.junit import junit_text
+from rossmarie.cli.output import output
+from rossmarie.cli.replay import progress_bar, topic_pairs
+from rossmarie.driver import RulesError
+from rossmarie.driver.coverage import cover_recordings
+from rossmarie.driver.generating import generate_tests
+from rossmarie.driver.testing import Outcome, UnknownTestError, run_test_file, tests_beside
+from rossmarie.driver.writing import reason, write_whole
+from rossmarie.ir import near_name
+from rossmarie.recordings import RecordingError
+from rossmarie.report.coverage import write_coverage
+from rossmarie.report.margins import write_margins
+
+
+def run_test(
+    rules: Path,
+    names: Sequence[str],
+    *,
+    write: bool,
+    junit: Path | None,
+    systems: Sequence[Path],
+    message_folders: Sequence[Path],
+) -> None:
+    """Run the tests and print what they found and cover; generate them before, to `write` them."""
+    try:
+        if write:
+            _write(rules, systems, message_folders)
+        tested = run_test_file(rules, names, systems=systems, message_folders=message_folders)
+    except RulesError as error:
+        output.reject(error.diagnostics)
+    except UnknownTestError as error:
+        near = near_name(error.wanted, error.known)
+        hint = f"; did you mean `{near}`?" if near else ""
+        output.fail(f"{error}{hint}", exit_code=2)
+    report(tested)
+    if junit is not None:
+        _save(junit, junit_text(tested))
+    raise typer.Exit(0 if tested.ran and not any(ran.found for ran in tested.ran) else 1)
+
+
+def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]) -> None:
+    """Write the tests of all boundaries beside the rules."""
+    if tests_beside(rules) == rules:
+        output.fail(f"{rules} holds tests; name the rules that they are for", exit_code=2)
+    written = generate_tests(rules, systems=systems, message_folders=message_folders)
+    _save(written.path, written.text)
+    typer.echo(f"wrote {_counted(written.count, 'test')} to {written.path}")
+
+
+def _save(path: Path, text: str) -> None:
+    try:
+        write_whole(path, text)
+    except OSError as error:
+        output.fail(f"cannot write {path}: {reason(error)}", exit_code=2)
+
+
+def report(tested: Outcome) -> None:
+    """Print the findings, the counts and the coverage."""
+    found = [finding for ran in tested.ran for finding in ran.found]
+    output.print_findings([*tested.findings, *found])
+    if not tested.ran:
+        return
+    failed = sum(bool(ran.found) for ran in tested.ran)
+    where = "on the interpreter and in C" if tested.has_c else "on the interpreter only"
+    write_coverage(tested.coverage, sys.stdout, tested.reasons)
+    typer.echo()
+    counts = f"{_counted(len(tested.ran) - failed, 'test')} passed, {failed} failed"
+    typer.echo(f"{counts}; run {where}")
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}{'' if count == 1 else 's'}"
+
+
+def run_coverage(
+    rules: Path,
+    recordings: Sequence[Path],
+    topic_map: Sequence[str],
+    systems: Sequence[Path],
+    message_folders: Sequence[Path],
+) -> None:
+    """Look at the recordings, and print what they cover and how far thresholds can go."""
+    pairs = topic_pairs(topic_map)
+    try:
+        with progress_bar("moving thresholds") as progress:
+            task = progress.add_task("coverage", total=1.0)
+            found = cover_recordings(
+                rules,
+                recordings,
+                topic_map=pairs,
+                systems=systems,
+                message_folders=message_folders,
+                on_progress=lambda part: progress.update(task, completed=part),
+            )
+    except RulesError as error:
+        output.reject(error.diagnostics)
+    except RecordingError as error:
+        output.print_findings([error.diagnostic])
+        raise typer.Exit(output.exit_code([error.diagnostic])) from None
+    output.print_findings(found.findings)
+    write_coverage(found.coverage, sys.stdout, found.reasons)
+    typer.echo()
+    write_margins(found.coverage.machine, found.margins, sys.stdout)

@@ -1,0 +1,77 @@
+"""The findings on a rules file with those on what its rules mean together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from dslkit.diagnostics import Collector, Diagnostic
+from rossmarie.driver.pipeline import RulesError, check_file, compile_checked
+from rossmarie.driver.writing import write_whole
+from rossmarie.ir import Machine
+
+TOGGLE_NS = 1_000_000_000
+"""How soon a rule may not toggle, where nothing else is said, in nanoseconds."""
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """All findings on a rules file, and the witnesses as recordings (CSV), by file name."""
+
+    diagnostics: tuple[Diagnostic, ...]
+    witnesses: dict[str, str]
+
+
+def analyze_file(
+    rules: Path,
+    *,
+    thorough: bool = False,
+    toggle_ns: int = TOGGLE_NS,
+    systems: Sequence[Path] = (),
+    message_folders: Sequence[Path] = (),
+) -> Analysis:
+    """Check a rules file, and ask what its rules mean together: the quick questions, or all.
+
+    Of a file with errors, or one that no target can run, nothing is asked.
+    """
+    result = check_file(rules, systems=systems, message_folders=message_folders)
+    if result.program is None or not result.program.rules:
+        return Analysis(result.diagnostics, {})
+    try:
+        machine = compile_checked(result, message_folders).machine
+    except RulesError:
+        return Analysis(result.diagnostics, {})
+    return analyzed(machine, result.diagnostics, rules, thorough, toggle_ns)
+
+
+def analyzed(
+    machine: Machine,
+    checked: tuple[Diagnostic, ...],
+    rules: Path,
+    thorough: bool = False,
+    toggle_ns: int = TOGGLE_NS,
+) -> Analysis:
+    """Ask what the rules of a machine mean together; `checked` are the findings so far."""
+    from rossmarie.analysis.questions import ask_all  # the solver takes its time to load
+    from rossmarie.analysis.witness import as_csv
+
+    collector = Collector()
+    collector.extend(checked)
+    witnesses: dict[str, str] = {}
+    for finding in ask_all(machine, thorough=thorough, within_ns=toggle_ns):
+        collector.add(finding.diagnostic)
+        if finding.witness is not None:
+            code = finding.diagnostic.code
+            count = sum(code in name for name in witnesses) + 1
+            name = f"{rules.stem}_{code}_{count}.csv"
+            witnesses[name] = as_csv(machine, finding.witness)
+    return Analysis(collector.sorted(), witnesses)
+
+
+def write_witnesses(analysis: Analysis, folder: Path) -> list[Path]:
+    """Write the witnesses into a folder, for `rossmarie replay`. Raises `OSError`."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in analysis.witnesses.items():
+        write_whole(folder / name, text)
+    return [folder / name for name in analysis.witnesses]

@@ -1,0 +1,135 @@
+"""From a rules file, and the reports on it, to its safety file."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import SourceFile
+from rossmarie.driver.analyze import analyzed
+from rossmarie.driver.pipeline import CheckResult, check_file, compile_checked
+from rossmarie.driver.workspace import LIBRARY
+from rossmarie.driver.writing import reason
+from rossmarie.report.safety import (
+    Declared,
+    Evidence,
+    EvidenceKind,
+    SafetyFile,
+    Source,
+    parse_evidence,
+)
+from rossmarie.report.safety.errors import (
+    EvidenceError,
+    EvidenceOfOtherRules,
+    EvidenceUnreadable,
+    at_file,
+)
+from rossmarie.report.safety.evidence import Hashed
+from rossmarie.syntax import ast
+
+
+def safety_file(
+    rules: Path,
+    *,
+    tool: str,
+    date: str,
+    verification: Path | None = None,
+    coverage: Path | None = None,
+    systems: Sequence[Path] = (),
+    message_folders: Sequence[Path] = (),
+) -> tuple[SafetyFile, tuple[Diagnostic, ...]]:
+    """The safety file, and the findings on the rules and the reports.
+
+    `tool` is the program with its version, `date` the day that the file shall bear. Raises
+    `RulesError`, and `EvidenceError` for a report that cannot be used.
+    """
+    from rossmarie.analysis.failures import losses  # the solver takes its time to load
+    from rossmarie.analysis.inquiry import Inquiry
+
+    result = check_file(rules, systems=systems, message_folders=message_folders)
+    compiled = compile_checked(result, message_folders)
+    reports = {
+        kind: _evidence(kind, path)
+        for kind, path in (
+            (EvidenceKind.VERIFICATION, verification),
+            (EvidenceKind.COVERAGE, coverage),
+        )
+        if path is not None
+    }
+    findings = analyzed(compiled.machine, compiled.warnings, rules).diagnostics
+    content = SafetyFile(
+        machine=compiled.machine,
+        rules_file=rules.name,
+        sources=tuple(_sources(result, rules)),
+        constants=tuple(_constants(result)),
+        priorities=tuple(_priorities(result)),
+        findings=findings,
+        losses=tuple(losses(Inquiry(compiled.machine))),
+        tool=tool,
+        date=date,
+        verification=reports.get(EvidenceKind.VERIFICATION),
+        coverage=reports.get(EvidenceKind.COVERAGE),
+    )
+    return content, (*findings, *_strange(content, verification, coverage))
+
+
+def _evidence(kind: EvidenceKind, path: Path) -> Evidence:
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        finding = EvidenceUnreadable(kind=kind.value, reason=reason(error))
+        raise EvidenceError(at_file(finding, path)) from None
+    return parse_evidence(content, kind, path)
+
+
+def _strange(
+    content: SafetyFile, verification: Path | None, coverage: Path | None
+) -> Iterator[Diagnostic]:
+    """Reports on another text of the rules."""
+    for path, evidence in ((verification, content.verification), (coverage, content.coverage)):
+        if path is None or evidence is None:
+            continue
+        missing = evidence.missing(Hashed(each.name, each.sha256) for each in content.sources)
+        if missing:
+            kind = evidence.kind
+            files = ", ".join(f"`{name}`" for name in missing)
+            finding = EvidenceOfOtherRules(kind=kind.value, files=files)
+            yield at_file(finding, path)
+
+
+# --- what the rules declare ------------------------------------------------------------------
+
+
+def _sources(result: CheckResult, rules: Path) -> Iterator[Source]:
+    """The files, the main one last, as in the program."""
+    for module in result.modules:
+        content = Path(module.file.path).read_bytes()
+        digest = hashlib.sha256(content).hexdigest()
+        yield Source(_name(module.file, rules), module.file, digest)
+
+
+def _name(file: SourceFile, rules: Path) -> str:
+    """A file as the rules call it: relative to the main one."""
+    path = Path(file.path)
+    if path.parent == LIBRARY:
+        return f"rossmarie/{path.name}"
+    return Path(os.path.relpath(path, rules.parent)).as_posix()
+
+
+def _constants(result: CheckResult) -> Iterator[Declared]:
+    for module in result.modules:
+        for item in module.items:
+            if isinstance(item, ast.Constant):
+                text = " ".join(item.value.span.text.split())
+                yield Declared(item.name.text, text, item.documentation, item.span)
+
+
+def _priorities(result: CheckResult) -> Iterator[Declared]:
+    for module in result.modules:
+        for item in module.items:
+            if isinstance(item, ast.Priority):
+                text = " ".join(item.span.text.split())
+                yield Declared("priority", text, None, item.span)

@@ -1,0 +1,140 @@
+"""The tests of a rules file, run on the interpreter and in C."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from pathlib import Path
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import SourceFile, Span, is_file
+from rossmarie.driver.pipeline import Compiled, compile_file
+from rossmarie.interpreter import Interpreter
+from rossmarie.ir import Machine
+from rossmarie.ir.script import Script
+from rossmarie.native import BuildError, NativeMonitor, NoCompilerError, load_native
+from rossmarie.targets import c99
+from rossmarie.testing.coverage import Coverage, cover
+from rossmarie.testing.errors import NoTests, NotRunInC
+from rossmarie.testing.findings import differences, failures
+from rossmarie.testing.goals import Goal
+from rossmarie.testing.run import run
+from rossmarie.testing.unreachable import unreachable
+
+SUFFIX = ".tests.ross"
+"""The file of this ending beside `rules.ross`, `rules.tests.ross`, holds tests of it."""
+
+
+@dataclass(frozen=True)
+class Ran:
+    """One test: what was not as expected, and how long it took, in seconds."""
+
+    script: Script
+    found: tuple[Diagnostic, ...]
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """All tests that ran, what they cover together, and the findings beside them. `has_c` is False
+    if there was no C to run; `reasons` says of goals why they cannot be reached.
+    """
+
+    machine: Machine
+    ran: tuple[Ran, ...]
+    coverage: Coverage
+    findings: tuple[Diagnostic, ...]
+    has_c: bool
+    reasons: Mapping[Goal, str]
+
+
+class UnknownTestError(Exception):
+    """No test has the wanted name."""
+
+    def __init__(self, wanted: str, known: Sequence[str]) -> None:
+        self.wanted = wanted
+        self.known = tuple(known)
+        super().__init__(f"no test is called `{wanted}`")
+
+
+def tests_beside(rules: Path) -> Path:
+    """The file that holds, or would hold, the tests of a rules file."""
+    return rules if rules.name.endswith(SUFFIX) else rules.with_name(rules.stem + SUFFIX)
+
+
+def run_test_file(
+    rules: Path,
+    names: Sequence[str] = (),
+    *,
+    systems: Sequence[Path] = (),
+    message_folders: Sequence[Path] = (),
+    in_c: bool = True,
+) -> Outcome:
+    """Run the tests of a rules file and of the file of tests beside it, on the interpreter and, if
+    `in_c`, in C; those whose names match one of `names`, in which `*` stands for anything.
+
+    Raises `RulesError` and `UnknownTestError`.
+    """
+    beside = tests_beside(rules)
+    main = beside if is_file(beside) else rules
+    compiled = compile_file(main, systems=systems, message_folders=message_folders)
+    scripts = tuple(_chosen(compiled.tests, names))
+    findings = list(compiled.warnings)
+    if not scripts:
+        start = Span(SourceFile(str(rules), ""), 0, 0)
+        findings.append(NoTests(beside=beside.name, path=str(rules)).at(start))
+    return run_tests(compiled, scripts, tuple(findings), in_c=in_c)
+
+
+def _chosen(scripts: Sequence[Script], names: Sequence[str]) -> Iterator[Script]:
+    for name in names:
+        if not any(fnmatchcase(script.name, name) for script in scripts):
+            raise UnknownTestError(name, [script.name for script in scripts])
+    for script in scripts:
+        if not names or any(fnmatchcase(script.name, name) for name in names):
+            yield script
+
+
+def run_tests(
+    compiled: Compiled,
+    scripts: Sequence[Script],
+    findings: tuple[Diagnostic, ...] = (),
+    *,
+    in_c: bool = True,
+) -> Outcome:
+    """Run scripts on the machine that they belong to."""
+    machine = compiled.machine
+    native = _native(machine) if scripts and in_c else None
+    if isinstance(native, str):
+        start = Span(machine.rules[0].span.file, 0, 0) if machine.rules else scripts[0].span
+        assert start is not None
+        findings = (*findings, NotRunInC(reason=native).at(start))
+    monitor = native if isinstance(native, NativeMonitor) else None
+    ran = tuple(_run(machine, script, monitor) for script in scripts)
+    coverage = cover(machine, scripts)
+    missing = [goal for goal in coverage.goals if goal not in coverage.reached]
+    reasons = unreachable(machine, missing)
+    return Outcome(machine, ran, coverage, findings, monitor is not None, reasons)
+
+
+def _native(machine: Machine) -> NativeMonitor | str:
+    """The machine in C, or why there is none."""
+    refused = next(iter(c99.unsupported(machine)), None)
+    if refused is not None:
+        return refused.title
+    try:
+        return load_native(machine, c99.generate_loadable(machine))
+    except (NoCompilerError, BuildError, OSError) as error:
+        return str(error).partition("\n")[0]
+
+
+def _run(machine: Machine, script: Script, native: NativeMonitor | None) -> Ran:
+    start = time.perf_counter()
+    verdicts = run(Interpreter(machine), machine, script)
+    found = tuple(failures(machine, script, verdicts))
+    if native is not None:
+        in_c = run(native.fresh(), machine, script)
+        found += tuple(differences(machine, script, verdicts, in_c))
+    return Ran(script, found, time.perf_counter() - start)

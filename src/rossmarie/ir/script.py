@@ -1,0 +1,83 @@
+"""Tests as data: what arrives when, in SI, and what is expected of the rules.
+
+A script names fields as the user does, by input and path, also those that no rule reads; how it
+becomes messages of a machine is up to `rossmarie.testing`. Instants count from its beginning.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from dslkit.source import Span
+
+SettingValue = float | bool | str | tuple[float, ...] | None
+"""In SI; a tuple is a whole array, None is unknown."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One field of the messages of a topic gets a value; `path` leads there from the message,
+    `input` is by which input the user named it. With an `angle` (`roll`, `pitch` or `yaw`), `path`
+    leads to an orientation, of which the other two angles stay as they are. `unit` is only how the
+    value is to be written; nothing: in the unit of the message.
+    """
+
+    input: str
+    topic: str
+    path: tuple[str | int, ...]
+    value: SettingValue
+    angle: str | None = None
+    unit: str = field(default="", compare=False)
+
+
+@dataclass(frozen=True)
+class ScriptedArrival:
+    """A message on each of `topics`, which the user named by `inputs`, at `first_ns`, and with a
+    period again and again up to and including `last_ns`.
+    """
+
+    first_ns: int
+    last_ns: int
+    period_ns: int | None
+    inputs: tuple[str, ...]
+    topics: tuple[str, ...]
+    settings: tuple[Setting, ...]
+
+
+@dataclass(frozen=True)
+class ScriptedReset:
+    """An operator resets one latched rule, by index, or all."""
+
+    at_ns: int
+    rule: int | None
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """A rule is active, or inactive, at every instant from `first_ns` to `last_ns`, both included.
+
+    `span` is None in a script that nobody wrote down yet.
+    """
+
+    rule: int
+    is_active: bool
+    first_ns: int
+    last_ns: int
+    span: Span | None
+
+
+@dataclass(frozen=True)
+class Script:
+    """A test: events in the order in which they begin, and expectations."""
+
+    name: str
+    events: tuple[ScriptedArrival | ScriptedReset, ...]
+    expectations: tuple[Expectation, ...]
+    span: Span | None
+
+    @property
+    def end_ns(self) -> int:
+        """The last instant that matters."""
+        ends = [event.at_ns if isinstance(event, ScriptedReset) else event.last_ns
+                for event in self.events]  # fmt: skip
+        return max([0, *ends, *(expected.last_ns for expected in self.expectations)])

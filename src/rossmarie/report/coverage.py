@@ -1,0 +1,121 @@
+"""What is covered of rules, as a table on a terminal, or as plain text in a file or pipe."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TextIO
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from rossmarie import ir
+from rossmarie.testing.coverage import Coverage
+from rossmarie.testing.goals import Aspect, Goal, edges
+
+_UNBROKEN = 1_000_000
+"""A width, in columns, in which no plain line has to be broken."""
+
+_DECIDING = (Aspect.TRUE, Aspect.FALSE)
+_BOUNDARIES = (Aspect.UNDER, Aspect.AT, Aspect.OVER)
+_CHANGES = (Aspect.ACTIVE, Aspect.CLEARED)
+
+
+def write_coverage(
+    coverage: Coverage, out: TextIO, reasons: Mapping[Goal, str] | None = None
+) -> None:
+    """Write a row for each rule and each of its conditions, and the sums. `reasons` says of goals
+    why they cannot be reached.
+    """
+    styled = Console(file=out).is_terminal
+    print_table(_table(coverage, reasons or {}, styled=styled), out)
+    out.write(f"{', '.join(_sums(coverage))}\n")
+
+
+def print_table(table: Table, out: TextIO) -> None:
+    """Print a table fitted to the width of a terminal, one line for each row elsewhere."""
+    console = Console(file=out, highlight=False)
+    if console.is_terminal:
+        console.print(table)
+    else:
+        plain = Console(file=None, width=_UNBROKEN, no_color=True, highlight=False)
+        with plain.capture() as capture:
+            plain.print(table)
+        out.writelines(line.rstrip() + "\n" for line in capture.get().splitlines())
+
+
+def _table(coverage: Coverage, reasons: Mapping[Goal, str], *, styled: bool) -> Table:
+    table = Table(box=SIMPLE_HEAD if styled else None, pad_edge=False, header_style="bold")
+    table.add_column("Rule", overflow="fold", min_width=8)
+    table.add_column("Condition", overflow="fold", min_width=20)
+    table.add_column("MC/DC", justify="right", no_wrap=True)
+    table.add_column("Boundaries", justify="right", no_wrap=True)
+    table.add_column("Not covered", overflow="fold")
+    for rule in range(len(coverage.machine.rules)):
+        for cells in _rows(coverage, rule, reasons):
+            table.add_row(*map(Text, cells))
+    return table
+
+
+def _rows(coverage: Coverage, rule: int, reasons: Mapping[Goal, str]) -> Iterator[tuple[str, ...]]:
+    machine = coverage.machine
+    own = [goal for goal in coverage.goals if goal.rule == rule]
+    changes = [goal for goal in own if goal.aspect in _CHANGES]
+    name = machine.rules[rule].name
+    yield name, "active, and cleared", "", "", _missing(coverage, changes, reasons)
+    groups: dict[tuple[int, int], list[Goal]] = {}
+    for goal in own:
+        if goal.aspect in (*_DECIDING, *_BOUNDARIES):
+            groups.setdefault((goal.subject, goal.decision), []).append(goal)
+    for (subject, _), found in groups.items():
+        deciding = [goal for goal in found if goal.aspect in _DECIDING]
+        boundaries = [goal for goal in found if goal.aspect in _BOUNDARIES]
+        truth = machine.truths[subject]
+        text = truth.name or " ".join(truth.text.split())
+        counts = (_count(coverage, deciding), _count(coverage, boundaries))
+        yield "", text, *counts, _missing(coverage, found, reasons)
+    lost = [goal for goal in own if goal.aspect is Aspect.LOST]
+    if lost:
+        yield "", "lost inputs", "", _count(coverage, lost), _missing(coverage, lost, reasons)
+
+
+def _count(coverage: Coverage, found: Sequence[Goal]) -> str:
+    reached = sum(goal in coverage.reached for goal in found)
+    return f"{reached}/{len(found)}" if found else ""
+
+
+def _missing(coverage: Coverage, found: Sequence[Goal], reasons: Mapping[Goal, str]) -> str:
+    words: dict[str, list[str]] = {}
+    for goal in found:
+        if goal not in coverage.reached:
+            words.setdefault(reasons.get(goal, ""), []).append(describe(coverage.machine, goal))
+    parts = [
+        ", ".join(several) + (f" ({reason})" if reason else "") for reason, several in words.items()
+    ]
+    return "; ".join(parts)
+
+
+def describe(machine: ir.Machine, goal: Goal) -> str:
+    """A goal in a word or two: `true`, `just under 10 deg`, `imu lost`."""
+    if goal.aspect is Aspect.LOST:
+        return f"{machine.inputs[goal.subject].name} lost"
+    if goal.aspect not in _BOUNDARIES:
+        return str(goal.aspect.value)
+    found = edges(machine, goal.subject)
+    if not found:
+        return f"{goal.aspect.value} the time"
+    shown = machine.signals[found[goal.edge].constant]
+    number = found[goal.edge].threshold * shown.scale + shown.offset
+    return f"{goal.aspect.value} {number:.6g} {shown.unit}".strip()
+
+
+def _sums(coverage: Coverage) -> Iterator[str]:
+    for word, aspects in (
+        ("MC/DC", _DECIDING),
+        ("boundaries", _BOUNDARIES),
+        ("lost inputs", (Aspect.LOST,)),
+    ):
+        found = [goal for goal in coverage.goals if goal.aspect in aspects]
+        reached = sum(goal in coverage.reached for goal in found)
+        yield f"{word} {reached} of {len(found)}"

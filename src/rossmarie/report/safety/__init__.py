@@ -1,0 +1,16 @@
+"""The safety file of rules: what they mean in sentences, what they mitigate, what is proved."""
+
+from rossmarie.report.safety.evidence import Evidence, EvidenceKind, parse_evidence
+from rossmarie.report.safety.model import Declared, SafetyFile, Source
+from rossmarie.report.safety.page import open_points, render_safety_file
+
+__all__ = [
+    "Declared",
+    "Evidence",
+    "EvidenceKind",
+    "SafetyFile",
+    "Source",
+    "open_points",
+    "parse_evidence",
+    "render_safety_file",
+]

@@ -1,0 +1,240 @@
+"""The truths of a machine in words, from their nodes alone, never from what the user wrote.
+
+Takes a machine that `ir.verify` has passed. A negation is carried inwards to the leaves, where it
+is the opposite word: by S2 that changes no value, unknown and lost included. What stands on more
+than `MOST_PARTS` others is named, and said in full in a place of its own.
+"""
+
+from __future__ import annotations
+
+from rossmarie import ir
+from rossmarie.ir.duration_text import duration_text
+from rossmarie.ir.support import is_leaf, truth_operands
+from rossmarie.report.safety.numbers import MOST_PARTS, Numbers, number
+from rossmarie.report.safety.phrase import Phrase
+
+_MOST_SIDE_BY_SIDE = 3
+"""Leaves that are joined in one sentence; more are a list."""
+
+_WORDS = {
+    ir.Comparison.EQUAL: "equal to",
+    ir.Comparison.NOT_EQUAL: "other than",
+    ir.Comparison.LESS: "below",
+    ir.Comparison.LESS_OR_EQUAL: "at most",
+    ir.Comparison.GREATER: "above",
+    ir.Comparison.GREATER_OR_EQUAL: "at least",
+}
+_OPPOSITES = {
+    ir.Comparison.EQUAL: ir.Comparison.NOT_EQUAL,
+    ir.Comparison.NOT_EQUAL: ir.Comparison.EQUAL,
+    ir.Comparison.LESS: ir.Comparison.GREATER_OR_EQUAL,
+    ir.Comparison.LESS_OR_EQUAL: ir.Comparison.GREATER,
+    ir.Comparison.GREATER: ir.Comparison.LESS_OR_EQUAL,
+    ir.Comparison.GREATER_OR_EQUAL: ir.Comparison.LESS,
+}
+_MIRRORED = {
+    ir.Comparison.EQUAL: ir.Comparison.EQUAL,
+    ir.Comparison.NOT_EQUAL: ir.Comparison.NOT_EQUAL,
+    ir.Comparison.LESS: ir.Comparison.GREATER,
+    ir.Comparison.LESS_OR_EQUAL: ir.Comparison.GREATER_OR_EQUAL,
+    ir.Comparison.GREATER: ir.Comparison.LESS,
+    ir.Comparison.GREATER_OR_EQUAL: ir.Comparison.LESS_OR_EQUAL,
+}
+
+
+class Conditions:
+    """The words for each truth of one machine."""
+
+    def __init__(self, machine: ir.Machine) -> None:
+        self._machine = machine
+        self.numbers = Numbers(machine, self.inline)
+        self._sizes = self._reckon_sizes()
+        self.apart: dict[int, None] = {}
+        """The truths that were named, to be said in full elsewhere."""
+
+    def _reckon_sizes(self) -> list[int]:
+        sizes: list[int] = []
+        for truth in self._machine.truths:
+            parts = (sizes[operand] for operand in truth_operands(truth.node))
+            sizes.append(1 + sum(1 if part > MOST_PARTS else part for part in parts))
+        return sizes
+
+    # --- sentences ---------------------------------------------------------------------------
+
+    def phrase(self, index: int, is_so: bool = True) -> Phrase:
+        """A truth, or its opposite."""
+        if self._sizes[index] > MOST_PARTS:
+            return self._by_name(index, is_so)
+        return self.in_full(index, is_so)
+
+    def in_full(self, index: int, is_so: bool = True) -> Phrase:
+        """A truth by what it stands on."""
+        truth = self._machine.truths[index]
+        match truth.node:
+            case ir.Not(operand=operand):
+                found = self.phrase(operand, not is_so)
+                name = _named(truth, is_so) or found.name
+                return Phrase(found.text, found.parts, truth.span, name, found.refers_to)
+            case ir.Literal(value=value):
+                always = value is is_so
+                return Phrase("always" if always else "never", (), truth.span, _named(truth, is_so))
+            case ir.And(operands=operands):
+                return self._junction(truth, operands, is_so, all_of=is_so)
+            case ir.Or(operands=operands):
+                return self._junction(truth, operands, is_so, all_of=not is_so)
+            case ir.Held(operand=operand, duration_ns=duration_ns):
+                return self._held(truth, operand, duration_ns, is_so)
+            case node:
+                return Phrase(self._leaf(node, is_so), (), truth.span, _named(truth, is_so))
+
+    def name(self, index: int) -> str:
+        """What a truth is called: as the user calls it, or by a number."""
+        return self._machine.truths[index].name or f"condition {index}"
+
+    def _by_name(self, index: int, is_so: bool) -> Phrase:
+        self.apart.setdefault(index)
+        truth = self._machine.truths[index]
+        text = f"{self.name(index)} is {'true' if is_so else 'false'}"
+        return Phrase(text, (), truth.span, None, f"condition-{index}")
+
+    def _junction(
+        self, truth: ir.Truth, operands: tuple[int, ...], is_so: bool, *, all_of: bool
+    ) -> Phrase:
+        parts = tuple(self.phrase(operand, is_so) for operand in operands)
+        if _fit_side_by_side(parts):
+            text = (" and " if all_of else " or ").join(part.text for part in parts)
+            return Phrase(text, (), truth.span, _named(truth, is_so))
+        head = "all of these hold:" if all_of else "at least one of these holds:"
+        return Phrase(head, parts, truth.span, _named(truth, is_so))
+
+    def _held(self, truth: ir.Truth, operand: int, duration_ns: int, is_so: bool) -> Phrase:
+        """S33: true if the condition held throughout the last so much."""
+        duration = f"throughout the last {duration_text(duration_ns)}"
+        node, inner_is_so = self._stripped(operand)
+        if is_leaf(node) and self._machine.truths[operand].name is None:
+            held = f"{self._leaf(node, inner_is_so, 'has been')} {duration}"
+            text = held if is_so else f"it is not so that {held}"
+            return Phrase(text, (), truth.span, _named(truth, is_so))
+        head = f"{'this has' if is_so else 'it is not so that this has'} held {duration}:"
+        return Phrase(head, (self.phrase(operand),), truth.span, _named(truth, is_so))
+
+    def _stripped(self, index: int) -> tuple[ir.TruthNode, bool]:
+        """What an unnamed chain of negations is about, and whether it says that it is so."""
+        node, is_so = self._machine.truths[index].node, True
+        while isinstance(node, ir.Not):
+            node, is_so = self._machine.truths[node.operand].node, not is_so
+        return node, is_so
+
+    # --- one line ----------------------------------------------------------------------------
+
+    def inline(self, index: int, is_so: bool = True) -> str:
+        """A truth on one line, with brackets around what belongs together."""
+        truth = self._machine.truths[index]
+        if self._sizes[index] > MOST_PARTS:
+            return self._by_name(index, is_so).text
+        match truth.node:
+            case ir.Not(operand=operand):
+                return self.inline(operand, not is_so)
+            case ir.And(operands=operands) | ir.Or(operands=operands):
+                all_of = isinstance(truth.node, ir.And) is is_so
+                parts = (f"({self.inline(operand, is_so)})" for operand in operands)
+                return (" and " if all_of else " or ").join(parts)
+            case ir.Literal(value=value):
+                return "always" if value is is_so else "never"
+            case ir.Held(operand=operand, duration_ns=duration_ns):
+                held = f"({self.inline(operand)}) throughout the last {duration_text(duration_ns)}"
+                return held if is_so else f"not ({held})"
+            case node:
+                return self._leaf(node, is_so)
+
+    # --- leaves ------------------------------------------------------------------------------
+
+    def _leaf(self, node: ir.TruthNode, is_so: bool, verb: str = "is") -> str:
+        """A leaf or its opposite: `SUBJECT is WORDS`, and `has been` for a verb."""
+        words = self.numbers.words
+        match node:
+            case ir.Compare():
+                return self._compare(node, is_so, verb)
+            case ir.Between(signal=signal, low=low, high=high):
+                side = "from" if is_so else "outside of"
+                return f"{words(signal)} {verb} {side} {self.numbers.range(low, high)}"
+            case ir.Flag(signal=signal):
+                return f"{words(signal)} {verb} {'true' if is_so else 'false'}"
+            case ir.AgeReaches():
+                return f"the last message of {self._age(node, is_so, verb)}"
+            case ir.Oscillates():
+                return self._oscillates(node, is_so, verb)
+            case ir.Quantified():
+                return self._quantified(node, is_so, verb)
+            case _:
+                raise AssertionError(f"{type(node).__name__} is no leaf")
+
+    def _compare(self, node: ir.Compare, is_so: bool, verb: str) -> str:
+        comparison, left, right = node.comparison, node.left, node.right
+        if self._is_constant(left) and not self._is_constant(right):
+            comparison, left, right = _MIRRORED[comparison], right, left
+        comparison = comparison if is_so else _OPPOSITES[comparison]
+        subject = self.numbers.words(left)
+        text = self._text(left, right)
+        if text is not None:
+            sign = "" if comparison is ir.Comparison.EQUAL else "other than "
+            return f"{subject} {verb} {sign}{text}"
+        return f"{subject} {verb} {_WORDS[comparison]} {self.numbers.words(right)}"
+
+    def _is_constant(self, signal: int) -> bool:
+        return isinstance(self._machine.signals[signal].node, ir.Constant)
+
+    def _text(self, left: int, right: int) -> str | None:
+        """The text literal that a field of texts is compared with."""
+        read, literal = self._machine.signals[left].node, self._machine.signals[right].node
+        if not isinstance(read, ir.Read) or not isinstance(literal, ir.Constant):
+            return None
+        if self._machine.slots[read.slot].kind is not ir.Kind.TEXT:
+            return None
+        return f'"{self._machine.texts[int(literal.value)]}"'
+
+    def _age(self, node: ir.AgeReaches, is_so: bool, verb: str) -> str:
+        """Ages are whole nanoseconds: at least d + 1 ns is more than d."""
+        is_strict = node.age_ns % 1000 == 1
+        age = duration_text(node.age_ns - is_strict)
+        if is_so:
+            sign = "more than" if is_strict else "at least"
+        else:
+            sign = "at most" if is_strict else "less than"
+        return f"{self._machine.inputs[node.input].name} {verb} {sign} {age} old"
+
+    def _oscillates(self, node: ir.Oscillates, is_so: bool, verb: str) -> str:
+        signal = self._machine.signals[node.signal]
+        swing = f"{number(node.swing * signal.scale)} {signal.unit}".rstrip()
+        negation = "" if is_so else " not"
+        return (
+            f"{self.numbers.words(node.signal)} {verb}{negation} oscillating (at least "
+            f"{node.count} turning points within {duration_text(node.window_ns)}, each after a "
+            f"swing of more than {swing})"
+        )
+
+    def _quantified(self, node: ir.Quantified, is_so: bool, verb: str) -> str:
+        """Not any is all not, and not all is any not (S25)."""
+        any_of = (node.quantifier is ir.Quantifier.ANY) is is_so
+        which = "at least one" if any_of else "every"
+        array = self.numbers.array_of(node.element)
+        element, element_is_so = self._stripped(node.element)
+        said = element_is_so is is_so
+        if is_leaf(element):
+            words = self._leaf(element, said, verb)
+            if words.startswith("the element "):
+                return f"{which} element of {array} {words.removeprefix('the element ')}"
+            return f"for {which} element of {array}, {words}"
+        return f"{which} element of {array} {verb} such that ({self.inline(node.element, is_so)})"
+
+
+def _named(truth: ir.Truth, is_so: bool) -> str | None:
+    """What the user calls a truth or, if it is negated, its opposite."""
+    return truth.name if truth.name is None or is_so else f"not {truth.name}"
+
+
+def _fit_side_by_side(parts: tuple[Phrase, ...]) -> bool:
+    """Whether few simple words without a name of their own can be joined without doubt."""
+    return len(parts) <= _MOST_SIDE_BY_SIDE and not any(
+        part.parts or part.name or " and " in part.text or " or " in part.text for part in parts
+    )

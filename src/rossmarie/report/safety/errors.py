@@ -1,0 +1,56 @@
+"""ROSS78x: reports that cannot go into a safety file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from dslkit.diagnostics import Diagnostic, Error, Template, Warning
+from dslkit.source import SourceFile, Span
+
+
+class EvidenceError(Exception):
+    """A report cannot be used; `diagnostic` says why."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        self.diagnostic = diagnostic
+        super().__init__(f"[{diagnostic.code}] {diagnostic.title}")
+
+
+def at_file(finding: Template, path: Path) -> Diagnostic:
+    """A finding about a report as a whole."""
+    return finding.at(Span(SourceFile(str(path), ""), 0, 0))
+
+
+@dataclass(frozen=True, kw_only=True)
+class EvidenceUnreadable(Error, code="ROSS780", name="evidence-unreadable"):
+    """A report that the operating system does not hand out."""
+
+    title = "the {kind} report cannot be read: {reason}"
+    help = "check the path, and that the file may be read"
+    kind: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotEvidence(Error, code="ROSS781", name="not-evidence"):
+    """A file that is not a report of the kind that was asked for."""
+
+    title = "this is not a {kind} report: {reason}"
+    help = "name a {kind} report, as JSON"
+    kind: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class EvidenceOfOtherRules(Warning, code="ROSS782", name="evidence-of-other-rules"):
+    """A report about another text of the rules."""
+
+    title = "the {kind} report is not about these rules as they are now"
+    note = "it does not hold the SHA-256 of {files}"
+    help = "have the report written again"
+    kind: str
+    files: str
+
+
+ALL: tuple[type[Template], ...] = (EvidenceUnreadable, NotEvidence, EvidenceOfOtherRules)

@@ -1,0 +1,140 @@
+"""Reports that go into a safety file: verification and coverage.
+
+Text (JSON) in, `Evidence` out. The smallest layout that both have; members that are not named here
+are passed over:
+
+    {"format": "rossmarie-verification", "version": 1, "tools": {"cbmc": "6.6.0"},
+     "sources": [{"path": "rules.ross", "sha256": "..."}], "outputs": [...],
+     "bound": "3 events",
+     "results": [{"name": "no overflow", "status": "proved", "detail": "..."}]}
+"""
+
+from __future__ import annotations
+
+import enum
+import hashlib
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from rossmarie.report.safety.errors import EvidenceError, NotEvidence, at_file
+
+VERSION = 1
+
+
+class EvidenceKind(enum.Enum):
+    """What a report is about; its value is what people call it."""
+
+    VERIFICATION = "verification"
+    COVERAGE = "coverage"
+
+    @property
+    def statuses(self) -> tuple[str, ...]:
+        """What a result can be, the good one first."""
+        if self is EvidenceKind.VERIFICATION:
+            return ("proved", "refuted", "undecided", "not proved")
+        return ("covered", "not covered")
+
+
+@dataclass(frozen=True)
+class Hashed:
+    """A file with its SHA-256, in hexadecimal."""
+
+    path: str
+    sha256: str
+
+
+@dataclass(frozen=True)
+class Result:
+    """One question of a report and its answer."""
+
+    name: str
+    status: str
+    detail: str
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """A report; `sha256` is that of its own text, `bound` says how far it holds."""
+
+    kind: EvidenceKind
+    path: str
+    sha256: str
+    tools: tuple[tuple[str, str], ...]
+    sources: tuple[Hashed, ...]
+    outputs: tuple[Hashed, ...]
+    bound: str
+    results: tuple[Result, ...]
+
+    @property
+    def open_results(self) -> tuple[Result, ...]:
+        """What is not answered as it should be."""
+        return tuple(each for each in self.results if each.status != self.kind.statuses[0])
+
+    def missing(self, sources: Iterable[Hashed]) -> tuple[str, ...]:
+        """The paths of sources whose hash the report does not hold."""
+        known = {each.sha256.lower() for each in self.sources}
+        return tuple(each.path for each in sources if each.sha256 not in known)
+
+
+def parse_evidence(content: bytes, kind: EvidenceKind, path: Path) -> Evidence:
+    """The report in a file. Raises `EvidenceError` with ROSS781 if there is none of this kind."""
+    try:
+        return _evidence(content, kind, path)
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        finding = NotEvidence(kind=kind.value, reason=_reason(error))
+        raise EvidenceError(at_file(finding, path)) from None
+
+
+def _evidence(content: bytes, kind: EvidenceKind, path: Path) -> Evidence:
+    whole = json.loads(content)
+    _require(isinstance(whole, dict), "it holds no object")
+    wanted = f"rossmarie-{kind.value}"
+    _require(whole.get("format") == wanted, f"its `format` is not `{wanted}`")
+    _require(whole.get("version") == VERSION, f"its `version` is not {VERSION}")
+    return Evidence(
+        kind=kind,
+        path=path.name,
+        sha256=hashlib.sha256(content).hexdigest(),
+        tools=tuple((_text(name), _text(its)) for name, its in whole["tools"].items()),
+        sources=_hashed(whole["sources"]),
+        outputs=_hashed(whole.get("outputs", [])),
+        bound=_text(whole.get("bound", "")),
+        results=tuple(_result(each, kind) for each in whole["results"]),
+    )
+
+
+def _hashed(found: list[dict[str, object]]) -> tuple[Hashed, ...]:
+    return tuple(Hashed(_text(each["path"]), _text(each["sha256"])) for each in found)
+
+
+def _result(found: dict[str, object], kind: EvidenceKind) -> Result:
+    status = _text(found["status"])
+    _require(status in kind.statuses, f"`{status}` is none of {', '.join(kind.statuses)}")
+    return Result(_text(found["name"]), status, _text(found.get("detail", "")))
+
+
+def _text(value: object) -> str:
+    _require(isinstance(value, str), f"{json.dumps(value)[:40]} stands where a string should")
+    assert isinstance(value, str)
+    return value
+
+
+def _require(is_so: bool, reason: str) -> None:
+    if not is_so:
+        raise ValueError(reason)
+
+
+def _reason(error: Exception) -> str:
+    match error:
+        case json.JSONDecodeError(msg=message, lineno=line):
+            return f"line {line}: {message.lower()}"
+        case UnicodeDecodeError():
+            return "it is not text in UTF-8"
+        case KeyError(args=(name, *_)):
+            return f"it has no `{name}`"
+        case ValueError():
+            return str(error)
+        case _:
+            return "a member is not of the kind that it should be"

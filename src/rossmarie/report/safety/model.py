@@ -1,0 +1,49 @@
+"""What a safety file is made from: a machine and what else is known of its rules."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import SourceFile, Span
+from rossmarie import ir
+from rossmarie.analysis.loss import Loss
+from rossmarie.report.safety.evidence import Evidence
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file of the rules; `name` is what the page calls it, `sha256` is in hexadecimal."""
+
+    name: str
+    file: SourceFile
+    sha256: str
+
+
+@dataclass(frozen=True)
+class Declared:
+    """Something that the rules declare, in their words, with its place."""
+
+    name: str
+    text: str
+    documentation: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class SafetyFile:
+    """All of it. `rules_file` is the name of the main file, `tool` the program with its version,
+    `date` the day of the report; reports of other commands are None if there are none.
+    """
+
+    machine: ir.Machine
+    rules_file: str
+    sources: tuple[Source, ...]
+    constants: tuple[Declared, ...]
+    priorities: tuple[Declared, ...]
+    findings: tuple[Diagnostic, ...]
+    losses: tuple[Loss, ...]
+    tool: str
+    date: str
+    verification: Evidence | None
+    coverage: Evidence | None

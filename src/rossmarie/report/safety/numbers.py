@@ -1,0 +1,172 @@
+"""The signals of a machine in words: `the pitch of orientation`, `10 deg (steepest)`.
+
+Takes a machine that `ir.verify` has passed. What is computed from more than `MOST_PARTS` others is
+called by a number, and said in full in a place of its own: shared parts would be repeated without
+end otherwise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rossmarie import ir
+from rossmarie.ir.naming import field_names
+from rossmarie.ir.support import signal_operands
+
+MOST_PARTS = 24
+
+_SIGNS = {
+    ir.Function.ADD: "+",
+    ir.Function.SUBTRACT: "-",
+    ir.Function.MULTIPLY: "*",
+    ir.Function.DIVIDE: "/",
+}
+_ANGLES = {ir.Function.ROLL: "roll", ir.Function.PITCH: "pitch", ir.Function.YAW: "yaw"}
+_AXES = ("x", "y", "z", "w")
+
+
+def number(value: float) -> str:
+    """A number as people write it; 0 has no sign."""
+    return f"{value + 0.0:.12g}"
+
+
+def quantity(value: float, unit: str) -> str:
+    """A number with its unit."""
+    return f"{number(value)} {unit}".rstrip()
+
+
+class Numbers:
+    """The words for each signal of one machine; `each` words a condition on the element at hand."""
+
+    def __init__(self, machine: ir.Machine, each: Callable[[int], str]) -> None:
+        self._machine = machine
+        self._each = each
+        slots, arrays = field_names(machine)
+        written = {signal.node: signal.text for signal in machine.signals}
+        self._slots = [
+            _field_name(machine, slot, slots[index], written.get(ir.Read(index)))
+            for index, slot in enumerate(machine.slots)
+        ]
+        self._arrays = [
+            _field_name(machine, array, arrays[index], written.get(ir.Element(index)))
+            for index, array in enumerate(machine.arrays)
+        ]
+        self._sizes = self._reckon_sizes()
+        self.apart: dict[int, None] = {}
+        """The signals that were called by a number, to be said in full elsewhere."""
+
+    def _reckon_sizes(self) -> list[int]:
+        sizes: list[int] = []
+        for signal in self._machine.signals:
+            parts = (sizes[operand] for operand in signal_operands(signal.node))
+            sizes.append(1 + sum(1 if part > MOST_PARTS else part for part in parts))
+        return sizes
+
+    def words(self, index: int) -> str:
+        """A signal, as what its name stands for or by its number."""
+        if self._sizes[index] > MOST_PARTS:
+            self.apart.setdefault(index)
+            return f"number {index}"
+        return self.in_full(index)
+
+    def in_full(self, index: int) -> str:
+        """A signal by what it is made of."""
+        signal = self._machine.signals[index]
+        match signal.node:
+            case ir.Constant():
+                return self._constant(signal)
+            case ir.Read(slot=slot):
+                return self._slots[slot]
+            case ir.Apply(function=function, operands=operands):
+                return self._applied(function, operands)
+            case ir.Rate(signal=inner):
+                return f"the rate of change of {self.words(inner)}"
+            case ir.Previous(signal=inner):
+                return f"the sample before the last of {self.words(inner)}"
+            case ir.Element():
+                return "the element"
+            case ir.Fold(folding=folding, element=element):
+                return self._fold(folding, element)
+            case ir.Count(element=element):
+                counted = f"elements of {self.array_of(element)} with ({self._each(element)})"
+                return f"the number of {counted}"
+
+    def slot(self, index: int) -> str:
+        """A field of a message."""
+        return self._slots[index]
+
+    def array(self, index: int) -> str:
+        """An array of a message."""
+        return self._arrays[index]
+
+    def array_of(self, truth: int) -> str:
+        """The array whose elements a condition is on."""
+        array = ir.element_arrays(self._machine).truths[truth]
+        return "no array" if array is None else self._arrays[array]
+
+    def range(self, low: int, high: int) -> str:
+        """Two ends; a constant that names both is named once."""
+        ends = (self._machine.signals[low], self._machine.signals[high])
+        name = ends[0].text
+        if name.isidentifier() and all(
+            isinstance(end.node, ir.Constant) and end.text == name for end in ends
+        ):
+            values = (self._value(end) for end in ends)
+            return f"{' to '.join(values)} ({name})"
+        return f"{self.words(low)} to {self.words(high)}"
+
+    def _constant(self, signal: ir.Signal) -> str:
+        name = f" ({signal.text})" if signal.text.isidentifier() else ""
+        return self._value(signal) + name
+
+    def _value(self, signal: ir.Signal) -> str:
+        assert isinstance(signal.node, ir.Constant), "asked before"
+        return quantity(signal.node.value * signal.scale + signal.offset, signal.unit)
+
+    def _applied(self, function: ir.Function, operands: tuple[int, ...]) -> str:
+        if function in _SIGNS:
+            left, right = map(self.words, operands)
+            return f"({left} {_SIGNS[function]} {right})"
+        if function in _ANGLES:
+            return f"the {_ANGLES[function]} of {self._vector(operands)}"
+        inner = ", ".join(map(self.words, operands))
+        match function:
+            case ir.Function.NEGATE:
+                return f"-({inner})"
+            case ir.Function.ABSOLUTE:
+                return f"the absolute value of {inner}"
+            case ir.Function.NORM:
+                return f"the length of {self._vector(operands)}"
+            case ir.Function.MINIMUM:
+                return f"the lesser of ({inner})"
+            case _:
+                return f"the greater of ({inner})"
+
+    def _vector(self, operands: tuple[int, ...]) -> str:
+        """`orientation` if these are its x, y, z and w, else all of them in brackets."""
+        words = [self.words(operand) for operand in operands]
+        whole, _, _ = words[0].rpartition(".")
+        if whole and words == [f"{whole}.{axis}" for axis in _AXES[: len(words)]]:
+            return whole
+        return f"({', '.join(words)})"
+
+    def _fold(self, folding: ir.Folding, element: int) -> str:
+        which = "least" if folding is ir.Folding.MINIMUM else "greatest"
+        array = ir.element_arrays(self._machine).signals[element]
+        assert array is not None, "verified: a fold is over elements"
+        if isinstance(self._machine.signals[element].node, ir.Element):
+            return f"the {which} element of {self._arrays[array]}"
+        each = self.words(element)
+        return f"the {which}, over all elements of {self._arrays[array]}, of {each}"
+
+
+def _field_name(
+    machine: ir.Machine, field: ir.Slot | ir.Array, names: frozenset[str], written: str | None
+) -> str:
+    """The name that the rules use, if it means this field alone; else the shortest one that does,
+    or the whole path.
+    """
+    if written in names:
+        return written
+    path = ".".join((machine.inputs[field.input].name, *map(str, field.path)))
+    return min(names, key=lambda name: (len(name), name), default=path)

@@ -1,0 +1,226 @@
+"""A safety file as one HTML page that needs nothing but a browser: no network, no other file, no
+script. Equal safety files give equal pages.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+
+import jinja2
+from markupsafe import Markup
+
+from dslkit.source import Span
+from rossmarie import ir
+from rossmarie.analysis.loss import Effect
+from rossmarie.ir.duration_text import duration_text
+from rossmarie.report.safety.conditions import Conditions
+from rossmarie.report.safety.effects import path_words
+from rossmarie.report.safety.evidence import Evidence, EvidenceKind, Hashed
+from rossmarie.report.safety.model import SafetyFile
+from rossmarie.report.safety.phrase import Phrase, listed
+from rossmarie.report.safety.rules import RuleText, claims, rule_texts
+from rossmarie.report.wiring import wiring_of, wiring_svg
+
+
+def render_safety_file(content: SafetyFile) -> str:
+    """The text of the page."""
+    machine = content.machine
+    conditions = Conditions(machine)
+    rules = rule_texts(machine, conditions)
+    return _template().render(
+        content=content,
+        machine=machine,
+        rules=rules,
+        hazards=_hazards(machine, rules),
+        without_hazard=[rule for rule in rules if not rule.hazards],
+        fields=_fields(machine, conditions),
+        conditions=_conditions(machine, conditions),
+        apart=_numbers_apart(conditions),
+        losses=content.losses,
+        effects=(Effect.ACTIVATES, Effect.DEPENDS),
+        claims=_claims(machine),
+        open_points=open_points(content),
+        missing=_missing,
+        line=_Lines(content),
+        duration=duration_text,
+        listed=lambda words: listed(tuple(words)),
+        picture=Markup(_picture(machine)),
+        style=Markup(_asset("palette.css") + _asset("safety.css")),
+    )
+
+
+@cache
+def _template() -> jinja2.Template:
+    environment = jinja2.Environment(
+        undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
+    )
+    return environment.from_string(_asset("safety.html.j2"))
+
+
+def _asset(name: str) -> str:
+    return (files("rossmarie.report") / "assets" / name).read_text(encoding="utf-8")
+
+
+def _picture(machine: ir.Machine) -> str:
+    """The wiring, as wide as the page allows."""
+    return wiring_svg(wiring_of(machine))
+
+
+class _Lines:
+    """Where a span is in the page: the anchor of its line, and what a link to it says."""
+
+    def __init__(self, content: SafetyFile) -> None:
+        self._places = {source.file: place for place, source in enumerate(content.sources)}
+        self._names = [source.name for source in content.sources]
+
+    def anchor(self, span: Span) -> str | None:
+        """The identifier of the line; None if its file is not in the page."""
+        place = self._places.get(span.file)
+        return None if place is None else f"file-{place}-line-{span.begin.line}"
+
+    def words(self, span: Span) -> str:
+        """`line 27`, with the file if it is not the main one, which is the last."""
+        place = self._places.get(span.file)
+        if place is None or place == len(self._names) - 1:
+            return f"line {span.begin.line}"
+        return f"{self._names[place]}, line {span.begin.line}"
+
+
+# --- what is not done ------------------------------------------------------------------------
+
+
+def open_points(content: SafetyFile) -> tuple[str, ...]:
+    """What is missing before the file can be signed, in words."""
+    found = []
+    for kind, evidence in (
+        (EvidenceKind.VERIFICATION, content.verification),
+        (EvidenceKind.COVERAGE, content.coverage),
+    ):
+        found += _open_of(kind, evidence, content)
+    found.append(
+        "The thorough questions about these rules were not asked: only the quick check was run, "
+        "and nothing is proved about what can never happen."
+    )
+    rules = content.machine.rules
+    mitigated = {hazard for rule in rules for hazard in rule.hazards}
+    for index, hazard in enumerate(content.machine.hazards):
+        if index not in mitigated:
+            found.append(f"No rule mitigates hazard {hazard.name}.")
+    if not content.machine.hazards:
+        found.append("The rules declare no hazards.")
+    if content.findings:
+        found.append(f"The check has {_counted(len(content.findings), 'finding')}.")
+    return tuple(found)
+
+
+def _open_of(kind: EvidenceKind, evidence: Evidence | None, content: SafetyFile) -> list[str]:
+    if evidence is None:
+        return [f"No {kind.value} report was given."]
+    found = []
+    if missing := _missing(evidence, content):
+        names = listed(missing)
+        found.append(f"The {kind.value} report is not about these rules: {names} differs.")
+    if not evidence.results:
+        found.append(f"The {kind.value} report has no results.")
+    for status in kind.statuses[1:]:
+        those = [each.name for each in evidence.results if each.status == status]
+        if those:
+            found.append(
+                f"The {kind.value} report has {len(those)} {status}: {listed(tuple(those))}."
+            )
+    return found
+
+
+def _missing(evidence: Evidence, content: SafetyFile) -> tuple[str, ...]:
+    """The sources that a report is not about."""
+    return evidence.missing(Hashed(each.name, each.sha256) for each in content.sources)
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}{'' if count == 1 else 's'}"
+
+
+# --- tables ----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Hazard:
+    hazard: ir.Hazard
+    rules: tuple[RuleText, ...]
+
+
+def _hazards(machine: ir.Machine, rules: tuple[RuleText, ...]) -> list[_Hazard]:
+    return [
+        _Hazard(hazard, tuple(rule for rule in rules if index in rule.hazards))
+        for index, hazard in enumerate(machine.hazards)
+    ]
+
+
+@dataclass(frozen=True)
+class _Field:
+    """A field of a message: `kind` says what it holds, `unit` in which unit it arrives."""
+
+    name: str
+    input: int
+    path: str
+    kind: str
+    unit: str
+
+
+_KINDS = {ir.Kind.REAL: "number", ir.Kind.FLAG: "true or false", ir.Kind.TEXT: "text"}
+
+
+def _fields(machine: ir.Machine, conditions: Conditions) -> list[_Field]:
+    found = [
+        _Field(conditions.numbers.slot(index), slot.input, path_words(slot.path) or "data",
+               _KINDS[slot.kind], slot.unit)
+        for index, slot in enumerate(machine.slots)
+    ]  # fmt: skip
+    found += [
+        _Field(conditions.numbers.array(index), array.input, path_words(array.path), "array",
+               array.unit)
+        for index, array in enumerate(machine.arrays)
+    ]  # fmt: skip
+    return sorted(found, key=lambda field: field.input)
+
+
+@dataclass(frozen=True)
+class _Condition:
+    name: str
+    anchor: str
+    phrase: Phrase
+    span: Span
+
+
+def _conditions(machine: ir.Machine, conditions: Conditions) -> list[_Condition]:
+    """What has a name, and what the sentences above refer to."""
+    wanted = {index for index, truth in enumerate(machine.truths) if truth.name is not None}
+    said: dict[int, Phrase] = {}
+    while missing := (wanted | set(conditions.apart)) - set(said):
+        for index in sorted(missing):
+            said[index] = conditions.in_full(index)
+    return [
+        _Condition(conditions.name(index), f"condition-{index}", said[index],
+                   machine.truths[index].span)
+        for index in sorted(said)
+    ]  # fmt: skip
+
+
+def _numbers_apart(conditions: Conditions) -> list[tuple[int, str]]:
+    """What the sentences call `number 7`."""
+    said: dict[int, str] = {}
+    while missing := set(conditions.numbers.apart) - set(said):
+        for index in sorted(missing):
+            said[index] = conditions.numbers.in_full(index)
+    return sorted(said.items())
+
+
+def _claims(machine: ir.Machine) -> list[tuple[str, list[ir.Rule]]]:
+    """What several rules need for themselves, and in which order they get it."""
+    return [
+        (machine.reactions.resources[resource], [machine.rules[rule] for rule in rules])
+        for resource, rules in claims(machine).items()
+        if len(rules) > 1
+    ]

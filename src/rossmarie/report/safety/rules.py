@@ -1,0 +1,212 @@
+"""What each rule of a machine means, in sentences.
+
+Takes a machine that `ir.verify` has passed. The sentences follow S35 to S38 and R1 to R8 of the
+documentation; each says one thing, so that it can be signed or struck out by itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from dslkit.source import Span
+from rossmarie import ir
+from rossmarie.ir import reactions
+from rossmarie.ir.duration_text import duration_text
+from rossmarie.report.safety.conditions import Conditions
+from rossmarie.report.safety.effects import Effects
+from rossmarie.report.safety.phrase import Phrase, listed
+
+
+@dataclass(frozen=True)
+class RuleText:
+    """One rule in sentences.
+
+    `when` activates it, `lost` does so for want of inputs, `unknown` changes nothing; `steps` is
+    what is done then, `order` who comes first, `ends` what releases it.
+    """
+
+    name: str
+    documentation: str | None
+    span: Span
+    when: Phrase
+    lost: tuple[str, ...]
+    unknown: tuple[str, ...]
+    steps: tuple[Phrase, ...]
+    order: tuple[str, ...]
+    ends: Phrase
+    contract: str
+    hazards: tuple[int, ...]
+
+    def lines(self) -> Iterator[str]:
+        """All of it as lines of text."""
+        yield f"{self.name}:"
+        yield from Phrase("When", (self.when,)).lines()
+        yield from (f"- {sentence}" for sentence in (*self.lost, *self.unknown))
+        yield from Phrase("then", self.steps).lines()
+        yield from (f"- {sentence}" for sentence in self.order)
+        yield from self.ends.lines()
+
+
+def rule_texts(machine: ir.Machine, conditions: Conditions) -> tuple[RuleText, ...]:
+    """The sentences of each rule, in the order of the machine."""
+    writer = _Writer(machine, conditions)
+    return tuple(writer.rule(index) for index in range(len(machine.rules)))
+
+
+class _Writer:
+    """Writes about the rules of one machine."""
+
+    def __init__(self, machine: ir.Machine, conditions: Conditions) -> None:
+        self._machine = machine
+        self._conditions = conditions
+        self._effects = Effects(machine, conditions)
+        self._supports = ir.supports(machine)
+
+    def rule(self, index: int) -> RuleText:
+        rule = self._machine.rules[index]
+        return RuleText(
+            name=rule.name,
+            documentation=rule.documentation,
+            span=rule.span,
+            when=self._conditions.phrase(rule.condition),
+            lost=tuple(self._lost(rule)),
+            unknown=tuple(self._unknown(rule)),
+            steps=tuple(self._steps(index)),
+            order=tuple(self._order(index)),
+            ends=self._ends(rule),
+            contract=rule.contract,
+            hazards=rule.hazards,
+        )
+
+    # --- when --------------------------------------------------------------------------------
+
+    def _lost(self, rule: ir.Rule) -> Iterator[str]:
+        """S30, S35: which inputs make it active by their lack."""
+        values, ages = self._looked_at(rule.condition)
+        guarded = [each for each in values if self._timeout(each) is not None]
+        if guarded:
+            names = listed(tuple(map(self._with_timeout, guarded)), "or")
+            yield (
+                "It fails closed: it becomes active as well when that cannot be decided for want "
+                f"of {names}: not received yet, silent for that long, or without a usable number."
+            )
+        aged = [each for each in ages if self._timeout(each) is not None and each not in guarded]
+        if aged:
+            names = listed(tuple(self._machine.inputs[each].name for each in aged), "or")
+            yield (
+                "It fails closed: it becomes active as well when that cannot be decided because "
+                f"{names} has not been received yet."
+            )
+
+    def _unknown(self, rule: ir.Rule) -> Iterator[str]:
+        """S37: which inputs may be missing without any effect."""
+        bare = [each for each in rule.inputs if self._timeout(each) is None]
+        if bare:
+            names = listed(tuple(self._machine.inputs[each].name for each in bare), "or")
+            yield f"While that cannot be decided for want of {names} (no timeout), it stays as is."
+
+    def _looked_at(self, condition: int) -> tuple[list[int], list[int]]:
+        """The inputs of which values are read, and those of which the age is."""
+        values: set[int] = set()
+        ages: set[int] = set()
+        for leaf in ir.leaf_truths(self._machine, condition):
+            node = self._machine.truths[leaf].node
+            found = ages if isinstance(node, ir.AgeReaches) else values
+            found |= self._supports.truths[leaf].inputs
+        return sorted(values), sorted(ages)
+
+    def _timeout(self, used: int) -> int | None:
+        return self._machine.inputs[used].timeout_ns
+
+    def _with_timeout(self, used: int) -> str:
+        declared = self._machine.inputs[used]
+        assert declared.timeout_ns is not None, "asked before"
+        return f"{declared.name} ({duration_text(declared.timeout_ns)})"
+
+    # --- then --------------------------------------------------------------------------------
+
+    def _steps(self, index: int) -> Iterator[Phrase]:
+        """R3 to R6: the stages, one after the other; then what has no body."""
+        plan = self._plan(index)
+        stages = [stage for stage in plan.stages if stage]
+        for number, stage in enumerate(stages, start=1):
+            tasks = tuple(map(self._effects.phrase, stage))
+            if len(stages) == 1:
+                yield from tasks
+            elif number == 1:
+                yield Phrase("first:", tasks)
+            else:
+                yield Phrase("once all of that is done, in force or waiting:", tasks)
+        tasks_of = self._machine.reactions.tasks
+        actions = self._machine.reactions.actions
+        bodies = {actions[tasks_of[task].action].name for task in plan.tasks}
+        for name in self._machine.rules[index].actions:
+            if name not in bodies:
+                yield Phrase(f"{name} is asked for; it has no body, so it is only reported")
+        if not stages and not self._machine.rules[index].actions:
+            yield Phrase("nothing is done; that it is active is reported")
+
+    def _plan(self, index: int) -> reactions.Plan:
+        plans = self._machine.reactions.plans
+        return plans[index] if plans else reactions.Plan((), ())
+
+    def _order(self, index: int) -> Iterator[str]:
+        """R1, R2: what it gives way to."""
+        unless = tuple(self._machine.rules[other].name for other in self._plan(index).unless)
+        if unless:
+            yield (
+                f"While {listed(unless, 'or')} is active, none of this is carried out; it stays "
+                "active itself, and begins anew afterwards."
+            )
+        for resource, rules in claims(self._machine).items():
+            if index in rules and len(rules) > 1:
+                yield self._turn(resource, rules, rules.index(index))
+
+    def _turn(self, resource: int, rules: tuple[int, ...], place: int) -> str:
+        names = tuple(self._machine.rules[rule].name for rule in rules)
+        turn = []
+        if place:
+            turn.append(f"after {listed(names[:place])}")
+        if place + 1 < len(names):
+            turn.append(f"before {listed(names[place + 1 :])}")
+        what = self._machine.reactions.resources[resource]
+        return f"It needs {what} for itself, and gets it {listed(tuple(turn))}."
+
+    # --- until -------------------------------------------------------------------------------
+
+    def _ends(self, rule: ir.Rule) -> Phrase:
+        """S36 to S38."""
+        over = self._conditions.phrase(rule.condition, is_so=False)
+        if rule.release is None:
+            return Phrase("It ends only when an operator resets it while this is so:", (over,))
+        release = self._machine.truths[rule.release].node
+        if isinstance(release, ir.Literal) and release.value:
+            return Phrase("It ends as soon as this is known to be so:", (over,))
+        calm_ns = self._calm_ns(rule.condition, release)
+        if calm_ns is not None:
+            head = f"It ends when this has been so throughout the last {duration_text(calm_ns)}:"
+            return Phrase(head, (over,))
+        both = (over, self._conditions.phrase(rule.release))
+        return Phrase("It ends when both of these are known to be so:", both)
+
+    def _calm_ns(self, condition: int, release: ir.TruthNode) -> int | None:
+        """For how long its condition has to have been false, if that is the release."""
+        if not isinstance(release, ir.Held):
+            return None
+        node = self._machine.truths[release.operand].node
+        is_opposite = isinstance(node, ir.Not) and node.operand == condition
+        return release.duration_ns if is_opposite else None
+
+
+def claims(machine: ir.Machine) -> dict[int, tuple[int, ...]]:
+    """The rules that need each resource, escalations included, the first to get it first (R2)."""
+    found = machine.reactions
+    return {
+        resource: tuple(
+            rule
+            for rule in found.order
+            if any(found.tasks[task].resource == resource for task in found.plans[rule].tasks)
+        )
+        for resource in range(len(found.resources))
+    }

@@ -1,0 +1,78 @@
+"""Tests: what arrives when, and what is expected of the rules."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.source import Span
+from rossmarie.syntax.ast.effects import FieldPath
+from rossmarie.syntax.ast.expressions import Expression, Name, Text
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """`from 1 sec to 5 sec`; `from 1 sec until 5 sec` leaves the last instant out."""
+
+    first: Expression
+    last: Expression
+    is_open: bool
+
+
+@dataclass(frozen=True)
+class Setting:
+    """`orientation.pitch = 12 deg`; `speed = unknown`; a bare `speed` keeps what was set.
+
+    The first step of `path` is the name of an input.
+    """
+
+    path: FieldPath
+    value: Expression | None
+    is_unknown: bool
+    span: Span
+
+
+@dataclass(frozen=True)
+class Arrival:
+    """`at 1 sec speed = 0.3 m/s, orientation` and `every 0.1 sec from 0 sec to 5 sec speed`.
+
+    `at` is None if messages are repeated with a `period` over a `stretch`.
+    """
+
+    at: Expression | None
+    period: Expression | None
+    stretch: Stretch | None
+    settings: tuple[Setting, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
+class OperatorReset:
+    """`at 9 sec reset`, `at 9 sec reset emergency_stop`."""
+
+    at: Expression
+    rule: Name | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """`expect slow_on_bump active at 1.5 sec`, or over a `stretch`; one of the two is None."""
+
+    rule: Name
+    is_active: bool
+    at: Expression | None
+    stretch: Stretch | None
+    span: Span
+
+
+Statement = Arrival | OperatorReset | Expectation
+
+
+@dataclass(frozen=True)
+class Test:
+    """`test "bump slows down" { STATEMENT; ... }`."""
+
+    name: Text
+    statements: tuple[Statement, ...]
+    documentation: str | None
+    span: Span

@@ -1,0 +1,67 @@
+"""What the grammar recognised of a test -> its statements.
+
+One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rossmarie.syntax import ast
+from rossmarie.syntax.build_effect import EffectBuilder
+from rossmarie.syntax.build_expression import Part
+
+
+class TestBuilder(EffectBuilder):
+    """Builds the tests of one file."""
+
+    def test(self, parts: list[Any]) -> ast.Test:
+        """`test "NAME" { STATEMENT; ... }`."""
+        statements = tuple(part for part in parts if isinstance(part, ast.Statement))
+        documentation = self._source.documentation.get(parts[0].start)
+        return ast.Test(self.text(parts[1:2]), statements, documentation, self._span(parts))
+
+    def at_instant(self, parts: list[Any]) -> ast.Arrival | ast.OperatorReset:
+        """`at INSTANT reset RULE`, `at INSTANT SETTING, ...`."""
+        if isinstance(parts[2], Part):
+            return ast.OperatorReset(parts[1], parts[2].value, self._span(parts))
+        return ast.Arrival(parts[1], None, None, _settings(parts), self._span(parts))
+
+    def repeated(self, parts: list[Any]) -> ast.Arrival:
+        """`every PERIOD from INSTANT to INSTANT SETTING, ...`."""
+        stretch = _stretch(parts[2:])
+        return ast.Arrival(None, parts[1], stretch, _settings(parts), self._span(parts))
+
+    def expectation(self, parts: list[Any]) -> ast.Expectation:
+        """`expect RULE active at INSTANT`, `expect RULE inactive from INSTANT to INSTANT`."""
+        is_at = parts[3].text == "at"
+        at, stretch = (parts[4], None) if is_at else (None, _stretch(parts[3:]))
+        is_active = parts[2].text == "active"
+        return ast.Expectation(self.name(parts[1]), is_active, at, stretch, self._span(parts))
+
+    def resetting(self, parts: list[Any]) -> Part:
+        """`reset`, `reset RULE`."""
+        return Part("reset", self.name(parts[1]) if len(parts) > 1 else None, self._span(parts))
+
+    def setting(self, parts: list[Any]) -> ast.Setting:
+        """`PATH = VALUE`, `PATH = unknown`, `PATH`."""
+        value = parts[2] if len(parts) > 2 else None
+        is_unknown = isinstance(value, Part)
+        return ast.Setting(parts[0], None if is_unknown else value, is_unknown, self._span(parts))
+
+    def setting_path(self, parts: list[Any]) -> ast.FieldPath:
+        """`INPUT.WORD[0]`."""
+        return self.field_path(parts)
+
+    def unknown(self, parts: list[Any]) -> Part:
+        """`unknown`."""
+        return Part("unknown", None, self._span(parts))
+
+
+def _stretch(parts: list[Any]) -> ast.Stretch:
+    """`from INSTANT to INSTANT`."""
+    return ast.Stretch(parts[1], parts[3], parts[2].text == "until")
+
+
+def _settings(parts: list[Any]) -> tuple[ast.Setting, ...]:
+    return tuple(part for part in parts if isinstance(part, ast.Setting))

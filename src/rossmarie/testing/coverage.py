@@ -1,0 +1,343 @@
+"""What traces show of the rules of a machine: which goals they reach.
+
+Every evaluation of the interpreter is looked at, also those at wakes between messages.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from rossmarie import ir
+from rossmarie.interpreter import Interpreter
+from rossmarie.ir import InputState, TruthValue, kleene
+from rossmarie.ir.script import Script
+from rossmarie.testing.goals import (
+    Aspect,
+    Edge,
+    Goal,
+    atoms,
+    deadline_ns,
+    deadline_step_ns,
+    decisions,
+    edges,
+    goals,
+)
+from rossmarie.testing.play import Step, steps_of
+
+_ROUNDING = 1.000001
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """The goals of a machine in their order, and those that were reached."""
+
+    machine: ir.Machine
+    goals: tuple[Goal, ...]
+    reached: frozenset[Goal]
+
+
+def cover(machine: ir.Machine, scripts: Iterable[Script]) -> Coverage:
+    """What scripts cover together."""
+    watcher = Watcher(machine)
+    for script in scripts:
+        watcher.watch(steps_of(machine, script), script.end_ns)
+    return watcher.coverage()
+
+
+@dataclass
+class _Timer:
+    """Since when the operand of a `for` has been true, None if it is not."""
+
+    start_ns: int | None = None
+
+
+@dataclass
+class Watcher:
+    """Looks at traces, one after the other. `seen` keeps of each truth, if it is wanted, what its
+    constants were compared with, in SI, or how long it lasted, in seconds.
+    """
+
+    machine: ir.Machine
+    reached: set[Goal] = field(default_factory=set)
+    seen: dict[int, set[float]] | None = None
+
+    def __post_init__(self) -> None:
+        watched = tuple(range(len(self.machine.truths)))
+        self._watching = dataclasses.replace(self.machine, watches=watched)
+        self._decisions = [
+            _Decision(self.machine, rule, decision)
+            for rule, declared in enumerate(self.machine.rules)
+            for decision in decisions(self.machine, declared)
+        ]
+
+    def coverage(self) -> Coverage:
+        """What was seen so far."""
+        return Coverage(self.machine, tuple(goals(self.machine)), frozenset(self.reached))
+
+    def watch(self, steps: Iterable[Step], end_ns: int, *, from_zero: bool = True) -> None:
+        """Look at one trace, from 0 s or from its first step on."""
+        trace = _Trace(self._watching, self._decisions, self.reached, self.seen, not from_zero)
+        for step in steps:
+            trace.begin(step.at_ns)
+            trace.step(step)
+        trace.begin(end_ns)
+        trace.advance(end_ns)
+        trace.close(end_ns)
+
+
+class _Decision:
+    """What atoms do to one decision; remembers what it has worked out."""
+
+    def __init__(self, machine: ir.Machine, rule: int, decision: int) -> None:
+        self.rule = rule
+        self.decision = decision
+        self.atoms = atoms(machine, decision)
+        self.edges = {atom: edges(machine, atom) for atom in self.atoms}
+        self._machine = machine
+        self._known: dict[tuple[TruthValue, ...], frozenset[int]] = {}
+
+    def decisive(self, truths: Sequence[TruthValue]) -> frozenset[int]:
+        """The atoms on which the decision hangs: turned round, they turn it round."""
+        key = tuple(truths[atom] for atom in self.atoms)
+        if key not in self._known:
+            values = dict(zip(self.atoms, key, strict=True))
+            self._known[key] = frozenset(
+                atom for atom in self.atoms if self._hangs_on(atom, values)
+            )
+        return self._known[key]
+
+    def _hangs_on(self, atom: int, values: Mapping[int, TruthValue]) -> bool:
+        both = {
+            evaluate(self._machine, self.decision, {**values, atom: kleene.truth_of(value)})
+            for value in (True, False)
+        }
+        return both == {TruthValue.TRUE, TruthValue.FALSE}
+
+
+def evaluate(machine: ir.Machine, truth: int, values: Mapping[int, TruthValue]) -> TruthValue:
+    """The value of a decision from those of its atoms."""
+    if truth in values:
+        return values[truth]
+    match machine.truths[truth].node:
+        case ir.Not(operand=operand):
+            return kleene.negation(evaluate(machine, operand, values))
+        case ir.And(operands=operands):
+            return kleene.conjunction(evaluate(machine, each, values) for each in operands)
+        case ir.Or(operands=operands):
+            return kleene.disjunction(evaluate(machine, each, values) for each in operands)
+        case ir.Literal(value=value):
+            return kleene.truth_of(value)
+        case node:
+            raise AssertionError(f"{type(node).__name__} is an atom")
+
+
+class _Trace:
+    """One trace on the way."""
+
+    def __init__(
+        self,
+        machine: ir.Machine,
+        decisions: Sequence[_Decision],
+        reached: set[Goal],
+        seen: dict[int, set[float]] | None,
+        has_begun: bool,
+    ) -> None:
+        self._machine = machine
+        self._decisions = decisions
+        self._reached = reached
+        self._interpreter = Interpreter(machine)
+        self._before: tuple[bool, ...] = (False,) * len(machine.rules)
+        self._timers: dict[int, _Timer] = {}
+        self._stamps: dict[int, int] = {}
+        self._elements: dict[int, Sequence[float]] = {}
+        self._seen = seen
+        self._now_ns = ir.EARLIEST_NS
+        self._has_begun = has_begun
+        self._held = {
+            atom
+            for decision in decisions
+            for atom in decision.atoms
+            if isinstance(machine.truths[atom].node, ir.Held)
+        }
+
+    def begin(self, at_ns: int) -> None:
+        """Run the wakes before an instant, each looked at; a trace begins at 0 s at the latest."""
+        if not self._has_begun and at_ns > 0:
+            self.advance(0)
+        self._has_begun = True
+        if at_ns < self._now_ns:  # time jumped back: every duration starts again
+            self._timers.clear()
+            self._stamps.clear()
+        self._now_ns = at_ns
+        while (wake_ns := self._interpreter.next_wake()) is not None and wake_ns < at_ns:
+            self.advance(wake_ns)
+
+    def advance(self, at_ns: int) -> None:
+        """Time passes."""
+        self._interpreter.advance(at_ns)
+        self._look(at_ns)
+
+    def close(self, end_ns: int) -> None:
+        """What still lasts at the end has lasted until then."""
+        for held, timer in self._timers.items():
+            if timer.start_ns is not None:
+                self._keep(held, (end_ns - timer.start_ns) / 1e9)
+        for index, stamp_ns in self._stamps.items():
+            for decision in self._decisions:
+                for atom in decision.atoms:
+                    node = self._machine.truths[atom].node
+                    if isinstance(node, ir.AgeReaches) and node.input == index:
+                        self._keep(atom, (end_ns - stamp_ns) / 1e9)
+
+    def step(self, step: Step) -> None:
+        """Messages and resets of one instant."""
+        if step.messages:
+            self._ages(step)
+            self._take_elements(step)
+            self._interpreter.update(step.at_ns, step.messages)
+            self._look(step.at_ns)
+        for rule in step.resets:
+            self._interpreter.reset(step.at_ns, rule)
+            self._look(step.at_ns)
+
+    def _take_elements(self, step: Step) -> None:
+        for values in step.messages.values():
+            for index, elements in values.arrays.items():
+                array = self._machine.arrays[index]
+                self._elements[index] = [
+                    each * array.scale + array.offset
+                    if (array.scale, array.offset) != (1.0, 0.0) else each for each in elements
+                ]  # fmt: skip
+
+    def _ages(self, step: Step) -> None:
+        """Messages that come just before an age is reached."""
+        for index, used in enumerate(self._machine.inputs):
+            if used.channel not in step.messages:
+                continue
+            before = self._stamps.get(index)
+            self._stamps[index] = step.at_ns
+            if before is not None:
+                for decision in self._decisions:
+                    self._age(decision, index, step.at_ns - before)
+
+    def _age(self, decision: _Decision, used: int, age_ns: int) -> None:
+        for atom in decision.atoms:
+            node = self._machine.truths[atom].node
+            if isinstance(node, ir.AgeReaches) and node.input == used:
+                self._keep(atom, age_ns / 1e9)
+                left_ns = node.age_ns - age_ns
+                if 0 < left_ns <= deadline_step_ns(node.age_ns) + 1:
+                    goal = Goal(decision.rule, Aspect.UNDER, atom, decision.decision)
+                    self._reached.add(goal)
+
+    # --- after an evaluation -----------------------------------------------------------------
+
+    def _look(self, at_ns: int) -> None:
+        truths = self._interpreter.watches
+        signals = self._interpreter.signals
+        active = self._interpreter.active
+        for rule, (before, now) in enumerate(zip(self._before, active, strict=True)):
+            if now is not before:
+                self._reached.add(Goal(rule, Aspect.ACTIVE if now else Aspect.CLEARED))
+        self._before = active
+        self._look_at_lost(truths)
+        running = {held: self._elapsed(held, truths, at_ns) for held in self._held}
+        for decision in self._decisions:
+            decisive = decision.decisive(truths)
+            for atom in decision.atoms:
+                self._keep_values(decision, atom, signals)
+                if atom in decisive and truths[atom] in (TruthValue.TRUE, TruthValue.FALSE):
+                    is_true = truths[atom] is TruthValue.TRUE
+                    aspect = Aspect.TRUE if is_true else Aspect.FALSE
+                    self._add(decision, aspect, atom)
+                    self._look_at_edges(decision, atom, signals)
+                self._look_at_deadline(decision, atom, truths, at_ns, running)
+
+    def _add(self, decision: _Decision, aspect: Aspect, atom: int, edge: int = 0) -> None:
+        self._reached.add(Goal(decision.rule, aspect, atom, decision.decision, edge))
+
+    def _look_at_lost(self, truths: Sequence[TruthValue]) -> None:
+        states = self._interpreter.input_states
+        for index, rule in enumerate(self._machine.rules):
+            if truths[rule.condition] is TruthValue.LOST:
+                for used in rule.inputs:
+                    if states[used] is InputState.EXPIRED:
+                        self._reached.add(Goal(index, Aspect.LOST, used))
+
+    def _look_at_edges(self, decision: _Decision, atom: int, signals: Sequence[float]) -> None:
+        for number, edge in enumerate(decision.edges[atom]):
+            for value in self._compared(atom, edge, signals):
+                aspect = side_of(edge, value)
+                if aspect is not None:
+                    self._add(decision, aspect, atom, number)
+
+    def _compared(self, atom: int, edge: Edge, signals: Sequence[float]) -> Sequence[float]:
+        """What a threshold was compared with: a number, or the elements of an array as they are."""
+        if not isinstance(self._machine.truths[atom].node, ir.Quantified):
+            return (signals[edge.signal],)
+        element = self._machine.signals[edge.signal].node
+        return self._elements.get(element.array, ()) if isinstance(element, ir.Element) else ()
+
+    def _keep_values(self, decision: _Decision, atom: int, signals: Sequence[float]) -> None:
+        if self._seen is None:
+            return
+        for edge in decision.edges[atom]:
+            values = [each for each in self._compared(atom, edge, signals) if math.isfinite(each)]
+            # Of an array only the extremes decide whether any, or all, are beyond a threshold.
+            for value in {min(values), max(values)} if values else ():
+                self._keep(atom, value)
+
+    def _keep(self, atom: int, value: float) -> None:
+        if self._seen is not None:
+            self._seen.setdefault(atom, set()).add(value)
+
+    def _elapsed(self, held: int, truths: Sequence[TruthValue], at_ns: int) -> int | None:
+        """How long the operand of a `for` was true when it ended; None if it goes on."""
+        node = self._machine.truths[held].node
+        assert isinstance(node, ir.Held)
+        timer = self._timers.setdefault(held, _Timer())
+        ended = None
+        if truths[node.operand] is TruthValue.TRUE:
+            if timer.start_ns is None:
+                timer.start_ns = at_ns
+        elif timer.start_ns is not None:
+            ended, timer.start_ns = at_ns - timer.start_ns, None
+        return ended
+
+    def _look_at_deadline(
+        self,
+        decision: _Decision,
+        atom: int,
+        truths: Sequence[TruthValue],
+        at_ns: int,
+        running: Mapping[int, int | None],
+    ) -> None:
+        node = self._machine.truths[atom].node
+        due_ns = deadline_ns(node)
+        if due_ns is None:
+            return
+        if isinstance(node, ir.AgeReaches):
+            start_ns = self._stamps.get(node.input)
+        else:
+            start_ns = self._timers[atom].start_ns
+            ended = running[atom]
+            if ended is not None:
+                self._keep(atom, ended / 1e9)
+            if ended is not None and 0 < due_ns - ended <= deadline_step_ns(due_ns):
+                self._add(decision, Aspect.UNDER, atom)
+        is_due = start_ns is not None and at_ns - start_ns == due_ns
+        if is_due and truths[atom] is TruthValue.TRUE:
+            self._add(decision, Aspect.AT, atom)
+
+
+def side_of(edge: Edge, value: float) -> Aspect | None:
+    """Whether a value is at a threshold, or within a step beside it."""
+    distance = value - edge.threshold
+    if distance == 0.0:
+        return Aspect.AT
+    if abs(distance) <= edge.step * _ROUNDING:
+        return Aspect.UNDER if distance < 0 else Aspect.OVER
+    return None

@@ -1,0 +1,59 @@
+"""ROSS76x and ROSS77x: what comes of tests, and what they cover."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+@dataclass(frozen=True, kw_only=True)
+class ExpectationNotMet(Error, code="ROSS760", name="expectation-not-met"):
+    """A rule that is not as a test expects it."""
+
+    title = "`{rule}` is {found} at {instant}"
+    label = "expected {expected}"
+    note = "{reason}"
+    help = "mend the rule, or write what it is to do"
+    rule: str
+    found: str
+    instant: str
+    expected: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class EnginesDiffer(Error, code="ROSS761", name="engines-differ"):
+    """A test in which the compiled C says something else than the interpreter."""
+
+    title = "the C monitor differs from the interpreter in `{test}`"
+    label = "interpreter: {expected}; C: {found}"
+    help = "this is a defect of this tool or of the C compiler: please report it"
+    test: str
+    expected: str
+    found: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NotRunInC(Warning, code="ROSS762", name="not-run-in-c"):
+    """Tests that ran on the interpreter only."""
+
+    title = "the tests ran on the interpreter only"
+    label = "{reason}"
+    note = "nothing is known of the generated C"
+    help = "install a C compiler, or name one: `CC=clang rossmarie test ...`"
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoTests(Warning, code="ROSS763", name="no-tests"):
+    """Rules without any test."""
+
+    title = "there are no tests"
+    label = "neither this file nor `{beside}` has any"
+    help = "write one, or let them be generated: `rossmarie test {path} --write`"
+    beside: str
+    path: str
+
+
+ALL: tuple[type[Template], ...] = (ExpectationNotMet, EnginesDiffer, NotRunInC, NoTests)

@@ -1,0 +1,200 @@
+"""What there is to cover in a rule: its conditions to MC/DC, thresholds, deadlines, lost inputs.
+
+A rule has *decisions*: its condition, what clears it, and what stands in front of each `for`. A
+decision is made of *atoms*, joined by `and`, `or` and `not`: comparisons and other leaves, and
+`for`s as a whole. An atom counts as covered when it was seen true and seen false while the
+decision hung on it alone: had it been the other way round, the decision would have been so, too
+(masking MC/DC; an atom that stands in a decision twice is turned round in both places).
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rossmarie import ir
+from rossmarie.ir.support import (
+    compared_signals,
+    is_leaf,
+    leaf_truths,
+    supports,
+    truth_operands,
+)
+
+
+class Aspect(enum.Enum):
+    """What is to be seen of a rule, an atom or an input."""
+
+    ACTIVE = "active"
+    CLEARED = "cleared"
+    TRUE = "true"
+    FALSE = "false"
+    UNDER = "just under"
+    AT = "at"
+    OVER = "just over"
+    LOST = "lost"
+
+
+@dataclass(frozen=True)
+class Goal:
+    """Something to be seen. `subject` is a truth, or with LOST an input, or -1 for the rule itself;
+    `decision` the truth it decides; `edge` tells the two ends of a range apart.
+    """
+
+    rule: int
+    aspect: Aspect
+    subject: int = -1
+    decision: int = -1
+    edge: int = 0
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A signal and the constant that it is compared with; `step` is a small visible distance, in
+    SI: a thousandth, rounded to a power of ten of the unit that the user sees.
+    """
+
+    signal: int
+    threshold: float
+    step: float
+    constant: int
+
+
+def goals(machine: ir.Machine) -> Iterator[Goal]:
+    """Everything to be covered, rule by rule."""
+    for index, rule in enumerate(machine.rules):
+        yield Goal(index, Aspect.ACTIVE)
+        yield Goal(index, Aspect.CLEARED)
+        for decision in decisions(machine, rule):
+            for atom in atoms(machine, decision):
+                yield Goal(index, Aspect.TRUE, atom, decision)
+                yield Goal(index, Aspect.FALSE, atom, decision)
+                yield from _edges_of(machine, index, atom, decision)
+        for used in losable_inputs(machine, rule):
+            yield Goal(index, Aspect.LOST, used)
+
+
+def losable_inputs(machine: ir.Machine, rule: ir.Rule) -> list[int]:
+    """The inputs of a rule that have a timeout and of which more is read than the age, which goes
+    on growing when they are lost.
+    """
+    rests_on = supports(machine).truths
+    read: set[int] = set()
+    for leaf in leaf_truths(machine, rule.condition):
+        if not isinstance(machine.truths[leaf].node, ir.AgeReaches):
+            read |= rests_on[leaf].inputs
+    return [used for used in sorted(read) if machine.inputs[used].timeout_ns is not None]
+
+
+def _edges_of(machine: ir.Machine, rule: int, atom: int, decision: int) -> Iterator[Goal]:
+    for number, _ in enumerate(edges(machine, atom)):
+        for aspect in (Aspect.UNDER, Aspect.AT, Aspect.OVER):
+            yield Goal(rule, aspect, atom, decision, number)
+    if deadline_ns(machine.truths[atom].node) is not None:
+        yield Goal(rule, Aspect.UNDER, atom, decision)
+        yield Goal(rule, Aspect.AT, atom, decision)
+
+
+def decisions(machine: ir.Machine, rule: ir.Rule) -> list[int]:
+    """The decisions of a rule; one that negates another is no decision of its own."""
+    found: dict[int, None] = {}
+    waiting = [rule.condition] + ([] if rule.release is None else [rule.release])
+    while waiting:
+        decision = _plain(machine, waiting.pop(0))
+        if decision in found or isinstance(machine.truths[decision].node, ir.Literal):
+            continue
+        found[decision] = None
+        for atom in atoms(machine, decision):
+            node = machine.truths[atom].node
+            if isinstance(node, ir.Held):
+                waiting.append(node.operand)
+    return list(found)
+
+
+def _plain(machine: ir.Machine, truth: int) -> int:
+    """What a chain of `not` negates."""
+    node = machine.truths[truth].node
+    while isinstance(node, ir.Not):
+        truth, node = node.operand, machine.truths[node.operand].node
+    return truth
+
+
+def atoms(machine: ir.Machine, decision: int) -> tuple[int, ...]:
+    """The atoms of a decision, in index order."""
+    found: set[int] = set()
+    waiting = [decision]
+    while waiting:
+        truth = waiting.pop()
+        node = machine.truths[truth].node
+        if isinstance(node, ir.Held) or is_leaf(node):
+            found.add(truth)
+        elif not isinstance(node, ir.Literal):
+            waiting.extend(truth_operands(node))
+    return tuple(sorted(found))
+
+
+# --- thresholds and deadlines ----------------------------------------------------------------
+
+
+def edges(machine: ir.Machine, truth: int) -> list[Edge]:
+    """The thresholds of an atom: constants that something that changes is compared with."""
+    node = machine.truths[truth].node
+    if isinstance(node, ir.Quantified):
+        node = machine.truths[node.element].node
+    pairs: list[tuple[int, int]] = []
+    if isinstance(node, ir.Compare):
+        pairs = [(node.left, node.right), (node.right, node.left)]
+    elif isinstance(node, ir.Between):
+        pairs = [(node.signal, node.low), (node.signal, node.high)]
+    found = []
+    for signal, constant in pairs:
+        value = machine.signals[constant].node
+        is_number = not _is_text(machine, signal)
+        if isinstance(value, ir.Constant) and is_number and not _is_constant(machine, signal):
+            step = _step(machine, signal, constant, value.value)
+            found.append(Edge(signal, value.value, step, constant))
+    return found
+
+
+def _is_constant(machine: ir.Machine, signal: int) -> bool:
+    return isinstance(machine.signals[signal].node, ir.Constant)
+
+
+def _is_text(machine: ir.Machine, signal: int) -> bool:
+    node = machine.signals[signal].node
+    return isinstance(node, ir.Read) and machine.slots[node.slot].kind is not ir.Kind.REAL
+
+
+def _step(machine: ir.Machine, signal: int, constant: int, value: float) -> float:
+    if isinstance(machine.signals[signal].node, ir.Count):
+        return 1.0
+    shown = machine.signals[constant]
+    return visible_step(value * shown.scale + shown.offset) / shown.scale
+
+
+def visible_step(number: float) -> float:
+    """A thousandth of a number, rounded down to a power of ten: 0.01 for 10, 0.0001 for 0.4."""
+    if number == 0.0 or not math.isfinite(number):
+        return 0.001
+    return float(f"1e{math.floor(math.log10(abs(number))) - 3}")
+
+
+def deadline_ns(node: ir.TruthNode) -> int | None:
+    """How long an atom takes to become true, if it is a matter of time."""
+    match node:
+        case ir.Held(duration_ns=duration_ns) | ir.AgeReaches(age_ns=duration_ns):
+            return duration_ns
+        case _:
+            return None
+
+
+def deadline_step_ns(duration_ns: int) -> int:
+    """A visible step of a duration, at least 1 ns."""
+    return max(1, round(visible_step(duration_ns / 1e9) * 1e9))
+
+
+def signals_of(machine: ir.Machine, truth: int) -> tuple[int, ...]:
+    """The signals that a leaf compares."""
+    return tuple(compared_signals(machine.truths[truth].node))

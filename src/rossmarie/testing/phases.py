@@ -1,0 +1,252 @@
+"""A trace in phases: values that stay for a while, one after the other -> the events of a script.
+
+All inputs of the rule are sent again and again, with one period, except on channels that are
+silent in a phase. A rate or a previous sample takes two messages at the beginning of its phase, an
+oscillation several.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from rossmarie import ir
+from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
+from rossmarie.testing.goals import visible_step
+from rossmarie.testing.solve import Values, Variable, World
+
+_ANGLES = {ir.Function.ROLL: "roll", ir.Function.PITCH: "pitch", ir.Function.YAW: "yaw"}
+_SECOND = 1_000_000_000
+_USUAL_BEAT_NS = _SECOND // 10
+
+
+@dataclass(frozen=True)
+class Phase:
+    """Values that stay for `length_ns`; `silent` are the channels without messages."""
+
+    values: Values
+    length_ns: int
+    silent: frozenset[int] = frozenset()
+
+
+def beat_ns(machine: ir.Machine, rule: ir.Rule) -> int:
+    """The period of messages that keep all inputs of a rule alive: at most half of the shortest
+    timeout, and 1, 2 or 5 tenths, hundredths ...; where rates count, a power of two of a second,
+    by which doubles are divided without rounding.
+    """
+    timeouts = [machine.inputs[used].timeout_ns for used in rule.inputs]
+    most_ns = min([2 * _USUAL_BEAT_NS, *(each for each in timeouts if each is not None)]) // 2
+    samples = ir.supports(machine).truths[rule.condition].samples
+    has_rate = any(isinstance(machine.signals[each].node, ir.Rate) for each in samples)
+    if has_rate and most_ns >= _SECOND // 512:
+        return _SECOND >> math.ceil(math.log2(_SECOND / most_ns))
+    unit_ns = int(10.0 ** math.floor(math.log10(max(most_ns, 1))))
+    return max(each * unit_ns for each in (1, 2, 5) if each * unit_ns <= max(most_ns, 1))
+
+
+@dataclass(frozen=True)
+class Stage:
+    """What the phases of one rule are played with."""
+
+    world: World
+    machine: ir.Machine
+    rule: int
+    beat_ns: int
+
+    def script(self, name: str, phases: Sequence[Phase]) -> Script:
+        """The events of phases; nothing is expected yet."""
+        ends = list(itertools.accumulate(phase.length_ns for phase in phases))
+        starts = [0, *ends[:-1]]
+        events: list[ScriptedArrival | ScriptedReset] = list(self._beats(phases, starts, ends))
+        before: dict[Variable, float] = {}
+        for phase, start_ns, end_ns in zip(phases, starts, ends, strict=True):
+            events += self._changes(phase, before, start_ns)
+            before = dict(phase.values)
+            if self.machine.rules[self.rule].release is None:
+                events.append(ScriptedReset(end_ns - self.beat_ns, self.rule))
+        events.sort(key=_start)
+        return Script(name, tuple(events), (), None)
+
+    # --- messages that keep inputs alive -----------------------------------------------------
+
+    def _beats(
+        self, phases: Sequence[Phase], starts: Sequence[int], ends: Sequence[int]
+    ) -> Iterator[ScriptedArrival]:
+        groups: dict[tuple[tuple[int, int], ...], list[int]] = {}
+        for used in self._one_of_each_channel():
+            channel = self.machine.inputs[used].channel
+            stretches: list[tuple[int, int]] = []
+            for phase, start_ns, end_ns in zip(phases, starts, ends, strict=True):
+                if channel in phase.silent:
+                    continue
+                if stretches and stretches[-1][1] == start_ns:
+                    start_ns = stretches.pop()[0]
+                stretches.append((start_ns, end_ns))
+            groups.setdefault(tuple(stretches), []).append(used)
+        for stretches_of_group, inputs in groups.items():
+            names = tuple(self.machine.inputs[used].name for used in inputs)
+            topics = tuple(self._topic(used) for used in inputs)
+            for first_ns, last_ns in stretches_of_group:
+                yield ScriptedArrival(first_ns, last_ns, self.beat_ns, names, topics, ())
+
+    def _one_of_each_channel(self) -> list[int]:
+        found: dict[int, int] = {}
+        for used in self.machine.rules[self.rule].inputs:
+            found.setdefault(self.machine.inputs[used].channel, used)
+        return list(found.values())
+
+    def _topic(self, used: int) -> str:
+        return self.machine.channels[self.machine.inputs[used].channel].topic
+
+    # --- what changes ------------------------------------------------------------------------
+
+    def _changes(self, phase: Phase, before: Values, start_ns: int) -> Iterator[ScriptedArrival]:
+        later: list[tuple[int, list[Setting]]] = []
+        settings: list[Setting] = []
+        moved: set[int] = set()
+        for variable, value in phase.values.items():
+            moves = list(self._moves(variable, value, phase.values))
+            if moves:
+                moved.add(self._slot_of(variable))
+                settings += moves[0][1]
+                later += moves[1:]
+        arrays = {each.index for each in phase.values if each.kind == "element"}
+        for variable, value in phase.values.items():
+            is_moved = variable.kind == "slot" and variable.index in moved
+            if before.get(variable) != value and not is_moved:
+                settings += self._setting(variable, value)
+        for array in sorted(arrays):
+            elements = self._elements(array, phase.values)
+            if elements != self._elements(array, before):
+                settings.append(self._array(array, elements))
+        if settings:
+            yield self._sent(start_ns, settings)
+        merged: dict[int, list[Setting]] = {}
+        for offset_ns, each in later:
+            merged.setdefault(offset_ns, []).extend(each)
+        for offset_ns, each in sorted(merged.items()):
+            yield self._sent(start_ns + offset_ns, each)
+
+    def _sent(self, at_ns: int, settings: list[Setting]) -> ScriptedArrival:
+        inputs = tuple(dict.fromkeys(setting.input for setting in settings))
+        topics = tuple(dict.fromkeys(setting.topic for setting in settings))
+        return ScriptedArrival(at_ns, at_ns, None, inputs, topics, tuple(settings))
+
+    def _setting(self, variable: Variable, value: float) -> Iterator[Setting]:
+        if variable.kind == "slot":
+            yield self._of_slot(variable.index, value)
+        elif variable.kind == "angle":
+            node = self.machine.signals[variable.index].node
+            assert isinstance(node, ir.Apply)
+            first = self.machine.signals[node.operands[0]].node
+            if isinstance(first, ir.Read):
+                slot = self.machine.slots[first.slot]
+                name = self.machine.inputs[slot.input].name
+                unit = self.world.unit(variable).symbol
+                angle = _ANGLES[node.function]
+                yield Setting(name, self._topic(slot.input), slot.path[:-1], value, angle, unit)
+
+    def _of_slot(self, index: int, number: float) -> Setting:
+        slot = self.machine.slots[index]
+        value: SettingValue = number
+        if slot.kind is ir.Kind.FLAG:
+            value = number != 0.0
+        elif slot.kind is ir.Kind.TEXT:
+            value = self.machine.texts[int(number)] if number >= 0 else "something else"
+        name = self.machine.inputs[slot.input].name
+        unit = self.world.unit(Variable("slot", index)).symbol
+        return Setting(name, self._topic(slot.input), slot.path, value, None, unit)
+
+    def _elements(self, array: int, values: Values) -> tuple[float, ...]:
+        variables = [each for each in values if (each.kind, each.index) == ("element", array)]
+        return tuple(values[each] for each in sorted(variables, key=lambda each: each.part))
+
+    def _array(self, index: int, elements: tuple[float, ...]) -> Setting:
+        array = self.machine.arrays[index]
+        name = self.machine.inputs[array.input].name
+        unit = self.world.unit(Variable("element", index)).symbol
+        return Setting(name, self._topic(array.input), array.path, elements, None, unit)
+
+    # --- what takes several messages ---------------------------------------------------------
+
+    def _moves(
+        self, variable: Variable, value: float, values: Values
+    ) -> Iterator[tuple[int, list[Setting]]]:
+        """What to set how long after the beginning of a phase."""
+        slot = self._slot_of(variable)
+        if slot < 0:
+            return
+        now = values.get(Variable("slot", slot), 0.0)
+        if variable.kind == "rate" and value != 0.0:
+            for count in range(_beats_of_a_ramp(self.machine, self.rule, self.beat_ns) + 1):
+                number = now + value * (count - 1) * self.beat_ns / 1e9
+                yield count * self.beat_ns, [self._of_slot(slot, number)]
+        elif variable.kind == "previous" and value != now:
+            yield 0, [self._of_slot(slot, value)]
+            yield self.beat_ns, [self._of_slot(slot, now)]
+        elif variable.kind == "oscillating" and value != 0.0:
+            node = self.machine.truths[variable.index].node
+            assert isinstance(node, ir.Oscillates)
+            swing = self._visible_swing(node.swing)
+            step_ns = min(self.beat_ns, node.window_ns // (node.count + 3))
+            for count in range(node.count + 3):
+                number = now + (swing if count % 2 else 0.0)
+                yield count * step_ns, [self._of_slot(slot, number)]
+
+    def _visible_swing(self, swing: float) -> float:
+        return 2 * swing if swing else 1.0
+
+    def _slot_of(self, variable: Variable) -> int:
+        """The field that a rate, a sample or an oscillation is of; -1 if it is of none alone."""
+        if variable.kind == "oscillating":
+            node = self.machine.truths[variable.index].node
+            signal = node.signal if isinstance(node, ir.Oscillates) else -1
+        elif variable.kind in ("rate", "previous"):
+            sampled = self.machine.signals[variable.index].node
+            signal = sampled.signal if isinstance(sampled, ir.Rate | ir.Previous) else -1
+        else:
+            return -1
+        read = self.machine.signals[signal].node
+        return read.slot if isinstance(read, ir.Read) else -1
+
+
+def _beats_of_a_ramp(machine: ir.Machine, rule: int, beat: int) -> int:
+    """How many messages a rate has to last: one, or as long as the longest `for`."""
+    longest_ns = delay_ns(machine, machine.rules[rule].condition)
+    return min(1 + math.ceil(longest_ns / beat), 64)
+
+
+def delay_ns(machine: ir.Machine, truth: int, *, value: bool = True) -> int:
+    """How long after its leaves a truth has come to be `value`, at most."""
+    node = machine.truths[truth].node
+    if isinstance(node, ir.Not):
+        return delay_ns(machine, node.operand, value=not value)
+    own_ns = 0
+    if isinstance(node, ir.Held) and value:
+        own_ns = node.duration_ns
+    elif isinstance(node, ir.Oscillates):
+        own_ns = node.window_ns
+    elif isinstance(node, ir.AgeReaches) and value:
+        own_ns = node.age_ns // 1000 * 1000
+    below = (delay_ns(machine, each, value=value) for each in ir_operands(node))
+    return own_ns + max(below, default=0)
+
+
+def ir_operands(node: ir.TruthNode) -> tuple[int, ...]:
+    """The truths that a truth joins; those of elements are not among them."""
+    return () if isinstance(node, ir.Quantified) else tuple(ir.truth_operands(node))
+
+
+def round_up(length_ns: int, beat: int) -> int:
+    """A readable length: whole tenths of a second or longer, and whole beats."""
+    step_ns = max(round(visible_step(length_ns / 1e9) * 1e11), beat)
+    step_ns = math.ceil(step_ns / beat) * beat
+    return math.ceil(length_ns / step_ns) * step_ns
+
+
+def _start(event: ScriptedArrival | ScriptedReset) -> tuple[int, bool, bool]:
+    if isinstance(event, ScriptedReset):
+        return event.at_ns, True, True
+    return event.first_ns, event.period_ns is None, False

@@ -1,0 +1,147 @@
+"""A script and a machine -> the messages of each instant, as engines take them.
+
+Fields that were never set hold what a new ROS message holds: 0, false, an empty string, no
+elements; an orientation is upright. What was set stays until it is set again.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from itertools import groupby
+
+from rossmarie.ir import ChannelValues, Kind, Machine, Slot
+from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
+from rossmarie.testing.orientation import UPRIGHT, with_angle
+
+_Field = tuple[str, tuple[str | int, ...]]
+
+
+@dataclass(frozen=True)
+class Step:
+    """What happens at one instant: messages, by channel, and after them resets."""
+
+    at_ns: int
+    messages: Mapping[int, ChannelValues]
+    resets: tuple[int | None, ...] = ()
+
+
+def steps_of(machine: Machine, script: Script) -> Iterator[Step]:
+    """The steps of a script, in order. All messages of one instant are seen together, after what
+    the statements set, in their order.
+    """
+    occurrences = [
+        (at_ns, order, event)
+        for order, event in enumerate(script.events)
+        for at_ns in _instants(event)
+    ]
+    occurrences.sort(key=lambda each: each[:2])
+    sender = _Sender(machine)
+    for at_ns, group in groupby(occurrences, key=lambda each: each[0]):
+        events = [event for _, _, event in group]
+        arrivals = [event for event in events if isinstance(event, ScriptedArrival)]
+        resets = tuple(event.rule for event in events if isinstance(event, ScriptedReset))
+        yield Step(at_ns, sender.messages(arrivals), resets)
+
+
+def _instants(event: ScriptedArrival | ScriptedReset) -> Iterator[int]:
+    if isinstance(event, ScriptedReset):
+        yield event.at_ns
+    elif event.period_ns is None:
+        yield event.first_ns
+    else:
+        yield from range(event.first_ns, event.last_ns + 1, event.period_ns)
+
+
+@dataclass
+class _Sender:
+    """Knows what was set last. `values` are in SI."""
+
+    machine: Machine
+    values: dict[_Field, SettingValue] = field(default_factory=dict)
+
+    def messages(self, arrivals: list[ScriptedArrival]) -> dict[int, ChannelValues]:
+        """The messages of one instant, by channel."""
+        for arrival in arrivals:
+            for setting in arrival.settings:
+                self._set(setting)
+        topics = {topic for arrival in arrivals for topic in arrival.topics}
+        return {
+            index: self._message(index)
+            for index, channel in enumerate(self.machine.channels)
+            if channel.topic in topics
+        }
+
+    def _set(self, setting: Setting) -> None:
+        if setting.angle is not None and isinstance(setting.value, float):
+            self._turn(setting, setting.angle, setting.value)
+        elif setting.path and isinstance(setting.path[-1], int):
+            self._set_element(setting, setting.path[-1])
+        else:
+            self.values[setting.topic, setting.path] = setting.value
+
+    def _turn(self, setting: Setting, angle: str, value: float) -> None:
+        places = [(setting.topic, (*setting.path, part)) for part in "xyzw"]
+        found = [
+            self.values.get(place, usual) for place, usual in zip(places, UPRIGHT, strict=True)
+        ]
+        x, y, z, w = (each if isinstance(each, float) else math.nan for each in found)
+        self.values.update(zip(places, with_angle((x, y, z, w), angle, value), strict=True))
+
+    def _set_element(self, setting: Setting, index: int) -> None:
+        whole = (setting.topic, setting.path[:-1])
+        old = self.values.get(whole)
+        elements = list(old) if isinstance(old, tuple) else []
+        elements += [math.nan] * (index + 1 - len(elements))
+        elements[index] = _number(setting.value)
+        self.values[whole] = tuple(elements)
+
+    def _message(self, channel: int) -> ChannelValues:
+        machine = self.machine
+        slots = {
+            index: self._slot(slot)
+            for index, slot in enumerate(machine.slots)
+            if machine.inputs[slot.input].channel == channel
+        }
+        arrays = {}
+        for index, array in enumerate(machine.arrays):
+            if machine.inputs[array.input].channel == channel:
+                whole = self.values.get((machine.channels[channel].topic, array.path))
+                elements = whole if isinstance(whole, tuple) else ()
+                arrays[index] = [raw(each, array.scale, array.offset) for each in elements]
+        return ChannelValues(slots, arrays)
+
+    def _slot(self, slot: Slot) -> float:
+        topic = self.machine.channels[self.machine.inputs[slot.input].channel].topic
+        value = self._value(topic, slot.path)
+        if slot.kind is Kind.TEXT:
+            text = "" if value is _UNSET else value
+            texts = self.machine.texts
+            return float(texts.index(text)) if isinstance(text, str) and text in texts else -1.0
+        if value is _UNSET:
+            value = 1.0 if slot.path[-1:] == ("w",) else 0.0
+            return value if slot.kind is Kind.FLAG else raw(value, slot.scale, slot.offset)
+        number = _number(value)
+        return number if slot.kind is Kind.FLAG else raw(number, slot.scale, slot.offset)
+
+    def _value(self, topic: str, path: tuple[str | int, ...]) -> SettingValue | object:
+        if path and isinstance(path[-1], int):
+            whole = self.values.get((topic, path[:-1]))
+            is_there = isinstance(whole, tuple) and path[-1] < len(whole)
+            return whole[path[-1]] if isinstance(whole, tuple) and is_there else None
+        return self.values.get((topic, path), _UNSET)
+
+
+_UNSET = object()
+
+
+def _number(value: object) -> float:
+    return float(value) if isinstance(value, float | bool) else math.nan
+
+
+def raw(si: float, scale: float, offset: float) -> float:
+    """The number in a message that arrives as `si`; a value that is written in the unit of the
+    message arrives as the rules would read it there, bit for bit.
+    """
+    return (si - offset) / scale

@@ -1,0 +1,245 @@
+"""Traces that ought to reach the goals of a rule: proposals, which the interpreter judges.
+
+For each leaf: values at, just under and just over its threshold on which the whole condition
+hangs. For each `for` and each age: held for a step less, then for as long as it takes. For each
+input with a timeout: silence.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import z3
+
+from rossmarie import ir
+from rossmarie.ir.script import Script
+from rossmarie.testing.goals import (
+    Edge,
+    atoms,
+    deadline_step_ns,
+    decisions,
+    edges,
+    losable_inputs,
+)
+from rossmarie.testing.phases import Phase, Stage, beat_ns, delay_ns, round_up
+from rossmarie.testing.solve import Values, World, edge_point, rational
+
+_MOST_BEATS = 20_000
+_LONGEST_NAME = 90
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """A script for the goals of one rule."""
+
+    rule: int
+    script: Script
+
+
+def propose(machine: ir.Machine) -> Iterator[Proposal]:
+    """Proposals for all rules, in their order."""
+    for index in range(len(machine.rules)):
+        yield from _Proposer(machine, index).all()
+
+
+class _Proposer:
+    """Makes the proposals for one rule."""
+
+    def __init__(self, machine: ir.Machine, index: int) -> None:
+        self._machine = machine
+        self._index = index
+        self._rule = machine.rules[index]
+        self._roots = [self._rule.condition]
+        if self._rule.release is not None:
+            self._roots.append(self._rule.release)
+        leaves = {leaf for root in self._roots for leaf in ir.leaf_truths(machine, root)}
+        self._leaves = sorted(leaves)
+        self._world = World(machine, self._leaves)
+        self._beat_ns = beat_ns(machine, self._rule)
+        self._stage = Stage(self._world, machine, index, self._beat_ns)
+        settled_ns = max(
+            delay_ns(machine, root, value=value) for root in self._roots for value in (True, False)
+        )
+        self._hold_ns = round_up(settled_ns + 4 * self._beat_ns, self._beat_ns)
+        self._condition = self._world.formula(self._rule.condition)
+
+    def all(self) -> Iterator[Proposal]:
+        """All proposals; none if the rule cannot be calm, or takes too long."""
+        if self._hold_ns > _MOST_BEATS * self._beat_ns:
+            return
+        calm = self._calm()
+        if calm is None:
+            return
+        for leaf in self._leaves:
+            yield from self._leaf(leaf, calm)
+        for decision in decisions(self._machine, self._rule):
+            for atom in atoms(self._machine, decision):
+                node = self._machine.truths[atom].node
+                if isinstance(node, ir.Held):
+                    yield from self._held(atom, node, decision, calm)
+        for used in losable_inputs(self._machine, self._rule):
+            yield from self._silence(used)
+
+    def _calm(self) -> Values | None:
+        over = z3.Not(self._condition)
+        release = [] if self._rule.release is None else [self._world.formula(self._rule.release)]
+        return self._world.solve([over, *release]) or self._world.solve([over])
+
+    def _hangs_on(self, truth: int, decision: int | None = None) -> Any:
+        """A formula: what a truth is makes the difference to what clears or activates the rule."""
+        roots = self._roots if decision is None else [decision]
+        ways = []
+        for root in roots:
+            true, false = (self._world.formula(root, {truth: value}) for value in (True, False))
+            ways.append(true != false)
+        if decision is None and len(ways) > 1:
+            # What clears a rule counts while its condition is false.
+            ways[1] = z3.And(ways[1], z3.Not(self._condition))
+        return z3.Or(ways)
+
+    # --- leaves ------------------------------------------------------------------------------
+
+    def _leaf(self, leaf: int, calm: Values) -> Iterator[Proposal]:
+        node = self._machine.truths[leaf].node
+        hangs = self._hangs_on(leaf)
+        if isinstance(node, ir.AgeReaches):
+            yield from self._age(leaf, node, hangs)
+            return
+        found = edges(self._machine, leaf)
+        for edge in found:
+            yield from self._edge(leaf, edge, hangs, calm)
+        if not found:
+            formula = self._world.formula(leaf)
+            true = self._world.solve([hangs, formula], calm, leaf)
+            false = self._world.solve([hangs, z3.Not(formula)], true or calm, leaf)
+            yield from self._made(leaf, self._text(leaf), calm, [true, false, true])
+
+    def _edge(self, leaf: int, edge: Edge, hangs: Any, calm: Values) -> Iterator[Proposal]:
+        is_array = isinstance(self._machine.truths[leaf].node, ir.Quantified)
+        term = self._world.signal(edge.signal, 0 if is_array else None)
+        near, found = calm, []
+        for steps in (-1, 0, 1):
+            point = edge_point(self._machine, edge, steps)
+            values = self._world.solve([hangs, term == rational(point)], near, leaf)
+            near = values or near
+            found.append(values)
+        shown = self._machine.signals[edge.constant]
+        number = edge.threshold * shown.scale + shown.offset
+        around = f"{number:.9g} {shown.unit}".strip()
+        yield from self._made(leaf, f"{self._text(leaf)}, around {around}", calm, found)
+
+    def _age(self, leaf: int, node: ir.AgeReaches, hangs: Any) -> Iterator[Proposal]:
+        formula = self._world.formula(leaf)
+        old = self._world.solve([hangs, formula])
+        young = self._world.solve([hangs, z3.Not(formula)], old)
+        if old is None or young is None:
+            return
+        silent = frozenset({self._machine.inputs[node.input].channel})
+        step_ns = deadline_step_ns(node.age_ns)
+        short_ns = (node.age_ns // step_ns - 1) * step_ns  # `> d` reaches d + 1 ns (S31)
+        phases = [
+            self._phase(young, self._hold_ns),
+            self._phase(young, short_ns, silent),
+            self._phase(young, self._hold_ns),
+            self._phase(old, self._hold_ns),
+            self._phase(young, self._hold_ns),
+        ]
+        yield self._proposal(self._text(leaf), phases)
+
+    # --- durations ---------------------------------------------------------------------------
+
+    def _held(self, held: int, node: ir.Held, decision: int, calm: Values) -> Iterator[Proposal]:
+        formula = self._world.formula(node.operand)
+        hangs = self._hangs_on(held, decision)
+        on = self._world.solve([formula, hangs], calm)
+        if on is None:
+            return
+        off = self._world.solve([z3.Not(formula), hangs], on)
+        off = off or self._world.solve([z3.Not(formula)], on)
+        if off is None:
+            return
+        inner_ns = delay_ns(self._machine, node.operand)
+        outer_ns = delay_ns(self._machine, node.operand, value=False)
+        step_ns = deadline_step_ns(node.duration_ns)
+        short_ns = inner_ns + node.duration_ns - step_ns - outer_ns
+        if short_ns <= 0:  # what is held takes longer to end than it may last
+            short_ns = self._hold_ns
+        lengths = (self._hold_ns, short_ns, self._hold_ns, self._hold_ns, self._hold_ns)
+        phases = [
+            self._phase(values, length_ns)
+            for values, length_ns in zip((off, on, off, on, off), lengths, strict=True)
+        ]
+        yield self._proposal(self._text(held), phases)
+
+    # --- lost inputs -------------------------------------------------------------------------
+
+    def _silence(self, used: int) -> Iterator[Proposal]:
+        declared = self._machine.inputs[used]
+        assert declared.timeout_ns is not None
+        rests_on = ir.supports(self._machine).truths
+        for leaf in ir.leaf_truths(self._machine, self._rule.condition):
+            if used not in rests_on[leaf].inputs:
+                continue
+            hangs = self._hangs_on(leaf, self._rule.condition)
+            values = self._world.solve([hangs, z3.Not(self._condition)])
+            if values is None:
+                continue
+            silent = frozenset({declared.channel})
+            length_ns = round_up(declared.timeout_ns + self._hold_ns, self._beat_ns)
+            phases = [
+                self._phase(values, self._hold_ns),
+                self._phase(values, length_ns, silent),
+                self._phase(values, self._hold_ns),
+            ]
+            yield self._proposal(f"{declared.name} falls silent", phases)
+            return
+
+    # --- names -------------------------------------------------------------------------------
+
+    def _made(
+        self, leaf: int, name: str, calm: Values, values: Sequence[Values | None]
+    ) -> Iterator[Proposal]:
+        """Calm, the values one after the other, calm. A rule that is cleared by something of its
+        own is calmed before each, or made active if the leaf is about what clears it.
+        """
+        known = [each for each in values if each is not None]
+        if not known:
+            return
+        phases = [calm, *known, calm]
+        if self._has_own_release():
+            fire = self._world.solve([self._condition], calm)
+            is_of_condition = leaf in ir.leaf_truths(self._machine, self._rule.condition)
+            between = calm if is_of_condition or fire is None else fire
+            phases = [calm, *(each for value in known for each in (between, value)), calm]
+        yield self._proposal(name, [self._phase(each, self._hold_ns) for each in phases])
+
+    def _has_own_release(self) -> bool:
+        """Whether a leaf that the condition does not have clears the rule."""
+        condition = ir.leaf_truths(self._machine, self._rule.condition)
+        return any(leaf not in condition for leaf in self._leaves)
+
+    def _phase(self, values: Values, length_ns: int, silent: frozenset[int] = frozenset()) -> Phase:
+        """A phase in which the inputs that are to be old are silent, and for long enough."""
+        old = {each.index for each, value in values.items() if each.kind == "aged" and value}
+        ages_ns = [
+            node.age_ns
+            for node in (self._machine.truths[leaf].node for leaf in self._leaves)
+            if isinstance(node, ir.AgeReaches) and node.input in old
+        ]
+        if ages_ns:
+            least_ns = max(ages_ns) + self._hold_ns
+            length_ns = max(length_ns, round_up(least_ns, self._beat_ns))
+        channels = {self._machine.inputs[used].channel for used in old}
+        return Phase(values, length_ns, silent | channels)
+
+    def _proposal(self, name: str, phases: Sequence[Phase]) -> Proposal:
+        cleaned = f"{self._rule.name}: {name}".replace('"', "'")
+        return Proposal(self._index, self._stage.script(cleaned, phases))
+
+    def _text(self, truth: int) -> str:
+        found = self._machine.truths[truth]
+        text = " ".join(found.text.split())
+        named = f"{found.name} ({text})" if found.name else text
+        return named if len(named) <= _LONGEST_NAME else f"{named[: _LONGEST_NAME - 3]}..."

@@ -1,0 +1,103 @@
+"""A script played on an engine, and what came of its expectations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from rossmarie.ir import Change, ChannelValues, Event, Machine, Verdict
+from rossmarie.ir.script import Expectation, Script
+from rossmarie.testing.play import Step, steps_of
+
+
+class Engine(Protocol):
+    """What the interpreter and a monitor in C have in common."""
+
+    def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
+        """Messages arrive."""
+
+    def advance(self, at_ns: int) -> list[Event]:
+        """Time passes."""
+
+    def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
+        """An operator resets one rule or all."""
+
+
+@dataclass(frozen=True)
+class Failure:
+    """An expectation that was not met at `at_ns`. `cause` is the last change of the rule up to
+    then, None if there was none; `following` the first one after it.
+    """
+
+    expectation: Expectation
+    at_ns: int
+    cause: Verdict | None
+    following: Verdict | None
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A rule is active, or inactive, from `first_ns` up to, not including, `end_ns`; None: to the
+    end.
+    """
+
+    is_active: bool
+    first_ns: int
+    end_ns: int | None
+
+
+def play(engine: Engine, steps: Iterable[Step], end_ns: int) -> list[Verdict]:
+    """All verdicts of a fresh engine, from 0 s to the end. A test begins at 0 s (S12)."""
+    events: list[Event] = []
+    now_ns = None
+    for step in steps:
+        if now_ns is None and step.at_ns > 0:
+            events += engine.advance(0)
+        now_ns = step.at_ns
+        if step.messages:
+            events += engine.update(step.at_ns, step.messages)
+        for rule in step.resets:
+            events += engine.reset(step.at_ns, rule)
+    events += engine.advance(0) if now_ns is None else []
+    events += engine.advance(end_ns)
+    return [event for event in events if isinstance(event, Verdict)]
+
+
+def run(engine: Engine, machine: Machine, script: Script) -> list[Verdict]:
+    """All verdicts of a script."""
+    return play(engine, steps_of(machine, script), script.end_ns)
+
+
+def judge(script: Script, verdicts: Sequence[Verdict]) -> Iterator[Failure]:
+    """The expectations that are not met, in their order; each where it is first not met."""
+    for expected in script.expectations:
+        changes = [verdict for verdict in verdicts if verdict.rule == expected.rule]
+        at_ns = _first_violation(expected, changes)
+        if at_ns is not None:
+            before = [change for change in changes if change.at_ns <= at_ns]
+            after = [change for change in changes if change.at_ns > at_ns]
+            yield Failure(expected, at_ns, before[-1] if before else None, next(iter(after), None))
+
+
+def _first_violation(expected: Expectation, changes: Sequence[Verdict]) -> int | None:
+    for stretch in stretches(changes):
+        end_ns = expected.last_ns + 1 if stretch.end_ns is None else stretch.end_ns
+        first_ns = max(stretch.first_ns, expected.first_ns)
+        last_ns = min(end_ns - 1, expected.last_ns)
+        if first_ns <= last_ns and stretch.is_active is not expected.is_active:
+            return first_ns
+    return None
+
+
+def stretches(changes: Sequence[Verdict]) -> Iterator[Stretch]:
+    """How one rule was, from its changes; of several at one instant the last counts."""
+    is_active, first_ns = False, 0
+    for change in changes:
+        now_active = change.change is not Change.CLEARED
+        if change.at_ns > first_ns and now_active is not is_active:
+            yield Stretch(is_active, first_ns, change.at_ns)
+        if now_active is not is_active:
+            first_ns = change.at_ns
+        is_active = now_active
+    yield Stretch(is_active, first_ns, None)

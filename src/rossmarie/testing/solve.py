@@ -1,0 +1,384 @@
+"""Values for the fields of messages that make conditions true or false, found with z3.
+
+The picture is one of an unchanging world: every `for` is as what stands in front of it. Fields are
+real numbers in SI; an angle of an orientation, a rate, a previous sample, an age and an oscillation
+are values of their own, which `phases` knows how to bring about. Whatever is found is only a
+proposal: the interpreter has the last word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+import z3
+
+from rossmarie import ir
+from rossmarie.ir import Comparison, Function, Kind
+from rossmarie.testing.goals import Edge, edges, signals_of
+from rossmarie.units import Unit, parse_unit
+
+TIME_LIMIT_MS = 2000
+_MOST_ELEMENTS = 8
+_EXACT = (Function.NEGATE, Function.ABSOLUTE, Function.MINIMUM, Function.MAXIMUM)
+_CLEAR = 10  # how many steps other values stay away from their thresholds
+_ANGLES = {Function.ROLL: "roll", Function.PITCH: "pitch", Function.YAW: "yaw"}
+
+
+@dataclass(frozen=True)
+class Variable:
+    """Something to choose: `kind` is `slot`, `element` (`index` of an array, `part` the element),
+    `angle` (`index` of the signal), `rate`, `previous`, `aged` or `oscillating` (`index` of the
+    signal, or of the truth).
+    """
+
+    kind: str
+    index: int
+    part: int = 0
+
+
+Values = Mapping[Variable, float]
+"""In SI; truths and texts by their numbers."""
+
+
+@dataclass
+class World:
+    """The formulas of one rule, and its variables.
+
+    A world that `is_free` allows for all that can be, and more: what is computed is any number,
+    `for`s are as they like. What is impossible there is impossible.
+    """
+
+    machine: ir.Machine
+    truths: Sequence[int]
+    is_free: bool = False
+    variables: dict[Variable, Any] = field(default_factory=dict)
+    units: dict[Variable, Unit] = field(default_factory=dict)
+    _side: list[Any] = field(default_factory=list)
+    _signals: dict[int, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.length = self._length()
+        for truth in self.truths:
+            self.formula(truth)
+
+    def _length(self) -> int:
+        """How many elements arrays have: enough for what is counted."""
+        counted = [
+            edge.threshold
+            for truth in self.truths
+            for edge in edges(self.machine, truth)
+            if isinstance(self.machine.signals[edge.signal].node, ir.Count)
+        ]
+        chosen = [
+            slot.path[-1] + 1
+            for slot in self.machine.slots
+            if slot.path and isinstance(slot.path[-1], int)
+        ]
+        wanted = int(max([0.0, *counted])) + 1 + bool(counted)
+        return min(_MOST_ELEMENTS, max([wanted, *chosen]))
+
+    # --- formulas ----------------------------------------------------------------------------
+
+    def formula(self, truth: int, fixed: Mapping[int, bool] | None = None) -> Any:
+        """A truth as a formula, with some of those below it replaced by what they are."""
+        if fixed is not None and truth in fixed:
+            return z3.BoolVal(fixed[truth])
+        match self.machine.truths[truth].node:
+            case ir.Literal(value=value):
+                return z3.BoolVal(value)
+            case ir.Not(operand=operand):
+                return z3.Not(self.formula(operand, fixed))
+            case ir.And(operands=operands):
+                return z3.And([self.formula(each, fixed) for each in operands])
+            case ir.Or(operands=operands):
+                return z3.Or([self.formula(each, fixed) for each in operands])
+            case ir.Held(operand=operand) if not self.is_free:
+                return self.formula(operand, fixed)
+            case ir.Held() | ir.Quantified() if self.is_free:
+                return self._bool(Variable("free", truth))
+            case ir.AgeReaches(input=used):
+                return self._bool(Variable("aged", used))
+            case ir.Oscillates():
+                return self._bool(Variable("oscillating", truth))
+            case ir.Quantified(quantifier=quantifier, element=element):
+                parts = [self._leaf(element, part) for part in range(self.length)]
+                is_any = quantifier is ir.Quantifier.ANY
+                return z3.Or(parts) if is_any else z3.And(parts)
+            case _:
+                return self._leaf(truth, None)
+
+    def _leaf(self, truth: int, part: int | None) -> Any:
+        match self.machine.truths[truth].node:
+            case ir.Compare(comparison=comparison, left=left, right=right):
+                return _compared(comparison, self.signal(left, part), self.signal(right, part))
+            case ir.Between(signal=signal, low=low, high=high):
+                value = self.signal(signal, part)
+                return z3.And(self.signal(low, part) <= value, value <= self.signal(high, part))
+            case ir.Flag(signal=signal):
+                return self.signal(signal, part) != 0
+            case ir.Not(operand=operand):
+                return z3.Not(self._leaf(operand, part))
+            case ir.And(operands=operands):
+                return z3.And([self._leaf(each, part) for each in operands])
+            case ir.Or(operands=operands):
+                return z3.Or([self._leaf(each, part) for each in operands])
+            case _:
+                return self.formula(truth)
+
+    def signal(self, index: int, part: int | None = None) -> Any:
+        """A number as a term; `part` is the element at hand."""
+        if part is None and index in self._signals:
+            return self._signals[index]
+        term = self._term(index, part)
+        if part is None:
+            self._signals[index] = term
+        return term
+
+    def _term(self, index: int, part: int | None) -> Any:
+        match self.machine.signals[index].node:
+            case ir.Constant(value=value):
+                return rational(value)
+            case ir.Read(slot=slot):
+                return self._slot(slot)
+            case ir.Element(array=array):
+                return self._real(Variable("element", array, part or 0))
+            case ir.Rate():
+                return self._real(Variable("rate", index))
+            case ir.Previous():
+                return self._real(Variable("previous", index))
+            case ir.Fold() | ir.Count() if self.is_free:
+                return self._real(Variable("free number", index))
+            case ir.Fold(folding=folding, element=element):
+                least = folding is ir.Folding.MINIMUM
+                values = [self.signal(element, each) for each in range(self.length)]
+                return _extreme(values, least)
+            case ir.Count(element=element):
+                parts = [self._leaf(element, each) for each in range(self.length)]
+                return z3.Sum([z3.If(each, z3.RealVal(1), z3.RealVal(0)) for each in parts])
+            case ir.Apply(function=function, operands=operands):
+                return self._applied(index, function, operands, part)
+            case node:
+                raise AssertionError(node)
+
+    def _applied(
+        self, index: int, function: Function, operands: tuple[int, ...], part: int | None
+    ) -> Any:
+        if self.is_free and function not in _EXACT:
+            return self._real(Variable("free number", index))
+        if function in _ANGLES:
+            angle = self._real(Variable("angle", index))
+            bound = rational(1.5) if function is Function.PITCH else rational(3.1)
+            self._side += [angle >= -bound, angle <= bound]
+            return angle
+        values = [self.signal(operand, part) for operand in operands]
+        match function:
+            case Function.ADD:
+                return values[0] + values[1]
+            case Function.SUBTRACT:
+                return values[0] - values[1]
+            case Function.MULTIPLY:
+                return values[0] * values[1]
+            case Function.DIVIDE:
+                self._side.append(values[1] != 0)
+                return values[0] / values[1]
+            case Function.NEGATE:
+                return -values[0]
+            case Function.ABSOLUTE:
+                return z3.If(values[0] >= 0, values[0], -values[0])
+            case Function.MINIMUM | Function.MAXIMUM:
+                return _extreme(values, function is Function.MINIMUM)
+            case _:  # a norm, along its first component: the others are zero
+                self._side += [value == 0 for value in values[1:]]
+                return z3.If(values[0] >= 0, values[0], -values[0])
+
+    def _slot(self, slot: int) -> Any:
+        variable = self._element_of(self.machine.slots[slot]) or Variable("slot", slot)
+        term = self._real(variable)
+        kind = self.machine.slots[slot].kind
+        if kind is Kind.FLAG:
+            self._side.append(z3.Or(term == 0, term == 1))
+        elif kind is Kind.TEXT:
+            numbers = range(-1, len(self.machine.texts))
+            self._side.append(z3.Or([term == number for number in numbers]))
+        return term
+
+    def _element_of(self, slot: ir.Slot) -> Variable | None:
+        """The element of an array of the machine that a slot is, if it is one of the first."""
+        part = slot.path[-1] if slot.path else None
+        for index, array in enumerate(self.machine.arrays):
+            is_inside = (array.input, array.path) == (slot.input, slot.path[:-1])
+            if is_inside and isinstance(part, int) and part < self.length:
+                return Variable("element", index, part)
+        return None
+
+    def _real(self, variable: Variable) -> Any:
+        return self.variables.setdefault(variable, z3.Real(f"v{len(self.variables)}"))
+
+    def _bool(self, variable: Variable) -> Any:
+        return self._real(variable) != 0
+
+    # --- answers -----------------------------------------------------------------------------
+
+    def solve(
+        self, wanted: Sequence[Any], near: Values | None = None, apart: int | None = None
+    ) -> dict[Variable, float] | None:
+        """Values for which all of `wanted` holds, as round as they may be, and as `near` to others
+        as they may be. Leaves other than `apart` stay clear of their thresholds where they can.
+        """
+        solver = z3.Solver()
+        solver.set("timeout", TIME_LIMIT_MS)
+        solver.add(*self._side, *wanted, *self._bounds())
+        if solver.check() != z3.sat:
+            return None
+        for clear in self._clear(apart):
+            _prefer(solver, clear)
+        for variable, term in self.variables.items():
+            if near is not None and variable in near:
+                _prefer(solver, term == rational(near[variable]))
+        return {variable: self._round(solver, variable) for variable in self.variables}
+
+    def is_impossible(self, wanted: Sequence[Any]) -> bool:
+        """Whether no values at all, in real arithmetic, make all of `wanted` hold."""
+        solver = z3.Solver()
+        solver.set("timeout", TIME_LIMIT_MS)
+        solver.add(*self._side, *wanted)
+        return bool(solver.check() == z3.unsat)
+
+    def _bounds(self) -> Iterator[Any]:
+        for variable, term in self.variables.items():
+            if variable.kind in ("aged", "oscillating"):
+                yield z3.Or(term == 0, term == 1)
+
+    def _clear(self, apart: int | None) -> Iterator[Any]:
+        for truth in self.truths:
+            if truth == apart:
+                continue
+            for edge in edges(self.machine, truth):
+                for part in self._parts(truth):
+                    value = self.signal(edge.signal, part)
+                    distance = rational(edge.step * _CLEAR)
+                    threshold = rational(edge.threshold)
+                    yield z3.Or(value >= threshold + distance, value <= threshold - distance)
+
+    def _parts(self, truth: int) -> Sequence[int | None]:
+        is_array = isinstance(self.machine.truths[truth].node, ir.Quantified)
+        return list(range(self.length)) if is_array else [None]
+
+    def _round(self, solver: Any, variable: Variable) -> float:
+        """A value that is as short as it may be in the unit in which it is written; it is kept."""
+        term, unit = self.variables[variable], self.unit(variable)
+        _prefer(solver, term >= 0)
+        model = solver.model() if solver.check() == z3.sat else None
+        exact = Fraction(0) if model is None else _fraction(model.eval(term, model_completion=True))
+        shown = unit.from_si(float(exact))
+        candidates = [0.0, 1.0, *(round(shown, digits) for digits in range(7)), shown]
+        for candidate in candidates:
+            value = unit.to_si(candidate)
+            if _prefer(solver, term == rational(value)):
+                return value
+        value = float(exact)
+        _prefer(solver, term == rational(value))
+        return value
+
+    def unit(self, variable: Variable) -> Unit:
+        """The unit in which a variable is written: that of a threshold of it, if there is one."""
+        if variable not in self.units:
+            self.units[variable] = self._unit(variable)
+        return self.units[variable]
+
+    def _unit(self, variable: Variable) -> Unit:
+        machine = self.machine
+        own = "1"
+        if variable.kind == "slot":
+            own = machine.slots[variable.index].unit or "1"
+        elif variable.kind == "element":
+            own = machine.arrays[variable.index].unit or "1"
+        elif variable.kind == "angle":
+            own = "deg"
+        elif variable.kind in ("rate", "previous"):
+            own = machine.signals[variable.index].unit or "1"
+        unit = parse_unit(own)
+        for truth in self.truths:
+            for edge in edges(machine, truth):
+                symbol = machine.signals[edge.constant].unit or "1"
+                written = parse_unit(symbol)
+                if written.dimension == unit.dimension and self._reads(edge, variable):
+                    return written
+        return unit
+
+    def _reads(self, edge: Edge, variable: Variable) -> bool:
+        term = self.signal(edge.signal, variable.part if variable.kind == "element" else None)
+        return any(z3.eq(each, self.variables[variable]) for each in _leaves(term))
+
+
+def edge_point(machine: ir.Machine, edge: Edge, steps: int) -> float:
+    """A threshold, or the round number some steps beside it, in SI."""
+    if steps == 0:
+        return edge.threshold
+    unit = parse_unit(machine.signals[edge.constant].unit or "1")
+    shown = unit.from_si(edge.threshold)
+    step = edge.step / unit.scale
+    return unit.to_si(float(f"{shown + steps * step:.12g}"))
+
+
+def rests_on(machine: ir.Machine, truth: int) -> tuple[int, ...]:
+    """The signals of a leaf, or of the elements of a quantified one."""
+    node = machine.truths[truth].node
+    return signals_of(machine, node.element if isinstance(node, ir.Quantified) else truth)
+
+
+def rational(value: float) -> Any:
+    """A double as the exact number that it is."""
+    fraction = Fraction(value)
+    return z3.Q(fraction.numerator, fraction.denominator)
+
+
+def _fraction(value: Any) -> Fraction:
+    if z3.is_algebraic_value(value):
+        value = value.approx(20)
+    return Fraction(value.numerator_as_long(), value.denominator_as_long())
+
+
+def _prefer(solver: Any, wish: Any) -> bool:
+    """Add a wish if it can be had."""
+    solver.push()
+    solver.add(wish)
+    if solver.check() == z3.sat:
+        return True
+    solver.pop()
+    return False
+
+
+def _compared(comparison: Comparison, left: Any, right: Any) -> Any:
+    match comparison:
+        case Comparison.EQUAL:
+            return left == right
+        case Comparison.NOT_EQUAL:
+            return left != right
+        case Comparison.LESS:
+            return left < right
+        case Comparison.LESS_OR_EQUAL:
+            return left <= right
+        case Comparison.GREATER:
+            return left > right
+        case _:
+            return left >= right
+
+
+def _extreme(values: list[Any], least: bool) -> Any:
+    found = values[0]
+    for value in values[1:]:
+        found = z3.If(value < found if least else value > found, value, found)
+    return found
+
+
+def _leaves(term: Any) -> Iterator[Any]:
+    waiting = [term]
+    while waiting:
+        each = waiting.pop()
+        if each.num_args() == 0:
+            yield each
+        waiting.extend(each.children())

@@ -1,0 +1,74 @@
+"""Why goals cannot be reached, as far as that is known.
+
+Proved with z3 in a world that allows for more than can be (`World.is_free`), so that "no values"
+is no guess; for doubles and for reals alike, since nothing is computed there but signs and
+extremes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+import z3
+
+from rossmarie import ir
+from rossmarie.testing.goals import Aspect, Goal, atoms, edges
+from rossmarie.testing.solve import World, rational
+
+NO_VALUES = "no values make the rule hang on it"
+LOST_ONLY = "only a lost input ends it sooner"
+
+
+def unreachable(machine: ir.Machine, missing: Iterable[Goal]) -> Mapping[Goal, str]:
+    """The reasons, for those of the goals that have a known one."""
+    return dict(_reasons(machine, missing))
+
+
+def _reasons(machine: ir.Machine, missing: Iterable[Goal]) -> Iterator[tuple[Goal, str]]:
+    worlds: dict[int, World] = {}
+    for goal in missing:
+        if goal.decision < 0:
+            continue
+        if goal.aspect is Aspect.UNDER and _ends_late(machine, goal.subject):
+            yield goal, LOST_ONLY
+            continue
+        decided = goal.decision
+        if decided not in worlds:
+            worlds[decided] = World(machine, atoms(machine, decided), is_free=True)
+        if worlds[decided].is_impossible(_wanted(worlds[decided], goal)):
+            yield goal, NO_VALUES
+
+
+def _ends_late(machine: ir.Machine, truth: int) -> bool:
+    """Whether `not (C for e) for d` has an e that is not below d: C is false at the beginning, and
+    has to be true for e before the outer `for` can end.
+    """
+    node = machine.truths[truth].node
+    if not isinstance(node, ir.Held):
+        return False
+    negated = machine.truths[node.operand].node
+    inner = machine.truths[negated.operand].node if isinstance(negated, ir.Not) else None
+    return isinstance(inner, ir.Held) and inner.duration_ns >= node.duration_ns
+
+
+def _wanted(world: World, goal: Goal) -> list[Any]:
+    true, false = (world.formula(goal.decision, {goal.subject: value}) for value in (True, False))
+    wanted = [true != false]
+    atom = world.formula(goal.subject)
+    if goal.aspect is Aspect.TRUE:
+        wanted.append(atom)
+    elif goal.aspect is Aspect.FALSE:
+        wanted.append(z3.Not(atom))
+    found = edges(world.machine, goal.subject)
+    is_array = isinstance(world.machine.truths[goal.subject].node, ir.Quantified)
+    if found and not is_array and goal.aspect not in (Aspect.TRUE, Aspect.FALSE):
+        edge = found[goal.edge]
+        value, threshold = world.signal(edge.signal), rational(edge.threshold)
+        reach = rational(edge.step * 2)
+        wanted += {
+            Aspect.UNDER: [value < threshold, value >= threshold - reach],
+            Aspect.AT: [value == threshold],
+            Aspect.OVER: [value > threshold, value <= threshold + reach],
+        }[goal.aspect]
+    return wanted

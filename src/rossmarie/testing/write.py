@@ -1,0 +1,106 @@
+"""Scripts as text in the rules language. Not in the one layout: that is for the formatter.
+
+Every number is written so that it is read as the same double in SI again; the shortest such
+number in its unit, if there is one.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+from rossmarie import ir
+from rossmarie.ir.script import Expectation, Script, ScriptedArrival, ScriptedReset, Setting
+from rossmarie.testing.findings import seconds
+from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
+
+Bases = Mapping[str, tuple[str, ...]]
+"""Of each input, by its name, the path that its declaration chooses."""
+
+
+def write_script(machine: ir.Machine, script: Script, bases: Bases) -> str:
+    """One test."""
+    lines = [f'test "{script.name}" {{']
+    for event in script.events:
+        if isinstance(event, ScriptedReset):
+            rule = "" if event.rule is None else f" {machine.rules[event.rule].name}"
+            lines.append(f"at {seconds(event.at_ns)} reset{rule};")
+        else:
+            lines.append(f"{_times(event)} {', '.join(_sent(machine, event, bases))};")
+    lines += [_expected(machine, expected) for expected in script.expectations]
+    return "\n".join([*lines, "}"])
+
+
+def _times(event: ScriptedArrival) -> str:
+    first = seconds(event.first_ns)
+    if event.period_ns is None:
+        return f"at {first}"
+    return f"every {seconds(event.period_ns)} from {first} to {seconds(event.last_ns)}"
+
+
+def _expected(machine: ir.Machine, expected: Expectation) -> str:
+    state = "active" if expected.is_active else "inactive"
+    words = f"expect {machine.rules[expected.rule].name} {state}"
+    if expected.first_ns == expected.last_ns:
+        return f"{words} at {seconds(expected.first_ns)};"
+    is_open = expected.last_ns % 1000 == 999  # one nanosecond before something happens
+    last = (
+        f"until {seconds(expected.last_ns + 1)}" if is_open else f"to {seconds(expected.last_ns)}"
+    )
+    return f"{words} from {seconds(expected.first_ns)} {last};"
+
+
+def _sent(machine: ir.Machine, event: ScriptedArrival, bases: Bases) -> Iterator[str]:
+    set_inputs = {setting.input for setting in event.settings}
+    yield from (name for name in event.inputs if name not in set_inputs)
+    for setting in event.settings:
+        yield f"{_field(setting, bases)} = {_value(machine, setting)}"
+
+
+def _field(setting: Setting, bases: Bases) -> str:
+    steps = setting.path[len(bases[setting.input]) :]
+    text = setting.input + "".join(
+        f"[{step}]" if isinstance(step, int) else f".{step}" for step in steps
+    )
+    return text if setting.angle is None else f"{text}.{setting.angle}"
+
+
+def _value(machine: ir.Machine, setting: Setting) -> str:
+    value = setting.value
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return f'"{value}"'
+    unit = _unit(machine, setting)
+    symbol = "" if unit == DIMENSIONLESS else f" {unit.symbol}"
+    if isinstance(value, tuple):
+        numbers = ", ".join(_number(each, unit) for each in value)
+        return f"[{numbers}]{symbol}" if value else "unknown"
+    return "unknown" if value is None or math.isnan(value) else f"{_number(value, unit)}{symbol}"
+
+
+def _unit(machine: ir.Machine, setting: Setting) -> Unit:
+    if setting.unit:
+        return parse_unit(setting.unit)
+    if setting.angle is not None:
+        return parse_unit("deg")
+    fields: Sequence[ir.Slot | ir.Array] = (*machine.slots, *machine.arrays)
+    found = [
+        each.unit
+        for each in fields
+        if each.path == setting.path and _topic(machine, each) == setting.topic
+    ]
+    return parse_unit(found[0]) if found and found[0] else DIMENSIONLESS
+
+
+def _topic(machine: ir.Machine, field: ir.Slot | ir.Array) -> str:
+    return machine.channels[machine.inputs[field.input].channel].topic
+
+
+def _number(value: float, unit: Unit) -> str:
+    shown = unit.from_si(value)
+    for digits in range(17):
+        text = f"{shown:.{digits}f}"
+        if unit.to_si(float(text)) == value:
+            return text
+    return f"{shown!r}"

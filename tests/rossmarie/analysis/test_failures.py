@@ -1,0 +1,61 @@
+"""What is said of the loss of inputs is what happens."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
+
+from rossmarie import ir
+from rossmarie.analysis.failures import losses
+from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.loss import Effect
+from rossmarie.driver import compile_file
+from rossmarie.interpreter import Interpreter
+from rossmarie.ir import InputState
+from support.drafts import SECOND
+from support.machines import machines, take, traces
+
+EXAMPLES = Path(__file__).parents[3] / "examples"
+
+
+def table(rules: Path) -> dict[str, tuple[set[str], set[str]]]:
+    machine = compile_file(rules).machine
+    found = {}
+    for loss in losses(Inquiry(machine)):
+        active, maybe = (
+            {machine.rules[rule].name for rule, what in loss.effects.items() if what is effect}
+            for effect in (Effect.ACTIVATES, Effect.DEPENDS)
+        )
+        found[machine.inputs[loss.input].name] = (active, maybe)
+    return found
+
+
+def test_the_table_of_the_demo_is_right() -> None:
+    found = table(EXAMPLES / "demo" / "demo.ross")
+    assert found["ranges"] == ({"keep_distance", "emergency_stop", "boxed_in"}, set())
+    assert found["speed"] == ({"report_braking"}, {"slow_on_bump", "position_unknown"})
+    assert found["fix"] == (set(), {"position_unknown"})
+
+
+@settings(deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much])
+@given(machines(max_nodes=8), st.data())
+def test_a_rule_that_the_loss_of_an_input_activates_is_active_after_it(
+    machine: ir.Machine, data: st.DataObject
+) -> None:
+    found = [
+        (loss.input, rule)
+        for loss in losses(Inquiry(machine))
+        for rule, effect in loss.effects.items()
+        if effect is Effect.ACTIVATES
+    ]
+    assume(found)
+    monitor = Interpreter(machine)
+    trace = data.draw(traces(machine))
+    for step in trace:
+        take(monitor, step)
+    monitor.advance(trace[-1].at_ns + 1000 * SECOND)
+    for used, rule in found:
+        if monitor.input_states[used] is not InputState.NEVER:
+            assert monitor.active[rule]

@@ -1,0 +1,65 @@
+"""How far thresholds can be moved on recordings."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rossmarie.driver.coverage import cover_recordings
+from rossmarie.testing.margins import Margin, moved, thresholds
+from support.testing import INPUTS, compiled
+
+CSV = "time,/odom.twist.twist.linear.x\n" + "".join(
+    f"{index / 4},{value}\n" for index, value in enumerate([0.2, 0.9, 1.3, 1.4, 1.4, 1.6, 0.8, 0.1])
+)
+
+
+def margins(folder: Path, rule: str) -> list[Margin]:
+    rules, recording = folder / "rules.ross", folder / "drive.csv"
+    rules.write_text(INPUTS + rule, encoding="utf-8")
+    recording.write_text(CSV, encoding="utf-8")
+    return list(cover_recordings(rules, [recording], topic_map={}).margins)
+
+
+def rounded(found: Margin) -> tuple[float | None, ...]:
+    ends = (found.low, found.high)
+    return tuple(end if end is None else round(end, 9) for end in ends)
+
+
+@pytest.mark.parametrize(
+    ("rule", "low", "high"),
+    [
+        # Above 1.6 it never becomes active, below 0.1 it is never cleared.
+        ("rule r: if speed > 1 m/s then { slow; };", 0.1, 1.6),
+        ("rule r: if speed > 1 m/s for 0.5 sec then { slow; };", 0.1, 1.4),
+        ("rule r: if speed > 5 m/s then { slow; };", 1.6, None),
+    ],
+)
+def test_a_threshold(tmp_path: Path, rule: str, low: float, high: float | None) -> None:
+    found = next(each for each in margins(tmp_path, rule) if each.threshold.constant is not None)
+    assert rounded(found) == (low, high)
+
+
+def test_a_duration(tmp_path: Path) -> None:
+    rule = "rule r: if speed > 1 m/s for 0.5 sec then { slow; };"
+    found = next(each for each in margins(tmp_path, rule) if each.threshold.constant is None)
+    assert rounded(found) == (None, 1.0)
+
+
+def test_beyond_a_margin_verdicts_change_and_before_it_they_do_not(tmp_path: Path) -> None:
+    found = compiled(tmp_path, "rule r: if speed > 1 m/s for 0.5 sec then { slow; };")
+    texts = [threshold.text for threshold in thresholds(found.machine)]
+    assert texts == ["1 m/s in speed > 1 m/s", "the time of speed > 1 m/s for 0.5 sec"]
+    for threshold in thresholds(found.machine):
+        assert moved(found.machine, threshold, threshold.value * 2) != found.machine
+
+
+def test_a_named_constant_is_one_threshold(tmp_path: Path) -> None:
+    rules = "const fastest = 1 m/s;\nrule a: if speed > fastest then { slow; };\n"
+    rules += "rule b: if abs(speed) > fastest or speed < 0.5 m/s then { stop; };"
+    found = compiled(tmp_path, rules)
+    assert [each.text for each in thresholds(found.machine)] == [
+        "0.5 m/s in speed < 0.5 m/s",
+        "fastest",
+    ]

@@ -1,0 +1,54 @@
+"""Random rules files: a few rules over inputs of every kind, with thresholds and durations."""
+
+from __future__ import annotations
+
+from hypothesis import strategies as st
+
+numbers = st.sampled_from(("0.3", "0.5", "1", "1.5", "2", "5"))
+durations = st.sampled_from(("0.3 sec", "0.5 sec", "1 sec"))
+signs = st.sampled_from(("<", "<=", ">", ">="))
+
+
+@st.composite
+def leaves(draw: st.DrawFn) -> str:
+    """A comparison, a range, a flag, a string, or an age."""
+    sign, number = draw(signs), draw(numbers)
+    return draw(
+        st.sampled_from(
+            (
+                f"speed {sign} {number} m/s",
+                f"abs(speed) {sign} {number} m/s",
+                f"orientation.pitch() {sign} {number} deg",
+                f"norm(acceleration) {sign} {number} m/s^2",
+                f"acceleration.x not in [-{number}, {number}] m/s^2",
+                f"min(ranges) {sign} {number} m",
+                f"any(ranges {sign} {number} m)",
+                f"rate(speed) {sign} {number} m/s^2",
+                "not ok",
+                'state == "stuck"',
+                "age(fix) > 0.7 sec",
+            )
+        )
+    )
+
+
+@st.composite
+def conditions(draw: st.DrawFn) -> str:
+    """One to three leaves, joined, each perhaps for a while."""
+    parts = []
+    for leaf in draw(st.lists(leaves(), min_size=1, max_size=3, unique=True)):
+        is_held = "rate" not in leaf and draw(st.booleans())
+        parts.append(f"({leaf} for {draw(durations)})" if is_held else f"({leaf})")
+    return f" {draw(st.sampled_from(('and', 'or')))} ".join(parts)
+
+
+@st.composite
+def rules(draw: st.DrawFn) -> str:
+    """One or two rules."""
+    lines = []
+    for index in range(draw(st.integers(1, 2))):
+        contract = draw(
+            st.sampled_from(("", f" clear for {draw(durations)}", " latched until reset"))
+        )
+        lines.append(f"rule r{index}: if {draw(conditions())} then {{ slow; }}{contract};\n")
+    return "".join(lines)
