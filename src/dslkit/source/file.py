@@ -6,6 +6,7 @@ is the only place that converts.
 
 from __future__ import annotations
 
+import hashlib
 from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
@@ -21,13 +22,27 @@ class Position:
 
 @dataclass(frozen=True, eq=False)
 class SourceFile:
-    """One text that a user wrote; `path` is the name shown to the user.
+    """One text that a user wrote; `path` is the name shown to the user, `mark` the byte order mark
+    in front of it, if there is one.
 
     Compared by identity: the same text read twice is two files.
     """
 
     path: str
     text: str
+    mark: str = ""
+
+    @classmethod
+    def decoded(cls, path: str, content: bytes) -> SourceFile:
+        """The text of a file in UTF-8. Raises `UnicodeDecodeError`."""
+        whole = content.decode("utf-8")
+        text = whole.removeprefix("\ufeff")
+        return cls(path, text, whole[: len(whole) - len(text)])
+
+    @property
+    def sha256(self) -> str:
+        """The SHA-256 of the file as it was read, in hexadecimal."""
+        return hashlib.sha256((self.mark + self.text).encode()).hexdigest()
 
     @cached_property
     def line_starts(self) -> tuple[int, ...]:

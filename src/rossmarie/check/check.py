@@ -7,10 +7,11 @@ whatever rests on something that is wrong is passed over in silence.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Label
+from rossmarie.check.commands import CommandChecker
 from rossmarie.check.context import Context, Uses
 from rossmarie.check.decided import warn_of_decided, warn_of_never_cleared
 from rossmarie.check.declarations import collect
@@ -82,17 +83,22 @@ def check(
     resolve_timeouts(context)
     conditions = _check_conditions(context)
     resting = [_check_rule(rule, context) for rule in declarations.rules]
-    actions = _check_actions(Targets(model, context, was_parsed), context)
+    targets = Targets(model, context, was_parsed)
+    actions = _check_actions(targets, context)
     _check_circles(conditions, context)
     check_read_units(stated_units, context)
-    tests = check_tests(context, is_parsed=was_parsed)
+    tests = check_tests(CommandChecker(targets, {}), context, is_parsed=was_parsed)
     if was_parsed:
         warn_of_unused(context)
         warn_of_missing_rules(context)
         warn_of_empty_actions(context)
     warn_of_missing_timeouts((*resting, *actions.confirmations), conditions, context)
     hazards = declared_hazards(context, is_parsed=was_parsed)
-    return None if collector.has_errors else _program(actions, hazards, tests, context)
+    if collector.has_errors:
+        return None
+    return replace(
+        _program(actions, hazards, tests, context), message_files=model.messages.read_files
+    )
 
 
 def _check_constants(context: Context) -> None:

@@ -85,6 +85,23 @@ class CommandChecker:
             return None
         return self._commands.setdefault(sent.name, command)
 
+    def expected(
+        self, topic: ast.Name, path: ast.FieldPath, range_: ast.Expression
+    ) -> tuple[reactions.CommandTopic, int, float, float] | None:
+        """What a test expects of a field: its number, and the ends in the unit of the message.
+        None after reporting what is wrong.
+        """
+        infer(range_, self._context)
+        target = ast.Target(topic, None, topic.span)
+        sent = self._targets.topic(target)
+        command = None if sent is None else self._command(sent, target)
+        field = None if sent is None else field_of(path, sent, self._targets)
+        if command is None or field is None:
+            return None
+        bound = ast.FieldBound(path, range_, path.span)
+        index, ends = self._index(field, bound, command), self._interval(bound, field)
+        return None if index is None or ends is None else (command, index, ends[0], ends[1])
+
     # --- limits ------------------------------------------------------------------------------
 
     def _limit(
@@ -139,6 +156,14 @@ class CommandChecker:
         return None
 
     def _ends(self, bound: ast.FieldBound, field: Field) -> tuple[float, ...] | None:
+        """As `_interval`, of a bound, which has to leave room for zero."""
+        ends = self._interval(bound, field)
+        if ends is not None and not ends[0] <= 0 <= ends[1]:
+            self._add(BoundWithoutZero().at(bound.range.span))
+            return None
+        return ends
+
+    def _interval(self, bound: ast.FieldBound, field: Field) -> tuple[float, ...] | None:
         """The two ends in the unit of the message; None after reporting what is wrong with them."""
         type_ = self._context.type_of(bound.range)
         if isinstance(type_, Unknown):
@@ -150,9 +175,6 @@ class CommandChecker:
         if not fits(bound.range, type_.element, field, self._context):
             return None
         low, high = self._context.values[id(bound.range)].numbers
-        if not low <= 0 <= high:
-            self._add(BoundWithoutZero().at(bound.range.span))
-            return None
         return unit.from_si(low) + 0.0, unit.from_si(high) + 0.0
 
     # --- scales and blocks -------------------------------------------------------------------

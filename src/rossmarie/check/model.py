@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from dslkit.source import Span
+from dslkit.source import SourceFile, Span
 from rossmarie.ir import reactions
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
@@ -85,7 +85,8 @@ class CheckedProgram:
     literals). `rules` are in file order, imported files first; `order` are their numbers, the most
     important first, `priorities` the pairs that were put in an order, `unless` of each rule those
     that it gives way to. `effects` are those of each action, `commands` the topics that may pass
-    through the safety filter.
+    through the safety filter. `message_files` are the definitions of messages that were read, those
+    that come with this program left out.
     """
 
     name: str
@@ -99,4 +100,5 @@ class CheckedProgram:
     priorities: tuple[tuple[int, int], ...]
     unless: tuple[tuple[int, ...], ...]
     hazards: Mapping[str, ast.Hazard]
+    message_files: tuple[SourceFile, ...] = ()
     tests: tuple[Script, ...] = ()

@@ -79,7 +79,7 @@ class _SettingChecker:
         name = self._setting.path.steps[0]
         assert isinstance(name, ast.Name)
         topic = self._context.inputs[name.text].topic
-        return Setting(name.text, topic, path, value, angle)
+        return Setting(name.text, topic, path, value, angle, span=self._setting.span)
 
     # --- fields ------------------------------------------------------------------------------
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dslkit.diagnostics import Label
+from rossmarie.check.commands import CommandChecker
 from rossmarie.check.context import Context
 from rossmarie.check.describe import describe
 from rossmarie.check.expressions import infer
@@ -27,7 +28,9 @@ MOST_MESSAGES = 100_000
 _LATEST_S = 1e6
 
 
-def check_tests(context: Context, *, is_parsed: bool) -> tuple[script.Script, ...]:
+def check_tests(
+    commands: CommandChecker, context: Context, *, is_parsed: bool
+) -> tuple[script.Script, ...]:
     """All tests, in the order of the files; those with errors are left out. If not all could be
     parsed, what a test seems to lack may be there.
     """
@@ -40,7 +43,7 @@ def check_tests(context: Context, *, is_parsed: bool) -> tuple[script.Script, ..
             continue
         if first.setdefault(test.name.value, test) is not test:
             _report_second(test, first[test.name.value], context)
-        checked = _TestChecker(rules, context, is_parsed).check(test)
+        checked = _TestChecker(rules, commands, context, is_parsed).check(test)
         found += [] if checked is None else [checked]
     return tuple(found)
 
@@ -59,8 +62,11 @@ def _report_second(test: ast.Test, first: ast.Test, context: Context) -> None:
 class _TestChecker:
     """Checks one test; `rules` are the numbers of rules by their names."""
 
-    def __init__(self, rules: dict[str, int], context: Context, is_parsed: bool) -> None:
+    def __init__(
+        self, rules: dict[str, int], commands: CommandChecker, context: Context, is_parsed: bool
+    ) -> None:
         self._rules = rules
+        self._commands = commands
         self._is_parsed = is_parsed
         self._context = context
         self._is_right = True
@@ -68,13 +74,17 @@ class _TestChecker:
     def check(self, test: ast.Test) -> script.Script | None:
         """The test as data; None after reporting what is wrong with it."""
         events: list[script.ScriptedArrival | script.ScriptedReset] = []
-        expectations = []
+        expectations: list[script.Expectation | None] = []
+        commands: list[script.CommandExpectation | None] = []
         before: ast.Arrival | ast.OperatorReset | None = None
         now_ns = 0
         for statement in test.statements:
             self._context.enter(None)
             if isinstance(statement, ast.Expectation):
                 expectations.append(self._expectation(statement))
+                continue
+            if isinstance(statement, ast.CommandExpectation):
+                commands.append(self._command_expectation(statement))
                 continue
             event = self._event(statement)
             if event is None:
@@ -84,12 +94,13 @@ class _TestChecker:
                 self._report_order(statement, before)
             before, now_ns = statement, max(start_ns, now_ns)
             events.append(event)
-        if not expectations and self._is_parsed:
+        if not (expectations or commands) and self._is_parsed:
             self._context.collector.add(NothingExpected().at(test.name.span))
         if not self._is_right:
             return None
         known = tuple(expected for expected in expectations if expected is not None)
-        return script.Script(test.name.value, tuple(events), known, test.span)
+        told = tuple(expected for expected in commands if expected is not None)
+        return script.Script(test.name.value, tuple(events), known, test.span, told)
 
     def _event(
         self, statement: ast.Arrival | ast.OperatorReset
@@ -127,17 +138,32 @@ class _TestChecker:
         return (*ends, period_ns)
 
     def _expectation(self, statement: ast.Expectation) -> script.Expectation | None:
-        rule = self._rule(statement.rule)
-        if statement.at is not None:
-            at_ns = self._instant(statement.at)
-            ends = None if at_ns is None else (at_ns, at_ns)
-        else:
-            assert statement.stretch is not None
-            ends = self._stretch(statement.stretch)
+        rule, ends = self._rule(statement.rule), self._ends(statement)
         if rule is None or ends is None:
             self._is_right = False
             return None
         return script.Expectation(rule, statement.is_active, *ends, statement.span)
+
+    def _command_expectation(
+        self, statement: ast.CommandExpectation
+    ) -> script.CommandExpectation | None:
+        found = self._commands.expected(statement.topic, statement.path, statement.range)
+        ends = self._ends(statement)
+        if found is None or ends is None:
+            self._is_right = False
+            return None
+        command, index, low, high = found
+        field = command.fields[index]
+        values = field.path, low, high, field.unit
+        return script.CommandExpectation(command.topic, *values, *ends, statement.span)
+
+    def _ends(self, statement: ast.Expectation | ast.CommandExpectation) -> tuple[int, int] | None:
+        """The first and the last instant that an expectation speaks of."""
+        if statement.at is not None:
+            at_ns = self._instant(statement.at)
+            return None if at_ns is None else (at_ns, at_ns)
+        assert statement.stretch is not None
+        return self._stretch(statement.stretch)
 
     def _rule(self, name: ast.Name) -> int | None:
         if name.text in self._rules:

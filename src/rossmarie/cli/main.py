@@ -254,13 +254,16 @@ def report(
         str | None,
         typer.Option(metavar="YYYY-MM-DD", help="The day that the file bears; else today, in UTC."),
     ] = None,
+    thorough: Annotated[
+        bool, typer.Option("--thorough", help="Ask all questions about the rules, as `check`.")
+    ] = False,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Write the safety file of rules: hazards, rules in sentences, what is proved, what is not."""
     from rossmarie.cli.report import run_report
 
-    run_report(rules, out, verification, coverage, date, system or [], messages or [])
+    run_report(rules, out, verification, coverage, date, thorough, system or [], messages or [])
 
 
 @app.command()
@@ -333,13 +336,22 @@ def coverage(
         ),
     ],
     topic_map: TopicMap = None,
+    report: Annotated[
+        Path | None,
+        typer.Option(
+            "--json",
+            metavar="FILE",
+            help="Also write JSON for `rossmarie report --coverage`.",
+            parser=written,
+        ),
+    ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Say what recordings exercise of the rules, and how far each threshold could be moved."""
     from rossmarie.cli.testing import run_coverage
 
-    run_coverage(rules, recordings, topic_map or [], system or [], messages or [])
+    run_coverage(rules, recordings, topic_map or [], report, system or [], messages or [])
 
 
 @app.command()

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 import typer
@@ -36,22 +37,15 @@ def run_replay(
     pairs = topic_pairs(topic_map)
     if out is not None:
         _check_folder(out)
-    try:
-        with progress_bar("replaying") as progress:
-            task = progress.add_task("replay", total=1.0)
-            replay, found = replay_file(
-                rules,
-                recording,
-                topic_map=pairs,
-                systems=systems,
-                message_folders=message_folders,
-                on_progress=lambda part: progress.update(task, completed=part),
-            )
-    except RulesError as error:
-        output.reject(error.diagnostics)
-    except RecordingError as error:
-        output.print_findings([error.diagnostic])
-        raise typer.Exit(output.exit_code([error.diagnostic])) from None
+    with refusing(), told_progress("replaying") as on_progress:
+        replay, found = replay_file(
+            rules,
+            recording,
+            topic_map=pairs,
+            systems=systems,
+            message_folders=message_folders,
+            on_progress=on_progress,
+        )
     output.print_findings(found)
     if replay.monitor != NATIVE:
         typer.echo(replay.notes[0], err=True)
@@ -60,10 +54,23 @@ def run_replay(
         _write_reports(replay, out)
 
 
-def progress_bar(what: str) -> Progress:
-    """A progress bar on standard error, if that is a terminal."""
+@contextmanager
+def refusing() -> Iterator[None]:
+    """End the run with the findings if rules, or a recording, cannot be used."""
+    try:
+        yield
+    except RulesError as error:
+        output.reject(error.diagnostics)
+    except RecordingError as error:
+        output.print_findings([error.diagnostic])
+        raise typer.Exit(output.exit_code([error.diagnostic])) from None
+
+
+@contextmanager
+def told_progress(what: str) -> Iterator[Callable[[float], None]]:
+    """What to tell how much is done, from 0 to 1: a bar on standard error if it is a terminal."""
     console = Console(stderr=True)
-    return Progress(
+    bar = Progress(
         TextColumn(what),
         BarColumn(),
         TaskProgressColumn(),
@@ -72,6 +79,9 @@ def progress_bar(what: str) -> Progress:
         transient=True,
         disable=not console.is_terminal,
     )
+    with bar:
+        task = bar.add_task(what, total=1.0)
+        yield lambda part: bar.update(task, completed=part)
 
 
 def topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:
@@ -121,13 +131,9 @@ def write_model_of(recording: Path, out: Path | None) -> None:
     """
     if out is not None and out.is_file():
         output.fail(f"{out} is there; remove it, or choose another name", exit_code=2)
-    try:
-        with open_recording(recording) as opened:
-            output.print_findings(opened.findings)
-            text = format_text(write_model(opened))
-    except RecordingError as error:
-        output.print_findings([error.diagnostic])
-        raise typer.Exit(output.exit_code([error.diagnostic])) from None
+    with refusing(), open_recording(recording) as opened:
+        output.print_findings(opened.findings)
+        text = format_text(write_model(opened))
     if out is None:
         typer.echo(text, nl=False)
         return

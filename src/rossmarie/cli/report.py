@@ -26,6 +26,7 @@ def run_report(
     verification: Path | None,
     coverage: Path | None,
     day: str | None,
+    thorough: bool,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
@@ -41,6 +42,7 @@ def run_report(
             date=day or _today(),
             verification=verification,
             coverage=coverage,
+            thorough=thorough,
             systems=systems,
             message_folders=message_folders,
         )

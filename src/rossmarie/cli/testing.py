@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,14 +11,13 @@ import typer
 
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
-from rossmarie.cli.replay import progress_bar, topic_pairs
+from rossmarie.cli.replay import refusing, told_progress, topic_pairs
 from rossmarie.driver import RulesError
-from rossmarie.driver.coverage import cover_recordings
+from rossmarie.driver.coverage import Exercised, cover_recordings, coverage_report
 from rossmarie.driver.generating import generate_tests
 from rossmarie.driver.testing import Outcome, UnknownTestError, run_test_file, tests_beside
 from rossmarie.driver.writing import reason, write_whole
 from rossmarie.ir import near_name
-from rossmarie.recordings import RecordingError
 from rossmarie.report.coverage import write_coverage
 from rossmarie.report.margins import write_margins
 
@@ -86,28 +86,40 @@ def run_coverage(
     rules: Path,
     recordings: Sequence[Path],
     topic_map: Sequence[str],
+    report: Path | None,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
-    """Look at the recordings, and print what they cover and how far thresholds can go."""
+    """Look at the recordings, and print what they cover and how far thresholds can go; write a
+    `report` of the first as JSON.
+    """
     pairs = topic_pairs(topic_map)
-    try:
-        with progress_bar("moving thresholds") as progress:
-            task = progress.add_task("coverage", total=1.0)
-            found = cover_recordings(
-                rules,
-                recordings,
-                topic_map=pairs,
-                systems=systems,
-                message_folders=message_folders,
-                on_progress=lambda part: progress.update(task, completed=part),
-            )
-    except RulesError as error:
-        output.reject(error.diagnostics)
-    except RecordingError as error:
-        output.print_findings([error.diagnostic])
-        raise typer.Exit(output.exit_code([error.diagnostic])) from None
+    if report is not None and any(_is_same(report, read) for read in (rules, *recordings)):
+        output.fail(f"{report} is what is read; choose another --json", exit_code=2)
+    with refusing(), told_progress("moving thresholds") as on_progress:
+        found = cover_recordings(
+            rules,
+            recordings,
+            topic_map=pairs,
+            systems=systems,
+            message_folders=message_folders,
+            on_progress=on_progress,
+        )
     output.print_findings(found.findings)
     write_coverage(found.coverage, sys.stdout, found.reasons)
     typer.echo()
     write_margins(found.coverage.machine, found.margins, sys.stdout)
+    if report is not None:
+        _save(report, _report_text(found, rules, recordings))
+        typer.echo(f"wrote {report}")
+
+
+def _is_same(path: Path, other: Path) -> bool:
+    return os.path.realpath(path) == os.path.realpath(other)
+
+
+def _report_text(found: Exercised, rules: Path, recordings: Sequence[Path]) -> str:
+    try:
+        return coverage_report(found, rules, recordings, version=output.own_version())
+    except OSError as error:
+        output.fail(f"cannot read a recording again: {reason(error)}", exit_code=2)

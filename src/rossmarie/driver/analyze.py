@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
+from rossmarie.analysis.finding import Finding
+from rossmarie.analysis.witness import Witness
 from rossmarie.driver.pipeline import RulesError, check_file, compile_checked
 from rossmarie.driver.writing import write_whole
 from rossmarie.ir import Machine
@@ -19,8 +21,13 @@ TOGGLE_NS = 1_000_000_000
 class Analysis:
     """All findings on a rules file, and the witnesses as recordings (CSV), by file name."""
 
-    diagnostics: tuple[Diagnostic, ...]
+    findings: tuple[Finding, ...]
     witnesses: dict[str, str]
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """The findings without what shows them."""
+        return tuple(finding.diagnostic for finding in self.findings)
 
 
 def analyze_file(
@@ -36,12 +43,13 @@ def analyze_file(
     Of a file with errors, or one that no target can run, nothing is asked.
     """
     result = check_file(rules, systems=systems, message_folders=message_folders)
+    without_answers = Analysis(tuple(map(Finding, result.diagnostics)), {})
     if result.program is None or not result.program.rules:
-        return Analysis(result.diagnostics, {})
+        return without_answers
     try:
         machine = compile_checked(result, message_folders).machine
     except RulesError:
-        return Analysis(result.diagnostics, {})
+        return without_answers
     return analyzed(machine, result.diagnostics, rules, thorough, toggle_ns)
 
 
@@ -59,14 +67,17 @@ def analyzed(
     collector = Collector()
     collector.extend(checked)
     witnesses: dict[str, str] = {}
+    shown: dict[int, Witness] = {}
     for finding in ask_all(machine, thorough=thorough, within_ns=toggle_ns):
         collector.add(finding.diagnostic)
         if finding.witness is not None:
+            shown[id(finding.diagnostic)] = finding.witness
             code = finding.diagnostic.code
             count = sum(code in name for name in witnesses) + 1
             name = f"{rules.stem}_{code}_{count}.csv"
             witnesses[name] = as_csv(machine, finding.witness)
-    return Analysis(collector.sorted(), witnesses)
+    findings = tuple(Finding(each, shown.get(id(each))) for each in collector.sorted())
+    return Analysis(findings, witnesses)
 
 
 def write_witnesses(analysis: Analysis, folder: Path) -> list[Path]:

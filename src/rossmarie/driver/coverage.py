@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.source import SourceFile
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.python_monitor import PythonMonitor
+from rossmarie.driver.sources import hashed_files, hashed_sources
 from rossmarie.ir import Machine, Verdict
 from rossmarie.recordings import Update, open_recording
+from rossmarie.report.safety import EvidenceKind, evidence_text
+from rossmarie.report.safety.exercised import coverage_results
 from rossmarie.targets import python
+from rossmarie.testing.cone import cone_of, told_by
 from rossmarie.testing.coverage import Coverage, Watcher
 from rossmarie.testing.goals import Goal
-from rossmarie.testing.margins import Margin, Verdicts, margin, thresholds
+from rossmarie.testing.history import History
+from rossmarie.testing.margins import Margin, Replay, Threshold, Verdicts, margin, thresholds
+from rossmarie.testing.places import compared_with_constants, seen_by
 from rossmarie.testing.play import Step
 from rossmarie.testing.unreachable import unreachable
 
@@ -25,17 +32,22 @@ Progress = Callable[[float], None]
 @dataclass(frozen=True)
 class Exercised:
     """What recordings cover, why some goals cannot be reached, how far each threshold can go, and
-    the findings on rules and recordings.
+    the findings on rules and recordings. `sources` are the files of the rules, `length_ns` is how
+    long the recordings are together.
     """
 
     coverage: Coverage
     reasons: Mapping[Goal, str]
     margins: tuple[Margin, ...]
     findings: tuple[Diagnostic, ...]
+    sources: tuple[SourceFile, ...]
+    length_ns: int
 
 
 @dataclass(frozen=True)
-class _Trace:
+class Trace:
+    """A recording as the monitor gets it."""
+
     updates: tuple[Update, ...]
     end_ns: int
 
@@ -56,52 +68,89 @@ def cover_recordings(
     machine = compiled.machine
     collector = Collector()
     traces = [
-        _trace(machine, path, compiled.message_folders, topic_map, collector) for path in recordings
+        trace_of(machine, path, compiled.message_folders, topic_map, collector)
+        for path in recordings
     ]
-    watcher = Watcher(machine, seen={})
+    watcher = Watcher(machine, kept=compared_with_constants(machine))
+    histories = []
     for trace in traces:
         steps = (Step(update.at_ns, update.channels) for update in trace.updates)
-        watcher.watch(steps, trace.end_ns, from_zero=False)
+        histories.append(watcher.watch(steps, trace.end_ns, from_zero=False))
     coverage = watcher.coverage()
     missing = [goal for goal in coverage.goals if goal not in coverage.reached]
-    margins = tuple(_margins(machine, traces, watcher, on_progress))
+    margins = tuple(_margins(machine, traces, histories, on_progress))
     findings = (*compiled.warnings, *collector.sorted())
-    return Exercised(coverage, unreachable(machine, missing), margins, findings)
+    return Exercised(
+        coverage=coverage,
+        reasons=unreachable(machine, missing),
+        margins=margins,
+        findings=findings,
+        sources=compiled.sources,
+        length_ns=sum(trace.end_ns - trace.updates[0].at_ns for trace in traces if trace.updates),
+    )
 
 
-def _trace(
+def coverage_report(
+    exercised: Exercised, rules: Path, recordings: Sequence[Path], *, version: str
+) -> str:
+    """The report of `cover_recordings`, for a safety file. Raises `OSError`."""
+    files = [each for path in recordings for each in hashed_files(path, rules)]
+    seconds = f"{exercised.length_ns / 1e9:.6g} s"
+    count = len(recordings)
+    return evidence_text(
+        EvidenceKind.COVERAGE,
+        tools={"rossmarie": version},
+        sources=(*hashed_sources(exercised.sources, rules), *files),
+        bound=f"{count} recording{'' if count == 1 else 's'}, {seconds}",
+        results=tuple(coverage_results(exercised.coverage, exercised.reasons)),
+    )
+
+
+def trace_of(
     machine: Machine,
     path: Path,
     message_folders: Sequence[Path],
     topic_map: Mapping[str, str],
     collector: Collector,
-) -> _Trace:
+) -> Trace:
+    """What the monitor would get of a recording."""
     with open_recording(path, message_folders) as recording:
         collector.extend(recording.findings)
         updates = tuple(recording.updates(machine, collector, topic_map))
         last_ns = updates[-1].at_ns if updates else recording.end_ns
-        return _Trace(updates, max(recording.end_ns, last_ns))
+        return Trace(updates, max(recording.end_ns, last_ns))
 
 
 def _margins(
-    machine: Machine, traces: Sequence[_Trace], watcher: Watcher, on_progress: Progress
-) -> list[Margin]:
-    def replay(candidate: Machine) -> Verdicts:
-        return _verdicts(candidate, traces)
-
+    machine: Machine,
+    traces: Sequence[Trace],
+    histories: Sequence[History],
+    on_progress: Progress,
+) -> Iterator[Margin]:
     found = list(thresholds(machine))
-    usual = replay(machine)
-    seen = watcher.seen or {}
-    margins = []
     for index, threshold in enumerate(found):
-        values = [value for truth in threshold.truths for value in seen.get(truth, ())]
-        margins.append(margin(machine, threshold, values, replay, usual))
+        seen = [value for history in histories for value in seen_by(machine, threshold, history)]
+        yield margin(machine, threshold, seen, _replay(machine, threshold, traces, histories))
         on_progress((index + 1) / len(found))
-    return margins
 
 
-def _verdicts(machine: Machine, traces: Sequence[_Trace]) -> Verdicts:
-    """How often, and in which order, each rule changes in each trace."""
+def _replay(
+    machine: Machine,
+    threshold: Threshold,
+    traces: Sequence[Trace],
+    histories: Sequence[History],
+) -> Replay:
+    """What runs whatever rests on a threshold: all of the machine if that cannot be told apart."""
+    cone = cone_of(machine, threshold.truths)
+    if cone is None:
+        return lambda candidate: replayed(candidate, traces)
+    return lambda candidate: tuple(
+        tuple(told_by(cone, candidate, history)) for history in histories
+    )
+
+
+def replayed(machine: Machine, traces: Sequence[Trace]) -> Verdicts:
+    """What all rules of a machine say of traces."""
     source = python.source(machine)
     found = []
     for trace in traces:
@@ -112,8 +161,11 @@ def _verdicts(machine: Machine, traces: Sequence[_Trace]) -> Verdicts:
             for event in monitor.update(update.at_ns, update.channels)
         ]
         events += monitor.advance(trace.end_ns)
-        changes = [
-            (event.rule, int(event.change)) for event in events if isinstance(event, Verdict)
-        ]
-        found.append(tuple(sorted(changes, key=lambda change: change[0])))
+        found.append(
+            tuple(
+                (event.rule, int(event.change), event.at_ns)
+                for event in events
+                if isinstance(event, Verdict)
+            )
+        )
     return tuple(found)

@@ -66,6 +66,7 @@ def check_file(
 class Compiled:
     """A rules file without errors: its machine, the warnings on it, and where the definitions of
     its messages may lie, the tests in it, and of each input the path that its declaration chooses.
+    `sources` are all files that the machine rests on, as they were read, the main one last.
     """
 
     machine: Machine
@@ -73,6 +74,7 @@ class Compiled:
     message_folders: tuple[Path, ...]
     tests: tuple[Script, ...]
     bases: Mapping[str, tuple[str, ...]]
+    sources: tuple[SourceFile, ...]
 
 
 def compile_file(
@@ -99,7 +101,15 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
         raise RulesError((*result.diagnostics, *refused))
     folders = (*message_folders, *_declared_folders(result.modules))
     bases = {name: used.path for name, used in result.program.symbols.inputs.items()}
-    return Compiled(machine, result.diagnostics, folders, result.program.tests, bases)
+    files = (module.file for module in result.modules)
+    return Compiled(
+        machine=machine,
+        warnings=result.diagnostics,
+        message_folders=folders,
+        tests=result.program.tests,
+        bases=bases,
+        sources=(*result.program.message_files, *files),
+    )
 
 
 def _declared_folders(modules: Sequence[ast.Module]) -> Iterator[Path]:

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import hashlib
-import os
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from dslkit.diagnostics import Diagnostic
-from dslkit.source import SourceFile
 from rossmarie.driver.analyze import analyzed
 from rossmarie.driver.pipeline import CheckResult, check_file, compile_checked
-from rossmarie.driver.workspace import LIBRARY
+from rossmarie.driver.sources import name_of
 from rossmarie.driver.writing import reason
 from rossmarie.report.safety import (
     Declared,
@@ -38,12 +35,14 @@ def safety_file(
     date: str,
     verification: Path | None = None,
     coverage: Path | None = None,
+    thorough: bool = False,
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
 ) -> tuple[SafetyFile, tuple[Diagnostic, ...]]:
     """The safety file, and the findings on the rules and the reports.
 
-    `tool` is the program with its version, `date` the day that the file shall bear. Raises
+    `tool` is the program with its version, `date` the day that the file shall bear; all
+    questions about the rules are asked if it is to be `thorough`. Raises
     `RulesError`, and `EvidenceError` for a report that cannot be used.
     """
     from rossmarie.analysis.failures import losses  # the solver takes its time to load
@@ -59,21 +58,24 @@ def safety_file(
         )
         if path is not None
     }
-    findings = analyzed(compiled.machine, compiled.warnings, rules).diagnostics
+    analysis = analyzed(compiled.machine, compiled.warnings, rules, thorough)
     content = SafetyFile(
         machine=compiled.machine,
         rules_file=rules.name,
-        sources=tuple(_sources(result, rules)),
+        sources=tuple(
+            Source(name_of(Path(file.path), rules), file, file.sha256) for file in compiled.sources
+        ),
         constants=tuple(_constants(result)),
         priorities=tuple(_priorities(result)),
-        findings=findings,
+        findings=analysis.findings,
+        is_thorough=thorough,
         losses=tuple(losses(Inquiry(compiled.machine))),
         tool=tool,
         date=date,
         verification=reports.get(EvidenceKind.VERIFICATION),
         coverage=reports.get(EvidenceKind.COVERAGE),
     )
-    return content, (*findings, *_strange(content, verification, coverage))
+    return content, (*analysis.diagnostics, *_strange(content, verification, coverage))
 
 
 def _evidence(kind: EvidenceKind, path: Path) -> Evidence:
@@ -101,22 +103,6 @@ def _strange(
 
 
 # --- what the rules declare ------------------------------------------------------------------
-
-
-def _sources(result: CheckResult, rules: Path) -> Iterator[Source]:
-    """The files, the main one last, as in the program."""
-    for module in result.modules:
-        content = Path(module.file.path).read_bytes()
-        digest = hashlib.sha256(content).hexdigest()
-        yield Source(_name(module.file, rules), module.file, digest)
-
-
-def _name(file: SourceFile, rules: Path) -> str:
-    """A file as the rules call it: relative to the main one."""
-    path = Path(file.path)
-    if path.parent == LIBRARY:
-        return f"rossmarie/{path.name}"
-    return Path(os.path.relpath(path, rules.parent)).as_posix()
 
 
 def _constants(result: CheckResult) -> Iterator[Declared]:

@@ -16,12 +16,14 @@ from rossmarie.ir import Machine
 from rossmarie.ir.script import Script
 from rossmarie.native import BuildError, NativeMonitor, NoCompilerError, load_native
 from rossmarie.targets import c99
+from rossmarie.testing.commands import command_failures
 from rossmarie.testing.coverage import Coverage, cover
 from rossmarie.testing.errors import NoTests, NotRunInC
 from rossmarie.testing.findings import differences, failures
 from rossmarie.testing.goals import Goal
 from rossmarie.testing.run import run
 from rossmarie.testing.unreachable import unreachable
+from rossmarie.testing.unread import unread
 
 SUFFIX = ".tests.ross"
 """The file of this ending beside `rules.ross`, `rules.tests.ross`, holds tests of it."""
@@ -81,7 +83,7 @@ def run_test_file(
     main = beside if is_file(beside) else rules
     compiled = compile_file(main, systems=systems, message_folders=message_folders)
     scripts = tuple(_chosen(compiled.tests, names))
-    findings = list(compiled.warnings)
+    findings = [*compiled.warnings, *unread(compiled.machine, scripts)]
     if not scripts:
         start = Span(SourceFile(str(rules), ""), 0, 0)
         findings.append(NoTests(beside=beside.name, path=str(rules)).at(start))
@@ -133,7 +135,7 @@ def _native(machine: Machine) -> NativeMonitor | str:
 def _run(machine: Machine, script: Script, native: NativeMonitor | None) -> Ran:
     start = time.perf_counter()
     verdicts = run(Interpreter(machine), machine, script)
-    found = tuple(failures(machine, script, verdicts))
+    found = (*failures(machine, script, verdicts), *command_failures(machine, script))
     if native is not None:
         in_c = run(native.fresh(), machine, script)
         found += tuple(differences(machine, script, verdicts, in_c))

@@ -109,13 +109,12 @@ def read_source(path: Path, collector: Collector) -> SourceFile | None:
         collector.add(finding.at(Span(nothing, 0, 0)))
         return None
     try:
-        text = content.decode("utf-8-sig")
+        return SourceFile.decoded(str(path), content)
     except UnicodeDecodeError as error:
         if error.reason == "unexpected end of data" and len(content) > MAXIMUM_FILE_SIZE:
             return SourceFile(str(path), content.decode("utf-8-sig", errors="ignore"))
         collector.add(_not_utf8(path, content, error))
         return None
-    return SourceFile(str(path), text)
 
 
 def _not_utf8(path: Path, content: bytes, error: UnicodeDecodeError) -> Diagnostic:

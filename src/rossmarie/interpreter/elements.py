@@ -26,7 +26,7 @@ class Elements:
 
     def fold(self, node: ir.Fold) -> float:
         """The least or greatest element; NaN if one is NaN, or there is none (S23)."""
-        values = [self._signal(node.element, x) for x in self._array_of_signal(node.element)]
+        values = self.values(node.element)
         if not values:
             return NAN
         is_minimum = node.folding is ir.Folding.MINIMUM
@@ -52,10 +52,11 @@ class Elements:
         assert array is not None, "verified: only elementwise truths are quantified and counted"
         return [self._truth(index, x) for x in self._memory.arrays[array]]
 
-    def _array_of_signal(self, index: int) -> tuple[float, ...]:
+    def values(self, index: int) -> list[float]:
+        """An elementwise signal, for each element."""
         array = self._arrays.signals[index]
         assert array is not None, "verified: only elementwise signals are folded"
-        return tuple(self._memory.arrays[array])
+        return [self._signal(index, x) for x in self._memory.arrays[array]]
 
     def _signal(self, index: int, x: float) -> float:
         match self._machine.signals[index].node:

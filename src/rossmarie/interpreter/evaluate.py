@@ -24,7 +24,7 @@ class Evaluator:
         self._memory = memory
         self._supports = ir.supports(machine)
         self._element_arrays = ir.element_arrays(machine)
-        self._elements = Elements(machine, memory)
+        self.elements = Elements(machine, memory)
 
     def evaluate(self, at_ns: int, updated: frozenset[int], expired: frozenset[int]) -> None:
         """Evaluate at an instant at which these channels were updated and these inputs expired."""
@@ -65,9 +65,9 @@ class Evaluator:
             case ir.Previous(signal=signal):
                 return self._sampled(index, signal, at_ns, updated, expired).before
             case ir.Fold():
-                return self._elements.fold(node)
+                return self.elements.fold(node)
             case ir.Count():
-                return self._elements.count(node)
+                return self.elements.count(node)
             case ir.Element():
                 raise AssertionError("an element has no value of its own")
 
@@ -127,7 +127,7 @@ class Evaluator:
             case ir.AgeReaches():
                 return self._age_reaches(node, at_ns)
             case ir.Quantified():
-                return self._elements.quantified(node)
+                return self.elements.quantified(node)
             case _:
                 raise AssertionError(f"{type(node).__name__} is no leaf")
 

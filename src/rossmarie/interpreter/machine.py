@@ -6,7 +6,7 @@ Takes a machine that `ir.verify` has passed. Follows `docs/explanation/semantics
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from rossmarie import ir
 from rossmarie.interpreter.evaluate import Evaluator
@@ -47,6 +47,15 @@ class Interpreter:
         return tuple(self._memory.signals)
 
     @property
+    def arrays(self) -> tuple[Sequence[float], ...]:
+        """The present elements of each array, by index; none before they arrive or once lost."""
+        return tuple(self._memory.arrays)
+
+    def elements(self, signal: int) -> Sequence[float]:
+        """The present value of an elementwise signal for each element."""
+        return self._evaluator.elements.values(signal)
+
+    @property
     def watches(self) -> tuple[TruthValue, ...]:
         """What the watched truths are worth, by index; unknown before the first event."""
         found = (self._memory.truths[truth] for truth in self._machine.watches)
@@ -56,6 +65,13 @@ class Interpreter:
     def input_states(self) -> tuple[InputState, ...]:
         """What is known of each input, by index."""
         return tuple(present.state for present in self._memory.inputs)
+
+    def age_ns(self, used: int) -> int | None:
+        """How old the last message of an input is; None before the first."""
+        present = self._memory.inputs[used]
+        if present.state is InputState.NEVER or self._memory.now_ns is None:
+            return None
+        return self._memory.now_ns - present.stamp_ns
 
     def latch(self, rule: int) -> None:
         """Before the first event: a latched rule is active, as it was when somebody wrote that

@@ -7,12 +7,13 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Mapping
+from typing import Any
 
 from rossmarie.ir.kleene import truth_of
 from rossmarie.ir.model import Comparison
 from rossmarie.ir.verdict import TruthValue
 
-_COMPARISONS: Mapping[Comparison, Callable[[float, float], bool]] = {
+COMPARISONS: Mapping[Comparison, Callable[[Any, Any], Any]] = {
     Comparison.EQUAL: operator.eq,
     Comparison.NOT_EQUAL: operator.ne,
     Comparison.LESS: operator.lt,
@@ -20,13 +21,14 @@ _COMPARISONS: Mapping[Comparison, Callable[[float, float], bool]] = {
     Comparison.GREATER: operator.gt,
     Comparison.GREATER_OR_EQUAL: operator.ge,
 }
+"""The comparisons of two numbers, or of columns of them."""
 
 
 def compare(comparison: Comparison, left: float, right: float) -> TruthValue:
     """`left OP right` (S27)."""
     if math.isnan(left) or math.isnan(right):
         return TruthValue.UNKNOWN
-    return truth_of(_COMPARISONS[comparison](left, right))
+    return truth_of(bool(COMPARISONS[comparison](left, right)))
 
 
 def is_between(value: float, low: float, high: float) -> TruthValue:

@@ -19,7 +19,8 @@ class Setting:
     """One field of the messages of a topic gets a value; `path` leads there from the message,
     `input` is by which input the user named it. With an `angle` (`roll`, `pitch` or `yaw`), `path`
     leads to an orientation, of which the other two angles stay as they are. `unit` is only how the
-    value is to be written; nothing: in the unit of the message.
+    value is to be written; nothing: in the unit of the message. `span` is None in a script that
+    nobody wrote down yet.
     """
 
     input: str
@@ -28,6 +29,7 @@ class Setting:
     value: SettingValue
     angle: str | None = None
     unit: str = field(default="", compare=False)
+    span: Span | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True)
@@ -67,17 +69,37 @@ class Expectation:
 
 
 @dataclass(frozen=True)
+class CommandExpectation:
+    """What the safety filter lets through in a field of a command lies in `[low, high]`, whatever
+    comes in, at every instant from `first_ns` to `last_ns`, both included; in the unit of the
+    message, which is `unit`.
+    """
+
+    topic: str
+    path: tuple[str | int, ...]
+    low: float
+    high: float
+    unit: str
+    first_ns: int
+    last_ns: int
+    span: Span
+
+
+@dataclass(frozen=True)
 class Script:
-    """A test: events in the order in which they begin, and expectations."""
+    """A test: events in the order in which they begin, and expectations of rules and commands."""
 
     name: str
     events: tuple[ScriptedArrival | ScriptedReset, ...]
     expectations: tuple[Expectation, ...]
     span: Span | None
+    commands: tuple[CommandExpectation, ...] = ()
 
     @property
     def end_ns(self) -> int:
         """The last instant that matters."""
         ends = [event.at_ns if isinstance(event, ScriptedReset) else event.last_ns
                 for event in self.events]  # fmt: skip
-        return max([0, *ends, *(expected.last_ns for expected in self.expectations)])
+        ends += [expected.last_ns for expected in self.expectations]
+        ends += [expected.last_ns for expected in self.commands]
+        return max([0, *ends])

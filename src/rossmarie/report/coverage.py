@@ -59,33 +59,37 @@ def _table(coverage: Coverage, reasons: Mapping[Goal, str], *, styled: bool) -> 
 
 
 def _rows(coverage: Coverage, rule: int, reasons: Mapping[Goal, str]) -> Iterator[tuple[str, ...]]:
-    machine = coverage.machine
+    for place, (text, found) in enumerate(questions(coverage, rule)):
+        name = coverage.machine.rules[rule].name if place == 0 else ""
+        deciding = [goal for goal in found if goal.aspect in _DECIDING]
+        others = [goal for goal in found if goal.aspect in (*_BOUNDARIES, Aspect.LOST)]
+        counts = (counted(coverage, deciding), counted(coverage, others))
+        yield name, text, *counts, missing(coverage, found, reasons)
+
+
+def questions(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]:
+    """What is asked about a rule, in words, and the goals that answer it."""
     own = [goal for goal in coverage.goals if goal.rule == rule]
-    changes = [goal for goal in own if goal.aspect in _CHANGES]
-    name = machine.rules[rule].name
-    yield name, "active, and cleared", "", "", _missing(coverage, changes, reasons)
+    yield "active, and cleared", [goal for goal in own if goal.aspect in _CHANGES]
     groups: dict[tuple[int, int], list[Goal]] = {}
     for goal in own:
         if goal.aspect in (*_DECIDING, *_BOUNDARIES):
             groups.setdefault((goal.subject, goal.decision), []).append(goal)
     for (subject, _), found in groups.items():
-        deciding = [goal for goal in found if goal.aspect in _DECIDING]
-        boundaries = [goal for goal in found if goal.aspect in _BOUNDARIES]
-        truth = machine.truths[subject]
-        text = truth.name or " ".join(truth.text.split())
-        counts = (_count(coverage, deciding), _count(coverage, boundaries))
-        yield "", text, *counts, _missing(coverage, found, reasons)
-    lost = [goal for goal in own if goal.aspect is Aspect.LOST]
-    if lost:
-        yield "", "lost inputs", "", _count(coverage, lost), _missing(coverage, lost, reasons)
+        truth = coverage.machine.truths[subject]
+        yield truth.name or " ".join(truth.text.split()), found
+    if lost := [goal for goal in own if goal.aspect is Aspect.LOST]:
+        yield "lost inputs", lost
 
 
-def _count(coverage: Coverage, found: Sequence[Goal]) -> str:
+def counted(coverage: Coverage, found: Sequence[Goal]) -> str:
+    """How many of the goals were reached, `2/3`; nothing if there are none."""
     reached = sum(goal in coverage.reached for goal in found)
     return f"{reached}/{len(found)}" if found else ""
 
 
-def _missing(coverage: Coverage, found: Sequence[Goal], reasons: Mapping[Goal, str]) -> str:
+def missing(coverage: Coverage, found: Sequence[Goal], reasons: Mapping[Goal, str]) -> str:
+    """The goals that were not reached, in words, with the reasons that are known."""
     words: dict[str, list[str]] = {}
     for goal in found:
         if goal not in coverage.reached:

@@ -15,8 +15,8 @@ from rossmarie.report.coverage import print_table
 from rossmarie.testing.margins import Margin
 
 _MEANING = (
-    "As far as each rule still becomes active and is cleared as often, and in this order; it may "
-    "do so earlier or later."
+    "Between the first two values every verdict stays as it is, to the instant; between the "
+    "last two each rule becomes active and is cleared as often, perhaps earlier or later."
 )
 
 
@@ -26,10 +26,11 @@ def write_margins(machine: ir.Machine, margins: Sequence[Margin], out: TextIO) -
     table = Table(box=SIMPLE_HEAD if styled else None, pad_edge=False, header_style="bold")
     table.add_column("Threshold", overflow="fold", min_width=20)
     table.add_column("Is", justify="right", no_wrap=True)
-    table.add_column("Down to", justify="right", no_wrap=True)
-    table.add_column("Up to", justify="right", no_wrap=True)
+    for head in ("Same from", "to", "As often from", "to"):
+        table.add_column(head, justify="right", no_wrap=True)
     for each in margins:
-        values = (each.threshold.value, each.low, each.high)
+        ends = (each.same.low, each.same.high, each.as_often.low, each.as_often.high)
+        values = (each.threshold.value, *ends)
         cells = (each.threshold.text, *(_shown(machine, each, value) for value in values))
         table.add_row(*map(Text, cells))
     print_table(table, out)

@@ -10,6 +10,7 @@ from typing import Any
 from rossmarie.syntax import ast
 from rossmarie.syntax.build_effect import EffectBuilder
 from rossmarie.syntax.build_expression import Part
+from rossmarie.syntax.scan import Token
 
 
 class TestBuilder(EffectBuilder):
@@ -32,12 +33,25 @@ class TestBuilder(EffectBuilder):
         stretch = _stretch(parts[2:])
         return ast.Arrival(None, parts[1], stretch, _settings(parts), self._span(parts))
 
-    def expectation(self, parts: list[Any]) -> ast.Expectation:
-        """`expect RULE active at INSTANT`, `expect RULE inactive from INSTANT to INSTANT`."""
-        is_at = parts[3].text == "at"
-        at, stretch = (parts[4], None) if is_at else (None, _stretch(parts[3:]))
-        is_active = parts[2].text == "active"
+    def expectation(self, parts: list[Any]) -> ast.Expectation | ast.CommandExpectation:
+        """`expect RULE active at INSTANT`, `expect RULE inactive from INSTANT to INSTANT`,
+        `expect TOPIC.WORD in RANGE at INSTANT`.
+        """
+        words = [part.text if isinstance(part, Token) else "" for part in parts]
+        if words[2] not in ("active", "inactive"):
+            return self._command_expectation(parts, words.index("in", 2))
+        at, stretch = _when(parts[3:])
+        is_active = words[2] == "active"
         return ast.Expectation(self.name(parts[1]), is_active, at, stretch, self._span(parts))
+
+    def _command_expectation(self, parts: list[Any], middle: int) -> ast.CommandExpectation:
+        """A field may be called as any word is, `in` as well."""
+        while isinstance(parts[middle + 1], Token):
+            middle += 1
+        topic, path = self.name(parts[1]), self.field_path(parts[3:middle])
+        at, stretch = _when(parts[middle + 2 :])
+        found = parts[middle + 1], at, stretch, self._span(parts)
+        return ast.CommandExpectation(topic, path, *found)
 
     def resetting(self, parts: list[Any]) -> Part:
         """`reset`, `reset RULE`."""
@@ -56,6 +70,12 @@ class TestBuilder(EffectBuilder):
     def unknown(self, parts: list[Any]) -> Part:
         """`unknown`."""
         return Part("unknown", None, self._span(parts))
+
+
+def _when(parts: list[Any]) -> tuple[ast.Expression | None, ast.Stretch | None]:
+    """`at INSTANT`, `from INSTANT to INSTANT`."""
+    is_at = parts[0].text == "at"
+    return (parts[1], None) if is_at else (None, _stretch(parts))
 
 
 def _stretch(parts: list[Any]) -> ast.Stretch:

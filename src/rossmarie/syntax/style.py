@@ -127,6 +127,9 @@ class Style:
 
     def _statement(self, statement: ast.Statement) -> None:
         """The settings of a message: a line may be broken in front of each."""
+        if isinstance(statement, ast.CommandExpectation):
+            self._word(statement.topic)
+            self._index_sticks(statement.path)
         settings = statement.settings if isinstance(statement, ast.Arrival) else ()
         for setting in settings:
             self.breaks[setting.span.start] = _PART

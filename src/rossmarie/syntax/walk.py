@@ -74,7 +74,7 @@ def expressions(
             yield from chain.from_iterable(map(_of_effect, effects))
         case ast.Test(statements=statements):
             yield from chain.from_iterable(map(_of_statement, statements))
-        case ast.Arrival() | ast.OperatorReset() | ast.Expectation():
+        case ast.Arrival() | ast.OperatorReset() | ast.Expectation() | ast.CommandExpectation():
             yield from _of_statement(item)
         case _:
             if isinstance(item, ast.Effect):
@@ -106,7 +106,10 @@ def _of_effect(effect: ast.Effect) -> Iterator[ast.Expression]:
 
 
 def _of_statement(statement: ast.Statement) -> Iterator[ast.Expression]:
-    found: list[ast.Expression | None] = [statement.at]
+    found: list[ast.Expression | None] = []
+    if isinstance(statement, ast.CommandExpectation):
+        found.append(statement.range)
+    found.append(statement.at)
     if isinstance(statement, ast.Arrival):
         found.append(statement.period)
     if not isinstance(statement, ast.OperatorReset) and statement.stretch is not None:

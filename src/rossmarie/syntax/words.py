@@ -129,7 +129,8 @@ FORMS = {
     "a reset `at 1 sec reset;`",
     "repeated": "messages are repeated by `every 0.1 sec from 0 sec to 5 sec INPUT.FIELD = VALUE;`",
     "expectation": "an expectation is written `expect RULE active at 1 sec;` or "
-    "`expect RULE inactive from 0 sec until 1 sec;`",
+    "`expect RULE inactive from 0 sec until 1 sec;`; of a command "
+    "`expect /TOPIC.FIELD in [-0.2, 0.2] m/s at 1 sec;`",
     "effect": "an effect begins with the word that says what it does, such as `limit`",
     "limit": "a limit is written `limit /TOPIC { FIELD in [-0.2, 0.2] m/s; } ramp 0.3 m/s^2;`",
     "scale": "a command is scaled by `scale /TOPIC by 50 % ramp 20 %/s;`",

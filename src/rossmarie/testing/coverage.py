@@ -6,7 +6,6 @@ Every evaluation of the interpreter is looked at, also those at wakes between me
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -25,6 +24,7 @@ from rossmarie.testing.goals import (
     edges,
     goals,
 )
+from rossmarie.testing.history import History, Recorder
 from rossmarie.testing.play import Step, steps_of
 
 _ROUNDING = 1.000001
@@ -56,13 +56,11 @@ class _Timer:
 
 @dataclass
 class Watcher:
-    """Looks at traces, one after the other. `seen` keeps of each truth, if it is wanted, what its
-    constants were compared with, in SI, or how long it lasted, in seconds.
-    """
+    """Looks at traces, one after the other; their histories hold the signals `kept`."""
 
     machine: ir.Machine
     reached: set[Goal] = field(default_factory=set)
-    seen: dict[int, set[float]] | None = None
+    kept: tuple[int, ...] = ()
 
     def __post_init__(self) -> None:
         watched = tuple(range(len(self.machine.truths)))
@@ -77,15 +75,16 @@ class Watcher:
         """What was seen so far."""
         return Coverage(self.machine, tuple(goals(self.machine)), frozenset(self.reached))
 
-    def watch(self, steps: Iterable[Step], end_ns: int, *, from_zero: bool = True) -> None:
+    def watch(self, steps: Iterable[Step], end_ns: int, *, from_zero: bool = True) -> History:
         """Look at one trace, from 0 s or from its first step on."""
-        trace = _Trace(self._watching, self._decisions, self.reached, self.seen, not from_zero)
+        recorder = Recorder(self._watching, self.kept)
+        trace = _Trace(self._watching, self._decisions, self.reached, recorder, not from_zero)
         for step in steps:
             trace.begin(step.at_ns)
             trace.step(step)
         trace.begin(end_ns)
         trace.advance(end_ns)
-        trace.close(end_ns)
+        return recorder.history()
 
 
 class _Decision:
@@ -142,7 +141,7 @@ class _Trace:
         machine: ir.Machine,
         decisions: Sequence[_Decision],
         reached: set[Goal],
-        seen: dict[int, set[float]] | None,
+        recorder: Recorder,
         has_begun: bool,
     ) -> None:
         self._machine = machine
@@ -153,7 +152,7 @@ class _Trace:
         self._timers: dict[int, _Timer] = {}
         self._stamps: dict[int, int] = {}
         self._elements: dict[int, Sequence[float]] = {}
-        self._seen = seen
+        self._recorder = recorder
         self._now_ns = ir.EARLIEST_NS
         self._has_begun = has_begun
         self._held = {
@@ -179,18 +178,6 @@ class _Trace:
         """Time passes."""
         self._interpreter.advance(at_ns)
         self._look(at_ns)
-
-    def close(self, end_ns: int) -> None:
-        """What still lasts at the end has lasted until then."""
-        for held, timer in self._timers.items():
-            if timer.start_ns is not None:
-                self._keep(held, (end_ns - timer.start_ns) / 1e9)
-        for index, stamp_ns in self._stamps.items():
-            for decision in self._decisions:
-                for atom in decision.atoms:
-                    node = self._machine.truths[atom].node
-                    if isinstance(node, ir.AgeReaches) and node.input == index:
-                        self._keep(atom, (end_ns - stamp_ns) / 1e9)
 
     def step(self, step: Step) -> None:
         """Messages and resets of one instant."""
@@ -227,7 +214,6 @@ class _Trace:
         for atom in decision.atoms:
             node = self._machine.truths[atom].node
             if isinstance(node, ir.AgeReaches) and node.input == used:
-                self._keep(atom, age_ns / 1e9)
                 left_ns = node.age_ns - age_ns
                 if 0 < left_ns <= deadline_step_ns(node.age_ns) + 1:
                     goal = Goal(decision.rule, Aspect.UNDER, atom, decision.decision)
@@ -236,6 +222,7 @@ class _Trace:
     # --- after an evaluation -----------------------------------------------------------------
 
     def _look(self, at_ns: int) -> None:
+        self._recorder.keep(at_ns, self._interpreter)
         truths = self._interpreter.watches
         signals = self._interpreter.signals
         active = self._interpreter.active
@@ -248,7 +235,6 @@ class _Trace:
         for decision in self._decisions:
             decisive = decision.decisive(truths)
             for atom in decision.atoms:
-                self._keep_values(decision, atom, signals)
                 if atom in decisive and truths[atom] in (TruthValue.TRUE, TruthValue.FALSE):
                     is_true = truths[atom] is TruthValue.TRUE
                     aspect = Aspect.TRUE if is_true else Aspect.FALSE
@@ -281,19 +267,6 @@ class _Trace:
         element = self._machine.signals[edge.signal].node
         return self._elements.get(element.array, ()) if isinstance(element, ir.Element) else ()
 
-    def _keep_values(self, decision: _Decision, atom: int, signals: Sequence[float]) -> None:
-        if self._seen is None:
-            return
-        for edge in decision.edges[atom]:
-            values = [each for each in self._compared(atom, edge, signals) if math.isfinite(each)]
-            # Of an array only the extremes decide whether any, or all, are beyond a threshold.
-            for value in {min(values), max(values)} if values else ():
-                self._keep(atom, value)
-
-    def _keep(self, atom: int, value: float) -> None:
-        if self._seen is not None:
-            self._seen.setdefault(atom, set()).add(value)
-
     def _elapsed(self, held: int, truths: Sequence[TruthValue], at_ns: int) -> int | None:
         """How long the operand of a `for` was true when it ended; None if it goes on."""
         node = self._machine.truths[held].node
@@ -324,8 +297,6 @@ class _Trace:
         else:
             start_ns = self._timers[atom].start_ns
             ended = running[atom]
-            if ended is not None:
-                self._keep(atom, ended / 1e9)
             if ended is not None and 0 < due_ns - ended <= deadline_step_ns(due_ns):
                 self._add(decision, Aspect.UNDER, atom)
         is_due = start_ns is not None and at_ns - start_ns == due_ns

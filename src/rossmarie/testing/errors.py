@@ -56,4 +56,42 @@ class NoTests(Warning, code="ROSS763", name="no-tests"):
     path: str
 
 
-ALL: tuple[type[Template], ...] = (ExpectationNotMet, EnginesDiffer, NotRunInC, NoTests)
+@dataclass(frozen=True, kw_only=True)
+class SettingUnread(Warning, code="ROSS764", name="setting-unread"):
+    """A field that a test sets and that nothing in the rules reads."""
+
+    title = "no rule reads what is set here"
+    label = "nothing changes with it"
+    note = "of {topic} the rules read {read}"
+    help = "set what is read, or write `{input}` alone to send the message"
+    topic: str
+    read: str
+    input: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class CommandNotWithin(Error, code="ROSS765", name="command-not-within"):
+    """A command of which more is let through than a test expects."""
+
+    title = "`{field}` of {topic} may be {found} at {instant}"
+    label = "expected within {expected}"
+    note = "{reason}"
+    help = (
+        "limit the field in an action of a rule that is active then, or write what is let through"
+    )
+    field: str
+    topic: str
+    found: str
+    instant: str
+    expected: str
+    reason: str
+
+
+ALL: tuple[type[Template], ...] = (
+    ExpectationNotMet,
+    EnginesDiffer,
+    NotRunInC,
+    NoTests,
+    SettingUnread,
+    CommandNotWithin,
+)

@@ -1,8 +1,7 @@
 """How far a threshold or a duration could be moved before what the rules say of traces changes.
 
 A comparison changes only where its threshold passes a value that was seen, a duration only where
-it passes a length that was seen. So there are finitely many places to look at: they are tried by
-bisection, which takes for granted that a change is not undone by moving further.
+it passes a length that was seen. So there are finitely many places to look at, on each side of it.
 """
 
 from __future__ import annotations
@@ -10,17 +9,17 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 from rossmarie import ir
+from rossmarie.testing.cone import Told
 from rossmarie.testing.goals import edges
 
-NEAREST_PLACES = 256
-"""On each side of a threshold the nearest values that were seen are places to look at, and as many
-of the others, evenly; so ten replays or less settle one side.
-"""
+NEAREST_PLACES = 64
+"""On each side of a threshold so many places are tried one by one."""
 
-Verdicts = tuple[tuple[tuple[int, int], ...], ...]
-"""Of each trace the changes of each rule: rule and change, in order."""
+Verdicts = tuple[tuple[Told, ...], ...]
+"""Of each trace what the rules that rest on the threshold say, in the order of the trace."""
 
 Replay = Callable[[ir.Machine], Verdicts]
 
@@ -38,14 +37,22 @@ class Threshold:
 
 
 @dataclass(frozen=True)
+class Reach:
+    """Two values in SI between which something stays as it is; None: it does so all the way."""
+
+    low: float | None
+    high: float | None
+
+
+@dataclass(frozen=True)
 class Margin:
-    """The nearest values, in SI, beyond which verdicts change; None: none of those that were seen
-    makes a difference.
+    """How far a threshold can go. Within `same`, every verdict stays as it is, to the instant;
+    within `as_often`, every rule becomes active and is cleared as often, earlier or later.
     """
 
     threshold: Threshold
-    low: float | None
-    high: float | None
+    same: Reach
+    as_often: Reach
 
 
 def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
@@ -124,52 +131,76 @@ def _with_constant(node: ir.TruthNode, old: int, new: int) -> ir.TruthNode:
 
 
 def margin(
-    machine: ir.Machine,
-    threshold: Threshold,
-    seen: Sequence[float],
-    replay: Replay,
-    usual: Verdicts,
+    machine: ir.Machine, threshold: Threshold, seen: Sequence[float], replay: Replay
 ) -> Margin:
-    """How far a threshold can go; `seen` are the values, or lengths, that it could pass, `usual` is
-    what the machine says as it is.
-    """
+    """How far a threshold can go; `seen` are the values, or lengths, that it could pass."""
+    usual = replay(machine)
+
+    @cache
+    def told(value: float) -> Verdicts:
+        return replay(moved(machine, threshold, value))
 
     def differs(value: float) -> bool:
-        return replay(moved(machine, threshold, value)) != usual
+        return told(value) != usual
 
-    above = _thinned(sorted({each for each in seen if each >= threshold.value}))
-    below = _thinned(sorted({each for each in seen if each <= threshold.value}, reverse=True))
-    lowest = 0.0 if threshold.constant is None else None
-    low = _first(below, differs, -1.0, lowest)
-    return Margin(threshold, low, _first(above, differs, 1.0, None))
+    def differs_in_number(value: float) -> bool:
+        return _changes(told(value)) != _changes(usual)
 
-
-def _thinned(places: Sequence[float]) -> Sequence[float]:
-    """The nearest places, and the last one, and some in between."""
-    near, far = places[:NEAREST_PLACES], places[NEAREST_PLACES:]
-    step = -(-len(far) // NEAREST_PLACES) or 1
-    return [*near, *far[::-1][::step][::-1]]
+    ends = []
+    for way in (-1.0, 1.0):
+        side = _Side(threshold, seen, way)
+        low = threshold.value if differs(side.next()) else side.first(differs)
+        ends.append((low, side.first(differs_in_number)))
+    (low, often_low), (high, often_high) = ends
+    return Margin(threshold, Reach(low, high), Reach(often_low, often_high))
 
 
-def _first(
-    places: Sequence[float], differs: Callable[[float], bool], way: float, limit: float | None
-) -> float | None:
-    """The first of the places, from the nearest on, past which something differs."""
+def _changes(verdicts: Verdicts) -> list[list[tuple[int, int]]]:
+    """What becomes of each rule in each trace, without the instants."""
+    return [
+        sorted(((rule, change) for rule, change, _ in told), key=lambda found: found[0])
+        for told in verdicts
+    ]
 
-    def past(index: int) -> float:
-        here = places[index]
-        if index + 1 < len(places):
-            return here + (places[index + 1] - here) / 2
-        beyond = here + way * max(abs(here), 1.0) / 1000
-        return beyond if limit is None else max(beyond, limit)
 
-    if not places or not differs(past(len(places) - 1)):
-        return None
-    low, high = 0, len(places) - 1
-    while low < high:
-        middle = (low + high) // 2
-        if differs(past(middle)):
-            high = middle
-        else:
-            low = middle + 1
-    return places[low]
+class _Side:
+    """The places on one side of a threshold, from the nearest on."""
+
+    def __init__(self, threshold: Threshold, seen: Sequence[float], way: float) -> None:
+        self._threshold = threshold
+        self._way = way
+        places = {each for each in seen if each * way >= threshold.value * way}
+        self._places = sorted(places, reverse=way < 0)
+
+    def next(self) -> float:
+        """A duration that is a nanosecond longer or shorter: with it, whatever waits for it comes
+        at another instant. A comparison is as it was until its threshold passes a place.
+        """
+        step = 1e-9 if self._threshold.constant is None else 0.0
+        return self._threshold.value + self._way * step
+
+    def first(self, differs: Callable[[float], bool]) -> float | None:
+        """The first place past which something differs: the nearest ones are tried one by one;
+        of the others it is found by bisection, as if what differs did so from there on.
+        """
+        near = self._places[:NEAREST_PLACES]
+        for index, place in enumerate(near):
+            if differs(self._past(index)):
+                return place
+        low, high = len(near), len(self._places) - 1
+        if high < low or not differs(self._past(high)):
+            return None
+        while low < high:
+            middle = (low + high) // 2
+            if differs(self._past(middle)):
+                high = middle
+            else:
+                low = middle + 1
+        return self._places[low]
+
+    def _past(self, index: int) -> float:
+        here = self._places[index]
+        if index + 1 < len(self._places):
+            return here + (self._places[index + 1] - here) / 2
+        beyond = here + self._way * max(abs(here), 1.0) / 1000
+        return max(beyond, 0.0) if self._threshold.constant is None else beyond

@@ -15,6 +15,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from dslkit.source import SourceFile
+
 STORED = Path(__file__).with_name("messages.msg")
 STORED_SERVICES = Path(__file__).with_name("services.msg")
 SEPARATOR = "=" * 80 + "\nMSG: "
@@ -117,12 +119,13 @@ def package_among(search_paths: Sequence[Path], name: str) -> Path | None:
     return None
 
 
-def read_file(path: Path, name: str) -> Definition:
+def parse_file(source: SourceFile, name: str) -> Definition:
     """The definition in a .msg file, or what is sent of one of the others. Raises
     `MessageDefinitionError` if there is none.
     """
+    path = Path(source.path)
     definition: dict[str, Field] = {}
-    for number, line in enumerate(_read_text(path).splitlines(), start=1):
+    for number, line in enumerate(source.text.splitlines(), start=1):
         if line.strip() == _END_OF_SENT and path.suffix != ".msg":
             break
         for field, type_ in _read_line(path, number, line, name).items():
@@ -132,11 +135,12 @@ def read_file(path: Path, name: str) -> Definition:
     return definition
 
 
-def _read_text(path: Path) -> str:
+def read_file(path: Path) -> SourceFile:
+    """The text of a definition. Raises `MessageDefinitionError` if it cannot be used."""
     try:
         with path.open("rb") as file:
             data = file.read(_LARGEST_FILE + 1)
-        text = data.decode("utf-8-sig")
+        source = SourceFile.decoded(str(path), data)
     except OSError as error:
         reason = error.strerror or type(error).__name__
         raise MessageDefinitionError(path, None, f"cannot be read: {reason}") from error
@@ -144,7 +148,7 @@ def _read_text(path: Path) -> str:
         raise MessageDefinitionError(path, None, "is not UTF-8 text") from error
     if len(data) > _LARGEST_FILE:
         raise MessageDefinitionError(path, None, f"is larger than {_LARGEST_FILE // 1024} KiB")
-    return text
+    return source
 
 
 def _read_line(path: Path, number: int, line: str, name: str) -> Definition:

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from dslkit.source import SourceFile
 from rossmarie.types import definitions
 from rossmarie.types.definitions import Field, Kind, MessageDefinitionError
 from rossmarie.types.field_units import FIELD_UNITS
@@ -63,6 +64,12 @@ class MessageCatalog:
         self._definitions: dict[str, definitions.Definition | None] = {}
         self._leaves: dict[str, tuple[Leaf, ...]] = {}
         self._fields_left = _MOST_FIELDS
+        self._read_files: list[SourceFile] = []
+
+    @property
+    def read_files(self) -> tuple[SourceFile, ...]:
+        """The files that were read so far, each once: what was found rests on them."""
+        return tuple(self._read_files)
 
     def find(self, name: str) -> Message | None:
         """The message `sensor_msgs/Imu`, also spelled `sensor_msgs/msg/Imu`; None if unknown.
@@ -88,10 +95,7 @@ class MessageCatalog:
             return None
         key = f"{short} ({kind.value})"
         if key not in self._found:
-            path = definitions.find_file(short, self._search_paths, kind)
-            self._definitions[key] = (
-                definitions.read_file(path, short) if path else definitions.read_stored(short, kind)
-            )
+            self._definitions[key] = self._read(short, kind)
             self._fields_left = _MOST_FIELDS
             self._found[key] = self._message(key, ((short, ()),))
         found = self._found[key]
@@ -134,11 +138,16 @@ class MessageCatalog:
 
     def _definition(self, name: str) -> definitions.Definition | None:
         if name not in self._definitions:
-            path = definitions.find_file(name, self._search_paths)
-            self._definitions[name] = (
-                definitions.read_file(path, name) if path else definitions.read_stored(name)
-            )
+            self._definitions[name] = self._read(name, Kind.MESSAGE)
         return self._definitions[name]
+
+    def _read(self, name: str, kind: Kind) -> definitions.Definition | None:
+        path = definitions.find_file(name, self._search_paths, kind)
+        if path is None:
+            return definitions.read_stored(name, kind)
+        source = definitions.read_file(path)
+        self._read_files.append(source)
+        return definitions.parse_file(source, name)
 
     def _message(self, name: str, levels: tuple[Level, ...]) -> Message | None:
         definition = self._definition(name)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -112,5 +114,104 @@ def test_recordings(rules: Path, tmp_path: Path) -> None:
     code, printed = run("coverage", rules, recording)
     assert code == 0
     assert "MC/DC 2 of 2, boundaries 0 of 3, lost inputs 0 of 1" in printed
-    assert "1 m/s in speed > 1 m/s  1 m/s  0.2 m/s  1.5 m/s" in printed
+    assert "1 m/s in speed > 1 m/s  1 m/s    0.5 m/s  1.5 m/s        0.2 m/s  1.5 m/s" in printed
     assert run("coverage", rules, tmp_path / "none.csv")[0] == 2
+
+
+DRIVE = "time,/odom.twist.twist.linear.x\n0,0.5\n0.3,1.5\n0.6,0.2\n"
+
+
+def test_coverage_goes_into_the_safety_file(
+    rules: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("drive.csv").write_text(DRIVE, "utf-8")
+    code, printed = run("coverage", "fast.ross", "drive.csv", "--json", "c.json")
+    assert code == 0
+    assert printed.endswith("wrote c.json\n")
+    whole = json.loads(Path("c.json").read_text("utf-8"))
+    assert whole["bound"] == "1 recording, 0.6 s"
+    assert whole["results"][1] == {
+        "name": "fast: speed > 1 m/s",
+        "status": "not covered",
+        "detail": "2/5 seen; not seen: just under 1 m/s, at 1 m/s, just over 1 m/s",
+    }
+    digest = hashlib.sha256(Path("drive.csv").read_bytes()).hexdigest()
+    code, printed = run("report", "fast.ross", "--coverage", "c.json")
+    assert code == 0
+    assert "not done: The coverage report has 2 not covered" in printed
+    assert "ROSS782" not in printed
+    assert digest in Path("report.html").read_text("utf-8")
+
+
+def test_a_changed_message_makes_the_coverage_another(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    message = Path("msg/own_msgs/msg/Speed.msg")
+    message.parent.mkdir(parents=True)
+    message.write_bytes(b"\xef\xbb\xbffloat64 value\n")
+    Path("system.ross").write_text('system own { messages "msg"; }\n', "utf-8")
+    Path("own.ross").write_text(
+        "action stop;\n"
+        "input speed = topic /speed : own_msgs/Speed .value in m/s timeout 1 sec;\n"
+        "rule fast: if speed > 1 m/s then { stop; };\n",
+        "utf-8",
+    )
+    Path("drive.csv").write_text("time,/speed.value\n0,0.5\n0.3,1.5\n", "utf-8")
+    assert run("coverage", "own.ross", "drive.csv", "--json", "c.json")[0] == 0
+    whole = json.loads(Path("c.json").read_text("utf-8"))
+    names = ["msg/own_msgs/msg/Speed.msg", "system.ross", "own.ross", "drive.csv"]
+    assert [each["path"] for each in whole["sources"]] == names
+    assert whole["sources"][0]["sha256"] == hashlib.sha256(message.read_bytes()).hexdigest()
+    assert "ROSS782" not in run("report", "own.ross", "--coverage", "c.json")[1]
+    message.write_text("float64 value # in knots\n", "utf-8")
+    code, printed = run("report", "own.ross", "--coverage", "c.json")
+    assert code == 0
+    assert "`msg/own_msgs/msg/Speed.msg`" in printed
+
+
+@pytest.mark.parametrize("read", ["fast.ross", "drive.csv"])
+def test_what_is_read_is_not_written_over(rules: Path, tmp_path: Path, read: str) -> None:
+    drive = tmp_path / "drive.csv"
+    drive.write_text(DRIVE, "utf-8")
+    code, printed = run("coverage", rules, drive, "--json", tmp_path / read)
+    assert code == 2
+    assert "choose another --json" in printed
+    assert (rules.read_text("utf-8"), drive.read_text("utf-8")) == (RULES, DRIVE)
+
+
+def test_a_setting_that_no_rule_reads_is_told(rules: Path) -> None:
+    add(
+        rules,
+        'test "a" { at 0 s speed = 2 m/s, acceleration = [0, 0, 1] m/s^2, ok; '
+        "expect fast active at 0 s; }\n",
+    )
+    code, printed = run("test", rules)
+    assert code == 0
+    assert "no rule reads what is set here" in printed
+    assert printed.count("ROSS764") == 1
+    assert "acceleration = [0, 0, 1] m/s^2" in printed
+    assert "of /imu/data the rules read only that it arrives" in printed
+
+
+def test_of_a_vector_one_number_suffices(rules: Path) -> None:
+    add(rules, "rule bump: if acceleration.z > 12 m/s^2 then { slow; };\n")
+    add(rules, 'test "a" { at 0 s acceleration = [0, 0, 15] m/s^2; expect bump active at 0 s; }\n')
+    assert "ROSS764" not in run("test", rules)[1]
+    add(rules, 'test "b" { at 0 s acceleration.x = 1 m/s^2; expect bump inactive at 0 s; }\n')
+    assert "ROSS764" in run("test", rules)[1]
+
+
+@pytest.mark.parametrize(
+    ("condition", "setting"),
+    [
+        ("orientation.pitch() > 5 deg", "orientation.roll = 5 deg"),
+        ("any(ranges < 1 m)", "ranges[3] = 2 m"),
+        ("ranges[2] < 1 m", "ranges = [1, 2, 3] m"),
+    ],
+)
+def test_parts_of_what_is_read_are_read(rules: Path, condition: str, setting: str) -> None:
+    add(rules, f"rule it: if {condition} then {{ slow; }};\n")
+    add(rules, f'test "a" {{ at 0 s {setting}; expect it inactive at 0 s; }}\n')
+    assert "ROSS764" not in run("test", rules)[1]

@@ -1,6 +1,6 @@
 """The safety file of rules: what they mean in sentences, what they mitigate, what is proved."""
 
-from rossmarie.report.safety.evidence import Evidence, EvidenceKind, parse_evidence
+from rossmarie.report.safety.evidence import Evidence, EvidenceKind, evidence_text, parse_evidence
 from rossmarie.report.safety.model import Declared, SafetyFile, Source
 from rossmarie.report.safety.page import open_points, render_safety_file
 
@@ -10,6 +10,7 @@ __all__ = [
     "EvidenceKind",
     "SafetyFile",
     "Source",
+    "evidence_text",
     "open_points",
     "parse_evidence",
     "render_safety_file",

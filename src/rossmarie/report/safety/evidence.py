@@ -1,7 +1,7 @@
 """Reports that go into a safety file: verification and coverage.
 
-Text (JSON) in, `Evidence` out. The smallest layout that both have; members that are not named here
-are passed over:
+Text (JSON) in, `Evidence` out, and the other way round. The smallest layout that both have; members
+that are not named here are passed over:
 
     {"format": "rossmarie-verification", "version": 1, "tools": {"cbmc": "6.6.0"},
      "sources": [{"path": "rules.ross", "sha256": "..."}], "outputs": [...],
@@ -14,8 +14,8 @@ from __future__ import annotations
 import enum
 import hashlib
 import json
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from rossmarie.report.safety.errors import EvidenceError, NotEvidence, at_file
@@ -44,6 +44,11 @@ class Hashed:
     path: str
     sha256: str
 
+    @classmethod
+    def of(cls, path: str, content: bytes) -> Hashed:
+        """A file with this content."""
+        return cls(path, hashlib.sha256(content).hexdigest())
+
 
 @dataclass(frozen=True)
 class Result:
@@ -51,7 +56,7 @@ class Result:
 
     name: str
     status: str
-    detail: str
+    detail: str = ""
 
 
 @dataclass(frozen=True)
@@ -77,6 +82,41 @@ class Evidence:
         known = {each.sha256.lower() for each in self.sources}
         return tuple(each.path for each in sources if each.sha256 not in known)
 
+    def others(self, sources: Iterable[Hashed]) -> tuple[Hashed, ...]:
+        """What the report is about beside these sources: recordings, as a rule."""
+        known = {each.sha256 for each in sources}
+        return tuple(each for each in self.sources if each.sha256.lower() not in known)
+
+
+def evidence_text(
+    kind: EvidenceKind,
+    *,
+    tools: Mapping[str, str],
+    sources: Sequence[Hashed],
+    outputs: Sequence[Hashed] = (),
+    bound: str,
+    results: Sequence[Result],
+) -> str:
+    """A report of a kind: the tools by name with their versions, the files that it is about, those
+    that were made of them, how far it holds, and the questions with their answers.
+    """
+    strange = {each.status for each in results} - set(kind.statuses)
+    assert not strange, f"{strange} is no status of {kind.value}"
+    whole = {
+        "format": _format(kind),
+        "version": VERSION,
+        "tools": dict(tools),
+        "sources": [asdict(each) for each in sources],
+        "outputs": [asdict(each) for each in outputs],
+        "bound": bound,
+        "results": [asdict(each) for each in results],
+    }
+    return json.dumps(whole, indent=2) + "\n"
+
+
+def _format(kind: EvidenceKind) -> str:
+    return f"rossmarie-{kind.value}"
+
 
 def parse_evidence(content: bytes, kind: EvidenceKind, path: Path) -> Evidence:
     """The report in a file. Raises `EvidenceError` with ROSS781 if there is none of this kind."""
@@ -90,7 +130,7 @@ def parse_evidence(content: bytes, kind: EvidenceKind, path: Path) -> Evidence:
 def _evidence(content: bytes, kind: EvidenceKind, path: Path) -> Evidence:
     whole = json.loads(content)
     _require(isinstance(whole, dict), "it holds no object")
-    wanted = f"rossmarie-{kind.value}"
+    wanted = _format(kind)
     _require(whole.get("format") == wanted, f"its `format` is not `{wanted}`")
     _require(whole.get("version") == VERSION, f"its `version` is not {VERSION}")
     return Evidence(

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile, Span
 from rossmarie import ir
+from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.loss import Loss
 from rossmarie.report.safety.evidence import Evidence
 
@@ -33,7 +33,8 @@ class Declared:
 @dataclass(frozen=True)
 class SafetyFile:
     """All of it. `rules_file` is the name of the main file, `tool` the program with its version,
-    `date` the day of the report; reports of other commands are None if there are none.
+    `date` the day of the report; reports of other commands are None if there are none;
+    `is_thorough` says whether all questions about the rules were asked.
     """
 
     machine: ir.Machine
@@ -41,7 +42,8 @@ class SafetyFile:
     sources: tuple[Source, ...]
     constants: tuple[Declared, ...]
     priorities: tuple[Declared, ...]
-    findings: tuple[Diagnostic, ...]
+    findings: tuple[Finding, ...]
+    is_thorough: bool
     losses: tuple[Loss, ...]
     tool: str
     date: str

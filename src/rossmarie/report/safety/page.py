@@ -4,15 +4,20 @@ script. Equal safety files give equal pages.
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 
 import jinja2
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
+from dslkit.diagnostics import Severity
 from dslkit.source import Span
 from rossmarie import ir
+from rossmarie.analysis.errors import Undecided
+from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.loss import Effect
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.report.safety.conditions import Conditions
@@ -21,7 +26,11 @@ from rossmarie.report.safety.evidence import Evidence, EvidenceKind, Hashed
 from rossmarie.report.safety.model import SafetyFile
 from rossmarie.report.safety.phrase import Phrase, listed
 from rossmarie.report.safety.rules import RuleText, claims, rule_texts
+from rossmarie.report.safety.witness import witness_svg
 from rossmarie.report.wiring import wiring_of, wiring_svg
+
+_MOST_NAMES = 3
+"""So many results that are open are named at the head of the page."""
 
 
 def render_safety_file(content: SafetyFile) -> str:
@@ -38,11 +47,16 @@ def render_safety_file(content: SafetyFile) -> str:
         fields=_fields(machine, conditions),
         conditions=_conditions(machine, conditions),
         apart=_numbers_apart(conditions),
+        warnings=_of_severity(content, is_note=False),
+        notes=_of_severity(content, is_note=True),
+        coded=_coded,
+        drawn=lambda witness: Markup(witness_svg(machine, witness)),
         losses=content.losses,
         effects=(Effect.ACTIVATES, Effect.DEPENDS),
         claims=_claims(machine),
         open_points=open_points(content),
         missing=_missing,
+        others=lambda evidence: evidence.others(_hashed(content)),
         line=_Lines(content),
         duration=duration_text,
         listed=lambda words: listed(tuple(words)),
@@ -61,6 +75,11 @@ def _template() -> jinja2.Template:
 
 def _asset(name: str) -> str:
     return (files("rossmarie.report") / "assets" / name).read_text(encoding="utf-8")
+
+
+def _coded(text: str) -> Markup:
+    """The words of a finding, with what stands between backticks as code."""
+    return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", str(escape(text))))
 
 
 def _picture(machine: ir.Machine) -> str:
@@ -99,10 +118,7 @@ def open_points(content: SafetyFile) -> tuple[str, ...]:
         (EvidenceKind.COVERAGE, content.coverage),
     ):
         found += _open_of(kind, evidence, content)
-    found.append(
-        "The thorough questions about these rules were not asked: only the quick check was run, "
-        "and nothing is proved about what can never happen."
-    )
+    found += _unasked(content)
     rules = content.machine.rules
     mitigated = {hazard for rule in rules for hazard in rule.hazards}
     for index, hazard in enumerate(content.machine.hazards):
@@ -110,9 +126,26 @@ def open_points(content: SafetyFile) -> tuple[str, ...]:
             found.append(f"No rule mitigates hazard {hazard.name}.")
     if not content.machine.hazards:
         found.append("The rules declare no hazards.")
-    if content.findings:
-        found.append(f"The check has {_counted(len(content.findings), 'finding')}.")
+    if count := len(_of_severity(content, is_note=False)):
+        found.append(f"The check has {_counted(count, 'finding')}.")
     return tuple(found)
+
+
+def _unasked(content: SafetyFile) -> Iterator[str]:
+    if not content.is_thorough:
+        yield (
+            "The thorough questions about these rules were not asked: only the quick check was "
+            "run, and nothing is proved about what can never happen."
+        )
+    undecided = [each for each in content.findings if each.diagnostic.code == Undecided.code]
+    if undecided:
+        yield f"{_counted(len(undecided), 'question')} about these rules could not be decided."
+
+
+def _of_severity(content: SafetyFile, *, is_note: bool) -> list[Finding]:
+    return [
+        each for each in content.findings if (each.diagnostic.severity is Severity.NOTE) is is_note
+    ]
 
 
 def _open_of(kind: EvidenceKind, evidence: Evidence | None, content: SafetyFile) -> list[str]:
@@ -127,15 +160,25 @@ def _open_of(kind: EvidenceKind, evidence: Evidence | None, content: SafetyFile)
     for status in kind.statuses[1:]:
         those = [each.name for each in evidence.results if each.status == status]
         if those:
-            found.append(
-                f"The {kind.value} report has {len(those)} {status}: {listed(tuple(those))}."
-            )
+            names = listed(_shortened(those))
+            found.append(f"The {kind.value} report has {len(those)} {status}: {names}.")
     return found
+
+
+def _shortened(names: list[str]) -> tuple[str, ...]:
+    """The first few names; the table has all of them."""
+    if len(names) <= _MOST_NAMES + 1:
+        return tuple(names)
+    return (*names[:_MOST_NAMES], f"{len(names) - _MOST_NAMES} more")
 
 
 def _missing(evidence: Evidence, content: SafetyFile) -> tuple[str, ...]:
     """The sources that a report is not about."""
-    return evidence.missing(Hashed(each.name, each.sha256) for each in content.sources)
+    return evidence.missing(_hashed(content))
+
+
+def _hashed(content: SafetyFile) -> list[Hashed]:
+    return [Hashed(each.name, each.sha256) for each in content.sources]
 
 
 def _counted(count: int, what: str) -> str:

@@ -92,7 +92,8 @@ class _Picture:
         self._inputs = [_input_block(each) for each in wiring.inputs]
         self._outputs = [_output_block(each) for each in wiring.outputs]
         self._set_columns()
-        self.root = ET.Element("svg", {"xmlns": "http://www.w3.org/2000/svg", "role": "img"})
+        about = {"xmlns": "http://www.w3.org/2000/svg", "class": "wiring", "role": "img"}
+        self.root = ET.Element("svg", about)
         ET.SubElement(self.root, "title").text = f"The wiring of {wiring.node}"
         ET.SubElement(self.root, "style").text = _style()
         self._add("rect", "paper", width="100%", height="100%")
@@ -202,6 +203,8 @@ def _wire_length(labels: Sequence[str]) -> float:
 
 
 def _style() -> str:
+    """The styles of the picture, which say nothing about a page that it may stand in."""
     folder = files("rossmarie.report") / "assets"
     names = ("palette.css", "wiring.css")
-    return "\n".join((folder / name).read_text(encoding="utf-8") for name in names)
+    text = "\n".join((folder / name).read_text(encoding="utf-8") for name in names)
+    return text.replace(":root", ".wiring")

@@ -78,6 +78,7 @@ from rossmarie.syntax.ast.items import (
 )
 from rossmarie.syntax.ast.tests import (
     Arrival,
+    CommandExpectation,
     Expectation,
     OperatorReset,
     Setting,
@@ -102,6 +103,7 @@ __all__ = [
     "CancelGoal",
     "ClearFor",
     "ClearWhen",
+    "CommandExpectation",
     "Condition",
     "Constant",
     "Diagnose",

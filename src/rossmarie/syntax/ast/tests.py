@@ -65,7 +65,21 @@ class Expectation:
     span: Span
 
 
-Statement = Arrival | OperatorReset | Expectation
+@dataclass(frozen=True)
+class CommandExpectation:
+    """`expect /cmd_vel.linear.x in [-0.2, 0.2] m/s at 2 sec`, or over a `stretch`; one of the two
+    is None.
+    """
+
+    topic: Name
+    path: FieldPath
+    range: Expression
+    at: Expression | None
+    stretch: Stretch | None
+    span: Span
+
+
+Statement = Arrival | OperatorReset | Expectation | CommandExpectation
 
 
 @dataclass(frozen=True)

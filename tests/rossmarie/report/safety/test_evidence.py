@@ -12,7 +12,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rossmarie.report.safety.errors import EvidenceError
-from rossmarie.report.safety.evidence import EvidenceKind, Hashed, parse_evidence
+from rossmarie.report.safety.evidence import (
+    EvidenceKind,
+    Hashed,
+    Result,
+    evidence_text,
+    parse_evidence,
+)
 
 GOOD: dict[str, Any] = {
     "format": "rossmarie-verification",
@@ -62,6 +68,50 @@ def test_a_report_is_read() -> None:
 )  # fmt: skip
 def test_what_is_wrong_with_a_report_is_said(change: dict[str, Any], reason: str) -> None:
     assert refusal(json.dumps({**GOOD, **change}).encode()) == reason
+
+
+words = st.text(max_size=8)
+hashes = st.lists(st.builds(Hashed, words, words), max_size=3)
+
+
+@given(
+    kind=st.sampled_from(EvidenceKind),
+    tools=st.dictionaries(words, words, max_size=3),
+    sources=hashes,
+    outputs=hashes,
+    bound=words,
+    data=st.data(),
+)
+def test_what_is_written_is_read_again(
+    kind: EvidenceKind,
+    tools: dict[str, str],
+    sources: list[Hashed],
+    outputs: list[Hashed],
+    bound: str,
+    data: st.DataObject,
+) -> None:
+    statuses = st.sampled_from(kind.statuses)
+    results = data.draw(st.lists(st.builds(Result, words, statuses, words), max_size=3))
+    text = evidence_text(
+        kind, tools=tools, sources=sources, outputs=outputs, bound=bound, results=results
+    )
+    found = parse_evidence(text.encode(), kind, Path("v.json"))
+    assert dict(found.tools) == tools
+    assert (found.sources, found.outputs) == (tuple(sources), tuple(outputs))
+    assert (found.bound, found.results) == (bound, tuple(results))
+
+
+def test_what_a_report_is_about_beside_the_rules_is_known() -> None:
+    drive = Hashed.of("drive.csv", b"time")
+    text = evidence_text(
+        EvidenceKind.COVERAGE,
+        tools={},
+        sources=[Hashed("rules.ross", "ab"), drive],
+        bound="",
+        results=[],
+    )
+    found = parse_evidence(text.encode(), EvidenceKind.COVERAGE, Path("c.json"))
+    assert found.others([Hashed("rules.ross", "ab")]) == (drive,)
 
 
 def test_what_is_no_json_is_refused() -> None:

@@ -12,7 +12,11 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 
+from dslkit.diagnostics import Diagnostic, Severity
+from dslkit.source import Span
 from rossmarie import ir
+from rossmarie.analysis.errors import Undecided
+from rossmarie.analysis.finding import Finding
 from rossmarie.driver import compile_file
 from rossmarie.driver.report import safety_file
 from rossmarie.ir import reactions
@@ -57,7 +61,7 @@ class Page(HTMLParser):
 
 def content_of(machine: ir.Machine) -> SafetyFile:
     return SafetyFile(
-        machine, "rules.ross", (), (), (), (), (), "rossmarie 1", "2026-01-01", None, None
+        machine, "rules.ross", (), (), (), (), False, (), "rossmarie 1", "2026-01-01", None, None
     )
 
 
@@ -205,6 +209,11 @@ def test_a_link_leads_to_the_line_that_says_so() -> None:
     assert f'href="#file-0-line-{span.begin.line}"' in text
 
 
+def hostile_finding(span: Span) -> Diagnostic:
+    finding = Undecided(question=f"`{HOSTILE}`", reason=HOSTILE).at(span)
+    return replace(finding, severity=Severity.WARNING)
+
+
 def test_hostile_names_stay_text() -> None:
     content = example("demo/demo")
     machine = content.machine
@@ -217,6 +226,7 @@ def test_hostile_names_stay_text() -> None:
             inputs=tuple(replace(each, name=HOSTILE) for each in machine.inputs),
             hazards=tuple(replace(each, text=HOSTILE) for each in machine.hazards),
         ),
+        findings=(Finding(hostile_finding(machine.rules[0].span)),),
     )
     page = Page(render_safety_file(hostile))
     assert {"script", "img"} & set(page.tags) == set()
@@ -228,6 +238,18 @@ def test_hazards_have_their_rules() -> None:
     assert "Rules without a hazard: report_braking." in words
     left = replace(content, machine=replace(content.machine, rules=()))
     assert "No rule mitigates hazard H1." in open_points(left)
+
+
+def test_the_picture_of_the_wiring_leaves_the_page_as_it_is() -> None:
+    text = render_safety_file(example("demo/demo"))
+    picture = text.split("<figure><svg", 1)[1].split("</svg>")[0]
+    styles = picture.split("<style>")[1].split("</style>")[0]
+    rules = re.findall(
+        r"^ *([^@/{}]+?) *\{", re.sub(r"/\*.*?\*/", "", styles, flags=re.DOTALL), re.MULTILINE
+    )
+    selectors = [each.strip() for rule in rules for each in rule.split(",")]
+    assert len(selectors) > 10
+    assert [each for each in selectors if not each.startswith(".wiring")] == []
 
 
 # --- reports of others -----------------------------------------------------------------------
@@ -261,6 +283,17 @@ def test_what_a_report_leaves_open_is_said(
     for expected in ("6.6.0", "3 events", "no overflow", status, "by induction", "f" * 64):
         assert expected in words
     assert ("yes, all hashes are in it" in words) is is_current
+
+
+def test_of_many_open_results_only_the_first_are_named() -> None:
+    content = example("demo/demo")
+    found = evidence(content, is_current=True, status="undecided")
+    many = tuple(Result(f"question {number}", "undecided") for number in range(9))
+    points = open_points(replace(content, verification=replace(found, results=many)))
+    assert (
+        "The verification report has 9 undecided: question 0, question 1, question 2 and 6 more."
+        in points
+    )
 
 
 @needs_browser

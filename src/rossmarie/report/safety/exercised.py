@@ -1,0 +1,24 @@
+"""What traces cover of rules as the results of a report: one for each row of the table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from rossmarie.report.coverage import counted, missing, questions
+from rossmarie.report.safety.evidence import EvidenceKind, Result
+from rossmarie.testing.coverage import Coverage
+from rossmarie.testing.goals import Goal
+
+
+def coverage_results(coverage: Coverage, reasons: Mapping[Goal, str]) -> Iterator[Result]:
+    """The rows, rule by rule; `reasons` says of goals why they cannot be reached."""
+    covered, not_covered = EvidenceKind.COVERAGE.statuses
+    for rule, declared in enumerate(coverage.machine.rules):
+        for text, goals in questions(coverage, rule):
+            left = missing(coverage, goals, reasons)
+            seen = f"{counted(coverage, goals)} seen"
+            yield Result(
+                name=f"{declared.name}: {text}",
+                status=not_covered if left else covered,
+                detail=f"{seen}; not seen: {left}" if left else seen,
+            )

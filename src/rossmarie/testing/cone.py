@@ -1,0 +1,248 @@
+"""What rests on a threshold, run again by itself.
+
+A moved threshold leaves most of a machine as it was. What it changes, the truths above it and the
+rules on them, makes a machine of its own, whose inputs are the truths that those rest on: as they
+were, but for the moved comparisons, which are made anew. It is run over the few instants at which
+one of its inputs changes. Its verdicts are those of the whole machine.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie import ir
+from rossmarie.interpreter import Interpreter
+from rossmarie.ir import ChannelValues, TruthValue
+from rossmarie.ir.comparison import COMPARISONS
+from rossmarie.ir.support import compared_signals, truth_operands
+from rossmarie.testing.history import Elements, History, backwards
+
+Told = tuple[int, int, int]
+"""A verdict: rule, change, instant in nanoseconds."""
+
+_NEVER_NS = 2 * ir.LATEST_NS
+# A truth is fed in as two flags, of which one is missing where it is not known: that of an input
+# that may be lost makes it lost.
+_FLAGS = {
+    TruthValue.FALSE: (0.0, 0.0),
+    TruthValue.TRUE: (1.0, 0.0),
+    TruthValue.UNKNOWN: (math.nan, 0.0),
+    TruthValue.LOST: (0.0, math.nan),
+}
+
+
+@dataclass(frozen=True)
+class Cone:
+    """What rests on moved truths, by the indexes of the whole machine: the truths `inside`, the
+    `rules`, and what is fed in, the `boundary`.
+    """
+
+    moved: tuple[int, ...]
+    boundary: tuple[int, ...]
+    inside: tuple[int, ...]
+    rules: tuple[int, ...]
+
+
+def cone_of(machine: ir.Machine, moved: Sequence[int]) -> Cone | None:
+    """What rests on truths whose thresholds, or durations, are moved; None where that cannot be
+    told apart: elements that are counted, or in several conditions.
+    """
+    if not all(_is_apart(machine, truth, moved) for truth in moved):
+        return None
+    held = {truth for truth in moved if isinstance(machine.truths[truth].node, ir.Held)}
+    inside: set[int] = set(held)
+    for index, truth in enumerate(machine.truths):
+        if (inside | set(moved)) & set(truth_operands(truth.node)):
+            inside.add(index)
+    rules = tuple(
+        index
+        for index, rule in enumerate(machine.rules)
+        if {rule.condition, rule.release} & (inside | set(moved))
+    )
+    wanted = {each for truth in inside for each in truth_operands(machine.truths[truth].node)}
+    for index in rules:
+        rule = machine.rules[index]
+        wanted |= {each for each in (rule.condition, rule.release) if each is not None}
+    boundary = tuple(sorted(wanted - inside))
+    return Cone(tuple(moved), boundary, tuple(sorted(inside)), rules)
+
+
+def _is_apart(machine: ir.Machine, truth: int, moved: Sequence[int]) -> bool:
+    node = machine.truths[truth].node
+    if not isinstance(node, ir.Quantified):
+        return isinstance(node, ir.Held | ir.AgeReaches | ir.Compare | ir.Between)
+    counted = {each.node.element for each in machine.signals if isinstance(each.node, ir.Count)}
+    users = {
+        index
+        for index, each in enumerate(machine.truths)
+        if node.element in truth_operands(each.node)
+        or (isinstance(each.node, ir.Quantified) and each.node.element == node.element)
+    }
+    return node.element not in counted and users <= set(moved)
+
+
+# --- the machine -----------------------------------------------------------------------------
+
+
+def _residual(cone: Cone, machine: ir.Machine) -> ir.Machine:
+    """A channel with two flags for each truth of the boundary, and what rests on them."""
+    boundary, inside = cone.boundary, cone.inside
+    span = machine.truths[boundary[0]].span
+    flags = range(2 * len(boundary))
+    places = {truth: 3 * number + 2 for number, truth in enumerate(boundary)}
+    places |= {truth: 3 * len(boundary) + number for number, truth in enumerate(inside)}
+    truths: list[ir.Truth] = []
+    for number, truth in enumerate(boundary):
+        known, lost = 2 * number, 2 * number + 1
+        pair = (len(truths), len(truths) + 1)
+        nodes = (ir.Flag(known), ir.Flag(lost), ir.Or(pair))
+        truths += [dataclasses.replace(machine.truths[truth], node=node) for node in nodes]
+    truths += [
+        dataclasses.replace(machine.truths[truth], node=_placed(machine.truths[truth].node, places))
+        for truth in inside
+    ]
+    return dataclasses.replace(
+        machine,
+        channels=(ir.Channel("/truths", ""),),
+        inputs=(ir.Input("known", 0, None, span), ir.Input("lost", 0, _NEVER_NS, span)),
+        slots=tuple(ir.Slot(flag % 2, (), ir.Kind.FLAG, 1.0, 0.0, "") for flag in flags),
+        arrays=(),
+        signals=tuple(ir.Signal(ir.Read(flag), "", "", 1.0, 0.0, span) for flag in flags),
+        truths=tuple(truths),
+        rules=tuple(_placed_rule(machine.rules[index], places) for index in cone.rules),
+        watches=(),
+        reactions=ir.NO_REACTIONS,
+    )
+
+
+def _placed(node: ir.TruthNode, places: dict[int, int]) -> ir.TruthNode:
+    match node:
+        case ir.Not(operand=operand) | ir.Held(operand=operand):
+            return dataclasses.replace(node, operand=places[operand])
+        case ir.And(operands=operands) | ir.Or(operands=operands):
+            return dataclasses.replace(node, operands=tuple(places[each] for each in operands))
+        case _:
+            raise AssertionError(f"{type(node).__name__} rests on no other truth")
+
+
+def _placed_rule(rule: ir.Rule, places: dict[int, int]) -> ir.Rule:
+    release = None if rule.release is None else places[rule.release]
+    condition = places[rule.condition]
+    return dataclasses.replace(
+        rule, condition=condition, release=release, terms=(), signals=(), inputs=()
+    )
+
+
+# --- a run -----------------------------------------------------------------------------------
+
+
+def told_by(cone: Cone, moved: ir.Machine, history: History) -> Iterator[Told]:
+    """What the rules of a cone say of a trace, as part of the machine `moved`, in the order of the
+    trace.
+    """
+    at_ns = history.at_ns
+    columns = np.column_stack([_column(cone, moved, history, truth) for truth in cone.boundary])
+    for place, truth in enumerate(cone.boundary):
+        node = moved.truths[truth].node
+        if truth in cone.moved and isinstance(node, ir.AgeReaches):
+            at_ns, columns = _with_ages(history, columns, place, node)
+    interpreter = Interpreter(_residual(cone, moved))
+    events: list[ir.Event] = []
+    for row in np.flatnonzero(_is_new(columns, at_ns)):
+        values = [_FLAGS[TruthValue(value)] for value in columns[row].tolist()]
+        slots = dict(enumerate(flag for pair in values for flag in pair))
+        events += interpreter.update(int(at_ns[row]), {0: ChannelValues(slots)})
+    events += interpreter.advance(int(at_ns[-1]))
+    for event in events:
+        if isinstance(event, ir.Verdict):
+            yield cone.rules[event.rule], int(event.change), event.at_ns
+
+
+def _with_ages(
+    history: History, columns: NDArray[np.int8], place: int, node: ir.AgeReaches
+) -> tuple[NDArray[np.int64], NDArray[np.int8]]:
+    """The rows with one more wherever an age is reached between two of them."""
+    at_ns, ages_ns = history.at_ns, history.ages_ns[node.input]
+    due_ns = at_ns[:-1] + (node.age_ns - ages_ns[:-1])
+    is_due = (ages_ns[:-1] >= 0) & (ages_ns[:-1] < node.age_ns) & (due_ns < at_ns[1:])
+    rows = np.flatnonzero(is_due)
+    more = columns[rows].copy()
+    more[:, place] = TruthValue.TRUE
+    return np.insert(at_ns, rows + 1, due_ns[rows]), np.insert(columns, rows + 1, more, axis=0)
+
+
+def _is_new(columns: NDArray[np.int8], at_ns: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """The first row, those in which something changes, and those on both sides of a jump."""
+    jumps = backwards(at_ns)
+    found: NDArray[np.bool_] = jumps | np.append(jumps[1:], False)
+    found[0] = True
+    found[1:] |= np.any(np.diff(columns, axis=0) != 0, axis=1)
+    return found
+
+
+def _column(cone: Cone, moved: ir.Machine, history: History, truth: int) -> NDArray[np.int8]:
+    """A truth of the boundary in each row."""
+    node = moved.truths[truth].node
+    usual = history.truths[:, truth]
+    if truth not in cone.moved:
+        return usual
+    if isinstance(node, ir.Quantified):
+        return _quantified(moved, history, truth, node)
+    if isinstance(node, ir.AgeReaches):
+        made = history.ages_ns[node.input] >= node.age_ns
+    else:
+        made = _compared(moved, node, history.signals)
+    return np.where(usual > TruthValue.TRUE, usual, made).astype(np.int8)
+
+
+def _compared(
+    machine: ir.Machine, node: ir.TruthNode, values: Mapping[int, NDArray[np.float64]]
+) -> NDArray[np.bool_]:
+    """A comparison, made anew."""
+
+    def of(signal: int) -> NDArray[np.float64] | float:
+        its = machine.signals[signal].node
+        return its.value if isinstance(its, ir.Constant) else values[signal]
+
+    if isinstance(node, ir.Compare):
+        return np.asarray(COMPARISONS[node.comparison](of(node.left), of(node.right)))
+    assert isinstance(node, ir.Between)
+    value = of(node.signal)
+    return np.asarray((of(node.low) <= value) & (value <= of(node.high)))
+
+
+def _quantified(
+    machine: ir.Machine, history: History, truth: int, node: ir.Quantified
+) -> NDArray[np.int8]:
+    """A comparison of elements, made anew, and whether it holds for any or for all."""
+    element = machine.truths[node.element].node
+    compared = {
+        signal: history.elements[signal]
+        for signal in compared_signals(element)
+        if signal in history.elements
+    }
+    found = next(iter(compared.values()))
+    values = {signal: elements.values for signal, elements in compared.items()}
+    made = _compared(machine, element, values)
+    is_known: NDArray[np.bool_] = ~np.any([np.isnan(each) for each in values.values()], axis=0)
+    is_any = node.quantifier is ir.Quantifier.ANY
+    deciding = made if is_any else ~made
+    decided = _some(deciding & is_known, found)
+    unclear = _some(~is_known, found) | (found.starts == found.ends)
+    inputs = ir.supports(machine).truths[truth].inputs
+    may_be_lost = any(machine.inputs[used].timeout_ns is not None for used in inputs)
+    unknown = TruthValue.LOST if may_be_lost else TruthValue.UNKNOWN
+    otherwise = np.where(unclear, int(unknown), int(not is_any))
+    return np.where(decided, int(is_any), otherwise).astype(np.int8)[found.rows]
+
+
+def _some(flags: NDArray[np.bool_], found: Elements) -> NDArray[np.bool_]:
+    """Of each sequence, whether one of its elements has a flag."""
+    before = np.append(0, np.cumsum(flags))
+    return np.asarray(before[found.ends] > before[found.starts])

@@ -1,0 +1,58 @@
+"""Fields that tests set for nothing: no rule reads them, nor does anything else in a machine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import Span
+from rossmarie import ir
+from rossmarie.ir.script import Script, ScriptedArrival, Setting
+from rossmarie.testing.errors import SettingUnread
+
+Field = tuple[str | int, ...]
+
+
+def unread(machine: ir.Machine, scripts: Sequence[Script]) -> Iterator[Diagnostic]:
+    """A finding for each setting of which nothing is read: of a vector not a single number."""
+    fields = read_fields(machine)
+    for script in scripts:
+        written: dict[Span, list[Setting]] = {}
+        for event in script.events:
+            for setting in event.settings if isinstance(event, ScriptedArrival) else ():
+                if setting.span is not None:
+                    written.setdefault(setting.span, []).append(setting)
+        for span, settings in written.items():
+            topic = settings[0].topic
+            if not any(_is_read(setting, fields.get(topic, ())) for setting in settings):
+                finding = SettingUnread(
+                    topic=topic,
+                    read=_listed(fields.get(topic, ())),
+                    input=settings[0].input,
+                )
+                yield finding.at(span)
+
+
+def read_fields(machine: ir.Machine) -> dict[str, list[Field]]:
+    """The fields that a machine reads of each topic."""
+    found: dict[str, list[Field]] = {}
+    carried = [(each.input, each.path) for each in machine.slots]
+    carried += [(each.input, each.path) for each in machine.arrays]
+    for used, path in carried:
+        topic = machine.channels[machine.inputs[used].channel].topic
+        found.setdefault(topic, []).append(path)
+    return found
+
+
+def _is_read(setting: Setting, fields: Sequence[Field]) -> bool:
+    """A field, one around it or one in it is read: an element or all of an array, an angle."""
+    size = len(setting.path)
+    return any(field[:size] == setting.path[: len(field)] for field in fields)
+
+
+def _listed(fields: Sequence[Field]) -> str:
+    names = dict.fromkeys(
+        "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in field) or "data"
+        for field in fields
+    )
+    return ", ".join(f"`{name.lstrip('.')}`" for name in names) or "only that it arrives"
