@@ -4,6 +4,8 @@ impossible never happens.
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -12,15 +14,30 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from rossmarie import ir
-from rossmarie.analysis.activity import together
+from rossmarie.analysis.activity import is_cleared, together
 from rossmarie.analysis.encoding import Questioned
+from rossmarie.analysis.failures import losses
 from rossmarie.analysis.implied import needs
 from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.rates import never_at_rate
+from rossmarie.analysis.recovery import is_cleared_within
 from rossmarie.analysis.solver import Outcome, ask
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.interpreter import Interpreter
-from rossmarie.ir import TruthValue
-from support.machines import Case, cases, machines, take, traces
+from rossmarie.ir import ChannelValues, TruthValue
+from rossmarie.ir.reactions import Bound
+from support.drafts import Draft
+from support.growing import NUMBERS, TICK, Growing, durations, scales, timeouts
+from support.machines import (
+    Case,
+    cases,
+    channel_values,
+    machines,
+    take,
+    traces,
+)
+
+numbers = st.sampled_from(NUMBERS)
 
 unhurried = settings(
     deadline=None, suppress_health_check=[HealthCheck.too_slow, HealthCheck.filter_too_much]
@@ -32,16 +49,40 @@ def whole_truths(machine: ir.Machine) -> tuple[int, ...]:
     return tuple(index for index, array in enumerate(arrays) if array is None)
 
 
-def evaluations(case: Case) -> list[tuple[TruthValue, ...]]:
+def watching(machine: ir.Machine) -> Interpreter:
+    """A monitor whose watches are all truths."""
+    return Interpreter(replace(machine, watches=whole_truths(machine)))
+
+
+def values_of(machine: ir.Machine, monitor: Interpreter) -> dict[int, TruthValue]:
+    """What all truths are worth."""
+    return dict(zip(whole_truths(machine), monitor.watches, strict=True))
+
+
+def is_settled(machine: ir.Machine, values: Mapping[int, TruthValue], *roots: int) -> bool:
+    """Whether each `for` has matured whose condition is true, of all or of what some rest on."""
+    below = {truth for root in roots for truth in ir.reachable_truths(machine, root)} or values
+    held = [
+        (truth, node.operand)
+        for truth in below
+        if isinstance(node := machine.truths[truth].node, ir.Held)
+    ]
+    return all(
+        values[truth] is TruthValue.TRUE
+        for truth, operand in held
+        if values[operand] is TruthValue.TRUE
+    )
+
+
+def evaluations(case: Case) -> list[dict[int, TruthValue]]:
     """The values of all truths right after each event, each combination once."""
     machine, trace = case
-    watching = replace(machine, watches=whole_truths(machine))
-    monitor = Interpreter(watching)
+    monitor = watching(machine)
     seen = []
     for step in trace:
         take(monitor, step)
         seen.append(monitor.watches)
-    return list(dict.fromkeys(seen))
+    return [dict(zip(whole_truths(machine), values, strict=True)) for values in dict.fromkeys(seen)]
 
 
 @unhurried
@@ -50,16 +91,12 @@ def test_every_evaluation_is_a_state(case: Case) -> None:
     machine, _ = case
     for values in evaluations(case)[:6]:
         inquiry = Inquiry(machine)
-        state = ArbitraryState(inquiry.asked)
-        claim = z3.And(
-            [
-                state.truth(truth).is_value(value)
-                for truth, value in zip(whole_truths(machine), values, strict=True)
-            ]
-        )
-        orders = list(inquiry.orders(state))
-        answer = ask([*state.facts, *orders], claim)
-        assert answer.outcome is not Outcome.IMPOSSIBLE, (values, state.facts)
+        for settled in (False, True) if is_settled(machine, values) else (False,):
+            state = ArbitraryState(inquiry.asked, settled=settled)
+            claim = z3.And([state.truth(truth).is_value(values[truth]) for truth in values])
+            orders = list(inquiry.orders(state))
+            answer = ask([*state.facts, *orders], claim)
+            assert answer.outcome is not Outcome.IMPOSSIBLE, (values, state.facts)
 
 
 @unhurried
@@ -83,6 +120,189 @@ def test_rules_that_are_never_together_never_are(machine: ir.Machine, data: st.D
             active = monitor.active
             assert [pair for pair in apart if active[pair[0]] and active[pair[1]]] == []
             assert [pair for pair in lone if active[pair[0]] and not active[pair[1]]] == []
+
+
+@unhurried
+@given(machines(max_nodes=8), st.data())
+def test_a_rule_that_nothing_clears_is_never_cleared(
+    machine: ir.Machine, data: st.DataObject
+) -> None:
+    inquiry = Inquiry(machine)
+    stuck = [
+        rule
+        for rule, declared in enumerate(machine.rules)
+        if declared.release is not None and inquiry.is_impossible(partial(is_cleared, rule=rule))
+    ]
+    assume(stuck)
+    for _ in range(4):
+        monitor = Interpreter(machine)
+        was_active: set[int] = set()
+        for step in data.draw(traces(machine)):
+            take(monitor, step)
+            assert all(monitor.active[rule] for rule in was_active)
+            was_active |= {rule for rule in stuck if monitor.active[rule]}
+
+
+@st.composite
+def forgiving(draw: st.DrawFn) -> ir.Machine:
+    """A machine with a rule whose condition asks, among others, that an input is not too old."""
+    growing = Growing(draw)
+    growing.inputs()
+    for _ in range(draw(st.integers(1, 4))):
+        growing.signal()
+        growing.truth()
+    draft = growing.draft
+    used = draw(st.integers(0, len(draft.inputs) - 1))
+    aged = draft.truth(ir.AgeReaches(used, draw(st.integers(1, 4)) * TICK))
+    one, other = growing.one_of(growing.truths), growing.one_of(growing.truths)
+    young = draft.truth(ir.Not(aged))
+    either = draft.truth(ir.Or((one, other)))
+    nodes: tuple[ir.TruthNode, ...] = (
+        ir.And((young, one)),
+        ir.And((either, young)),
+        ir.Not(draft.truth(ir.Or((aged, one)))),
+        ir.Held(draft.truth(ir.And((young, one, other))), 2 * TICK),
+        ir.Or((draft.truth(ir.And((young, one))), other)),
+    )
+    draft.rule(draft.truth(draw(st.sampled_from(nodes))))
+    return draft.machine("forgiving")
+
+
+@unhurried
+@given(forgiving(), st.data())
+def test_the_loss_of_an_input_does_nothing_to_rules_of_which_that_is_said(
+    machine: ir.Machine, data: st.DataObject
+) -> None:
+    found = [
+        loss
+        for loss in losses(Inquiry(machine))
+        if loss.after_ns is not None and loss.input in machine.rules[0].inputs and not loss.effects
+    ]
+    assume(found)
+    loss = data.draw(st.sampled_from(found))
+    lost = machine.inputs[loss.input].channel
+    monitor = watching(machine)
+    monitor.update(0, {lost: data.draw(channel_values(machine, lost))})
+    others = [channel for channel in range(len(machine.channels)) if channel != lost]
+    calm = 0
+    for tick in range(1, 24):
+        sent = {channel: data.draw(channel_values(machine, channel)) for channel in others}
+        monitor.update(tick * TICK, sent) if sent else monitor.advance(tick * TICK)
+        values = values_of(machine, monitor)
+        is_over = tick * TICK >= (loss.after_ns or 0) and is_settled(machine, values)
+        if is_over and _are_known(machine, monitor, lost):
+            calm += 1
+            condition = values[machine.rules[0].condition]
+            assert condition in (TruthValue.FALSE, TruthValue.UNKNOWN)
+    assume(calm)
+
+
+def _are_known(machine: ir.Machine, monitor: Interpreter, lost: int) -> bool:
+    """Whether all numbers of the messages that the rule rests on are, but for one channel."""
+    slots = ir.supports(machine).truths[machine.rules[0].condition].slots
+    reads = {
+        signal.node.slot: monitor.signals[index]
+        for index, signal in enumerate(machine.signals)
+        if isinstance(signal.node, ir.Read)
+    }
+    channels = {slot: machine.inputs[machine.slots[slot].input].channel for slot in slots}
+    return not any(channels[slot] != lost and math.isnan(reads[slot]) for slot in slots)
+
+
+@st.composite
+def conditions(draw: st.DrawFn, draft: Draft, x: int, y: int) -> int:
+    """A condition on two numbers."""
+    above = draft.above(x, draw(st.sampled_from((-0.5, 0.0, 0.5))))
+    other = draft.above(y, draw(numbers))
+    below = draft.truth(ir.Not(above))
+    nodes: tuple[ir.TruthNode, ...] = (
+        draft.truths[above].node,
+        draft.truths[below].node,
+        ir.And((below, other)),
+        ir.Or((above, other)),
+        ir.Held(above, draw(durations)),
+        ir.And((above, draft.truth(ir.Held(other, draw(durations))))),
+    )
+    return draft.truth(draw(st.sampled_from(nodes)))
+
+
+@unhurried
+@given(st.data())
+def test_a_limit_that_holds_its_rule_does(data: st.DataObject) -> None:
+    draft = Draft()
+    timeout_ns = data.draw(timeouts)
+    x, y = draft.read(timeout_ns), draft.read()
+    condition = data.draw(conditions(draft, x, y))
+    calm = draft.truth(ir.Held(draft.truth(ir.Not(condition)), data.draw(durations)))
+    rule = draft.rules[draft.rule(condition, data.draw(st.sampled_from((None, calm))))]
+    low, high = data.draw(st.sampled_from(((0.0, 1.0), (-1.0, 0.0), (0.0, 0.5), (-0.5, 0.0))))
+    bound = Bound(0, low, high, None)
+    machine = draft.machine()
+    claim = partial(is_cleared_within, rule=0, slot=0, bound=bound)
+    assume(Inquiry(machine).is_impossible(claim, settled=True))
+    monitor = watching(machine)
+    was_active = False
+    inside = st.one_of(st.sampled_from((low, high)), st.floats(low, high))
+    for tick in range(40):
+        sent = {1: ChannelValues({1: data.draw(numbers)})}
+        if tick == 0 or data.draw(st.booleans()):
+            sent[0] = ChannelValues({0: data.draw(inside)})
+        monitor.update(tick * TICK, sent)
+        roots = (rule.condition, rule.release or 0)
+        if is_settled(machine, values_of(machine, monitor), *roots):
+            assert monitor.active[0] or not was_active
+        was_active = monitor.active[0]
+
+
+@unhurried
+@given(st.data())
+def test_what_is_never_true_at_a_rate_never_is(data: st.DataObject) -> None:
+    draft = Draft()
+    x, y = draft.read(data.draw(timeouts)), draft.read()
+    condition = data.draw(conditions(draft, x, y))
+    young = draft.truth(ir.Not(draft.truth(ir.AgeReaches(0, data.draw(durations)))))
+    both = draft.truth(ir.And((condition, young)))
+    draft.truth(ir.Held(data.draw(st.sampled_from((condition, both))), data.draw(durations)))
+    draft.truth(ir.Oscillates(x, data.draw(st.integers(1, 4)), data.draw(durations), 0.0))
+    draft.above(draft.signal(ir.Rate(x)), 0.0)
+    draft.above(draft.signal(ir.Previous(x)), 0.0)
+    gap = data.draw(durations)
+    sending = replace(draft.channels[0], gaps_ns=(gap, 2 * gap))
+    machine = replace(draft.machine(), channels=(sending, draft.channels[1]))
+    inquiry = Inquiry(machine)
+    never = [truth for truth in whole_truths(machine) if never_at_rate(inquiry, truth)]
+    assume(never)
+    monitor = watching(machine)
+    at_ns = 0
+    for _ in range(16):
+        monitor.update(at_ns, {0: ChannelValues({0: data.draw(numbers)}), 1: _HIGH})
+        next_ns = at_ns + gap + data.draw(st.sampled_from((0, 0, 0, 1, TICK)))
+        while at_ns < next_ns:
+            values = values_of(machine, monitor)
+            assert [truth for truth in never if values[truth] is TruthValue.TRUE] == []
+            at_ns = min(at_ns + TICK, next_ns)
+            if at_ns < next_ns:
+                monitor.advance(at_ns)
+
+
+_HIGH = ChannelValues({1: max(NUMBERS)})
+
+
+@unhurried
+@given(st.data())
+def test_a_field_of_whole_numbers_may_hold_all_of_them(data: st.DataObject) -> None:
+    limits = data.draw(st.sampled_from(((0.0, 255.0), (-128.0, 127.0), (0.0, 2.0**64))))
+    scale, offset = data.draw(scales)
+    draft = Draft()
+    x = draft.signal(
+        ir.Read(draft.slot(draft.input(draft.channel()), ir.Kind.REAL, scale, offset, limits))
+    )
+    raw = data.draw(st.one_of(st.sampled_from(limits), st.integers(*map(int, limits)).map(float)))
+    equal = draft.truth(ir.Compare(ir.Comparison.EQUAL, x, draft.constant(raw * scale + offset)))
+    beyond = draft.above(x, limits[1] * scale + offset)
+    inquiry = Inquiry(draft.machine())
+    assert not inquiry.is_impossible(lambda state: state.truth(equal).true)
+    assert inquiry.is_impossible(lambda state: state.truth(beyond).true)
 
 
 def test_a_state_is_asked_of_one_machine_at_a_time() -> None:

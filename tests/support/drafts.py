@@ -39,15 +39,26 @@ class Draft:
         return len(self.inputs) - 1
 
     def slot(
-        self, used: int, kind: ir.Kind = ir.Kind.REAL, scale: float = 1.0, offset: float = 0.0
+        self,
+        used: int,
+        kind: ir.Kind = ir.Kind.REAL,
+        scale: float = 1.0,
+        offset: float = 0.0,
+        limits: tuple[float, float] | None = None,
     ) -> int:
         path = (f"slot_{len(self.slots)}",)
-        self.slots.append(ir.Slot(used, path, kind, scale, offset, ""))
+        self.slots.append(ir.Slot(used, path, kind, scale, offset, "", limits))
         return len(self.slots) - 1
 
-    def array(self, used: int, scale: float = 1.0, offset: float = 0.0) -> int:
+    def array(
+        self,
+        used: int,
+        scale: float = 1.0,
+        offset: float = 0.0,
+        limits: tuple[float, float] | None = None,
+    ) -> int:
         path = (f"array_{len(self.arrays)}",)
-        self.arrays.append(ir.Array(used, path, scale, offset, ""))
+        self.arrays.append(ir.Array(used, path, scale, offset, "", limits))
         return len(self.arrays) - 1
 
     def signal(
@@ -100,6 +111,7 @@ class Draft:
             signals=ir.rule_signals(machine, condition),
             inputs=tuple(sorted(ir.supports(machine).truths[condition].inputs)),
             span=NOWHERE,
+            head=NOWHERE,
         )
         self.rules.append(rule)
         return len(self.rules) - 1

@@ -19,6 +19,8 @@ timeouts = st.one_of(st.none(), durations)
 finite = st.one_of(st.sampled_from(NUMBERS), st.sampled_from(NUMBERS + EXTREMES))
 scales = st.sampled_from(((1.0, 0.0), (1.0, 0.0), (0.5, 0.0), (1.0, 0.25), (1e150, -1.0)))
 
+whole_limits = st.sampled_from((None, None, None, (0.0, 1.0), (-2.0, 2.0), (0.0, 2.0**64)))
+
 
 class Growing:
     """Adds one random node at a time to a draft."""
@@ -47,11 +49,12 @@ class Growing:
         kinds = st.sampled_from((*ir.Kind, ir.Kind.REAL, ir.Kind.REAL, "array"))
         for kind in self.draw(st.lists(kinds, max_size=3)):
             scale, offset = self.draw(scales)
+            limits = self.draw(whole_limits)
             if isinstance(kind, str):
-                array = self.draft.array(used, scale, offset)
+                array = self.draft.array(used, scale, offset, limits)
                 self.element_numbers[array] = [self.draft.signal(ir.Element(array))]
             elif kind is ir.Kind.REAL:
-                slot = self.draft.slot(used, kind, scale, offset)
+                slot = self.draft.slot(used, kind, scale, offset, limits)
                 self.numbers.append(self.draft.signal(ir.Read(slot)))
             else:
                 self.draft.slot(used, kind)

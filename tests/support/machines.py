@@ -127,15 +127,14 @@ def _messages(draw: st.DrawFn, machine: ir.Machine) -> dict[int, ir.ChannelValue
 @st.composite
 def channel_values(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.ChannelValues:
     """One message with the arrays of its channel, and nearly always all its slots."""
-    elements = st.lists(raw(ir.Kind.REAL), max_size=4)
     return ir.ChannelValues(
         slots={
-            index: draw(raw(slot.kind))
+            index: draw(raw(slot.kind, slot.limits))
             for index, slot in enumerate(machine.slots)
             if machine.inputs[slot.input].channel == channel and draw(_IS_PRESENT)
         },
         arrays={
-            index: draw(elements)
+            index: draw(st.lists(raw(ir.Kind.REAL, array.limits), max_size=4))
             for index, array in enumerate(machine.arrays)
             if machine.inputs[array.input].channel == channel
         },
@@ -145,8 +144,11 @@ def channel_values(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.Cha
 _IS_PRESENT = st.sampled_from((True,) * 9 + (False,))
 
 
-def raw(kind: ir.Kind) -> st.SearchStrategy[float]:
+def raw(kind: ir.Kind, limits: tuple[float, float] | None = None) -> st.SearchStrategy[float]:
     """A number as a message carries it; NaN if it is lacking."""
+    if limits is not None:
+        whole = st.integers(*map(int, limits)).map(float)
+        return st.one_of(st.sampled_from((*limits, NAN)), whole)
     match kind:
         case ir.Kind.FLAG:
             return st.sampled_from((0.0, 1.0, 0.0, 1.0, NAN))

@@ -10,7 +10,7 @@ import z3
 from rossmarie.analysis.activity import truths_of
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.errors import Chattering
-from rossmarie.analysis.finding import Finding, head, witness_note
+from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.witness import View
 from rossmarie.ir import Machine
@@ -29,18 +29,20 @@ def find_chattering(inquiry: Inquiry, within_ns: int) -> Iterator[Finding]:
     for index, rule in enumerate(machine.rules):
         if rule.release is None or not rule.inputs or not _is_simple(machine, rule.release):
             continue
-        claim = partial(_toggles, rule=index, within_ns=within_ns)
-        witness = inquiry.quick_witness(
-            truths_of(machine, (index,)), _LEGS, partial(_alternates, rule=index), claim
+        alone = inquiry.about(index)
+        claim = partial(_toggles, rule=0, within_ns=within_ns)
+        witness = alone.quick_witness(
+            truths_of(alone.machine, (0,)), _LEGS, partial(_alternates, rule=0), claim
         )
         if witness is not None:
-            note = witness_note(machine, witness, (rule.condition,))
+            condition = alone.machine.rules[0].condition
+            note = witness_note(alone.machine, witness, (condition,))
             finding = Chattering(
                 rule=rule.name,
                 within=duration_text(within_ns),
                 found=duration_text(witness.end_ns),
             )
-            yield Finding(finding.at(head(machine, rule), notes=(note,)), witness)
+            yield Finding(finding.at(rule.head, notes=(note,)), witness)
 
 
 def _is_simple(machine: Machine, release: int) -> bool:

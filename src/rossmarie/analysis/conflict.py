@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import partial
 
 from dslkit.diagnostics import Label
-from rossmarie.analysis.activity import seen_together, together, truths_of
+from rossmarie.analysis.activity import truths_of
 from rossmarie.analysis.errors import ConflictOrdered, NeverTogether, RulesConflict, Undecided
-from rossmarie.analysis.finding import Finding, head, witness_note
-from rossmarie.analysis.inquiry import Asked, Inquiry
+from rossmarie.analysis.finding import Finding, witness_note
+from rossmarie.analysis.inquiry import Inquiry, both_active
 from rossmarie.analysis.solver import Outcome
 from rossmarie.ir import Machine
 
@@ -73,22 +72,18 @@ def _judged(
     machine = inquiry.machine
     rules = (machine.rules[first], machine.rules[second])
     needed = machine.reactions.resources[resource]
-    truths = truths_of(machine, (first, second))
-    result = inquiry.decide(
-        Asked(
-            truths,
-            partial(together, one=first, other=second),
-            partial(seen_together, one=first, other=second),
-            lambda seen: seen[-1].active[first] and seen[-1].active[second],
-        )
-    )
+    pair = inquiry.about(first, second)
+    result = pair.decide(both_active(pair.machine))
     names = (rules[0].name, rules[1].name)
-    place = Label(head(machine, rules[0]), "this rule needs it too")
-    span = head(machine, rules[1])
+    place = Label(rules[0].head, "this rule needs it too")
+    span = rules[1].head
     if result.outcome is Outcome.IMPOSSIBLE:
         never = NeverTogether(first=names[0], second=names[1], resource=needed)
         return Finding(never.at(span, place))
-    notes = () if result.witness is None else (witness_note(machine, result.witness, truths),)
+    notes: tuple[str, ...] = ()
+    if result.witness is not None:
+        truths = truths_of(pair.machine, (0, 1))
+        notes = (witness_note(pair.machine, result.witness, truths),)
     if (first, second) in ordered or (second, first) in ordered:
         upper = names if (first, second) in ordered else names[::-1]
         known = "they can be active together" if notes else "whether both can be active is open"
@@ -106,7 +101,7 @@ def _judged(
 
 def _advice(machine: Machine, first: int, second: int) -> str:
     rules = (machine.rules[first], machine.rules[second])
-    if any(head(machine, rule) == machine.truths[rule.condition].span for rule in rules):
+    if any(rule.head.text != rule.name for rule in rules):
         return "name both rules, and say which is more important: `priority RULE over RULE;`"
     order = f"`priority {rules[0].name} over {rules[1].name};`, or the other way round"
     return f"say which is more important: {order}; or let one give way: `if ... unless RULE then`"

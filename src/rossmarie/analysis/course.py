@@ -16,7 +16,7 @@ import z3
 from rossmarie import ir
 from rossmarie.analysis import arithmetic
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
-from rossmarie.analysis.state import kind_facts, shape_facts
+from rossmarie.analysis.state import kind_facts, limit_facts, shape_facts
 from rossmarie.analysis.terms import (
     FALSE,
     NO,
@@ -283,9 +283,11 @@ class Course:
         machine = self.asked.machine
         found = []
         for index, number in leg.slots.items():
-            found += kind_facts(machine, machine.slots[index], number.value)
-        for cells in leg.cells.values():
+            found += kind_facts(machine, machine.slots[index], number.value, rounded=False)
+        for index, cells in leg.cells.items():
             found += shape_facts(cells)
+            for cell in cells:
+                found += limit_facts(machine.arrays[index], cell.number.value, rounded=False)
         for truth, shakes in leg.shakes.items():
             (channel,) = self.asked.supports.truths[truth].channels
             found.append(z3.Implies(shakes, leg.sends[channel]))

@@ -14,21 +14,26 @@ import z3
 from dslkit.diagnostics import Diagnostic, Label
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.errors import AlwaysActive, ConstantPart, NeverActive, Undecided
-from rossmarie.analysis.finding import Finding, head
+from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.witness import View, shown_value
 from rossmarie.ir import (
     Apply,
+    Array,
     Constant,
     Count,
+    Element,
+    Fold,
     Function,
     Held,
     Kind,
     Literal,
     Machine,
     Not,
+    Quantified,
     Read,
+    Slot,
     TruthValue,
     compared_signals,
     is_leaf,
@@ -75,8 +80,10 @@ def _lacking(machine: Machine, constant: Mapping[int, TruthValue], truth: int) -
 
 def _impossible(inquiry: Inquiry, truth: int) -> TruthValue | None:
     """The value, T or F, that a truth is proved never to have; F not counting until it settled."""
+    alone = inquiry.below(truth)
+    last = len(alone.machine.truths) - 1
     for value in (NEVER, ALWAYS):
-        if inquiry.is_impossible(partial(_has, truth=truth, value=value), settled=value is ALWAYS):
+        if alone.is_impossible(partial(_has, truth=last, value=value), settled=value is ALWAYS):
             return value
     return None
 
@@ -125,7 +132,8 @@ def _is_free(machine: Machine, truth: int) -> bool:
     others = [node for node in nodes if not isinstance(node, Constant)]
     if len(others) != 1 or not isinstance(others[0], Read):
         return False
-    return machine.slots[others[0].slot].kind is Kind.REAL or len(nodes) == 1
+    slot = machine.slots[others[0].slot]
+    return (slot.kind is Kind.REAL and slot.limits is None) or len(nodes) == 1
 
 
 def _joins_apart(inquiry: Inquiry, truth: int, varied: set[int]) -> bool:
@@ -149,7 +157,7 @@ def _rule_finding(
         part, value = cause
         labels = (Label(machine.truths[part].span, f"this is {_WORDS[value]}"),)
         notes = _reasons(machine, part)
-    span = head(machine, rule)
+    span = rule.head
     if lacking is ALWAYS:
         return AlwaysActive(rule=rule.name).at(span, *labels, notes=notes)
     is_lost = partial(_has, truth=rule.condition, value=TruthValue.LOST)
@@ -180,9 +188,12 @@ _RANGES = {
 
 def _reasons(machine: Machine, truth: int) -> tuple[str, ...]:
     """What the numbers that a leaf compares can be."""
+    node = machine.truths[truth].node
+    if isinstance(node, Quantified):
+        return _reasons(machine, node.element)
     return tuple(
         f"`{machine.signals[signal].text}` is {_range(machine, signal)}"
-        for signal in compared_signals(machine.truths[truth].node)
+        for signal in compared_signals(node)
         if _range(machine, signal)
     )
 
@@ -193,11 +204,25 @@ def _range(machine: Machine, signal: int) -> str:
             low, high = _RANGES[function]
         case Count():
             low, high = 0.0, math.inf
+        case Read(slot=slot) if machine.slots[slot].limits is not None:
+            return f"{_whole(machine, signal, machine.slots[slot])}, as its type says"
+        case Element(array=array) if machine.arrays[array].limits is not None:
+            return f"{_whole(machine, signal, machine.arrays[array])}, as its type says"
+        case Fold(element=element):
+            return _range(machine, element)
         case _:
             return ""
     if high == math.inf:
         return "never negative"
     return f"between {shown_value(machine, signal, low)} and {shown_value(machine, signal, high)}"
+
+
+def _whole(machine: Machine, signal: int, source: Slot | Array) -> str:
+    """What a field of whole numbers can hold."""
+    ends = sorted(end * source.scale + source.offset for end in source.limits or ())
+    low, high = (shown_value(machine, signal, end) for end in ends)
+    what = "a whole number between" if source.scale == 1.0 else "between"
+    return f"{what} {low} and {high}"
 
 
 # --- what stays open -------------------------------------------------------------------------
@@ -219,7 +244,7 @@ def _open_questions(inquiry: Inquiry, index: int) -> Iterator[Finding]:
                 question=f"can the condition of rule `{rule.name}` be {word}?",
                 reason="no short course of events makes it so, and no proof excludes it",
             )
-            yield Finding(finding.at(head(machine, rule)))
+            yield Finding(finding.at(rule.head))
 
 
 def _comes_to(course: Course, truth: int, value: TruthValue) -> z3.BoolRef:

@@ -204,9 +204,20 @@ def _message(machine: Machine, leg: DraftLeg, channel: int, swing: int) -> Chann
 
 def _raw(source: ir.Slot | ir.Array, value: float) -> float:
     """S7 backwards."""
-    if source.scale == 1.0 and source.offset == 0.0:
-        return value
-    return (value - source.offset) / source.scale
+    is_plain = source.scale == 1.0 and source.offset == 0.0
+    raw = value if is_plain else (value - source.offset) / source.scale
+    return raw if source.limits is None else _nearest(source.limits, raw)
+
+
+def _nearest(limits: tuple[float, float], raw: float) -> float:
+    """The whole number within limits that is nearest."""
+    return min(max(float(round(raw)), limits[0]), limits[1])
+
+
+def can_hold(source: ir.Slot | ir.Array, value: float) -> bool:
+    """Whether a field can carry a value in SI, up to rounding."""
+    raw = (value - source.offset) / source.scale
+    return source.limits is None or math.isclose(raw, _nearest(source.limits, raw), abs_tol=1e-9)
 
 
 def quaternion(angles: Mapping[ir.Function, float]) -> tuple[float, float, float, float]:

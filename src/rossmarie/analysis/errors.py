@@ -159,6 +159,43 @@ class LossUnnoticed(Warning, code="ROSS712", name="loss-unnoticed"):
 
 
 @dataclass(frozen=True, kw_only=True)
+class NeverAtRate(Warning, code="ROSS713", name="never-at-rate"):
+    """A duration that no message rate of the system model can satisfy."""
+
+    title = "`{condition}` is never true at the rate of {topic}"
+    label = "not while messages come as the system model says"
+    help = "mend the timeout, the duration, or the rate in the system model"
+    condition: str
+    topic: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class LostBetweenMessages(Warning, code="ROSS714", name="lost-between-messages"):
+    """An input whose timeout is shorter than the time from message to message."""
+
+    title = "`{input}` is lost although messages come: {timeout} after one, the next is not due"
+    label = "messages on {topic} come {apart}"
+    help = "write a timeout longer than {longest}, or mend the rate in the system model"
+    input: str
+    topic: str
+    apart: str
+    timeout: str
+    longest: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class OneMessageEnough(Warning, code="ROSS715", name="one-message-enough"):
+    """A `for` that is over before the next message can come."""
+
+    title = "one message is enough for `{condition}`"
+    label = "over before the next message on {topics}, which comes {least} later or more"
+    help = "a `for` that is to outlast a single reading has to be longer than {least}"
+    condition: str
+    topics: str
+    least: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class Undecided(Note, code="ROSS729", name="undecided"):
     """A question to which neither a proof nor a witness was found."""
 
@@ -183,5 +220,8 @@ ALL: tuple[type[Template], ...] = (
     LimitHoldsCondition,
     NeverItsTurn,
     LossUnnoticed,
+    NeverAtRate,
+    LostBetweenMessages,
+    OneMessageEnough,
     Undecided,
 )

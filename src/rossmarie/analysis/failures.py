@@ -44,7 +44,8 @@ def _ages(machine: Machine, used: int) -> Iterator[int]:
                 yield node.age_ns
 
 
-def _effect(inquiry: Inquiry, used: int, after_ns: int, rule: int) -> Effect:
+def _effect(whole: Inquiry, used: int, after_ns: int, index: int) -> Effect:
+    inquiry, rule = whole.about(index), 0
     lost = partial(_is_lost, used=used, after_ns=after_ns)
     if inquiry.is_impossible(
         lambda state: z3.And(lost(state), z3.Not(becomes_active(state, rule))), settled=True

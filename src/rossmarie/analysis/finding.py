@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from dslkit.diagnostics import Diagnostic
-from dslkit.source import Span
 from rossmarie.analysis.witness import Witness, told
-from rossmarie.ir import Constant, Machine, Rule, compared_signals, reachable_truths
+from rossmarie.ir import Constant, Machine, compared_signals, reachable_truths
 
 
 @dataclass(frozen=True)
@@ -18,15 +16,6 @@ class Finding:
 
     diagnostic: Diagnostic
     witness: Witness | None = None
-
-
-def head(machine: Machine, rule: Rule) -> Span:
-    """Where a rule is pointed at: its name, or its condition if it has none."""
-    named = re.search(rf"\brule\s+({re.escape(rule.name)})\b", rule.span.text)
-    if named is None:
-        return machine.truths[rule.condition].span
-    start = rule.span.start + named.start(1)
-    return Span(rule.span.file, start, start + len(rule.name))
 
 
 def witness_note(machine: Machine, witness: Witness, truths: Sequence[int]) -> str:

@@ -15,13 +15,11 @@ from dslkit.diagnostics import Label
 from rossmarie.analysis.activity import (
     becomes_active,
     is_cleared,
-    seen_together,
-    together,
     truths_of,
 )
 from rossmarie.analysis.errors import NeverItsTurn, RuleImplied
-from rossmarie.analysis.finding import Finding, head, witness_note
-from rossmarie.analysis.inquiry import Asked, Inquiry
+from rossmarie.analysis.finding import Finding, witness_note
+from rossmarie.analysis.inquiry import Inquiry, both_active
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.ir import Machine
 
@@ -51,7 +49,9 @@ def _needed(inquiry: Inquiry, rule: int, candidates: Sequence[int]) -> int | Non
     """The first of some rules without which a rule is not active. If it can become active without
     any of them, none of them is it.
     """
-    if inquiry.is_impossible(partial(_starts_without, rule=rule, others=candidates)):
+    group = inquiry.about(rule, *candidates)
+    others = range(1, len(candidates) + 1)
+    if group.is_impossible(partial(_starts_without, rule=0, others=others)):
         return next((other for other in candidates if needs(inquiry, rule, other)), None)
     return None
 
@@ -71,9 +71,10 @@ def needs(inquiry: Inquiry, rule: int, other: int) -> bool:
         return False
     if (one.condition, one.release) == (two.condition, two.release):
         return True
-    return inquiry.is_impossible(
-        partial(_starts_without, rule=rule, others=(other,))
-    ) and inquiry.is_impossible(partial(_is_left, rule=rule, other=other))
+    pair = inquiry.about(rule, other)
+    return pair.is_impossible(partial(_starts_without, rule=0, others=(1,))) and pair.is_impossible(
+        partial(_is_left, rule=0, other=1)
+    )
 
 
 def _is_left(state: ArbitraryState, rule: int, other: int) -> z3.BoolRef:
@@ -112,21 +113,15 @@ def _told(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
     is_same = _has_same_actions(machine, rule, other)
     if is_same and rule < other and needs(inquiry, other, rule):
         return  # told of the later one
-    truths = truths_of(machine, (rule, other))
-    witness = inquiry.witness(
-        Asked(
-            truths,
-            partial(together, one=rule, other=other),
-            partial(seen_together, one=rule, other=other),
-            lambda seen: seen[-1].active[rule] and seen[-1].active[other],
-        )
-    )
-    notes = () if witness is None else (witness_note(machine, witness, truths),)
-    place = Label(head(machine, two), "whenever this is not, that is not either")
+    pair = inquiry.about(rule, other)
+    witness = pair.witness(both_active(pair.machine))
+    truths = truths_of(pair.machine, (0, 1))
+    notes = () if witness is None else (witness_note(pair.machine, witness, truths),)
+    place = Label(two.head, "whenever this is not, that is not either")
     resource = _shared(machine, rule, other)
     if is_same:
         finding = RuleImplied(rule=one.name, other=two.name)
-        yield Finding(finding.at(head(machine, one), place, notes=notes), witness)
+        yield Finding(finding.at(one.head, place, notes=notes), witness)
     elif resource is not None:
         turn = NeverItsTurn(rule=one.name, other=two.name, resource=resource)
-        yield Finding(turn.at(head(machine, one), place, notes=notes), witness)
+        yield Finding(turn.at(one.head, place, notes=notes), witness)

@@ -5,12 +5,15 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 import z3
 
+from rossmarie.analysis.activity import seen_together, together, truths_of
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.draft import drafted
 from rossmarie.analysis.encoding import Questioned
+from rossmarie.analysis.part import part_below, part_of
 from rossmarie.analysis.shrink import Replays, shortened
 from rossmarie.analysis.solver import Outcome, ask
 from rossmarie.analysis.state import ArbitraryState
@@ -61,11 +64,25 @@ class Inquiry:
     def __post_init__(self) -> None:
         self.asked = Questioned(self.machine)
 
+    def about(self, *rules: int) -> Inquiry:
+        """An inquiry about these rules only, which are its first, second and so on."""
+        return Inquiry(part_of(self.machine, rules), self.deadline_s)
+
+    def below(self, truth: int) -> Inquiry:
+        """An inquiry about a truth, which is the last of its machine."""
+        return Inquiry(part_below(self.machine, truth), self.deadline_s)
+
     def decide(self, question: Asked) -> Result:
-        """All that can be found out."""
-        if self.is_impossible(question.in_state):
+        """All that can be found out, by what costs least."""
+        self._check_time()
+        state = ArbitraryState(self.asked)
+        term = question.in_state(state)
+        if ask(state.facts, term).outcome is Outcome.IMPOSSIBLE:
             return Result(Outcome.IMPOSSIBLE)
-        witness = self.witness(question)
+        witness = self.witness(question, _ATTEMPTS[:1])
+        if witness is None and self._is_refuted(state, term):
+            return Result(Outcome.IMPOSSIBLE)
+        witness = witness or self.witness(question, _ATTEMPTS[1:])
         return Result(Outcome.UNDECIDED if witness is None else Outcome.POSSIBLE, witness)
 
     # --- proofs ------------------------------------------------------------------------------
@@ -88,12 +105,17 @@ class Inquiry:
         """What is true only while something else is has not been true for longer."""
         for one in state.awaited:
             for other in state.awaited:
-                if one == other or not self._needs(one, other, TruthValue.TRUE):
+                if not self._may_need(one, other) or not self._needs(one, other, TruthValue.TRUE):
                     continue
                 yield state.is_longer(one, other)
                 for value in (TruthValue.UNKNOWN, TruthValue.LOST):
                     if self._needs(one, other, value):
                         yield state.is_unknown_with(one, other, value)
+
+    def _may_need(self, one: int, other: int) -> bool:
+        """Whether it is worth asking: what rests on other messages is rarely needed."""
+        supports = self.asked.supports.truths
+        return one != other and not supports[one].channels.isdisjoint(supports[other].channels)
 
     def _needs(self, one: int, other: int, value: TruthValue) -> bool:
         """Whether it is proved that one truth has a value only while another one has it."""
@@ -107,9 +129,11 @@ class Inquiry:
 
     # --- witnesses ---------------------------------------------------------------------------
 
-    def witness(self, question: Asked) -> Witness | None:
+    def witness(
+        self, question: Asked, attempts: Sequence[tuple[int, bool]] | None = None
+    ) -> Witness | None:
         """A witness that the interpreter bears out: one in which all sensors work, if there is."""
-        for legs, is_calm in _ATTEMPTS:
+        for legs, is_calm in _ATTEMPTS if attempts is None else attempts:
             self._check_time()
             course = Course(self.asked, question.truths, legs)
             witness = self._borne_out(course, question, is_calm)
@@ -156,3 +180,13 @@ _ATTEMPTS = ((1, True), (2, True), (1, False), (2, False), (3, True), (3, False)
 """How many legs, and whether all sensors work: the simplest first. What needs more changes than
 three legs allow stays undecided.
 """
+
+
+def both_active(machine: Machine) -> Asked:
+    """Whether the first two rules of a machine can be active at the same time."""
+    return Asked(
+        truths_of(machine, (0, 1)),
+        partial(together, one=0, other=1),
+        partial(seen_together, one=0, other=1),
+        lambda seen: seen[-1].active[0] and seen[-1].active[1],
+    )

@@ -13,11 +13,12 @@ from rossmarie.analysis.failures import find_unnoticed
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.implied import find_implied
 from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
+from rossmarie.analysis.rates import find_unfit_durations
 from rossmarie.analysis.recovery import find_blocked, find_self_holding
 from rossmarie.analysis.release import find_never_cleared
 from rossmarie.ir import Machine
 
-QUICK_S = 5.0
+QUICK_S = 8.0
 """The quick questions about one file are given up after this, in seconds of CPU time."""
 
 THOROUGH_S = 600.0
@@ -57,6 +58,7 @@ def _questions(thorough: bool, within_ns: int) -> dict[str, Question]:
         "whose loss does nobody notice?": find_unnoticed,
         "which commands are blocked?": find_blocked,
         "which limits hold their own rule?": find_self_holding,
+        "which durations do not fit the rates of messages?": find_unfit_durations,
     }
     slow: dict[str, Question] = {
         "which rules add nothing?": find_implied,

@@ -10,10 +10,10 @@ from functools import partial
 import z3
 
 from dslkit.diagnostics import Label
-from rossmarie.analysis.activity import is_cleared, seen_together, together, truths_of
+from rossmarie.analysis.activity import is_cleared, truths_of
 from rossmarie.analysis.errors import LimitHoldsCondition, RecoveryBlocked, Undecided
-from rossmarie.analysis.finding import Finding, head, witness_note
-from rossmarie.analysis.inquiry import Asked, Inquiry, Result
+from rossmarie.analysis.finding import Finding, witness_note
+from rossmarie.analysis.inquiry import Inquiry, Result, both_active
 from rossmarie.analysis.solver import Outcome
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.terms import constant
@@ -70,14 +70,8 @@ def _both(inquiry: Inquiry, rule: int, other: int) -> Result:
     plans = inquiry.machine.reactions.plans
     if other in plans[rule].unless or rule in plans[other].unless:
         return Result(Outcome.IMPOSSIBLE)
-    return inquiry.decide(
-        Asked(
-            truths_of(inquiry.machine, (rule, other)),
-            partial(together, one=rule, other=other),
-            partial(seen_together, one=rule, other=other),
-            lambda seen: seen[-1].active[rule] and seen[-1].active[other],
-        )
-    )
+    pair = inquiry.about(rule, other)
+    return pair.decide(both_active(pair.machine))
 
 
 def _blocked(
@@ -132,7 +126,7 @@ def find_self_holding(inquiry: Inquiry) -> Iterator[Finding]:
                 rests_on = inquiry.asked.supports.truths[machine.rules[rule].condition].slots
                 if slot not in rests_on:
                     continue
-                held = partial(_is_cleared_within, rule=rule, slot=slot, bound=bound)
+                held = partial(is_cleared_within, rule=rule, slot=slot, bound=bound)
                 free = partial(is_cleared, rule=rule)
                 if inquiry.is_impossible(held, settled=True) and not inquiry.is_impossible(free):
                     yield _self_holding(machine, rule, index, bound)
@@ -148,7 +142,8 @@ def _read(machine: Machine, limit: Limit) -> Iterator[tuple[int, Bound]]:
                 yield index, bound
 
 
-def _is_cleared_within(state: ArbitraryState, rule: int, slot: int, bound: Bound) -> z3.BoolRef:
+def is_cleared_within(state: ArbitraryState, rule: int, slot: int, bound: Bound) -> z3.BoolRef:
+    """Whether a rule is cleared while a number that it reads lies within a bound."""
     source, value = state.machine.slots[slot], state.slot(slot).value
     low, high = (end * source.scale + source.offset for end in (bound.low, bound.high))
     return z3.And(is_cleared(state, rule), value >= constant(low), value <= constant(high))
@@ -162,4 +157,4 @@ def _self_holding(machine: Machine, rule: int, task: int, bound: Bound) -> Findi
     place = Label(machine.reactions.tasks[task].span, "the limit")
     name = machine.rules[rule].name
     finding = LimitHoldsCondition(rule=name, field=f"{path} on {command.topic}")
-    return Finding(finding.at(head(machine, machine.rules[rule]), place))
+    return Finding(finding.at(machine.rules[rule].head, place))

@@ -10,7 +10,7 @@ import z3
 from rossmarie.analysis.activity import is_cleared, truths_of
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.errors import NoWayOut, Undecided
-from rossmarie.analysis.finding import Finding, head
+from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.solver import Outcome
 from rossmarie.analysis.state import ArbitraryState
@@ -24,17 +24,19 @@ def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
     for index, rule in enumerate(machine.rules):
         if rule.release is None or not rule.inputs:
             continue
-        if inquiry.is_impossible(partial(_is_false, condition=rule.condition)):
+        alone = inquiry.about(index)
+        condition = alone.machine.rules[0].condition
+        if alone.is_impossible(partial(_is_false, condition=condition)):
             continue  # always active, which is said elsewhere
-        result = inquiry.decide(
+        result = alone.decide(
             Asked(
-                truths_of(machine, (index,)),
-                partial(is_cleared, rule=index),
-                partial(_clears, rule=index),
-                partial(_is_seen_to_clear, rule=index),
+                truths_of(alone.machine, (0,)),
+                partial(is_cleared, rule=0),
+                partial(_clears, rule=0),
+                partial(_is_seen_to_clear, rule=0),
             )
         )
-        span = head(machine, rule)
+        span = rule.head
         if result.outcome is Outcome.IMPOSSIBLE:
             yield Finding(NoWayOut(rule=rule.name).at(span))
         elif result.outcome is Outcome.UNDECIDED:

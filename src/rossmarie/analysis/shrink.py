@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from rossmarie.analysis.draft import Draft, DraftLeg, Knob, witness_of
+from rossmarie.analysis.draft import Draft, DraftLeg, Knob, can_hold, witness_of
 from rossmarie.analysis.witness import Claim, View, Witness, views
 from rossmarie.ir import AgeReaches, Count, Fold, Held, Kind, Machine, Read, supports
 
@@ -124,9 +124,11 @@ def _rounder(machine: Machine, knob: Knob, value: float) -> Iterator[float]:
     if is_slot and machine.slots[knob.slots[0]].kind is not Kind.REAL:
         return
     shown_value = value * knob.scale + knob.offset
+    source = machine.slots[knob.slots[0]] if knob.array is None else machine.arrays[knob.array]
     for text in _round_numbers(shown_value):
-        if cost(text) < cost(shown_value):
-            yield (text - knob.offset) / knob.scale
+        turned = (text - knob.offset) / knob.scale
+        if cost(text) < cost(shown_value) and can_hold(source, turned):
+            yield turned
 
 
 def cost(number: float) -> tuple[int, float]:

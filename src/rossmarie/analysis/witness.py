@@ -77,10 +77,7 @@ def views(machine: Machine, witness: Witness, asked: Sequence[int] = ()) -> Iter
 
 
 def as_csv(machine: Machine, witness: Witness) -> str:
-    """The witness as a recording that `rossmarie replay` reads; numbers without loss.
-
-    A message of which the rules read nothing but its age has no column, and is left out.
-    """
+    """The witness as a recording that `rossmarie replay` reads; numbers without loss."""
     channels = sorted({channel for event in witness.events for channel in event.messages})
     if not channels:  # a recording has to know what it is silent about
         channels = list(range(len(machine.channels)))
@@ -97,11 +94,13 @@ def as_csv(machine: Machine, witness: Witness) -> str:
 
 @dataclass(frozen=True)
 class _Column:
-    """A column of a recording: a slot, or with `element` one of an array."""
+    """A column of a recording: a slot, or with `element` one of an array; without an `index`, that
+    there is a message.
+    """
 
     name: str
     channel: int
-    index: int
+    index: int | None
     element: int | None = None
 
     def cell(self, machine: Machine, event: Sending) -> str:
@@ -109,6 +108,8 @@ class _Column:
         values = event.messages.get(self.channel)
         if values is None:
             return ""
+        if self.index is None:
+            return "1"
         if self.element is not None:
             elements = values.arrays.get(self.index, ())
             return repr(elements[self.element]) if self.element < len(elements) else ""
@@ -132,6 +133,14 @@ def other_text(machine: Machine) -> str:
 
 
 def _columns(machine: Machine, channel: int, witness: Witness) -> Iterator[_Column]:
+    fields = list(_fields(machine, channel, witness))
+    sent = [event for event in witness.events if channel in event.messages]
+    if not fields or not all(any(column.cell(machine, each) for column in fields) for each in sent):
+        yield _Column(machine.channels[channel].topic, channel, None)
+    yield from fields
+
+
+def _fields(machine: Machine, channel: int, witness: Witness) -> Iterator[_Column]:
     topic = machine.channels[channel].topic
     for index, slot in enumerate(machine.slots):
         if machine.inputs[slot.input].channel == channel:
@@ -145,7 +154,7 @@ def _columns(machine: Machine, channel: int, witness: Witness) -> Iterator[_Colu
 
 def _longest(witness: Witness, channel: int, array: int) -> int:
     found = (event.messages.get(channel) for event in witness.events)
-    return max((len(values.arrays.get(array, ())) for values in found if values), default=0)
+    return max((len(values.arrays.get(array, ())) for values in found if values), default=1) or 1
 
 
 def _name(topic: str, path: Sequence[str | int]) -> str:

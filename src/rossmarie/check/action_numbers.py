@@ -13,7 +13,7 @@ from rossmarie.check.paths import Field, describe_field
 from rossmarie.check.trees import literal_of, stripped
 from rossmarie.check.units import ANGLE
 from rossmarie.syntax import ast
-from rossmarie.types import Quantity, Unknown
+from rossmarie.types import Quantity, Type, Unknown
 from rossmarie.units import DIMENSIONLESS, parse_unit
 
 _HERTZ = parse_unit("Hz")
@@ -74,16 +74,7 @@ def is_positive(node: ast.Expression, what: str, context: Context) -> bool:
 def period_ns(rate: ast.Expression, context: Context) -> int | None:
     """The time between two messages; None, after reporting, if `rate` is no possible frequency."""
     type_ = infer(rate, context)
-    if isinstance(type_, Unknown):
-        return None
-    if not isinstance(type_, Quantity) or (type_.unit or DIMENSIONLESS).dimension != (
-        _HERTZ.dimension
-    ):
-        fix = _with_unit(rate, "Hz", context) if _is_plain_number(type_) else None
-        finding = NotAFrequency(found=describe(type_))
-        context.collector.add(finding.at(rate.span, fix=fix))
-        return None
-    if not require_constant(rate, "a rate", context) or not is_positive(rate, "a rate", context):
+    if not is_frequency(rate, type_, type_, context):
         return None
     hertz = context.values[id(rate)].numbers[0]
     if hertz > _FASTEST_HZ or round(1e9 / hertz) > 10**18:
@@ -94,6 +85,22 @@ def period_ns(rate: ast.Expression, context: Context) -> int | None:
         context.collector.add(too_fast.at(rate.span))
         return None
     return round(1e9 / hertz)
+
+
+def is_frequency(rate: ast.Expression, type_: Type, number: Type, context: Context) -> bool:
+    """Whether a rate of this type is a constant frequency above zero; reports it if not. `number`
+    is the type itself, or that of its elements.
+    """
+    if isinstance(type_, Unknown):
+        return False
+    if not isinstance(number, Quantity) or (number.unit or DIMENSIONLESS).dimension != (
+        _HERTZ.dimension
+    ):
+        fix = _with_unit(rate, "Hz", context) if _is_plain_number(type_) else None
+        finding = NotAFrequency(found=describe(type_))
+        context.collector.add(finding.at(rate.span, fix=fix))
+        return False
+    return require_constant(rate, "a rate", context) and is_positive(rate, "a rate", context)
 
 
 def _is_plain_number(type_: object) -> bool:

@@ -20,7 +20,15 @@ from rossmarie.check.expressions import infer
 from rossmarie.check.field_units import check_read_units
 from rossmarie.check.hazards import declared_hazards
 from rossmarie.check.inputs import resolve_inputs, resolve_timeouts
-from rossmarie.check.model import CheckedEffect, CheckedProgram, ConditionKey, Symbols, Value
+from rossmarie.check.message_rates import message_gaps
+from rossmarie.check.model import (
+    CheckedEffect,
+    CheckedProgram,
+    ConditionKey,
+    Gaps,
+    Symbols,
+    Value,
+)
 from rossmarie.check.name_errors import CircularCondition, CircularConstant
 from rossmarie.check.names import use_actions
 from rossmarie.check.operands import duration_ns, require_condition, require_constant
@@ -81,6 +89,7 @@ def check(
     stated_units = resolve_inputs(model, context)
     _check_constants(context)
     resolve_timeouts(context)
+    gaps = message_gaps(context)
     conditions = _check_conditions(context)
     resting = [_check_rule(rule, context) for rule in declarations.rules]
     targets = Targets(model, context, was_parsed)
@@ -97,7 +106,7 @@ def check(
     if collector.has_errors:
         return None
     return replace(
-        _program(actions, hazards, tests, context), message_files=model.messages.read_files
+        _program(actions, hazards, gaps, tests, context), message_files=model.messages.read_files
     )
 
 
@@ -213,6 +222,7 @@ def _check_circles(conditions: dict[ConditionKey, Uses], context: Context) -> No
 def _program(
     found: _Actions,
     hazards: Mapping[str, ast.Hazard],
+    gaps: Mapping[str, Gaps],
     tests: tuple[Script, ...],
     context: Context,
 ) -> CheckedProgram:
@@ -240,6 +250,7 @@ def _program(
         order=found.order,
         unless=found.unless,
         hazards=hazards,
+        gaps=gaps,
         tests=tests,
         priorities=found.priorities,
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from dslkit.diagnostics import Collector, Edit, Fix, listed
 from dslkit.source import Span
 from rossmarie.check.gaps import without
@@ -58,11 +60,11 @@ def select(
 def with_unit(type_: Type, unit: Unit) -> Type | None:
     """The same numbers in another unit; None if there are no numbers that could have one."""
     if isinstance(type_, Quantity):
-        return Quantity(unit)
+        return replace(type_, unit=unit)
     if isinstance(type_, Vector):
         return Vector(Quantity(unit))
     if isinstance(type_, Array) and isinstance(type_.element, Quantity):
-        return Array(Quantity(unit))
+        return Array(replace(type_.element, unit=unit))
     return None
 
 

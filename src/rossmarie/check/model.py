@@ -19,6 +19,10 @@ ConditionKey = tuple[str, str]
 """The names of an entity and of a condition in it."""
 
 
+Gaps = tuple[int, int]
+"""The least and the greatest time between two messages of a topic, in nanoseconds."""
+
+
 @dataclass(frozen=True)
 class Value:
     """What a constant expression is worth: numbers in SI (one, or 2 for an interval, 6 for a box),
@@ -85,8 +89,8 @@ class CheckedProgram:
     literals). `rules` are in file order, imported files first; `order` are their numbers, the most
     important first, `priorities` the pairs that were put in an order, `unless` of each rule those
     that it gives way to. `effects` are those of each action, `commands` the topics that may pass
-    through the safety filter. `message_files` are the definitions of messages that were read, those
-    that come with this program left out.
+    through the safety filter; `gaps` are those of topics whose rate is declared. `message_files`
+    are the definitions of messages that were read, those that come with this program left out.
     """
 
     name: str
@@ -100,5 +104,6 @@ class CheckedProgram:
     priorities: tuple[tuple[int, int], ...]
     unless: tuple[tuple[int, ...], ...]
     hazards: Mapping[str, ast.Hazard]
+    gaps: Mapping[str, Gaps]
     message_files: tuple[SourceFile, ...] = ()
     tests: tuple[Script, ...] = ()

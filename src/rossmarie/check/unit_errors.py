@@ -188,6 +188,18 @@ class RatioOutOfRange(Error, code="ROSS314", name="ratio-out-of-range"):
     text: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class RateConflict(Error, code="ROSS328", name="rate-conflict"):
+    """One topic, said to carry messages at two rates."""
+
+    title = "messages on `{topic}` cannot come both at {found} and at {expected}"
+    label = "another rate here"
+    help = "declare one rate, or a range that holds both: `at [8, 12] Hz`"
+    topic: str
+    found: str
+    expected: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnitMismatch,
     RateAgainstQuantity,
@@ -203,4 +215,5 @@ ALL: tuple[type[Template], ...] = (
     SpacedUnit,
     UnitDeclarationConflict,
     RatioOutOfRange,
+    RateConflict,
 )

@@ -69,6 +69,8 @@ def analyzed(
     witnesses: dict[str, str] = {}
     shown: dict[int, Witness] = {}
     for finding in ask_all(machine, thorough=thorough, within_ns=toggle_ns):
+        if _is_told(machine, finding.diagnostic, checked):
+            continue
         collector.add(finding.diagnostic)
         if finding.witness is not None:
             shown[id(finding.diagnostic)] = finding.witness
@@ -78,6 +80,14 @@ def analyzed(
             witnesses[name] = as_csv(machine, finding.witness)
     findings = tuple(Finding(each, shown.get(id(each))) for each in collector.sorted())
     return Analysis(findings, witnesses)
+
+
+def _is_told(machine: Machine, found: Diagnostic, checked: Sequence[Diagnostic]) -> bool:
+    """Whether the check has said of a rule by its text that nothing clears it (ROSS408)."""
+    if found.code != "ROSS707":
+        return False
+    rule = next(rule for rule in machine.rules if rule.head == found.primary.span)
+    return any(each.code == "ROSS408" and rule.span.contains(each.primary.span) for each in checked)
 
 
 def write_witnesses(analysis: Analysis, folder: Path) -> list[Path]:

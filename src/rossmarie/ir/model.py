@@ -41,7 +41,8 @@ class Input:
 class Slot:
     """A scalar that a message carries: `value = raw * scale + offset` is in SI.
 
-    `path` leads from the message to the field, `unit` is the unit that users see.
+    `path` leads from the message to the field, `unit` is the unit that users see. `limits` are the
+    least and the greatest raw number of a field that holds whole numbers; no monitor relies on it.
     """
 
     input: int
@@ -50,25 +51,34 @@ class Slot:
     scale: float
     offset: float
     unit: str
+    limits: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
 class Array:
-    """A numeric array of any length that a message carries; it exists only while it arrives."""
+    """A numeric array of any length that a message carries; it exists only while it arrives.
+    `limits` are those of a slot.
+    """
 
     input: int
     path: tuple[str | int, ...]
     scale: float
     offset: float
     unit: str
+    limits: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True)
 class Channel:
-    """A topic: one message on it is one update of all its inputs."""
+    """A topic: one message on it is one update of all its inputs.
+
+    `gaps_ns` are the least and the greatest time between two messages, None if nothing is said of
+    them; that is what a system model promises, and no monitor relies on it.
+    """
 
     topic: str
     message_type: str
+    gaps_ns: tuple[int, int] | None = None
 
 
 # --- signals: numbers ------------------------------------------------------------------------
@@ -315,9 +325,9 @@ class Rule:
     `condition` is false and `release` is true. A latched rule (`release` is None) waits for a
     reset while `condition` is false.
 
-    `contract` says in words what clears it. `terms` are the truths, and `signals` the signals that
-    are not constant, whose state a verdict carries; `inputs` are the inputs it rests on, `hazards`
-    those it mitigates.
+    `head` is where it is pointed at, its name or else its condition. `contract` says in words what
+    clears it. `terms` are the truths, and `signals` the signals that are not constant, whose state
+    a verdict carries; `inputs` are the inputs it rests on, `hazards` those it mitigates.
     """
 
     name: str
@@ -330,6 +340,7 @@ class Rule:
     signals: tuple[int, ...]
     inputs: tuple[int, ...]
     span: Span
+    head: Span
     hazards: tuple[int, ...] = ()
 
 

@@ -18,7 +18,7 @@ from rossmarie.ir import model as ir
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 3
+VERSION = 4
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 

@@ -34,7 +34,8 @@ def dump_text(machine: ir.Machine) -> str:
 
 def _channels(machine: ir.Machine) -> Iterator[str]:
     for index, channel in enumerate(machine.channels):
-        yield f"channel {index} = {channel.topic} : {channel.message_type}"
+        gaps = "" if channel.gaps_ns is None else ", gaps {} to {} ns".format(*channel.gaps_ns)
+        yield f"channel {index} = {channel.topic} : {channel.message_type}{gaps}"
 
 
 def _inputs(machine: ir.Machine) -> Iterator[str]:
@@ -49,11 +50,11 @@ def _sources(machine: ir.Machine) -> Iterator[str]:
     for index, slot in enumerate(machine.slots):
         conversion = _conversion(slot.scale, slot.offset)
         line = f"slot {index} = {slot.kind.value} of input {slot.input}{_path(slot.path)}"
-        yield f"{line}{_in_unit(slot.unit)}{conversion}"
+        yield f"{line}{_in_unit(slot.unit)}{conversion}{_within(slot.limits)}"
     for index, array in enumerate(machine.arrays):
         conversion = _conversion(array.scale, array.offset)
         line = f"array {index} = of input {array.input}{_path(array.path)}"
-        yield f"{line}{_in_unit(array.unit)}{conversion}"
+        yield f"{line}{_in_unit(array.unit)}{conversion}{_within(array.limits)}"
 
 
 def _path(path: tuple[str | int, ...]) -> str:
@@ -67,6 +68,10 @@ def _in_unit(unit: str) -> str:
 
 def _conversion(scale: float, offset: float) -> str:
     return "" if (scale, offset) == (1.0, 0.0) else f", times {scale!r} plus {offset!r}"
+
+
+def _within(limits: tuple[float, float] | None) -> str:
+    return "" if limits is None else ", whole from {:.20g} to {:.20g}".format(*limits)
 
 
 def _signals(machine: ir.Machine) -> Iterator[str]:

@@ -55,6 +55,11 @@ def _require_before(operands: Iterable[int], user: int, where: str) -> None:
 
 
 def _verify_inputs(machine: ir.Machine) -> None:
+    for index, channel in enumerate(machine.channels):
+        if channel.gaps_ns is not None:
+            least, greatest = channel.gaps_ns
+            is_order = 0 < least <= greatest
+            require(is_order, f"channel {index}", f"gaps from {least} to {greatest} ns")
     for index, declared in enumerate(machine.inputs):
         where = f"input {index}"
         require_index(declared.channel, len(machine.channels), where, "channel")
@@ -66,10 +71,21 @@ def _verify_inputs(machine: ir.Machine) -> None:
         require_finite((slot.scale, slot.offset), where)
         is_plain = (slot.scale, slot.offset) == (1.0, 0.0)
         require(is_plain or slot.kind is ir.Kind.REAL, where, f"a scaled {slot.kind.value}")
+        is_number = slot.limits is None or slot.kind is ir.Kind.REAL
+        require(is_number, where, f"limits of a {slot.kind.value}")
+        _require_limits(slot.limits, where)
     for index, array in enumerate(machine.arrays):
         where = f"array {index}"
         require_index(array.input, len(machine.inputs), where, "input")
         require_finite((array.scale, array.offset), where)
+        _require_limits(array.limits, where)
+
+
+def _require_limits(limits: tuple[float, float] | None, where: str) -> None:
+    if limits is not None:
+        require_finite(limits, where)
+        require(limits[0] <= limits[1], where, f"limits from {limits[0]} to {limits[1]}")
+        require(all(end.is_integer() for end in limits), where, "limits that are not whole")
 
 
 # --- nodes -----------------------------------------------------------------------------------

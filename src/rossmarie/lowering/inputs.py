@@ -5,10 +5,11 @@ Each is made when first asked for, so that what no rule needs does not exist.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from rossmarie import ir
-from rossmarie.check.model import CheckedInput
+from rossmarie.check.model import CheckedInput, Gaps
 from rossmarie.types import Array, Boolean, Quantity, Text, Type
 from rossmarie.units import DIMENSIONLESS, Unit
 
@@ -29,8 +30,11 @@ class Place:
 
 @dataclass
 class Inputs:
-    """Grows entry by entry; every method returns the index of the entry asked for."""
+    """Grows entry by entry; every method returns the index of the entry asked for. `gaps` are the
+    times between messages, by topic.
+    """
 
+    gaps: Mapping[str, Gaps]
     channels: list[ir.Channel] = field(default_factory=list)
     inputs: list[ir.Input] = field(default_factory=list)
     slots: list[ir.Slot] = field(default_factory=list)
@@ -45,7 +49,8 @@ class Inputs:
         """The topic that an input comes from."""
         index = self._by_topic.setdefault(used.topic, len(self.channels))
         if index == len(self.channels):
-            self.channels.append(ir.Channel(used.topic, used.message_type))
+            gaps = self.gaps.get(used.topic)
+            self.channels.append(ir.Channel(used.topic, used.message_type, gaps))
         return index
 
     def input(self, used: CheckedInput) -> int:
@@ -63,7 +68,8 @@ class Inputs:
         index = self._slots_by_place.setdefault((used, place.path), len(self.slots))
         if index == len(self.slots):
             unit = _unit(type_)
-            slot = ir.Slot(used, place.path, _kind(type_), unit.scale, unit.offset, _symbol(unit))
+            kind, shown, limits = _kind(type_), _symbol(unit), _limits(type_)
+            slot = ir.Slot(used, place.path, kind, unit.scale, unit.offset, shown, limits)
             self.slots.append(slot)
         return index
 
@@ -73,7 +79,8 @@ class Inputs:
         index = self._arrays_by_place.setdefault((used, place.path), len(self.arrays))
         if index == len(self.arrays):
             unit = _unit(type_.element)
-            array = ir.Array(used, place.path, unit.scale, unit.offset, _symbol(unit))
+            shown, limits = _symbol(unit), _limits(type_.element)
+            array = ir.Array(used, place.path, unit.scale, unit.offset, shown, limits)
             self.arrays.append(array)
         return index
 
@@ -94,6 +101,10 @@ def _unit(type_: Type) -> Unit:
     """The unit in which a field arrives; a plain number where none is known."""
     unit = type_.unit if isinstance(type_, Quantity) else None
     return DIMENSIONLESS if unit is None else unit
+
+
+def _limits(type_: Type) -> tuple[float, float] | None:
+    return type_.limits if isinstance(type_, Quantity) else None
 
 
 def _symbol(unit: Unit) -> str:

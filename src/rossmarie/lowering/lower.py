@@ -23,7 +23,7 @@ from rossmarie.syntax import ast
 
 def lower(program: CheckedProgram) -> ir.Machine:
     """The machine of a checked program."""
-    inputs, nodes = Inputs(), Nodes()
+    inputs, nodes = Inputs(program.gaps), Nodes()
     truths = Truths(program, inputs, nodes)
     contracts = [_contract(rule, truths, nodes, program) for rule in program.rules]
     plans = Plans(program, truths)
@@ -107,6 +107,7 @@ def _with_rules(
             signals=ir.rule_signals(machine, contract.condition),
             inputs=tuple(sorted(rests_on[contract.condition].inputs)),
             span=rule.span,
+            head=rule.condition.span if rule.name is None else rule.name.span,
             hazards=tuple(dict.fromkeys(hazards[hazard.text] for hazard in rule.mitigates)),
         )
         for name, rule, contract in zip(names, program.rules, contracts, strict=True)

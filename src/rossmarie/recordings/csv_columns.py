@@ -19,17 +19,20 @@ _ALIKE = 0.7
 class Columns:
     """The column of each slot, and the columns of the elements of each array, by index.
 
-    `missing` are the fields without a column.
+    `missing` are the fields without a column. Where `arrival` is filled, a message came, whatever
+    else is known of it.
     """
 
     slots: Mapping[int, int]
     arrays: Mapping[int, tuple[int, ...]]
     missing: tuple[Slot | Array, ...]
+    arrival: int | None
 
     def used(self) -> tuple[int, ...]:
         """All columns that are read, each once."""
         elements = (column for columns in self.arrays.values() for column in columns)
-        return tuple(dict.fromkeys((*self.slots.values(), *elements)))
+        arrival = () if self.arrival is None else (self.arrival,)
+        return tuple(dict.fromkeys((*self.slots.values(), *elements, *arrival)))
 
 
 def column_keys(names: Sequence[str]) -> Mapping[str, int]:
@@ -91,7 +94,23 @@ def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Co
         arrays[index] = next((columns for columns in elements if columns), ())
         if not arrays[index]:
             missing.append(array)
-    return Columns(slots, arrays, tuple(missing))
+    taken = {*slots.values(), *(column for columns in arrays.values() for column in columns)}
+    arrival = next(
+        (keys[name] for name in _arrivals(match, machine, bool(taken)) if name in keys), None
+    )
+    is_free = arrival not in taken
+    return Columns(slots, arrays, tuple(missing), arrival if is_free else None)
+
+
+def _arrivals(match: Match, machine: Machine, has_fields: bool) -> Iterator[str]:
+    """What the column may be called that says that a message came. One that is called like an input
+    is meant for what that reads, if it reads anything.
+    """
+    reads_nothing = not match.slots and not match.arrays
+    if has_fields or reads_nothing:
+        yield match.topic
+    if reads_nothing:
+        yield from (machine.inputs[reader].name for reader in match.inputs)
 
 
 def _elements(name: str, keys: Mapping[str, int]) -> tuple[int, ...]:

@@ -5,7 +5,9 @@ of the rules (`speed`; `orientation.x` for the field `x` of the input `orientati
 no rule reads are passed over.
 
 A row updates each topic of which at least one cell is filled, all at the instant of the row; other
-cells of such a topic are NaN, which is unknown. Rows are taken in the order of the file.
+cells of such a topic are NaN, which is unknown. A column that is named after a topic, or after an
+input of which only the age is read, may hold anything: where it is filled, a message came. Rows are
+taken in the order of the file.
 
 The time is in seconds, or in nanoseconds if the column is called `time_ns` or its first value is an
 integer of 15 digits or more: as seconds that would be in the far future, as nanoseconds it is a
@@ -129,7 +131,9 @@ class CsvRecording:
             read = match.fields_of(reader)
             missing = [field for field in columns.missing if field.input == reader]
             wanted = [expected_column(match, field, machine) for field in missing]
-            if read and len(missing) == len(read):
+            if not match.slots and not match.arrays and columns.arrival is None:
+                wanted = [machine.inputs[reader].name]
+            if wanted and len(missing) == len(read):
                 near = similar_column(match, missing, machine, unread)
                 advice = near and "did you mean `{}`? then name this column `{}`".format(*near)
                 finding = ColumnMissing(

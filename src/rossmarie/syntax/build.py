@@ -160,13 +160,14 @@ class Builder(TestBuilder):
         return ast.System(self.name(parts[1]), members, documentation, self._span(parts))
 
     def topic_declaration(self, parts: list[Any]) -> ast.TopicDeclaration:
-        """`topic ALIAS = TOPIC : TYPE in UNIT`."""
+        """`topic ALIAS = TOPIC : TYPE in UNIT at RATE`."""
         has_alias = _is(parts, 2, "=")
         alias = self.name(parts[1]) if has_alias else None
         rest = parts[3 if has_alias else 1 :]
         unit = self._unit(rest[4]) if _is(rest, 3, "in") else None
+        rate = rest[-1] if _is(rest, -2, "at") else None
         topic, message_type = self.name(rest[0]), self._type(rest[2])
-        return ast.TopicDeclaration(alias, topic, message_type, unit, self._span(parts))
+        return ast.TopicDeclaration(alias, topic, message_type, unit, rate, self._span(parts))
 
     def service_declaration(self, parts: list[Any]) -> ast.ServiceDeclaration:
         """`service SERVICE : TYPE`."""

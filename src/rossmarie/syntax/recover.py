@@ -198,4 +198,4 @@ def _broken_topic(part: PartParser, member: Member) -> ast.TopicDeclaration | No
     name = part.source.span(tokens[member.first + 1], tokens[max(end - 1, member.first + 1)])
     topic = ast.Name(name.text, name)
     span = part.source.span(tokens[member.first], tokens[member.last - 1])
-    return ast.TopicDeclaration(None, topic, ast.Name("", name), None, span)
+    return ast.TopicDeclaration(None, topic, ast.Name("", name), None, None, span)

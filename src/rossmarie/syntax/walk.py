@@ -72,6 +72,9 @@ def expressions(
                 yield from _of_contract(contract)
         case ast.Action(effects=effects):
             yield from chain.from_iterable(map(_of_effect, effects))
+        case ast.System(members=members):
+            declared = (each for each in members if isinstance(each, ast.TopicDeclaration))
+            yield from (each.rate for each in declared if each.rate is not None)
         case ast.Test(statements=statements):
             yield from chain.from_iterable(map(_of_statement, statements))
         case ast.Arrival() | ast.OperatorReset() | ast.Expectation() | ast.CommandExpectation():

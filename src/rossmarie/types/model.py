@@ -7,7 +7,7 @@ operation on it is reported again.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from rossmarie.units import Unit
 
@@ -26,10 +26,11 @@ class Text:
 class Quantity:
     """A number. `unit` is the unit in which it is written or arrives; two quantities may be
     compared if their units have the same dimension. None: a message field of which no unit is
-    known.
+    known. `limits` are the least and the greatest number that a field of whole numbers can hold.
     """
 
     unit: Unit | None
+    limits: tuple[float, float] | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True)

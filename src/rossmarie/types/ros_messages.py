@@ -36,6 +36,15 @@ QUATERNION = "geometry_msgs/Quaternion"
 INSTANTS = frozenset(("builtin_interfaces/Time", "builtin_interfaces/Duration"))
 _MOST_FIELDS = 20_000
 _MOST_LEVELS = 32
+_LIMITS = {
+    **{f"uint{bits}": (0.0, 2.0**bits - 1.0) for bits in (8, 16, 32, 64)},
+    **{f"int{bits}": (-(2.0 ** (bits - 1)), 2.0 ** (bits - 1) - 1.0) for bits in (8, 16, 32, 64)},
+    # The generations of ROS disagree on the sign of these.
+    **dict.fromkeys(("byte", "char", "octet"), (-128.0, 255.0)),
+}
+"""Of fields of whole numbers, as doubles: the greatest of 64 bits is rounded upwards, as it is when
+it arrives.
+"""
 _TEXTS = frozenset(("string", "wstring"))
 
 
@@ -181,7 +190,7 @@ class MessageCatalog:
         if base in VECTORS:
             return Vector(Quantity(self._unit((*levels, (base, ())))))
         if "/" not in base:
-            return Quantity(self._unit(levels))
+            return Quantity(self._unit(levels), _LIMITS.get(base))
         return self._nested(base, levels)
 
     def _array(self, base: str, levels: tuple[Level, ...]) -> Type:
@@ -190,7 +199,7 @@ class MessageCatalog:
         if "/" in base or base in _TEXTS:
             kind = "strings" if base in _TEXTS else f"{base} messages"
             return Unsupported(f"an array of {kind}; rules can use arrays of numbers and booleans")
-        return Array(Quantity(self._unit(levels)))
+        return Array(Quantity(self._unit(levels), _LIMITS.get(base)))
 
     def _nested(self, base: str, levels: tuple[Level, ...]) -> Type:
         if any(name == base for name, _ in levels):

@@ -11,10 +11,11 @@ import pytest
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.questions import ask_all
 from rossmarie.analysis.shrink import cost
-from rossmarie.analysis.witness import as_csv, views
+from rossmarie.analysis.witness import Sending, Witness, as_csv, views
 from rossmarie.driver import compile_file
 from rossmarie.driver.replay import replay_file
-from rossmarie.ir import Change, Machine, Verdict
+from rossmarie.ir import Change, ChannelValues, InputState, Machine, Verdict
+from support.drafts import SECOND
 
 INPUTS = """
 system base {
@@ -98,9 +99,60 @@ def test_a_conflict_is_shown_by_a_replay_with_all_sensors_at_work(
         note = next(text for text in conflict.diagnostic.notes if text.startswith("shown by this"))
         last = note.removesuffix(".").rpartition("; until")[0] or note
         assert "unknown" not in last.rpartition("; at")[2]
-        assert {"one", "two"} <= active_at_the_end(asked, conflict, tmp_path)
+    assert {"one", "two"} <= active_at_the_end(asked, conflict, tmp_path)
     last_view = list(views(asked.machine, conflict.witness))[-1]
     assert last_view.active == (True, True)
+
+
+def test_messages_of_which_nothing_is_known_are_replayed_as_well(tmp_path: Path) -> None:
+    rules = """
+    input beat = topic /beat : std_msgs/Empty
+    rule one: if age(beat) > 1 sec then { low; };
+    rule two: if age(beat) > 2 sec then { lower; };
+    """
+    asked = ask(tmp_path, rules)
+    (conflict,) = asked.shown("ROSS700")
+    assert conflict.witness is not None
+    assert as_csv(asked.machine, conflict.witness).startswith("time_ns,/beat\n0,1\n")
+    assert active_at_the_end(asked, conflict, tmp_path) == {"one", "two"}
+
+
+def test_a_message_with_an_empty_array_has_a_column(tmp_path: Path) -> None:
+    rules = "rule one: if min(ranges) < 1 m then { low; };"
+    asked = ask(tmp_path, rules)
+    sent = {0: ChannelValues({}, {0: []})}
+    text = as_csv(asked.machine, Witness((Sending(0, sent),), SECOND, is_calm=False))
+    assert text == f"time_ns,/scan,/scan.ranges[0]\n0,1,\n{SECOND},,\n"
+    recording = tmp_path / "witness.csv"
+    recording.write_text(text, encoding="utf-8")
+    replay, _ = replay_file(asked.rules, recording, topic_map={})
+    (lost,) = (event for event in replay.events if isinstance(event, Verdict))
+    assert lost.inputs == (InputState.FRESH,)
+
+
+RATES = """
+system rates { topic /battery : std_msgs/Float32 in V at 1 Hz; }
+input volts = topic /battery timeout 0.5 sec
+"""
+
+
+def test_an_input_that_is_lost_between_messages_is_shown_by_a_replay(tmp_path: Path) -> None:
+    asked = ask(tmp_path, RATES + "rule one: if volts < 11 V then { low; };")
+    (lost,) = asked.shown("ROSS714")
+    recording = tmp_path / "witness.csv"
+    assert lost.witness is not None
+    recording.write_text(as_csv(asked.machine, lost.witness), encoding="utf-8")
+    replay, _ = replay_file(asked.rules, recording, topic_map={})
+    seen = [(event.at_ns, event.change) for event in replay.events if isinstance(event, Verdict)]
+    assert seen == [(5 * 10**8, Change.ACTIVATED_LOST), (10**9, Change.CLEARED)]
+
+
+def test_one_message_fulfils_a_for_that_is_over_before_the_next(tmp_path: Path) -> None:
+    asked = ask(tmp_path, RATES + "rule one: if volts < 11 V for 0.4 sec then { low; };")
+    (enough,) = asked.shown("ROSS715")
+    assert enough.witness is not None
+    assert [event.at_ns for event in enough.witness.events] == [0]
+    assert active_at_the_end(asked, enough, tmp_path) == {"one"}
 
 
 def test_the_numbers_of_a_witness_are_round(tmp_path: Path) -> None:

@@ -49,6 +49,26 @@ def test_inputs_on_one_topic_share_its_channel() -> None:
     assert [slot.input for slot in machine.slots] == [0, 1]
 
 
+@pytest.mark.parametrize(
+    ("rate", "gaps_ns"),
+    [
+        ("10 Hz", (SECOND // 10, SECOND // 10)),
+        ("[8, 12] Hz", (83_333_333, SECOND // 8)),
+        ("0.02 kHz", (SECOND // 20, SECOND // 20)),
+    ],
+)
+def test_a_channel_knows_how_far_apart_its_messages_are(
+    rate: str, gaps_ns: tuple[int, int]
+) -> None:
+    machine = machine_of(f"""
+        system base {{ topic odom = /odom : nav_msgs/Odometry at {rate}; }}
+        input speed = topic odom.twist.twist.linear.x timeout 2 sec;
+        action stop;
+        if speed > 1 m/s then {{ stop; }};
+    """)
+    assert [channel.gaps_ns for channel in machine.channels] == [gaps_ns]
+
+
 def test_units_of_inputs_are_converted_on_arrival() -> None:
     machine = machine_of("""
         input temperature = topic /t : std_msgs/Float64 in degC timeout 1 sec;

@@ -177,6 +177,37 @@ def test_column_that_is_never_filled(tmp_path: Path) -> None:
     assert codes(found) == ["ROSS603"]
 
 
+BEAT = machine(
+    [("/beat", "std_msgs/Empty"), ("/battery", "std_msgs/Float32")],
+    [("speed", 0), ("battery", 1)],
+    [slot(1, "data")],
+)
+
+
+@pytest.mark.parametrize("column", ["/beat", "speed"])
+def test_a_column_says_that_a_message_of_which_only_the_age_is_read_came(
+    tmp_path: Path, column: str
+) -> None:
+    updates, found = replay(write(tmp_path, f"time,{column},battery\n0,1,\n1,,2\n2,x,3\n"), BEAT)
+    assert found == ()
+    assert [set(update.channels) for update in updates] == [{0}, {1}, {0, 1}]
+
+
+def test_a_message_of_which_only_the_age_is_read_needs_a_column(tmp_path: Path) -> None:
+    updates, found = replay(write(tmp_path, "time,battery\n0,1\n"), BEAT)
+    assert codes(found) == ["ROSS623"]
+    assert "speed" in found[0].title
+    assert [set(update.channels) for update in updates] == [{1}]
+
+
+def test_a_column_says_that_a_message_came_of_which_no_field_is_known(tmp_path: Path) -> None:
+    text = "time,/imu,speed.x,speed.y,battery\n0,1,,,2\n1,,,,2\n"
+    updates, found = replay(write(tmp_path, text), POSE)
+    assert codes(found) == []
+    assert [set(update.channels) for update in updates] == [{0, 1}, {1}]
+    assert all(math.isnan(number) for number in updates[0].channels[0].slots.values())
+
+
 def test_nothing_that_the_rules_read(tmp_path: Path) -> None:
     with pytest.raises(RecordingError) as caught:
         replay(write(tmp_path, "time,/other.x\n0,1\n"))

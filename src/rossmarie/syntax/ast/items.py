@@ -20,12 +20,15 @@ class Import:
 
 @dataclass(frozen=True)
 class TopicDeclaration:
-    """`topic Wrench = /ft/wrench : geometry_msgs/Wrench;` -- alias and unit are optional."""
+    """`topic Wrench = /ft/wrench : geometry_msgs/Wrench at 100 Hz;` -- alias, unit and rate are
+    optional.
+    """
 
     alias: Name | None
     topic: Name
     message_type: Name
     unit: Unit | None
+    rate: Expression | None
     span: Span
 
 

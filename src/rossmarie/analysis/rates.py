@@ -1,0 +1,268 @@
+"""Durations that do not fit the rates at which a system model says that messages come.
+
+No other question relies on these rates: a monitor is there for when they are not kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import partial
+
+import z3
+
+from rossmarie.analysis.activity import truths_of
+from rossmarie.analysis.course import Course
+from rossmarie.analysis.errors import LostBetweenMessages, NeverAtRate, OneMessageEnough
+from rossmarie.analysis.finding import Finding, witness_note
+from rossmarie.analysis.inquiry import Asked, Inquiry
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.witness import Sending, View, Witness, views
+from rossmarie.ir import (
+    AgeReaches,
+    Held,
+    Input,
+    Machine,
+    Oscillates,
+    Previous,
+    Rate,
+    TruthValue,
+    compared_signals,
+    reachable_truths,
+    signal_operands,
+)
+from rossmarie.ir.duration_text import duration_text
+
+
+def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
+    """A warning of each input that is lost although its messages come as they should, of each part
+    of a condition that is never true then, and of each `for` that one message fulfils.
+    """
+    machine = inquiry.machine
+    if all(channel.gaps_ns is None for channel in machine.channels):
+        return
+    roots = {root for rule in range(len(machine.rules)) for root in truths_of(machine, (rule,))}
+    used = sorted({truth for root in roots for truth in reachable_truths(machine, root)})
+    rests_on = inquiry.asked.supports.truths
+    in_rules = {each for root in roots for each in rests_on[root].inputs}
+    for index in sorted(in_rules):
+        yield from _lost_between(inquiry, index)
+    for truth in used:
+        yield from never_at_rate(inquiry, truth) or _one_message(inquiry, truth)
+
+
+def _gaps(machine: Machine, channel: int) -> tuple[int, int]:
+    """The least and the greatest time between two messages; of one that nothing is said of, any."""
+    return machine.channels[channel].gaps_ns or (0, 0)
+
+
+def _apart(gaps: tuple[int, int]) -> str:
+    least, greatest = map(duration_text, gaps)
+    return f"{least} apart" if least == greatest else f"{least} to {greatest} apart"
+
+
+# --- inputs that are lost between two messages -----------------------------------------------
+
+
+def _lost_between(inquiry: Inquiry, index: int) -> Iterator[Finding]:
+    machine = inquiry.machine
+    declared = machine.inputs[index]
+    gaps = _gaps(machine, declared.channel)
+    if declared.timeout_ns is None or declared.timeout_ns >= gaps[1]:
+        return
+    finding = LostBetweenMessages(
+        input=declared.name,
+        topic=machine.channels[declared.channel].topic,
+        apart=_apart(gaps),
+        timeout=duration_text(declared.timeout_ns),
+        longest=duration_text(gaps[1]),
+    )
+    for rule, asked in enumerate(machine.rules):
+        if index not in asked.inputs:
+            continue
+        witness = _loss(inquiry, declared, rule, gaps[1])
+        if witness is not None:
+            note = witness_note(machine, witness, (asked.condition,))
+            active = f"rule `{asked.name}` becomes active then; {note}"
+            yield Finding(finding.at(declared.span, notes=(active,)), witness)
+            return
+    yield Finding(finding.at(declared.span))
+
+
+def _loss(inquiry: Inquiry, declared: Input, rule: int, gap_ns: int) -> Witness | None:
+    """A rule becomes active because an input is lost, and then its next message comes."""
+    condition = inquiry.machine.rules[rule].condition
+    witness = inquiry.witness(
+        Asked(
+            truths_of(inquiry.machine, (rule,)),
+            lambda state: state.truth(condition).lost,
+            partial(_comes_to_loss, declared=declared, rule=rule, gap_ns=gap_ns),
+            partial(_is_seen_lost, rule=rule),
+        )
+    )
+    if witness is None:
+        return None
+    sent = [event for event in witness.events if declared.channel in event.messages]
+    if not sent or witness.end_ns - sent[-1].at_ns != declared.timeout_ns:
+        return None
+    next_ns = sent[-1].at_ns + gap_ns
+    messages = {declared.channel: sent[-1].messages[declared.channel]}
+    return Witness((*witness.events, Sending(next_ns, messages)), next_ns, is_calm=True)
+
+
+def _comes_to_loss(course: Course, declared: Input, rule: int, gap_ns: int) -> z3.BoolRef:
+    found = []
+    for number, moment in enumerate(course.moments):
+        age = moment.age(declared.channel)
+        found.append(
+            z3.And(
+                course.is_active(rule, number),
+                z3.Not(course.is_active(rule, number - 1)),
+                moment.truth(course.asked.machine.rules[rule].condition).lost,
+                moment.has_arrived(declared.channel),
+                age >= (declared.timeout_ns or 0),
+                age < gap_ns,
+            )
+        )
+    return z3.Or(found)
+
+
+def _is_seen_lost(seen: Sequence[View], rule: int) -> bool:
+    was_active = len(seen) < 2 or seen[-2].active[rule]
+    condition = seen[-1].truths.values()
+    return seen[-1].active[rule] and not was_active and TruthValue.LOST in condition
+
+
+# --- parts that are never true ---------------------------------------------------------------
+
+
+def never_at_rate(inquiry: Inquiry, truth: int) -> list[Finding]:
+    """A finding if a part cannot be true while messages come as they should."""
+    machine = inquiry.machine
+    for channel in sorted(inquiry.asked.supports.truths[truth].channels):
+        gaps = _gaps(machine, channel)
+        reason = _reason(inquiry, truth, channel, gaps[0])
+        if reason:
+            part = machine.truths[truth]
+            topic = machine.channels[channel].topic
+            held = [rule.name for rule in machine.rules if rule.release == truth]
+            notes = (
+                f"messages on {topic} come {_apart(gaps)}; {reason}",
+                *(f"so rule `{rule}` is never cleared then" for rule in held),
+            )
+            finding = NeverAtRate(condition=part.text, topic=topic)
+            return [Finding(finding.at(part.span, notes=notes))]
+    return []
+
+
+def _reason(inquiry: Inquiry, truth: int, channel: int, gap_ns: int) -> str:
+    """Why a part is never true if messages on a channel are that far apart; empty if it may be."""
+    machine = inquiry.machine
+    match machine.truths[truth].node:
+        case Held(operand=operand, duration_ns=duration_ns):
+            over_ns = _over_after(inquiry, operand, channel, min(gap_ns, duration_ns + 1))
+            if over_ns is not None:
+                text, over = machine.truths[operand].text, duration_text(over_ns)
+                return f"{over} after each `{text}` can no longer be true, until the next"
+        case Oscillates(count=count, window_ns=window_ns) as node:
+            if inquiry.asked.supports.signals[node.signal].channels != {channel}:
+                return ""
+            if (count - 1) * gap_ns >= window_ns:
+                return f"{count} turning points take {duration_text((count - 1) * gap_ns)}"
+            return _forgotten(inquiry, node.signal, channel, gap_ns)
+        case node:
+            for signal in _remembering(machine, compared_signals(node)):
+                reason = _forgotten(inquiry, signal, channel, gap_ns)
+                if reason:
+                    return reason
+    return ""
+
+
+def _over_after(inquiry: Inquiry, operand: int, channel: int, below_ns: int) -> int | None:
+    """An age of the last message, below some time, at which a condition is proved not to be true;
+    None if there is none. Only timeouts and ages in the rules can make it so.
+    """
+    machine = inquiry.machine
+    support = inquiry.asked.supports.truths[operand]
+    inputs = {used for used in support.inputs if machine.inputs[used].channel == channel}
+    ages = {machine.inputs[used].timeout_ns for used in inputs} - {None}
+    for below in reachable_truths(machine, operand):
+        node = machine.truths[below].node
+        if isinstance(node, AgeReaches) and node.input in inputs:
+            ages.add(node.age_ns)
+    for age_ns in sorted(age for age in ages if age is not None):
+        if age_ns < below_ns and inquiry.is_impossible(
+            partial(_is_true_at_age, truth=operand, channel=channel, age_ns=age_ns)
+        ):
+            return age_ns
+    return None
+
+
+def _is_true_at_age(state: ArbitraryState, truth: int, channel: int, age_ns: int) -> z3.BoolRef:
+    is_old = z3.Or(z3.Not(state.has_arrived(channel)), state.age(channel) >= age_ns)
+    return z3.And(state.truth(truth).true, is_old)
+
+
+def _remembering(machine: Machine, signals: Sequence[int]) -> Iterator[int]:
+    """The signals of which some others need two samples."""
+    waiting = list(signals)
+    while waiting:
+        node = machine.signals[waiting.pop()].node
+        if isinstance(node, Rate | Previous):
+            yield node.signal
+        waiting += signal_operands(node)
+
+
+def _forgotten(inquiry: Inquiry, signal: int, channel: int, gap_ns: int) -> str:
+    """Why there are never two samples of a signal (S21); empty if there may be."""
+    machine = inquiry.machine
+    support = inquiry.asked.supports.signals[signal]
+    if support.channels != {channel}:
+        return ""
+    for used in sorted(support.inputs):
+        timeout_ns = machine.inputs[used].timeout_ns
+        if timeout_ns is not None and timeout_ns < gap_ns:
+            name, timeout = machine.inputs[used].name, duration_text(timeout_ns)
+            return f"`{name}` is lost {timeout} after each, and the value before it is forgotten"
+    return ""
+
+
+# --- durations that one message fulfils -------------------------------------------------------
+
+
+def _one_message(inquiry: Inquiry, truth: int) -> Iterator[Finding]:
+    """A finding if a `for` is shown to come true after a single message of each topic."""
+    machine = inquiry.machine
+    part = machine.truths[truth]
+    channels = sorted(inquiry.asked.supports.truths[truth].channels)
+    if not isinstance(part.node, Held) or not channels:
+        return
+    least_ns = min(_gaps(machine, channel)[0] for channel in channels)
+    if part.node.duration_ns >= least_ns:
+        return
+    witness = inquiry.witness(
+        Asked(
+            (truth,),
+            lambda state: state.truth(truth).true,
+            lambda course: z3.Or([moment.truth(truth).true for moment in course.moments]),
+            lambda seen: seen[-1].truths[truth] is TruthValue.TRUE,
+        )
+    )
+    alone = None if witness is None else _alone(machine, witness, truth, part.node.duration_ns)
+    if alone is not None:
+        finding = OneMessageEnough(
+            condition=part.text,
+            topics=" and ".join(machine.channels[channel].topic for channel in channels),
+            least=duration_text(least_ns),
+        )
+        note = witness_note(machine, alone, (truth,))
+        yield Finding(finding.at(part.span, notes=(note,)), alone)
+
+
+def _alone(machine: Machine, witness: Witness, truth: int, duration_ns: int) -> Witness | None:
+    """One of the events of a witness, if nothing else makes a `for` true."""
+    for event in witness.events:
+        alone = Witness((Sending(0, event.messages),), duration_ns, witness.is_calm)
+        *_, last = views(machine, alone, (truth,))
+        if last.truths[truth] is TruthValue.TRUE:
+            return alone
+    return None
