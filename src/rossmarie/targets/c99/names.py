@@ -31,7 +31,7 @@ _GENERATED = """
     arrive asin atan2 both catch_up cross either element_truth events every evaluate fabs first
     follow how_many i index_t is_calm is_inside is_pending isfinite isnan known m mark maximum
     minimum monitor opposite outcome pitch_of rate_of roll_of sample set_wake some sqrt t_ns tick
-    yaw_of
+    visit yaw_of
 """
 
 # What the names that the generated C keeps to itself begin with, up to the first underscore; a test

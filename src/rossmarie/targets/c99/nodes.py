@@ -48,7 +48,7 @@ def _expression(layout: Layout, index: int, node: ir.TruthNode, parts: set[str])
             return f"swings_or_gap(m, {layout.oscillations.index(index)}, t_ns)"
         case ir.Held(operand=operand):
             number = layout.held.index(index)
-            return f"held(m, {number}, {_truth(layout, operand)}, t_ns)"
+            return f"held(m, {number}, {layout.truth_names[operand]}, t_ns)"
         case _:
             raise AssertionError(f"{type(node).__name__} is a leaf")
 

@@ -535,6 +535,15 @@ static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
     }
 }
 
+/* The next that is marked: a truth gets its value, a rule is judged. */
+static int visit(monitor *m, unsigned node, int64_t t_ns)
+{
+    if (node >= TRUTHS)
+        return judge(m, node - TRUTHS, t_ns);
+    set_truth(m, node, derive(m, node, t_ns), t_ns);
+    return 0;
+}
+
 /* Everything that is marked, in order: what depends on a truth stands behind it. */
 static int evaluate(monitor *m, int64_t t_ns)
 {
@@ -543,10 +552,7 @@ static int evaluate(monitor *m, int64_t t_ns)
     while (m->dirty != 0) {
         const unsigned node = lowest(m->dirty);
         m->dirty &= m->dirty - 1;
-        if (node >= TRUTHS)
-            events += judge(m, node - TRUTHS, t_ns);
-        else
-            set_truth(m, node, derive(m, node, t_ns), t_ns);
+        events += visit(m, node, t_ns);
     }
     return events;
 }

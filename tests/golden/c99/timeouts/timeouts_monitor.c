@@ -339,10 +339,10 @@ static void review(monitor *m, int64_t t_ns)
 /* `operand for duration`: true once the operand has been true that long; until then what the operand
  * was before. (Next to no branches: whether an operand rose or fell is badly predictable.)
  */
-static unsigned char held(monitor *m, unsigned k, unsigned char operand, int64_t t_ns)
+static unsigned char held(monitor *m, unsigned k, unsigned node, int64_t t_ns)
 {
-    const bool has_begun = m->held_due_ns[k] != NEVER;
-    const int64_t due_ns = has_begun ? m->held_due_ns[k] : t_ns + held_durations[k];
+    const unsigned char operand = m->truth[node];
+    const int64_t due_ns = m->since_ns[node] + held_durations[k];
     m->held_due_ns[k] = operand == TRUE ? due_ns : NEVER;
     m->held_before[k] = operand == TRUE ? m->held_before[k] : operand;
     wake_by(m, m->held_due_ns[k]);
@@ -436,12 +436,21 @@ static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
     case TRUTH_TRUTH_3: /* draft.ross:1 truth_3 */
         return opposite(m->truth[TRUTH_TRUTH_2]);
     case TRUTH_TRUTH_4: /* draft.ross:1 truth_4 */
-        return held(m, 0, m->truth[TRUTH_TRUTH_3], t_ns);
+        return held(m, 0, TRUTH_TRUTH_3, t_ns);
     case TRUTH_TRUTH_5: /* draft.ross:1 truth_5 */
         return either(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_BATTERY_STALE]);
     default:
         return UNKNOWN;
     }
+}
+
+/* The next that is marked: a truth gets its value, a rule is judged. */
+static int visit(monitor *m, unsigned node, int64_t t_ns)
+{
+    if (node >= TRUTHS)
+        return judge(m, node - TRUTHS, t_ns);
+    set_truth(m, node, derive(m, node, t_ns), t_ns);
+    return 0;
 }
 
 /* Everything that is marked, in order: what depends on a truth stands behind it. */
@@ -452,10 +461,7 @@ static int evaluate(monitor *m, int64_t t_ns)
     while (m->dirty != 0) {
         const unsigned node = lowest(m->dirty);
         m->dirty &= m->dirty - 1;
-        if (node >= TRUTHS)
-            events += judge(m, node - TRUTHS, t_ns);
-        else
-            set_truth(m, node, derive(m, node, t_ns), t_ns);
+        events += visit(m, node, t_ns);
     }
     return events;
 }

@@ -1,0 +1,1 @@
+"""Proofs that the generated C is what the rules mean."""

@@ -1,0 +1,141 @@
+"""What stands in for a part of the generated code that has a check of its own.
+
+A contract asserts what its part needs, forgets all that the part may change, and assumes what the
+check of the part has shown. The text is the same for every machine, but for a few numbers.
+"""
+
+from __future__ import annotations
+
+NONDETERMINISM = """\
+monitor nondet_monitor(void);
+int64_t nondet_instant(void);
+unsigned nondet_number(void);
+int nondet_integer(void);
+double nondet_double(void);
+
+static void observe(void *user, const {name}_event *event) {{ (void)user; (void)event; }}
+
+static bool is_marked(const monitor *m, unsigned node)
+{{
+    return ({word} >> (node % 64) & 1) != 0;
+}}
+
+static bool is_marked_up_to(const monitor *m, unsigned node)
+{{
+    bool found = false;
+    for (unsigned n = LEAVES; n != TRUTHS + RULES; n++)
+        found = found | (n <= node && is_marked(m, n));
+    return found;
+}}
+
+/* Any bits in memory, but for what C itself excludes: a bool is 0 or 1, a callback a function. */
+static monitor any(void)
+{{
+    monitor m = nondet_monitor();
+    m.started = nondet_number() % 2 != 0;
+{pending}    for (unsigned i = 0; i != sizeof m.quiet / sizeof m.quiet[0]; i++)
+        m.quiet[i] = nondet_number() % 2 != 0;
+    m.on_event = nondet_number() % 2 != 0 ? observe : NULL;
+    m.user = NULL;
+    return m;
+}}
+"""
+
+CONTRACTS = """\
+/* A monitor of which nothing is known but whom it reports to. */
+static void forget(monitor *m, const monitor *old)
+{{
+    *m = any();
+    m->on_event = old->on_event;
+    m->user = old->user;
+}}
+
+static int any_count(int most)
+{{
+    const int count = nondet_integer();
+    __CPROVER_assume(count >= 0 && count <= most);
+    return count;
+}}
+
+/* Rules change where they are judged, and by a reset. */
+static void must_not_act(const monitor *m, const monitor *old)
+{{
+    for (unsigned i = 0; i != sizeof m->active; i++)
+        __CPROVER_assert(m->active[i] == old->active[i], "no rule changes");
+}}
+
+int contract_visit(monitor *m, unsigned node, int64_t t_ns)
+{{
+    (void)t_ns;
+    __CPROVER_assert(node >= LEAVES && node < TRUTHS + RULES, "what is evaluated exists");
+    __CPROVER_assert(!is_marked_up_to(m, node), "what is evaluated is the first that is marked");
+    for (unsigned n = LEAVES; n != TRUTHS + RULES; n++)
+        if (n > node && nondet_number() % 2 != 0)
+            mark(m, n);
+    return any_count(1);
+}}
+
+int contract_evaluate(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    must_be_looked(m, t_ns);
+    forget(m, &old);
+    for (unsigned i = 0; i != INPUTS; i++)
+        __CPROVER_assume(m->state[i] == old.state[i] && m->stamp_ns[i] == old.stamp_ns[i]);
+    for (unsigned i = 0; i != CHANNELS; i++)
+        __CPROVER_assume(m->quiet[i] == old.quiet[i]);
+    __CPROVER_assume(m->now_ns == t_ns);
+    suppose_at_rest(m, t_ns);
+    return any_count(RULES);
+}}
+
+void contract_tick(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    must_be_unlooked(m, t_ns);
+    forget(m, &old);
+    for (unsigned i = 0; i != INPUTS; i++) {{
+        const bool is_here = old.stamp_ns[i] == t_ns;
+        __CPROVER_assume(m->stamp_ns[i] == old.stamp_ns[i]);
+        __CPROVER_assume((m->state[i] == NEVER_RECEIVED) == (old.state[i] == NEVER_RECEIVED));
+        __CPROVER_assume(!is_here || m->state[i] == old.state[i]);
+    }}
+    __CPROVER_assume(m->now_ns == old.now_ns);
+    suppose_looked(m, t_ns);
+}}
+
+void contract_restart(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    __CPROVER_assert(!m->started || t_ns < m->now_ns, "time begins, or goes backwards");
+    forget(m, &old);
+    suppose_restarted(m, t_ns);
+    suppose_unlooked(m, t_ns);
+}}
+
+int contract_catch_up(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    if (t_ns <= EARLIEST || t_ns >= LATEST)
+        return -1;
+    forget(m, &old);
+    __CPROVER_assume(m->now_ns <= t_ns);
+    if (!old.started || t_ns < old.now_ns)
+        suppose_restarted(m, t_ns);
+    else
+        suppose_at_rest(m, m->now_ns);
+    suppose_unlooked(m, t_ns);
+    return any_count({most_events});
+}}
+
+int contract_advance(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    if (t_ns <= EARLIEST || t_ns >= LATEST)
+        return -1;
+    forget(m, &old);
+    __CPROVER_assume(m->now_ns == t_ns);
+    suppose_at_rest(m, t_ns);
+    return any_count({most_events});
+}}
+"""

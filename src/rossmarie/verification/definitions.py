@@ -1,0 +1,356 @@
+"""What the semantics say of every number and every truth, as C over the memory of a monitor.
+
+Takes a layout, which tells where things are kept; what they mean is read off the machine, by the
+rules of `docs/explanation/semantics.md`, and not off anything that the generator made of it. These
+definitions are written to be read beside the rules: no tables, no state of their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import reduce
+
+from rossmarie import ir
+from rossmarie.ir import Function
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.types import number
+
+HELPERS = """\
+/* Two numbers that nobody can tell apart. */
+static bool spec_same(double a, double b)
+{
+    return (isnan(a) && isnan(b)) || (a == b && signbit(a) == signbit(b));
+}
+
+/* S4. */
+static double spec_finite(double x) { return isfinite(x) ? x : NAN; }
+
+/* S6. */
+static double spec_minimum(double a, double b)
+{
+    return isnan(a) || isnan(b) ? NAN : a < b ? a : b;
+}
+static double spec_maximum(double a, double b)
+{
+    return isnan(a) || isnan(b) ? NAN : a > b ? a : b;
+}
+
+/* S2. */
+static unsigned spec_not(unsigned a) { return a == FALSE ? TRUE : a == TRUE ? FALSE : a; }
+static unsigned spec_and(unsigned a, unsigned b)
+{
+    return a == FALSE || b == FALSE ? FALSE : a > b ? a : b;
+}
+static unsigned spec_or(unsigned a, unsigned b)
+{
+    return a == TRUE || b == TRUE ? TRUE : a > b ? a : b;
+}
+"""
+
+_INFIX = {
+    Function.ADD: "+",
+    Function.SUBTRACT: "-",
+    Function.MULTIPLY: "*",
+    Function.DIVIDE: "/",
+}
+
+
+class Definitions:
+    """Writes the definitions of one machine."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+        self._machine = layout.machine
+
+    def text(self) -> str:
+        """All of them, each after those that it uses."""
+        parts = [HELPERS, *self._elements(), *self._signals(), *self._truths()]
+        return "\n".join(parts)
+
+    def is_whole(self, truth: int) -> bool:
+        """Whether a truth is about a monitor and not about one element of an array."""
+        return self._layout.elements.truths[truth] is None
+
+    # --- numbers -----------------------------------------------------------------------------
+
+    def number(self, signal: int) -> str:
+        """A signal where it is kept, or a constant."""
+        node = self._machine.signals[signal].node
+        if isinstance(node, ir.Constant):
+            return number(node.value)
+        return f"m->value[{self._layout.value_of_signal[signal]}]"
+
+    def computed(self) -> Iterator[int]:
+        """The signals that are computed from numbers that the monitor keeps."""
+        for index, signal in enumerate(self._machine.signals):
+            is_computed = isinstance(signal.node, ir.Apply | ir.Rate | ir.Previous)
+            if is_computed and self._layout.elements.signals[index] is None:
+                yield index
+
+    def _signals(self) -> Iterator[str]:
+        for index in self.computed():
+            remark = self._machine.signals[index].text
+            yield (
+                f"/* {_remark(remark)} */\n"
+                f"static double spec_signal_{index}(const monitor *m)\n"
+                f"{{\n    return {self._signal(index)};\n}}\n"
+            )
+
+    def _signal(self, index: int) -> str:
+        node = self._machine.signals[index].node
+        match node:
+            case ir.Apply(function=function, operands=operands):
+                return applied(function, [self.number(operand) for operand in operands])
+            case ir.Rate(signal=signal):
+                k = self._layout.sampled.index(signal)
+                slope = (
+                    f"(m->latest[{k}] - m->before[{k}]) / "
+                    f"((double)(m->latest_ns[{k}] - m->before_ns[{k}]) / 1e9)"
+                )
+                known = f"isfinite(m->latest[{k}]) && isfinite(m->before[{k}])"
+                return f"{known} ? spec_finite({slope}) : NAN"
+            case ir.Previous(signal=signal):
+                return f"m->before[{self._layout.sampled.index(signal)}]"
+            case _:
+                raise AssertionError(f"{type(node).__name__} is not computed from numbers")
+
+    # --- elements of arrays ------------------------------------------------------------------
+
+    def _elements(self) -> Iterator[str]:
+        """What is computed for one element `e` (S22), then for all of them (S23 to S25)."""
+        for index, array in enumerate(self._layout.elements.signals):
+            if array is not None:
+                text = self._element_signal(index)
+                yield f"static double spec_element_{index}(double e) {{ return {text}; }}\n"
+        for index, array in enumerate(self._layout.elements.truths):
+            if array is not None:
+                text = self._element_truth(index)
+                yield f"static unsigned spec_element_is_{index}(double e) {{ return {text}; }}\n"
+        for index, signal in enumerate(self._machine.signals):
+            match signal.node:
+                case ir.Fold(folding=folding, element=element):
+                    yield _fold(index, folding, element)
+                case ir.Count(element=element):
+                    yield _count(index, element)
+        for index, truth in enumerate(self._machine.truths):
+            if isinstance(truth.node, ir.Quantified):
+                yield _quantified(index, truth.node)
+
+    def _element_number(self, signal: int) -> str:
+        node = self._machine.signals[signal].node
+        return number(node.value) if isinstance(node, ir.Constant) else f"spec_element_{signal}(e)"
+
+    def _element_signal(self, index: int) -> str:
+        node = self._machine.signals[index].node
+        match node:
+            case ir.Element(array=array):
+                declared = self._machine.arrays[array]
+                return converted("e", declared.scale, declared.offset)
+            case ir.Apply(function=function, operands=operands):
+                return applied(function, [self._element_number(operand) for operand in operands])
+            case _:
+                raise AssertionError(f"{type(node).__name__} is not of one element")
+
+    def _element_truth(self, index: int) -> str:
+        node = self._machine.truths[index].node
+        match node:
+            case ir.Not() | ir.And() | ir.Or():
+                return logic(node, lambda operand: f"spec_element_is_{operand}(e)")
+            case _:
+                return compared(node, self._element_number, "UNKNOWN")
+
+    # --- truths ------------------------------------------------------------------------------
+
+    def _truths(self) -> Iterator[str]:
+        for index, truth in enumerate(self._machine.truths):
+            if self.is_whole(index) and not isinstance(truth.node, ir.Oscillates):
+                yield from self._unknown(index, truth.node)
+                yield (
+                    f"/* {_remark(truth.text)} */\n"
+                    f"static unsigned spec_truth_{index}(const monitor *m, int64_t t_ns)\n"
+                    f"{{\n    (void)m;\n    (void)t_ns;\n    return {self._truth(index)};\n}}\n"
+                )
+            elif self.is_whole(index):
+                yield from self._unknown(index, truth.node)
+
+    def _truth(self, index: int) -> str:
+        node = self._machine.truths[index].node
+        unknown = f"spec_unknown_{index}(m)"
+        match node:
+            case ir.Literal(value=value):
+                return "TRUE" if value else "FALSE"
+            case ir.Not() | ir.And() | ir.Or():
+                return logic(node, self.truth)
+            case ir.Held():
+                return self._held(index, node)
+            case ir.AgeReaches(input=used, age_ns=age_ns):
+                reached = f"t_ns - m->stamp_ns[{used}] >= INT64_C({age_ns}) ? TRUE : FALSE"
+                return f"m->state[{used}] == NEVER_RECEIVED ? {unknown} : {reached}"
+            case ir.Quantified():
+                x = f"m->value[{self._layout.value_of_test[index]}]"
+                return f"isnan({x}) ? {unknown} : {x} != 0.0 ? TRUE : FALSE"
+            case _:
+                return compared(node, self.number, unknown)
+
+    def truth(self, index: int) -> str:
+        """A truth where it is kept."""
+        return f"m->truth[{self._layout.node_of_truth[index]}]"
+
+    def _held(self, index: int, node: ir.Held) -> str:
+        """S33: the operand has been what it is since `since_ns` (S34)."""
+        k = self._layout.held.index(index)
+        operand, start = self.truth(node.operand), self.since(node.operand)
+        matured = f"t_ns - {start} >= INT64_C({node.duration_ns}) ? TRUE : m->held_before[{k}]"
+        return f"{operand} != TRUE ? {operand} : {matured}"
+
+    def since(self, truth: int) -> str:
+        """Since when a truth has its value."""
+        return f"m->since_ns[{self._layout.node_of_truth[truth]}]"
+
+    def _unknown(self, index: int, node: ir.TruthNode) -> Iterator[str]:
+        """S30: whether an unknown leaf is lost or just unknown."""
+        if isinstance(node, ir.Not | ir.And | ir.Or | ir.Held | ir.Literal):
+            return
+        lacking = list(self._lacking(index))
+        timed = any(map(self._layout.has_timeout, self._layout.supports.truths[index].inputs))
+        if timed:
+            whole = isinstance(node, ir.Quantified | ir.AgeReaches)
+            lacking.append("true" if whole else f"({self._nothing_missing(index)})")
+        lost = " || ".join(lacking) or "false"
+        yield (
+            f"static unsigned spec_unknown_{index}(const monitor *m)\n"
+            f"{{\n    (void)m;\n    return {lost} ? LOST : UNKNOWN;\n}}\n"
+        )
+
+    def _lacking(self, index: int) -> Iterator[str]:
+        support = self._layout.supports.truths[index]
+        for slot in sorted(support.slots):
+            if self._layout.has_timeout(self._machine.slots[slot].input):
+                yield f"isnan(m->value[{self._layout.value_of_slot[slot]}])"
+        for fold in sorted(support.folds):
+            if any(map(self._layout.has_timeout, self._layout.supports.signals[fold].inputs)):
+                yield f"isnan(m->value[{self._layout.value_of_signal[fold]}])"
+
+    def _nothing_missing(self, index: int) -> str:
+        support = self._layout.supports.truths[index]
+        kept = [self._layout.value_of_slot[slot] for slot in sorted(support.slots)]
+        kept += [self._layout.value_of_signal[s] for s in sorted(support.folds | support.samples)]
+        return " && ".join(f"m->value[{value}] < INFINITY" for value in kept) or "true"
+
+
+# --- expressions -----------------------------------------------------------------------------
+
+
+def converted(raw: str, scale: float, offset: float) -> str:
+    """S7: a number as it arrives, in SI."""
+    is_plain = scale == 1.0 and offset == 0.0
+    return raw if is_plain else f"(({raw} * {number(scale)}) + {number(offset)})"
+
+
+def applied(function: Function, operands: list[str]) -> str:
+    """S3 to S6: a function of numbers, unknown if the result is not finite."""
+    return f"spec_finite({_plain(function, operands)})"
+
+
+def _plain(function: Function, operands: list[str]) -> str:
+    if function in _INFIX:
+        return f"({operands[0]}) {_INFIX[function]} ({operands[1]})"
+    match function:
+        case Function.NEGATE:
+            return f"-({operands[0]})"
+        case Function.ABSOLUTE:
+            return f"fabs({operands[0]})"
+        case Function.MINIMUM | Function.MAXIMUM:
+            return f"spec_{function.value}({operands[0]}, {operands[1]})"
+        case Function.NORM:
+            return f"sqrt({_squares(operands)})"
+        case _:
+            return _angle(function, *operands)
+
+
+def _squares(operands: list[str]) -> str:
+    """The sum of squares, added from left to right."""
+    return reduce(
+        lambda total, x: f"({total}) + ({x} * {x})", operands[1:], f"{operands[0]} * {operands[0]}"
+    )
+
+
+def _angle(function: Function, x: str, y: str, z: str, w: str) -> str:
+    """S5."""
+    n = f"({_squares([x, y, z, w])})"
+    if function is Function.PITCH:
+        sine = f"((2.0 * (({w} * {y}) - ({z} * {x}))) / {n})"
+        angle = f"asin({sine} < -1.0 ? -1.0 : {sine} > 1.0 ? 1.0 : {sine})"
+    elif function is Function.ROLL:
+        sine = f"(2.0 * (({w} * {x}) + ({y} * {z}))) / {n}"
+        angle = f"atan2({sine}, 1.0 - (2.0 * (({x} * {x}) + ({y} * {y}))) / {n})"
+    else:
+        sine = f"(2.0 * (({w} * {z}) + ({x} * {y}))) / {n}"
+        angle = f"atan2({sine}, 1.0 - (2.0 * (({y} * {y}) + ({z} * {z}))) / {n})"
+    return f"{n} == 0.0 ? NAN : {angle}"
+
+
+def compared(node: ir.TruthNode, write: Callable[[int], str], unknown: str) -> str:
+    """S27 to S29: a comparison of numbers, `unknown` if any of them is."""
+    match node:
+        case ir.Compare(comparison=comparison, left=left, right=right):
+            operands = [write(left), write(right)]
+            holds = f"{operands[0]} {comparison.value} {operands[1]}"
+        case ir.Between(signal=signal, low=low, high=high):
+            operands = [write(signal), write(low), write(high)]
+            holds = f"{operands[1]} <= {operands[0]} && {operands[0]} <= {operands[2]}"
+        case ir.Flag(signal=signal):
+            operands = [write(signal)]
+            holds = f"{operands[0]} != 0.0"
+        case _:
+            raise AssertionError(f"{type(node).__name__} does not compare")
+    missing = " || ".join(f"isnan({operand})" for operand in operands)
+    return f"{missing} ? {unknown} : {holds} ? TRUE : FALSE"
+
+
+def logic(node: ir.Not | ir.And | ir.Or, write: Callable[[int], str]) -> str:
+    """S2, for any number of operands."""
+    match node:
+        case ir.Not(operand=operand):
+            return f"spec_not({write(operand)})"
+        case ir.And(operands=operands):
+            return reduce(lambda text, each: f"spec_and({text}, {each})", map(write, operands))
+        case ir.Or(operands=operands):
+            return reduce(lambda text, each: f"spec_or({text}, {each})", map(write, operands))
+
+
+def _fold(index: int, folding: ir.Folding, element: int) -> str:
+    combine = f"spec_{folding.value}"
+    return (
+        f"static double spec_fold_{index}(const double *a, size_t n)\n{{\n"
+        f"    double found = n == 0 ? NAN : spec_element_{element}(a[0]);\n"
+        f"    for (size_t i = 1; i < n; i++)\n"
+        f"        found = {combine}(found, spec_element_{element}(a[i]));\n"
+        f"    return found;\n}}\n"
+    )
+
+
+def _count(index: int, element: int) -> str:
+    return (
+        f"static double spec_fold_{index}(const double *a, size_t n)\n{{\n"
+        f"    double found = n == 0 ? NAN : 0.0;\n"
+        f"    for (size_t i = 0; i < n; i++)\n"
+        f"        found = spec_element_is_{element}(a[i]) == UNKNOWN ? NAN\n"
+        f"              : spec_element_is_{element}(a[i]) == TRUE ? found + 1.0 : found;\n"
+        f"    return found;\n}}\n"
+    )
+
+
+def _quantified(index: int, node: ir.Quantified) -> str:
+    word, start = ("or", "FALSE") if node.quantifier is ir.Quantifier.ANY else ("and", "TRUE")
+    return (
+        f"static double spec_quantified_{index}(const double *a, size_t n)\n{{\n"
+        f"    unsigned found = n == 0 ? UNKNOWN : {start};\n"
+        f"    for (size_t i = 0; i < n; i++)\n"
+        f"        found = spec_{word}(found, spec_element_is_{node.element}(a[i]));\n"
+        f"    return found == UNKNOWN ? NAN : found == TRUE ? 1.0 : 0.0;\n}}\n"
+    )
+
+
+def _remark(text: str) -> str:
+    return text.replace("*/", "* /").replace("/*", "/ *")

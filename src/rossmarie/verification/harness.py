@@ -1,0 +1,165 @@
+"""The program that CBMC is given: the generated C as it is, what it has to mean, and the checks.
+
+Takes a machine; gives C text and the list of its checks. Each check begins in any state that fits
+the invariants, calls one part of the generated code, and claims that the invariants hold again:
+one inductive step, so that what is proved holds without bound. Where a part calls another that has
+a check of its own, that one is replaced by what its check has shown (its contract).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from rossmarie import ir
+from rossmarie.targets.c99.layout import Layout, lay_out
+from rossmarie.targets.c99.state import is_small
+from rossmarie.verification.check import Check
+from rossmarie.verification.contracts import CONTRACTS, NONDETERMINISM
+from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.engine_checks import EngineChecks
+from rossmarie.verification.invariants import Invariants, Sentence
+from rossmarie.verification.message_checks import ELEMENTS, MessageChecks
+from rossmarie.verification.program import assertions, assumptions, predicate
+
+_PRELUDE = """\
+#include <math.h>
+#undef isnan
+#undef isinf
+#undef isfinite
+#undef signbit
+#define isnan(x) __CPROVER_isnand(x)
+#define isinf(x) __CPROVER_isinfd(x)
+#define isfinite(x) __CPROVER_isfinited(x)
+#define signbit(x) __CPROVER_signd(x)
+"""
+
+_UNCHECKED = """\
+#pragma CPROVER check push
+#pragma CPROVER check disable "bounds"
+#pragma CPROVER check disable "pointer"
+"""
+
+_MODELS = """\
+/* What is said of the C library: any function of its arguments. */
+double __CPROVER_uninterpreted_asin(double);
+double __CPROVER_uninterpreted_atan2(double, double);
+double __CPROVER_uninterpreted_sqrt(double);
+double asin(double x) { return __CPROVER_uninterpreted_asin(x); }
+double atan2(double y, double x) { return __CPROVER_uninterpreted_atan2(y, x); }
+double sqrt(double x) { return __CPROVER_uninterpreted_sqrt(x); }
+"""
+
+_MOMENTS = {
+    "looked": ("clock", "marks", "in_time", "quiet", "leaves", "ages", "swings", "swinging",
+               "derived", "rules", "woken"),
+    "at_rest": ("unmarked", "clock", "marks", "in_time", "quiet", "leaves", "ages", "swings",
+                "swinging", "derived", "rules", "woken"),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Harness:
+    """The text of the program, beside NAME_monitor.c, and what to check in it; no loop is passed
+    through more often than `passes`.
+    """
+
+    text: str
+    checks: tuple[Check, ...]
+    passes: int
+
+
+def harness(machine: ir.Machine) -> Harness:
+    """Everything that is to be shown of the monitor of a machine."""
+    return _Writer(machine).harness()
+
+
+class _Writer:
+    """Writes the program of one machine."""
+
+    def __init__(self, machine: ir.Machine) -> None:
+        self._machine = machine
+        self._layout: Layout = lay_out(machine)
+        self._definitions = Definitions(self._layout)
+        self._invariants = Invariants(self._layout, self._definitions)
+        self._groups = self._invariants.groups()
+
+    def harness(self) -> Harness:
+        written = [
+            *EngineChecks(self._layout, self._definitions).written(),
+            *MessageChecks(self._layout, self._definitions).written(),
+        ]
+        most_events = (ir.most_evaluations(self._machine) + 1) * (len(self._machine.rules) + 1)
+        parts = [
+            _PRELUDE,
+            f'#include "{self._layout.name}_monitor.c"\n',
+            _MODELS,
+            _UNCHECKED,
+            self._nondeterminism(),
+            self._definitions.text(),
+            *self._predicates(),
+            CONTRACTS.format(most_events=most_events),
+            *(each.text() for each in written),
+        ]
+        return Harness("\n".join(parts), tuple(each.check for each in written), self._passes())
+
+    def _nondeterminism(self) -> str:
+        small = is_small(self._layout)
+        return NONDETERMINISM.format(
+            name=self._layout.name,
+            word="m->dirty" if small else "m->dirty[node / 64]",
+            pending="" if small else "    m.pending = nondet_number() % 2 != 0;\n",
+        )
+
+    def _passes(self) -> int:
+        """Loops run over the parts of a machine, or over what is marked."""
+        layout = self._layout
+        limits = sum(len(guard.limits) + 2 for guard in layout.guards)
+        nodes = layout.truth_count + len(self._machine.rules)
+        return max(nodes, len(layout.values), limits, ELEMENTS) + 2
+
+    # --- predicates --------------------------------------------------------------------------
+
+    def _predicates(self) -> Iterator[str]:
+        """Each predicate twice: as what is assumed, and as what has to be shown."""
+        for word, write in (("suppose", assumptions), ("must_be", assertions)):
+            for name, sentences in self._groups.items():
+                yield predicate(f"static void {word}_{name}", write(sentences))
+            for name, groups in _MOMENTS.items():
+                lines = "\n".join(f"    {word}_{group}(m, t_ns);" for group in groups)
+                yield predicate(f"static void {word}_{name}", lines)
+            yield predicate(f"static void {word}_unlooked", self._unlooked(word, write))
+            yield predicate(f"static void {word}_restarted", write(self._restarted()))
+
+    def _unlooked(self, word: str, write: Callable[[Sequence[Sentence]], str]) -> str:
+        """What holds before timers are looked at: what was right at the last evaluation still is,
+        and no timer was due since.
+        """
+        groups = ("clock", "marks", "just_in_time", "leaves", "swings", "rules", "ahead", "woken")
+        lines = [f"    {word}_{group}(m, t_ns);" for group in groups]
+        lines.append(f"    {word}_derived(m, m->now_ns);")
+        return "\n".join([*lines, write(_told(self._invariants, self._layout))])
+
+    def _restarted(self) -> list[Sentence]:
+        """Everything that is computed is to be evaluated; the inputs are as they were."""
+        marked = range(self._layout.leaf_count, self._layout.truth_count + len(self._machine.rules))
+        return [
+            *(Sentence("everything is evaluated", self._invariants.marked(n)) for n in marked),
+            Sentence("its clock is set", "m->now_ns == t_ns && m->wake_ns == t_ns"),
+            *(Sentence("no duration has begun", f"m->held_due_ns[{k}] == NEVER")
+              for k in range(len(self._layout.held))),
+            *(Sentence("no channel is quiet", f"!m->quiet[{c}]")
+              for c in range(len(self._layout.channel_names))),
+            *(Sentence("ages are looked at", f"{self._definitions.truth(truth)} == UNSET")
+              for truth in self._layout.ages),
+        ]  # fmt: skip
+
+
+def _told(invariants: Invariants, layout: Layout) -> list[Sentence]:
+    """What is told of each oscillation was right at the last evaluation, or it is marked."""
+    found = []
+    for k, truth in enumerate(layout.oscillations):
+        told = invariants.told(k).replace("t_ns -", "m->now_ns -")
+        marked = invariants.marked(layout.node_of_truth[truth])
+        found.append(Sentence("what was told of an oscillation", f"({marked} || {told})"))
+    return found

@@ -1,0 +1,295 @@
+"""What is true of the memory of a monitor between its functions, as C.
+
+Takes a layout and its definitions; gives predicates. Three moments matter: a monitor *at rest*
+between two calls; one that has *caught up* with an instant, so that no timer is due before it; and
+one that has *looked* at its numbers and timers at that instant, so that what is wrong is marked.
+Each predicate is a list of sentences, so that a proof can say which of them fails.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rossmarie import ir
+from rossmarie.targets.c99.layout import Guard, Layout
+from rossmarie.targets.c99.state import is_small
+from rossmarie.verification.definitions import Definitions
+
+_OLDEST = "(-LATEST)"
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """Something that is true, as C over `m` and `t_ns`; `about` names it for people."""
+
+    about: str
+    holds: str
+
+
+class Invariants:
+    """Writes the predicates of one machine."""
+
+    def __init__(self, layout: Layout, definitions: Definitions) -> None:
+        self._layout = layout
+        self._machine = layout.machine
+        self._definitions = definitions
+
+    # --- marks -------------------------------------------------------------------------------
+
+    def marked(self, node: int) -> str:
+        """Whether a truth or rule is to be evaluated."""
+        if is_small(self._layout):
+            return f"((m->dirty >> {node} & 1) != 0)"
+        return f"((m->dirty[{node // 64}] >> {node % 64} & 1) != 0)"
+
+    def nothing_marked(self) -> str:
+        """Whether no truth and no rule is to be evaluated."""
+        if is_small(self._layout):
+            return "m->dirty == 0"
+        words = (self._layout.truth_count + len(self._machine.rules) + 63) // 64
+        return " && ".join([*(f"m->dirty[{word}] == 0" for word in range(words)), "!m->pending"])
+
+    def marks_are_in_range(self) -> str:
+        """Whether only truths that are evaluated when marked, and rules, are marked."""
+        first = self._layout.leaf_count
+        last = self._layout.truth_count + len(self._machine.rules)
+        if is_small(self._layout):
+            mask = (1 << last) - (1 << first)
+            return f"(m->dirty & ~UINT64_C({mask:#x})) == 0"
+        parts = []
+        for word in range((last + 63) // 64):
+            bits = sum(1 << (n - 64 * word) for n in range(first, last) if n // 64 == word)
+            parts.append(f"(m->dirty[{word}] & ~UINT64_C({bits:#x})) == 0")
+        somewhere = " || ".join(f"m->dirty[{word}] != 0" for word in range((last + 63) // 64))
+        return " && ".join([*parts, f"(m->pending || !({somewhere}))"])
+
+    # --- sentences ---------------------------------------------------------------------------
+
+    def clock(self) -> Iterator[Sentence]:
+        """Instants from which differences fit into 64 bits."""
+        yield Sentence("it has started", "m->started")
+        yield Sentence("its clock is in range", "m->now_ns > EARLIEST && m->now_ns < LATEST")
+        yield Sentence("its clock is not ahead", "m->now_ns <= t_ns && t_ns < LATEST")
+        for used in range(len(self._machine.inputs)):
+            stamp = f"m->stamp_ns[{used}]"
+            held = f"{stamp} >= {_OLDEST} && {stamp} <= t_ns"
+            yield Sentence(f"the stamp of {self._machine.inputs[used].name} is in the past", held)
+        for truth, node in self._layout.node_of_truth.items():
+            since = f"m->since_ns[{node}]"
+            held = f"m->truth[{node}] == UNSET || ({since} >= {_OLDEST} && {since} <= t_ns)"
+            yield Sentence(f"`{self._machine.truths[truth].text}` is so since the past", held)
+        for k in range(len(self._layout.sampled)):
+            for name in ("latest_ns", "before_ns"):
+                held = f"m->{name}[{k}] >= {_OLDEST} && m->{name}[{k}] < LATEST"
+                yield Sentence("instants of samples are in range", held)
+
+    def inputs(self, slack: str) -> Iterator[Sentence]:
+        """S9 and S10; `slack` is `<` if what reached its timeout has expired, else `<=`."""
+        for index, used in enumerate(self._machine.inputs):
+            state, about = f"m->state[{index}]", f"the state of {used.name}"
+            in_time = f"t_ns - m->stamp_ns[{index}] {slack} INT64_C({used.timeout_ns})"
+            fresh = f"({state} != FRESH || {in_time})"
+            timed = f"{state} != EXPIRED" if used.timeout_ns is None else fresh
+            yield Sentence(about, f"{state} <= EXPIRED && {timed}")
+            held = f"!m->quiet[{used.channel}] || {state} == FRESH"
+            yield Sentence(f"a quiet channel means that {used.name} is fresh", held)
+        for slot, declared in enumerate(self._machine.slots):
+            value = f"m->value[{self._layout.value_of_slot[slot]}]"
+            path = ".".join(map(str, declared.path))
+            held = f"!isinf({value}) && (m->state[{declared.input}] == FRESH || isnan({value}))"
+            yield Sentence(f"`{path}` is a number or unknown, and forgotten with its input", held)
+
+    def quiet(self) -> Iterator[Sentence]:
+        """A message on a quiet channel changes no age that somebody looks at."""
+        for truth in self._layout.ages:
+            node = self._machine.truths[truth].node
+            assert isinstance(node, ir.AgeReaches), "the layout lists ages"
+            channel = self._machine.inputs[node.input].channel
+            held = f"!m->quiet[{channel}] || {self._definitions.truth(truth)} == FALSE"
+            text = self._machine.truths[truth].text
+            yield Sentence(f"on a quiet channel `{text}` is false", held)
+
+    def leaves(self) -> Iterator[Sentence]:
+        """Truths that look at numbers are what these are now."""
+        for number, guard in enumerate(self._layout.guards):
+            yield from self.guard(number, guard)
+        for truth in self._layout.literals:
+            yield self._is_right(truth)
+
+    def guard(self, number: int, guard: Guard) -> Iterator[Sentence]:
+        """A guard lies around its number, and its truths are right."""
+        for truth in guard.leaves:
+            yield self._is_right(truth)
+        x, low, high = f"m->value[{guard.value}]", f"m->low[{number}]", f"m->high[{number}]"
+        place = f"m->place[{number}]"
+        first = sum(len(other.limits) + 2 for other in self._layout.guards[:number])
+        last = first + len(guard.limits)
+        unknown = (
+            f"({place} == -(int)m->truth[{self._layout.node_of_truth[guard.leaves[0]]}] && "
+            f"{low} == INFINITY && {high} == -INFINITY)"
+        )
+        around = (
+            f"({place} >= {first} && {place} <= {last} && {low} == limits[{place}] && "
+            f"{high} == limits[{place} + 1] && ({place} == {first} || {x} > {low}) && "
+            f"({place} == {last} || {x} <= {high}))"
+        )
+        about = self._layout.values[guard.value].remark.split("  ", 1)[-1]
+        yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")
+
+    def _is_right(self, truth: int) -> Sentence:
+        text = self._machine.truths[truth].text
+        right = f"{self._definitions.truth(truth)} == spec_truth_{truth}(m, t_ns)"
+        return Sentence(f"`{text}` is what it means", right)
+
+    def ages(self) -> Iterator[Sentence]:
+        """S31."""
+        for truth in self._layout.ages:
+            yield self._is_right(truth)
+
+    def derived(self) -> Iterator[Sentence]:
+        """Truths made of others are what these make of them, unless they are marked."""
+        for truth in self._layout.derived:
+            node = self._layout.node_of_truth[truth]
+            sentence = self._is_right(truth)
+            holds = [sentence.holds, *self._timer(truth)]
+            held = f"{self.marked(node)} || ({' && '.join(holds)})"
+            yield Sentence(sentence.about, held)
+        for truth in self._layout.held:
+            before = f"m->held_before[{self._layout.held.index(truth)}]"
+            text = self._machine.truths[truth].text
+            held = f"{before} == FALSE || {before} == UNKNOWN || {before} == LOST"
+            yield Sentence(f"`{text}` was not true before it began", held)
+
+    def _timer(self, truth: int) -> Iterator[str]:
+        """S33: the instant at which a duration is over, NEVER if it has not begun."""
+        node = self._machine.truths[truth].node
+        if isinstance(node, ir.Held):
+            due = f"m->held_due_ns[{self._layout.held.index(truth)}]"
+            operand = self._definitions.truth(node.operand)
+            start = self._definitions.since(node.operand)
+            yield f"{due} == ({operand} == TRUE ? {start} + INT64_C({node.duration_ns}) : NEVER)"
+
+    def rules(self) -> Iterator[Sentence]:
+        """S35 to S38: what is certain of a rule whatever it was before."""
+        for index, rule in enumerate(self._machine.rules):
+            condition = self._definitions.truth(rule.condition)
+            active = f"(m->active[{index // 8}] >> {index % 8} & 1) != 0"
+            holds = f"({condition} != TRUE && {condition} != LOST || {active})"
+            if rule.release is not None:
+                release = self._definitions.truth(rule.release)
+                cleared = f"({condition} != FALSE || {release} != TRUE || !({active}))"
+                holds = f"({holds} && {cleared})"
+            unless = self.marked(self._layout.truth_count + index)
+            yield Sentence(f"rule {rule.name} is active iff it has to be", f"{unless} || {holds}")
+
+    def timers(self, least: str) -> Iterator[Sentence]:
+        """No timer lies before an instant (S15)."""
+        for index, used in enumerate(self._machine.inputs):
+            if used.timeout_ns is not None:
+                due = f"m->stamp_ns[{index}] + INT64_C({used.timeout_ns})"
+                held = f"m->state[{index}] != FRESH || {due} >= {least}"
+                yield Sentence(f"the timeout of {used.name} lies ahead", held)
+        for truth in self._layout.ages:
+            node = self._machine.truths[truth].node
+            assert isinstance(node, ir.AgeReaches), "the layout lists ages"
+            due = f"m->stamp_ns[{node.input}] + INT64_C({node.age_ns})"
+            held = f"{self._definitions.truth(truth)} != FALSE || {due} >= {least}"
+            yield Sentence(f"`{self._machine.truths[truth].text}` lies ahead", held)
+        for k, truth in enumerate(self._layout.held):
+            ended = f"{self._definitions.truth(truth)} == TRUE"
+            marked = self.marked(self._layout.node_of_truth[truth])
+            held = f"{marked} || {ended} || m->held_due_ns[{k}] >= {least}"
+            yield Sentence(f"the end of `{self._machine.truths[truth].text}` lies ahead", held)
+        yield from self._swing_timers(least)
+
+    # --- oscillations ------------------------------------------------------------------------
+
+    def swings(self) -> Iterator[Sentence]:
+        """S32: turning points that can be looked at."""
+        first = 0
+        for k, truth in enumerate(self._layout.oscillations):
+            node = self._oscillates(truth)
+            about = f"the turning points of `{self._machine.truths[truth].text}`"
+            sane = (
+                f"m->turns[{k}] <= {node.count} && m->turn_next[{k}] < {node.count} && "
+                f"m->heading[{k}] >= -1 && m->heading[{k}] <= 1"
+            )
+            yield Sentence(about, sane)
+            for place in range(first, first + node.count):
+                instant = f"m->turn_ns[{place}]"
+                yield Sentence(about, f"{instant} >= {_OLDEST} && {instant} < LATEST")
+            gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
+            yield Sentence(about, f"{gap} == FALSE || {gap} == UNKNOWN || {gap} == LOST")
+            yield Sentence(about, f"{end} == NEVER || ({end} >= EARLIEST && {end} <= t_ns)")
+            first += node.count
+
+    def swinging(self) -> Iterator[Sentence]:
+        """What was seen of oscillations is what there is to see, and they are that or marked."""
+        for k, truth in enumerate(self._layout.oscillations):
+            text = self._machine.truths[truth].text
+            seen = f"m->swinging[{k}] == {self.seen(k)}"
+            yield Sentence(f"what is seen of `{text}`", seen)
+            marked = self.marked(self._layout.node_of_truth[truth])
+            yield Sentence(f"`{text}` is what it means", f"{marked} || {self.told(k)}")
+
+    def seen(self, k: int) -> str:
+        """Whether enough turning points lie within the window now."""
+        truth = self._layout.oscillations[k]
+        node = self._oscillates(truth)
+        first = sum(self._oscillates(t).count for t in self._layout.oscillations[:k])
+        x = self._definitions.number(node.signal)
+        oldest = f"m->turn_ns[{first} + m->turn_next[{k}]]"
+        within = f"(m->turns[{k}] == {node.count} && t_ns - {oldest} < INT64_C({node.window_ns}))"
+        return f"(!isfinite({x}) ? spec_unknown_{truth}(m) : {within} ? TRUE : FALSE)"
+
+    def told(self, k: int) -> str:
+        """What is told of what is seen: nothing until a gap is a window ago."""
+        truth = self._layout.oscillations[k]
+        node = self._oscillates(truth)
+        value, seen = self._definitions.truth(truth), f"m->swinging[{k}]"
+        gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
+        over = f"({seen} == TRUE || t_ns - {end} >= INT64_C({node.window_ns}))"
+        lost = f"{value} == {seen} && {gap} == {seen} && {end} == NEVER"
+        known = f"{end} != NEVER && {value} == ({over} ? {seen} : {gap})"
+        return f"({seen} >= UNKNOWN ? ({lost}) : ({known}))"
+
+    def _swing_timers(self, least: str) -> Iterator[Sentence]:
+        first = 0
+        for k, truth in enumerate(self._layout.oscillations):
+            node = self._oscillates(truth)
+            value, end = self._definitions.truth(truth), f"m->gap_end_ns[{k}]"
+            marked = self.marked(self._layout.node_of_truth[truth])
+            oldest = f"m->turn_ns[{first} + m->turn_next[{k}]]"
+            window = f"INT64_C({node.window_ns})"
+            true = f"({value} != TRUE || {oldest} + {window} >= {least})"
+            gap = f"({value} < UNKNOWN || {end} == NEVER || {end} + {window} >= {least})"
+            about = f"the window of `{self._machine.truths[truth].text}` ends ahead"
+            yield Sentence(about, f"{marked} || ({true} && {gap})")
+            first += node.count
+
+    def _oscillates(self, truth: int) -> ir.Oscillates:
+        node = self._machine.truths[truth].node
+        assert isinstance(node, ir.Oscillates), "the layout lists oscillations"
+        return node
+
+    # --- moments -----------------------------------------------------------------------------
+
+    def groups(self) -> dict[str, list[Sentence]]:
+        """All sentences, by the name of the predicate that they make together."""
+        return {
+            "clock": list(self.clock()),
+            "marks": [Sentence("what is marked can be evaluated", self.marks_are_in_range())],
+            "unmarked": [Sentence("nothing is left to evaluate", self.nothing_marked())],
+            "in_time": list(self.inputs("<")),
+            "just_in_time": list(self.inputs("<=")),
+            "quiet": list(self.quiet()),
+            "leaves": list(self.leaves()),
+            "ages": list(self.ages()),
+            "swings": list(self.swings()),
+            "swinging": list(self.swinging()),
+            "derived": list(self.derived()),
+            "rules": list(self.rules()),
+            "ahead": list(self.timers("t_ns")),
+            "woken": list(self.timers("m->wake_ns")),
+        }

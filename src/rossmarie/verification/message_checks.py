@@ -1,0 +1,173 @@
+"""What is to be shown of the functions that take messages in.
+
+Takes the definitions of a machine; gives C functions. For each channel there are two checks: that
+its numbers are what they mean, and that the monitor is right about them once the function is done.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie import ir
+from rossmarie.targets.c99 import types
+from rossmarie.targets.c99.coverage import covered_values
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.verification.check import Check, Written
+from rossmarie.verification.definitions import Definitions, converted
+from rossmarie.verification.engine_checks import END, PUBLIC_PARTS, begin
+from rossmarie.verification.program import claim
+
+ELEMENTS = 3
+"""Up to how many elements of an array are looked at."""
+
+
+class MessageChecks:
+    """Writes these checks for one machine."""
+
+    def __init__(self, layout: Layout, definitions: Definitions) -> None:
+        self._layout = layout
+        self._machine = layout.machine
+        self._definitions = definitions
+
+    def written(self) -> Iterator[Written]:
+        """All of them."""
+        for channel, name in enumerate(self._layout.channel_names):
+            topic = self._machine.channels[channel].topic
+            numbers = Check(f"numbers_{name}", f"the numbers of a message on {topic}")
+            yield Written(numbers, self._numbers(channel, name))
+            update = Check(f"update_{name}", f"a message on {topic}", PUBLIC_PARTS)
+            yield Written(update, self._update(channel, name))
+        yield Written(Check("step", "messages on several topics", PUBLIC_PARTS), self._step())
+
+    # --- any message -------------------------------------------------------------------------
+
+    def _message(self, channel: int) -> tuple[list[str], str]:
+        """Declarations of any message, and the arguments that hand it over."""
+        lines, arguments = [], ["m", "t_ns"]
+        for number, field in enumerate(types.fields_of(self._machine, channel)):
+            if field.slot is not None:
+                lines.append(f"    const double field_{number} = nondet_double();")
+                arguments.append(f"field_{number}")
+            else:
+                lines += _array(f"field_{number}")
+                lines.append(f"    const size_t count_{number} = nondet_number() % {ELEMENTS + 1};")
+                arguments += [f"field_{number}", f"count_{number}"]
+        return lines, ", ".join(arguments)
+
+    def _update(self, channel: int, name: str) -> str:
+        lines, arguments = self._message(channel)
+        call = f"    const int events = take_{name}({arguments});"
+        return "\n".join([begin(self._layout), *lines, call, END])
+
+    def _step(self) -> str:
+        name = self._layout.name
+        lines = [f"    {name}_values v;"]
+        for channel, topic in enumerate(self._layout.channel_names):
+            lines.append(f"    v.has_{topic} = nondet_number() % 2 != 0;")
+            for number, field in enumerate(types.fields_of(self._machine, channel)):
+                member = f"v.{topic}.{field.name}"
+                if field.slot is not None:
+                    lines.append(f"    {member} = nondet_double();")
+                    continue
+                lines += _array(f"field_{channel}_{number}")
+                lines.append(f"    {member} = field_{channel}_{number};")
+                lines.append(f"    {member}_count = nondet_number() % {ELEMENTS + 1};")
+        call = f"    const int events = {name}_step(m, t_ns, &v);"
+        return "\n".join([begin(self._layout), *lines, call, END])
+
+    # --- numbers -----------------------------------------------------------------------------
+
+    def _numbers(self, channel: int, name: str) -> str:
+        lines, arguments = self._message(channel)
+        return "\n".join(
+            [
+                "    monitor s = any();",
+                "    monitor *const m = &s;",
+                "    const int64_t t_ns = nondet_instant();",
+                "    __CPROVER_assume(t_ns > EARLIEST && m->now_ns <= t_ns);",
+                "    suppose_clock(m, t_ns);",
+                "    suppose_swings(m, t_ns);",
+                *lines,
+                "    const monitor old = s;",
+                f"    receive_{name}({arguments});",
+                *self._arrived(channel),
+                *self._computed(channel),
+                *self._tests(channel),
+                *self._samples(channel),
+            ]
+        )
+
+    def _arrived(self, channel: int) -> Iterator[str]:
+        """S7; numbers that are watched may be kept as they arrive until somebody looks (S4)."""
+        for number, field in enumerate(types.fields_of(self._machine, channel)):
+            if field.slot is None:
+                assert field.array is not None, "a field is a slot or an array"
+                yield from self._folded(field.array, f"field_{number}", f"count_{number}")
+                continue
+            slot = self._machine.slots[field.slot]
+            kept = f"spec_finite(m->value[{self._layout.value_of_slot[field.slot]}])"
+            meant = f"spec_finite({converted(f'field_{number}', slot.scale, slot.offset)})"
+            path = ".".join(map(str, slot.path))
+            yield claim(f"spec_same({kept}, {meant})", f"{path} is kept as it arrived, in SI")
+
+    def _folded(self, array: int, pointer: str, count: str) -> Iterator[str]:
+        """S23 to S25."""
+        for index, signal in enumerate(self._machine.signals):
+            if self._folds(signal.node, array):
+                kept = f"m->value[{self._layout.value_of_signal[index]}]"
+                meant = f"spec_fold_{index}({pointer}, {count})"
+                yield claim(f"spec_same({kept}, {meant})", f"`{signal.text}` is what it means")
+        for truth, value in self._layout.value_of_test.items():
+            node = self._machine.truths[truth].node
+            if not isinstance(node, ir.Quantified):
+                continue
+            if self._layout.elements.truths[node.element] == array:
+                meant = f"spec_quantified_{truth}({pointer}, {count})"
+                about = f"`{self._machine.truths[truth].text}` is what it means"
+                yield claim(f"spec_same(m->value[{value}], {meant})", about)
+
+    def _folds(self, node: ir.SignalNode, array: int) -> bool:
+        match node:
+            case ir.Fold(element=element):
+                return self._layout.elements.signals[element] == array
+            case ir.Count(element=element):
+                return self._layout.elements.truths[element] == array
+            case _:
+                return False
+
+    def _computed(self, channel: int) -> Iterator[str]:
+        covered = covered_values(self._layout)
+        for index in self._definitions.computed():
+            if channel in self._layout.supports.signals[index].channels:
+                value = self._layout.value_of_signal[index]
+                kept = f"m->value[{value}]"
+                kept = f"spec_finite({kept})" if value in covered else kept
+                about = f"`{self._machine.signals[index].text}` is what it means"
+                yield claim(f"spec_same({kept}, spec_signal_{index}(m))", about)
+
+    def _tests(self, channel: int) -> Iterator[str]:
+        """Comparisons that are kept as numbers: 0, 1 or unknown."""
+        for truth, value in self._layout.value_of_test.items():
+            is_here = channel in self._layout.supports.truths[truth].channels
+            if is_here and not isinstance(self._machine.truths[truth].node, ir.Quantified):
+                kept, meant = f"m->value[{value}]", f"spec_truth_{truth}(m, t_ns)"
+                known = f"{kept} == ({meant} == TRUE ? 1.0 : 0.0)"
+                about = f"`{self._machine.truths[truth].text}` is what it means"
+                yield claim(f"{meant} >= UNKNOWN ? isnan({kept}) : {known}", about)
+
+    def _samples(self, channel: int) -> Iterator[str]:
+        """S18."""
+        for k, signal in enumerate(self._layout.sampled):
+            if channel in self._layout.supports.signals[signal].channels:
+                before = f"old.latest_ns[{k}] == t_ns ? old.before[{k}] : old.latest[{k}]"
+                taken = (
+                    f"m->latest_ns[{k}] == t_ns && "
+                    f"spec_same(m->latest[{k}], {self._definitions.number(signal)}) && "
+                    f"spec_same(m->before[{k}], {before})"
+                )
+                yield claim(taken, f"the samples of `{self._machine.signals[signal].text}`")
+
+
+def _array(name: str) -> list[str]:
+    lines = [f"    double {name}[{ELEMENTS}];"]
+    return lines + [f"    {name}[{i}] = nondet_double();" for i in range(ELEMENTS)]

@@ -1,0 +1,30 @@
+"""How sentences and calls become C text."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rossmarie.verification.invariants import Sentence
+
+
+def predicate(head: str, body: str) -> str:
+    """A function of a monitor and an instant."""
+    return (
+        f"{head}(const monitor *m, int64_t t_ns)\n{{\n    (void)m;\n    (void)t_ns;\n{body}\n}}\n"
+    )
+
+
+def assumptions(sentences: Sequence[Sentence]) -> str:
+    """Statements by which only states remain in which the sentences are true."""
+    return "\n".join(f"    __CPROVER_assume({sentence.holds});" for sentence in sentences)
+
+
+def assertions(sentences: Sequence[Sentence]) -> str:
+    """Statements that claim the sentences, each under its name."""
+    return "\n".join(claim(sentence.holds, sentence.about) for sentence in sentences)
+
+
+def claim(holds: str, about: str) -> str:
+    """A statement that claims something."""
+    plain = about.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ")
+    return f'    __CPROVER_assert({holds}, "{plain}");'

@@ -1,0 +1,85 @@
+"""The parts of the generated C, proved by CBMC against what the rules mean."""
+
+from __future__ import annotations
+
+import pytest
+
+from rossmarie import ir
+from rossmarie.driver import compile_file
+from rossmarie.targets import c99
+from rossmarie.verification.harness import Harness, harness
+from rossmarie.verification.prover import Prover, Verdict, find_prover
+
+SECONDS = 120.0
+
+RULES = """\
+input tilt = topic /tilt : std_msgs/Float64 .data timeout 0.2 sec;
+input speed = topic /speed : std_msgs/Float64 .data;
+action stop;
+rule tilted: if (abs(tilt) > 10 and not speed == 0) for 2 sec then { stop; };
+rule gone: if speed > 3 then { stop; } latched until reset;
+"""
+
+
+@pytest.fixture(scope="module")
+def prover() -> Prover:
+    found = find_prover()
+    if found is None:
+        pytest.skip("no CBMC 6 here: it is a package of Debian 13")
+    return found
+
+
+@pytest.fixture(scope="module")
+def machine(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
+    path = tmp_path_factory.mktemp("rules") / "small.ross"
+    path.write_text(RULES)
+    return compile_file(path).machine
+
+
+def names(program: Harness, *parts: str) -> list[str]:
+    return [check.name for check in program.checks if check.name.startswith(parts)]
+
+
+def outcomes(prover: Prover, machine: ir.Machine, change: tuple[str, str], *parts: str) -> set[str]:
+    """The sentences that do not hold after a change of the generated C."""
+    program = harness(machine)
+    wrong: set[str] = set()
+    with prover.workshop() as folder:
+        for name, text in c99.generate(machine).items():
+            if name.endswith("_monitor.c"):
+                assert change[0] in text
+            (folder / name).write_text(text.replace(*change))
+        prover.compile(folder, program)
+        for check in program.checks:
+            if check.name in names(program, *parts):
+                outcome = prover.run(program, check, folder, SECONDS)
+                assert outcome.verdict is not Verdict.UNDECIDED, (check, outcome.reasons)
+                wrong.update(outcome.reasons)
+    return wrong
+
+
+NO_CHANGE = ("Generated", "Generated")
+
+
+def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) -> None:
+    assert outcomes(prover, machine, NO_CHANGE, "visit", "evaluate") == set()
+
+
+def test_numbers_are_what_they_mean(prover: Prover, machine: ir.Machine) -> None:
+    assert outcomes(prover, machine, NO_CHANGE, "numbers") == set()
+
+
+@pytest.mark.parametrize(
+    ("change", "part", "expected"),
+    [
+        (("t_ns >= due_ns", "t_ns > due_ns"), "visit", "for 2 sec` is what it means"),
+        (("condition == LOST", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
+        (("return TRUE;\n    return a == TRUE", "return FALSE;\n    return a == TRUE"), "visit",
+         "is what it means"),
+        (("fabs(", "-("), "numbers", "`abs(tilt)` is what it means"),
+    ],
+)  # fmt: skip
+def test_a_seeded_fault_is_refuted(
+    prover: Prover, machine: ir.Machine, change: tuple[str, str], part: str, expected: str
+) -> None:
+    assert any(expected in wrong for wrong in outcomes(prover, machine, change, part))
