@@ -85,6 +85,17 @@ class Grammar:
             self._fitting[state] = self.symbols(parser.choices())
         return self._fitting[state]
 
+    def accepted(self, parser: Any) -> frozenset[str]:
+        """The symbols that a parser takes in its state, with what it has gone through."""
+        stack = tuple(parser.parser_state.state_stack)
+        if stack not in self._accepted:
+            self._accepted[stack] = self.symbols(parser.accepts())
+        return self._accepted[stack]
+
+    @cached_property
+    def _accepted(self) -> dict[tuple[int, ...], frozenset[str]]:
+        return {}
+
     @cached_property
     def _fitting(self) -> dict[int, frozenset[str]]:
         return {}
@@ -160,7 +171,7 @@ class Recognizer:
         parser: Any = self._grammar.lark.parse_interactive(start=start)
         index = first
         while index < last:
-            symbol, token, after = self._classify(index, self._grammar.fitting(parser))
+            symbol, token, after = self._classify(index, self._fitting(parser, index))
             if head is not None and index == first:
                 symbol = head
             if not self._feed(parser, symbol, token):
@@ -172,6 +183,16 @@ class Recognizer:
             return self._assemble.transform(parser.feed_eof())
         except UnexpectedInput:
             return Failure(last - first, parser)
+
+    def _fitting(self, parser: Any, index: int) -> Collection[str]:
+        """The symbols that may fit here; a word that may be a name as well is looked at closely,
+        as the parser's tables know of some words only that they fit somewhere else.
+        """
+        fitting = self._grammar.fitting(parser)
+        text = self._tokens[index].text
+        if text in fitting and text not in RESERVED and "$NAME" in fitting:
+            return self._grammar.accepted(parser)
+        return fitting
 
     def _feed(self, parser: Any, symbol: str, token: Token) -> bool:
         """Whether the token fits as that symbol; the parser has then taken it."""

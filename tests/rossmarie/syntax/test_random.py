@@ -233,6 +233,7 @@ def programs(draw: st.DrawFn) -> str:
 
 @thorough
 @given(text=programs())
+@example(text='test "an input that is called at" { at 0 m at ; } ')
 def test_formatting_keeps_the_tree_and_the_comments(
     parsed: Parsed, without_spans: WithoutSpans, text: str
 ) -> None:
