@@ -4,19 +4,22 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+Parts = tuple[tuple[str, str], ...]
+"""Functions, each with what is called instead of it."""
+
 
 @dataclass(frozen=True)
 class Check:
     """A function of the program without parameters, `check_NAME`; `about` says what it shows.
 
-    Calls of the keys of `replaced` go to its values instead. No loop is passed through more often
+    Calls go where `replaced` says. No loop is passed through more often
     than the program allows (that is shown as well), but for those in `unwound`, of which so many
     passes stand for all.
     """
 
     name: str
     about: str
-    replaced: tuple[tuple[str, str], ...] = ()
+    replaced: Parts = ()
     unwound: tuple[tuple[str, int], ...] = ()
 
 

@@ -64,6 +64,20 @@ static void must_not_act(const monitor *m, const monitor *old)
         __CPROVER_assert(m->active[i] == old->active[i], "no rule changes");
 }}
 
+/* Where there is a short way: the case in which it is taken, and the other in any case. */
+bool assume_calm(const monitor *m, int64_t t_ns)
+{{
+    __CPROVER_assume(t_ns >= m->now_ns && t_ns < m->wake_ns);
+    return true;
+}}
+
+bool never_calm(const monitor *m, int64_t t_ns)
+{{
+    (void)m;
+    (void)t_ns;
+    return false;
+}}
+
 int contract_visit(monitor *m, unsigned node, int64_t t_ns)
 {{
     (void)t_ns;
@@ -89,19 +103,25 @@ int contract_evaluate(monitor *m, int64_t t_ns)
     return any_count(RULES);
 }}
 
+/* What is forgotten by expiring; what arrived at this very instant stays. */
+static void suppose_ticked(const monitor *m, const monitor *old, int64_t t_ns)
+{{
+    for (unsigned i = 0; i != INPUTS; i++) {{
+        const bool is_here = old->stamp_ns[i] == t_ns;
+        __CPROVER_assume(m->stamp_ns[i] == old->stamp_ns[i]);
+        __CPROVER_assume((m->state[i] == NEVER_RECEIVED) == (old->state[i] == NEVER_RECEIVED));
+        __CPROVER_assume(!is_here || m->state[i] == old->state[i]);
+    }}
+    __CPROVER_assume(m->now_ns == old->now_ns);
+    suppose_looked(m, t_ns);
+}}
+
 void contract_tick(monitor *m, int64_t t_ns)
 {{
     const monitor old = *m;
     must_be_unlooked(m, t_ns);
     forget(m, &old);
-    for (unsigned i = 0; i != INPUTS; i++) {{
-        const bool is_here = old.stamp_ns[i] == t_ns;
-        __CPROVER_assume(m->stamp_ns[i] == old.stamp_ns[i]);
-        __CPROVER_assume((m->state[i] == NEVER_RECEIVED) == (old.state[i] == NEVER_RECEIVED));
-        __CPROVER_assume(!is_here || m->state[i] == old.state[i]);
-    }}
-    __CPROVER_assume(m->now_ns == old.now_ns);
-    suppose_looked(m, t_ns);
+    suppose_ticked(m, &old, t_ns);
 }}
 
 void contract_restart(monitor *m, int64_t t_ns)
@@ -127,6 +147,100 @@ int contract_catch_up(monitor *m, int64_t t_ns)
     suppose_unlooked(m, t_ns);
     return any_count({most_events});
 }}
+
+/* A function that takes an instant is looked at in stages, each with no more than it rests on:
+ * until timers are looked at, from there until truths are evaluated, and after that.
+ */
+static bool is_evaluated = false;
+
+int caught_up(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    forget(m, &old);
+    __CPROVER_assume(m->now_ns <= t_ns);
+    suppose_unlooked(m, t_ns);
+    return 0;
+}}
+
+int caught_up_somehow(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    forget(m, &old);
+    __CPROVER_assume(m->now_ns <= t_ns);
+    return 0;
+}}
+
+void end_at_tick(monitor *m, int64_t t_ns)
+{{
+    must_be_unlooked(m, t_ns);
+    __CPROVER_assume(false);
+}}
+
+void ticked(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    forget(m, &old);
+    suppose_ticked(m, &old, t_ns);
+}}
+
+void ticked_somehow(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    (void)t_ns;
+    forget(m, &old);
+}}
+
+bool always_pending(const monitor *m)
+{{
+    (void)m;
+    return true;
+}}
+
+int end_at_evaluate(monitor *m, int64_t t_ns)
+{{
+    must_be_looked(m, t_ns);
+    __CPROVER_assume(false);
+    return 0;
+}}
+
+int evaluated(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    forget(m, &old);
+    __CPROVER_assume(m->now_ns == t_ns);
+    suppose_at_rest(m, t_ns);
+    is_evaluated = true;
+    return 0;
+}}
+
+/* What is counted, and nothing else. */
+int count_caught_up(monitor *m, int64_t t_ns)
+{{
+    (void)m;
+    return t_ns <= EARLIEST || t_ns >= LATEST ? -1 : any_count({most_events});
+}}
+
+int count_evaluated(monitor *m, int64_t t_ns)
+{{
+    (void)m;
+    (void)t_ns;
+    return any_count(RULES);
+}}
+
+void ignore_tick(monitor *m, int64_t t_ns)
+{{
+    (void)m;
+    (void)t_ns;
+}}
+
+void ignore_arrive(monitor *m, unsigned channel, int64_t t_ns)
+{{
+    (void)m;
+    (void)channel;
+    (void)t_ns;
+}}
+
+void ignore_wake(monitor *m) {{ (void)m; }}
 
 int contract_advance(monitor *m, int64_t t_ns)
 {{

@@ -9,27 +9,26 @@ from collections.abc import Iterator
 
 from rossmarie import ir
 from rossmarie.targets.c99.layout import Layout
-from rossmarie.verification.check import Check, Written
+from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
-from rossmarie.verification.program import claim
+from rossmarie.verification.program import ANY, claim
 
-_ANY = """\
-    monitor s = any();
-    monitor *const m = &s;
-    const int64_t t_ns = nondet_instant();"""
-
-PUBLIC_PARTS = (
-    ("evaluate", "contract_evaluate"),
-    ("tick", "contract_tick"),
-    ("catch_up", "contract_catch_up"),
+COUNTED_PARTS = (
+    ("evaluate", "count_evaluated"),
+    ("tick", "ignore_tick"),
+    ("catch_up", "count_caught_up"),
+    ("arrive", "ignore_arrive"),
+    ("set_wake", "ignore_wake"),
 )
-"""What stands in for the parts that every function which takes an instant calls."""
+"""What stands in for the parts of a function that takes an instant, where only what it returns
+matters.
+"""
 
 
 def begin(layout: Layout) -> str:
     """A monitor that has not started, or one at rest."""
     return f"""\
-{_ANY}
+{ANY}
     if (nondet_number() % 2) {{
         {layout.name}_init(m, observe, NULL);
         {layout.name}_latch(m, nondet_integer());
@@ -39,20 +38,56 @@ def begin(layout: Layout) -> str:
     const monitor old = s;"""
 
 
-END = """\
-    if (events < 0) {
-        __CPROVER_assert(t_ns <= EARLIEST || t_ns >= LATEST, "what is in range is taken");
-    } else {
-        __CPROVER_assert(m->now_ns == t_ns, "the clock is set");
-        must_be_at_rest(m, t_ns);
-    }"""
+_RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
+RESTS = """\
+    __CPROVER_assert(m->now_ns == t_ns, "the clock is set");
+    must_be_at_rest(m, t_ns);"""
+
+
+def stages(name: str, about: str, call: str, parts: Parts, lines: str = "") -> Iterator[Written]:
+    """A call at an instant in range leaves a monitor at rest behind."""
+    body = f"{ANY}\n{lines}\n{_RANGE}\n    (void){call};"
+    replaced = (("catch_up", "caught_up"), ("tick", "end_at_tick"))
+    check = Check(f"{name}_before", f"{about}, until timers are looked at", (*parts, *replaced))
+    yield Written(check, body)
+    replaced = (("catch_up", "caught_up_somehow"), ("tick", "ticked"))
+    yield between(name, about, f"{body}\n{RESTS}", (*parts, *replaced))
+    yield after(name, about, body, parts)
+
+
+def between(name: str, about: str, body: str, parts: Parts) -> Written:
+    """The same, until truths are evaluated."""
+    replaced = (*parts, ("evaluate", "end_at_evaluate"))
+    return Written(Check(f"{name}_between", f"{about}, until truths are evaluated", replaced), body)
+
+
+def after(name: str, about: str, body: str, parts: Parts) -> Written:
+    """The same, from then on."""
+    somehow = (("catch_up", "caught_up_somehow"), ("tick", "ticked_somehow"))
+    ignored = tuple((part, f"ignore_{part}") for part, _ in parts if part == "cross")
+    kept = tuple(pair for pair in parts if pair[0] != "cross")
+    always = ("is_pending", "always_pending")
+    replaced = (*kept, *ignored, *somehow, always, ("evaluate", "evaluated"))
+    check = Check(f"{name}_after", f"{about}, after truths are evaluated", replaced)
+    return Written(check, f"{body}\n    __CPROVER_assume(is_evaluated);\n{RESTS}")
+
+
+def counts(call: str) -> str:
+    """A call tells how much has changed, and refuses an instant out of range."""
+    return f"""\
+{ANY}
+    __CPROVER_assume(m->now_ns > EARLIEST && m->wake_ns <= LATEST);
+    const int events = {call};
+    const bool is_in_range = t_ns > EARLIEST && t_ns < LATEST;
+    __CPROVER_assert((events >= 0) == is_in_range, "what is out of range is refused");"""
 
 
 class EngineChecks:
     """Writes these checks for one machine."""
 
-    def __init__(self, layout: Layout, definitions: Definitions) -> None:
+    def __init__(self, layout: Layout, definitions: Definitions, parts: Parts) -> None:
         self._layout = layout
+        self._parts = parts
         self._machine = layout.machine
         self._definitions = definitions
 
@@ -62,8 +97,10 @@ class EngineChecks:
         parts = (("visit", "contract_visit"),)
         about = "everything that is marked is evaluated, in order, and that ends"
         yield Written(Check("evaluate", about, parts), _EVALUATE)
-        yield Written(Check("tick", "timers are looked at"), f"{_ANY}\n{_TICK}")
-        yield Written(Check("restart", "time begins, or begins again"), self._restart())
+        tick = Check("tick", "timers are looked at", self._parts)
+        yield Written(tick, f"{ANY}\n{_TICK}")
+        restart = Check("restart", "time begins, or begins again", self._parts)
+        yield Written(restart, self._restart())
         yield self._catch_up()
         yield from self._public()
 
@@ -88,7 +125,7 @@ class EngineChecks:
             *(self._before(k, node) for k in range(len(self._layout.held))),
         ]
         return f"""\
-{_ANY}
+{ANY}
     const unsigned node = {node};
     const monitor before = s;
     mark(m, node);
@@ -128,7 +165,7 @@ class EngineChecks:
     def _restart(self) -> str:
         name = self._layout.name
         return f"""\
-{_ANY}
+{ANY}
     __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);
     if (nondet_number() % 2) {{
         {name}_init(m, observe, NULL);
@@ -153,12 +190,17 @@ class EngineChecks:
     # --- the interface -----------------------------------------------------------------------
 
     def _public(self) -> Iterator[Written]:
-        name, start = self._layout.name, begin(self._layout)
-        call = f"    const int events = {name}_advance(m, t_ns);"
-        yield Written(Check("advance", "time passes", PUBLIC_PARTS), "\n".join([start, call, END]))
-        call = f"    const int events = {name}_reset(m, t_ns, nondet_integer());"
+        name = self._layout.name
+        advance, reset = (
+            f"{name}_advance(m, t_ns)",
+            f"{name}_reset(m, t_ns, nondet_integer())",
+        )
+        yield from stages("advance", "time passes", advance, self._parts)
         parts = ((f"{name}_advance", "contract_advance"),)
-        yield Written(Check("reset", "an operator resets", parts), "\n".join([start, call, END]))
+        body = f"{ANY}\n{_RANGE}\n    (void){reset};\n{RESTS}"
+        yield Written(Check("reset", "an operator resets", parts), body)
+        about = "the changes are counted when time passes"
+        yield Written(Check("advance_counts", about, COUNTED_PARTS), counts(advance))
         questions = f"""\
     const int64_t wake_ns = {name}_next_wake(m);
     __CPROVER_assert(!m->started || wake_ns > m->now_ns, "what comes next lies ahead");
@@ -166,9 +208,11 @@ class EngineChecks:
     (void){name}_is_active(m, which);
     (void){name}_input_state(m, which);
     (void){name}_has_all_inputs(m);
+    __CPROVER_assert(!is_calm(m, t_ns) || (t_ns >= m->now_ns && t_ns < m->wake_ns),
+        "where the short way is taken, time goes forward and nothing is due");
     __CPROVER_assert(old.now_ns == m->now_ns, "to ask changes nothing");"""
         about = "questions that change nothing"
-        yield Written(Check("questions", about), f"{start}\n{questions}")
+        yield Written(Check("questions", about), f"{begin(self._layout)}\n{questions}")
 
 
 _EVALUATE = """\

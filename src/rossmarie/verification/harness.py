@@ -18,6 +18,7 @@ from rossmarie.verification.check import Check
 from rossmarie.verification.contracts import CONTRACTS, NONDETERMINISM
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.engine_checks import EngineChecks
+from rossmarie.verification.guard_checks import GuardChecks
 from rossmarie.verification.invariants import Invariants, Sentence
 from rossmarie.verification.message_checks import ELEMENTS, MessageChecks
 from rossmarie.verification.program import assertions, assumptions, predicate
@@ -85,9 +86,11 @@ class _Writer:
         self._groups = self._invariants.groups()
 
     def harness(self) -> Harness:
+        guards = GuardChecks(self._layout, self._definitions, self._invariants)
         written = [
-            *EngineChecks(self._layout, self._definitions).written(),
-            *MessageChecks(self._layout, self._definitions).written(),
+            *guards.written(),
+            *EngineChecks(self._layout, self._definitions, guards.parts()).written(),
+            *MessageChecks(self._layout, self._definitions, guards.parts()).written(),
         ]
         most_events = (ir.most_evaluations(self._machine) + 1) * (len(self._machine.rules) + 1)
         parts = [
@@ -98,6 +101,7 @@ class _Writer:
             self._nondeterminism(),
             self._definitions.text(),
             *self._predicates(),
+            guards.text(),
             CONTRACTS.format(most_events=most_events),
             *(each.text() for each in written),
         ]
@@ -125,11 +129,14 @@ class _Writer:
         for word, write in (("suppose", assumptions), ("must_be", assertions)):
             for name, sentences in self._groups.items():
                 yield predicate(f"static void {word}_{name}", write(sentences))
-            for name, groups in _MOMENTS.items():
+            for name, groups in self._moments().items():
                 lines = "\n".join(f"    {word}_{group}(m, t_ns);" for group in groups)
                 yield predicate(f"static void {word}_{name}", lines)
             yield predicate(f"static void {word}_unlooked", self._unlooked(word, write))
             yield predicate(f"static void {word}_restarted", write(self._restarted()))
+
+    def _moments(self) -> dict[str, tuple[str, ...]]:
+        return {"leaves": (*self._invariants.guards(), "literals"), **_MOMENTS}
 
     def _unlooked(self, word: str, write: Callable[[Sequence[Sentence]], str]) -> str:
         """What holds before timers are looked at: what was right at the last evaluation still is,

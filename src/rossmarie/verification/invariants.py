@@ -27,6 +27,20 @@ class Sentence:
     holds: str
 
 
+def users_of(layout: Layout, truth: int) -> list[int]:
+    """The nodes that a truth is an operand of: truths, then rules."""
+    machine = layout.machine
+    found = [
+        layout.node_of_truth[index]
+        for index in layout.derived
+        if truth in ir.truth_operands(machine.truths[index].node)
+    ]
+    for number, rule in enumerate(machine.rules):
+        if truth in (rule.condition, rule.release):
+            found.append(layout.truth_count + number)
+    return found
+
+
 class Invariants:
     """Writes the predicates of one machine."""
 
@@ -110,21 +124,18 @@ class Invariants:
             text = self._machine.truths[truth].text
             yield Sentence(f"on a quiet channel `{text}` is false", held)
 
-    def leaves(self) -> Iterator[Sentence]:
-        """Truths that look at numbers are what these are now."""
-        for number, guard in enumerate(self._layout.guards):
-            yield from self.guard(number, guard)
+    def literals(self) -> Iterator[Sentence]:
+        """Truths that never change are what they are."""
         for truth in self._layout.literals:
             yield self._is_right(truth)
 
     def guard(self, number: int, guard: Guard) -> Iterator[Sentence]:
-        """A guard lies around its number, and its truths are right."""
+        """A guard lies around its number, and its truths are what that is now."""
         for truth in guard.leaves:
             yield self._is_right(truth)
         x, low, high = f"m->value[{guard.value}]", f"m->low[{number}]", f"m->high[{number}]"
         place = f"m->place[{number}]"
-        first = sum(len(other.limits) + 2 for other in self._layout.guards[:number])
-        last = first + len(guard.limits)
+        first, last = self.places(number)
         unknown = (
             f"({place} == -(int)m->truth[{self._layout.node_of_truth[guard.leaves[0]]}] && "
             f"{low} == INFINITY && {high} == -INFINITY)"
@@ -136,6 +147,11 @@ class Invariants:
         )
         about = self._layout.values[guard.value].remark.split("  ", 1)[-1]
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")
+
+    def places(self, number: int) -> tuple[int, int]:
+        """The first and the last place that a guard can have."""
+        first = sum(len(other.limits) + 2 for other in self._layout.guards[:number])
+        return first, first + len(self._layout.guards[number].limits)
 
     def _is_right(self, truth: int) -> Sentence:
         text = self._machine.truths[truth].text
@@ -273,6 +289,10 @@ class Invariants:
         assert isinstance(node, ir.Oscillates), "the layout lists oscillations"
         return node
 
+    def guards(self) -> dict[str, Guard]:
+        """The guards, by the names of their predicates."""
+        return {f"guard_{number}": guard for number, guard in enumerate(self._layout.guards)}
+
     # --- moments -----------------------------------------------------------------------------
 
     def groups(self) -> dict[str, list[Sentence]]:
@@ -284,12 +304,16 @@ class Invariants:
             "in_time": list(self.inputs("<")),
             "just_in_time": list(self.inputs("<=")),
             "quiet": list(self.quiet()),
-            "leaves": list(self.leaves()),
+            **{name: list(self.guard(n, g)) for n, (name, g) in enumerate(self.guards().items())},
+            "literals": list(self.literals()),
             "ages": list(self.ages()),
             "swings": list(self.swings()),
             "swinging": list(self.swinging()),
             "derived": list(self.derived()),
             "rules": list(self.rules()),
             "ahead": list(self.timers("t_ns")),
-            "woken": list(self.timers("m->wake_ns")),
+            "woken": [
+                Sentence("nothing beyond the range passes for calm", "m->wake_ns <= LATEST"),
+                *self.timers("m->wake_ns"),
+            ],
         }

@@ -12,10 +12,17 @@ from rossmarie import ir
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Layout
-from rossmarie.verification.check import Check, Written
+from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions, converted
-from rossmarie.verification.engine_checks import END, PUBLIC_PARTS, begin
-from rossmarie.verification.program import claim
+from rossmarie.verification.engine_checks import (
+    COUNTED_PARTS,
+    RESTS,
+    after,
+    between,
+    counts,
+    stages,
+)
+from rossmarie.verification.program import ANY, claim
 
 ELEMENTS = 3
 """Up to how many elements of an array are looked at."""
@@ -24,8 +31,11 @@ ELEMENTS = 3
 class MessageChecks:
     """Writes these checks for one machine."""
 
-    def __init__(self, layout: Layout, definitions: Definitions) -> None:
+    def __init__(self, layout: Layout, definitions: Definitions, parts: Parts) -> None:
         self._layout = layout
+        self._parts = parts
+        ignored = tuple((part, f"ignore_{part}") for part, _ in parts)
+        self._counted = (*ignored, *COUNTED_PARTS)
         self._machine = layout.machine
         self._definitions = definitions
 
@@ -35,9 +45,25 @@ class MessageChecks:
             topic = self._machine.channels[channel].topic
             numbers = Check(f"numbers_{name}", f"the numbers of a message on {topic}")
             yield Written(numbers, self._numbers(channel, name))
-            update = Check(f"update_{name}", f"a message on {topic}", PUBLIC_PARTS)
-            yield Written(update, self._update(channel, name))
-        yield Written(Check("step", "messages on several topics", PUBLIC_PARTS), self._step())
+            lines, arguments = self._message(channel)
+            call = f"take_{name}({arguments})"
+            yield from self._ways(f"update_{name}", f"a message on {topic}", lines, call)
+        call = f"{self._layout.name}_step(m, t_ns, &v)"
+        yield from self._ways("step", "messages on several topics", list(self._values()), call)
+
+    def _ways(self, name: str, about: str, lines: list[str], call: str) -> Iterator[Written]:
+        """A message before any timer is due may take a short way; the long one is always right."""
+        declared = "\n".join(lines)
+        late = (*self._parts, ("is_calm", "never_calm"))
+        yield from stages(f"{name}_late", f"{about}, the long way", call, late, declared)
+        calm = (*self._parts, ("is_calm", "assume_calm"))
+        body = f"{ANY}\n{declared}\n    suppose_at_rest(m, m->now_ns);\n    (void){call};"
+        short = f"{about}, the short way"
+        yield between(f"{name}_calm", short, f"{body}\n{RESTS}", calm)
+        body = f"{ANY}\n{declared}\n    (void){call};"
+        yield after(f"{name}_calm", short, body, calm)
+        check = Check(f"{name}_counts", f"{about}: changes are counted", self._counted)
+        yield Written(check, f"{declared}\n{counts(call)}")
 
     # --- any message -------------------------------------------------------------------------
 
@@ -54,26 +80,19 @@ class MessageChecks:
                 arguments += [f"field_{number}", f"count_{number}"]
         return lines, ", ".join(arguments)
 
-    def _update(self, channel: int, name: str) -> str:
-        lines, arguments = self._message(channel)
-        call = f"    const int events = take_{name}({arguments});"
-        return "\n".join([begin(self._layout), *lines, call, END])
-
-    def _step(self) -> str:
-        name = self._layout.name
-        lines = [f"    {name}_values v;"]
+    def _values(self) -> Iterator[str]:
+        """Declares any messages on some topics."""
+        yield f"    {self._layout.name}_values v;"
         for channel, topic in enumerate(self._layout.channel_names):
-            lines.append(f"    v.has_{topic} = nondet_number() % 2 != 0;")
+            yield f"    v.has_{topic} = nondet_number() % 2 != 0;"
             for number, field in enumerate(types.fields_of(self._machine, channel)):
                 member = f"v.{topic}.{field.name}"
                 if field.slot is not None:
-                    lines.append(f"    {member} = nondet_double();")
+                    yield f"    {member} = nondet_double();"
                     continue
-                lines += _array(f"field_{channel}_{number}")
-                lines.append(f"    {member} = field_{channel}_{number};")
-                lines.append(f"    {member}_count = nondet_number() % {ELEMENTS + 1};")
-        call = f"    const int events = {name}_step(m, t_ns, &v);"
-        return "\n".join([begin(self._layout), *lines, call, END])
+                yield from _array(f"field_{channel}_{number}")
+                yield f"    {member} = field_{channel}_{number};"
+                yield f"    {member}_count = nondet_number() % {ELEMENTS + 1};"
 
     # --- numbers -----------------------------------------------------------------------------
 

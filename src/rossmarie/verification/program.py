@@ -6,6 +6,12 @@ from collections.abc import Sequence
 
 from rossmarie.verification.invariants import Sentence
 
+ANY = """\
+    monitor s = any();
+    monitor *const m = &s;
+    const int64_t t_ns = nondet_instant();"""
+"""Any memory, at any instant."""
+
 
 def predicate(head: str, body: str) -> str:
     """A function of a monitor and an instant."""

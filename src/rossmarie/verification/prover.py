@@ -14,10 +14,9 @@ import shutil
 import signal
 import subprocess
 import tempfile
-import time
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +30,14 @@ _SOLVERS = ((), ("--smt2",))
 _ONLY_LOOPS = ("--no-standard-checks", "--no-assertions")
 """What remains to be shown then is that loops end."""
 
-_PROGRAM = "program.goto"
+_SHORT = 10
+"""For how many seconds several claims are asked together."""
+
+_FEW = 4
+"""How many claims of a function are few."""
+
+_MOST = 600
+"""How many seconds anything that answers no question may take."""
 
 
 class Verdict(enum.Enum):
@@ -49,6 +55,10 @@ class Outcome:
     check: Check
     verdict: Verdict
     reasons: tuple[str, ...] = ()
+
+
+_Answer = tuple[Verdict, tuple[str, ...]]
+"""A verdict, and the sentences that do not hold or have not been decided."""
 
 
 class ProverError(Exception):
@@ -77,65 +87,95 @@ class Prover:
         with tempfile.TemporaryDirectory(prefix="rossmarie_", dir=inside) as folder:
             yield Path(folder)
 
-    def compile(self, folder: Path, harness: Harness) -> None:
-        """Write the program of a harness, beside the sources that it includes, and translate it."""
+    def write(self, folder: Path, harness: Harness) -> None:
+        """Write the program of a harness, beside the sources that it includes."""
         (folder / "harness.c").write_text(harness.text, encoding="utf-8")
-        self._must(["goto-cc", "-o", _PROGRAM, "harness.c"], folder)
 
-    def run(self, harness: Harness, check: Check, folder: Path, seconds: float) -> Outcome:
-        """Ask about a check. No single question is given more than so many seconds."""
-        program = _PROGRAM
-        if check.replaced:
-            program = f"{check.name}.goto"
-            calls = [
-                word for old, new in check.replaced for word in ("--replace-calls", f"{old}:{new}")
-            ]
-            self._must(["goto-instrument", *calls, _PROGRAM, program], folder)
-        command = ["cbmc", program, "--function", f"check_{check.name}", "--json-ui"]
+    def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> Outcome:
+        """Ask about a check in a folder with its program. No single question is given more than so
+        many seconds of a processor.
+        """
+        command = ["cbmc", self._compile(check, folder), "--json-ui"]
         command += ["--unwind", str(harness.passes), *_unwound(check)]
         listed = _messages(self._must([*command, "--show-properties"], folder))
-        known = [each["name"] for message in listed for each in message.get("properties", ())]
-        questions = [_ONLY_LOOPS, *(_named(group) for group in _grouped(known))]
-        answers = [self._ask(command, question, folder, seconds) for question in questions]
+        names = [each["name"] for message in listed for each in message.get("properties", ())]
+        question = _Question([*command, "--slice-formula"], folder, seconds)
+        answers = [self._ask(question, _ONLY_LOOPS), *self._answers(question, names)]
         reasons = tuple(reason for answer in answers for reason in answer[1])
         return Outcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
 
-    def _ask(
-        self, command: Sequence[str], question: Sequence[str], folder: Path, seconds: float
-    ) -> tuple[Verdict, tuple[str, ...]]:
-        """Ask all solvers at once; the first answer counts. What has none is asked in halves, as
-        many easy questions together can be a hard one.
+    def _compile(self, check: Check, folder: Path) -> str:
+        """Translate what a check calls; gives the name of the file."""
+        program = f"{check.name}.goto"
+        function = f"check_{check.name}"
+        self._must(["goto-cc", "--function", function, "-o", program, "harness.c"], folder)
+        calls = [
+            word for old, new in check.replaced for word in ("--replace-calls", f"{old}:{new}")
+        ]
+        if calls:
+            self._must(["goto-instrument", *calls, program, program], folder)
+        self._must(["goto-instrument", "--drop-unused-functions", program, program], folder)
+        return program
+
+    def _answers(self, question: _Question, names: Sequence[str]) -> Iterator[_Answer]:
+        """Ask for all claims, a few at a time if that is too much: many easy questions together can
+        be a hard one.
         """
-        asked = [*command, "--slice-formula", *question]
+        short = replace(question, seconds=min(question.seconds, _SHORT))
+        whole = self._ask(short, _named(names))
+        if whole[0] is not Verdict.UNDECIDED:
+            yield whole
+            return
+        for group in filter(None, _grouped(names)):
+            answer = self._ask(short, _named(group))
+            if answer[0] is not Verdict.UNDECIDED:
+                yield answer
+            else:
+                yield from (self._ask(question, _named([name])) for name in group)
+
+    def _ask(self, question: _Question, options: Sequence[str]) -> _Answer:
+        """Ask all solvers at once; the first answer counts."""
         with ExitStack() as stack:
             started = [
-                stack.enter_context(self._start([*asked, *option], folder)) for option in _SOLVERS
+                stack.enter_context(
+                    self._start(
+                        [*question.command, *options, *solver], question.folder, question.seconds
+                    )
+                )
+                for solver in _SOLVERS
             ]
-            found = _first(started, seconds)
+            found = _first(started)
         if found is not None:
             return found
-        names = () if question is _ONLY_LOOPS else question[1::2]
-        if len(names) < 2:
-            about = names[0] if names else "that its loops end"
-            return Verdict.UNDECIDED, (f"no answer within {seconds:g} s: {about}",)
-        middle = len(names) // 2
-        halves = (names[:middle], names[middle:])
-        answers = [self._ask(command, _named(half), folder, seconds) for half in halves]
-        return max((each[0] for each in answers), key=_weight), answers[0][1] + answers[1][1]
+        about = "its loops end" if options is _ONLY_LOOPS else ", ".join(options[1::2])
+        return Verdict.UNDECIDED, (f"no answer within {question.seconds} s: {about}",)
 
     def _must(self, command: Sequence[str], folder: Path) -> str:
-        with self._start(command, folder) as started:
+        with self._start(command, folder, _MOST) as started:
             started.process.wait()
             if started.process.returncode != 0:
                 raise ProverError(started.text())
             return started.text()
 
-    def _start(self, command: Sequence[str], folder: Path) -> _Started:
+    def _start(self, command: Sequence[str], folder: Path, seconds: int) -> _Started:
+        # Seconds of a processor, so that a busy machine does not change the answer.
+        script = f'ulimit -t {seconds} && cd "$0" && exec "$@"'
+        shell, inside = ["/bin/sh", "-c", script], folder
         if self.root is not None:
-            inside = Path("/") / folder.relative_to(self.root)
-            script = 'cd "$0" && exec "$@"'
-            command = ["chroot", str(self.root), "/bin/sh", "-c", script, str(inside), *command]
-        return _Started(command, folder)
+            shell, inside = (
+                ["chroot", str(self.root), *shell],
+                Path("/") / folder.relative_to(self.root),
+            )
+        return _Started([*shell, str(inside), *command], folder)
+
+
+@dataclass(frozen=True)
+class _Question:
+    """How CBMC is called, where, and for how long."""
+
+    command: Sequence[str]
+    folder: Path
+    seconds: int
 
 
 class _Started:
@@ -199,24 +239,27 @@ def _named(names: Sequence[str]) -> list[str]:
     return [word for name in names for word in ("--property", name)]
 
 
-def _grouped(names: Sequence[str]) -> list[list[str]]:
-    """Claims by the function that makes them; what C itself forbids comes all together."""
+def _grouped(names: Sequence[str]) -> Iterator[list[str]]:
+    """What C itself forbids; the claims of small functions; those of others, a few at a time."""
     groups: dict[str, list[str]] = {}
     for name in names:
         function, kind = name.split(".", 1)
         groups.setdefault(function if kind.startswith("assertion") else "", []).append(name)
-    return list(groups.values())
+    yield groups.pop("", [])
+    yield [name for group in groups.values() if len(group) <= _FEW for name in group]
+    for group in groups.values():
+        if len(group) > _FEW:
+            yield from (group[i : i + _FEW] for i in range(0, len(group), _FEW))
 
 
 def _weight(verdict: Verdict) -> int:
     return (Verdict.PROVED, Verdict.UNDECIDED, Verdict.REFUTED).index(verdict)
 
 
-def _first(started: Sequence[_Started], seconds: float) -> tuple[Verdict, tuple[str, ...]] | None:
+def _first(started: Sequence[_Started]) -> _Answer | None:
     """The first answer of several; those that give none are passed over."""
-    until = time.monotonic() + seconds
     running = list(started)
-    while time.monotonic() < until and running:
+    while running:
         for each in [each for each in running if each.has_ended()]:
             running.remove(each)
             answer = _read(each.text())
@@ -234,7 +277,7 @@ def _messages(text: str) -> list[Any]:
     return messages if isinstance(messages, list) else []
 
 
-def _read(text: str) -> tuple[Verdict, tuple[str, ...]] | None:
+def _read(text: str) -> _Answer | None:
     """The answer in CBMC's messages; None if there is none."""
     messages = _messages(text)
     results = [result for message in messages for result in message.get("result", ())]

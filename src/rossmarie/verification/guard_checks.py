@@ -1,0 +1,260 @@
+"""What is to be shown of a number that leaves its guard, and what stands in for that elsewhere.
+
+Takes the invariants of a machine; gives for each guard a check of `cross` on it, and the contract
+that all other checks call instead. What a guard and its truths remember of the number before is
+called *kept*: they are those of some number, though not of the one that is there now.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+
+from rossmarie.targets.c99.coverage import covered_values
+from rossmarie.targets.c99.layout import Guard, Layout
+from rossmarie.targets.c99.state import members
+from rossmarie.verification.check import Check, Written
+from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.invariants import Invariants, Sentence, users_of
+from rossmarie.verification.program import ANY, assertions, assumptions, claim, predicate
+
+_MEMBER = re.compile(r"(?P<kind>.*?) ?\*?(?P<name>\w+)(\[(?P<count>\d+)\])?;")
+
+
+class GuardChecks:
+    """Writes these checks for one machine."""
+
+    def __init__(self, layout: Layout, definitions: Definitions, invariants: Invariants) -> None:
+        self._layout = layout
+        self._definitions = definitions
+        self._invariants = invariants
+
+    def parts(self) -> tuple[tuple[str, str], ...]:
+        """What other checks call instead."""
+        return (("cross", "contract_cross"),) if self._layout.guards else ()
+
+    def written(self) -> Iterator[Written]:
+        """One check for each guard."""
+        for number, guard in enumerate(self._layout.guards):
+            remark = self._layout.values[guard.value].remark.split("  ", 1)[-1]
+            about = f"a new `{remark}` is compared with its limits"
+            check = Check(f"cross_{number}", about, (("set_truth", f"contract_set_{number}"),))
+            yield Written(check, self._check(number, guard))
+        if self._layout.guards:
+            about = "a truth has a value, and what depends on it is marked"
+            yield Written(Check("set_truth", about), self._check_set_truth())
+
+    def text(self) -> str:
+        """The predicates, the contract, and what the checks compare."""
+        if not self._layout.guards:
+            return ""
+        finite = list(self._finite())
+        parts = [self._is_same()]
+        parts.append(predicate("static void suppose_finite", assumptions(finite)))
+        parts.append(predicate("static void must_be_finite", assertions(finite)))
+        for number, guard in enumerate(self._layout.guards):
+            kept = [self._kept(number, guard)]
+            parts.append(self._probe(number, guard))
+            parts.append(predicate(f"static void suppose_kept_{number}", assumptions(kept)))
+            parts.append(predicate(f"static void must_be_kept_{number}", assertions(kept)))
+            parts.append(self._change(number, guard))
+            parts.append(self._set(f"contract_set_{number}", guard.leaves))
+        parts.append(self._set("spec_set_truth", [*self._layout.node_of_truth]))
+        cases = "".join(
+            f"    case {number}: contract_cross_{number}(m, x, t_ns); break;\n"
+            for number in range(len(self._layout.guards))
+        )
+        parts.append(_CONTRACT.format(cases=cases))
+        return "\n".join(parts)
+
+    # --- what is kept ------------------------------------------------------------------------
+
+    def _finite(self) -> Iterator[Sentence]:
+        """Numbers that somebody else looks at are kept as finite or unknown."""
+        covered = covered_values(self._layout)
+        for value in self._layout.value_of_slot:
+            if value not in covered:
+                remark = self._layout.values[value].remark.split("  ", 1)[-1]
+                yield Sentence(f"`{remark}` is finite or unknown", f"!isinf(m->value[{value}])")
+
+    def _probe(self, number: int, guard: Guard) -> str:
+        """Whether truths are right for the largest number that a guard lets pass."""
+        right = " && ".join(
+            f"{self._definitions.truth(truth)} == spec_truth_{truth}(&probe, t_ns)"
+            for truth in guard.leaves
+        )
+        return (
+            f"static bool is_kept_{number}(const monitor *m, int64_t t_ns)\n{{\n"
+            f"    monitor probe = *m;\n"
+            f"    probe.value[{guard.value}] = m->high[{number}];\n"
+            f"    return {right};\n}}\n"
+        )
+
+    def _kept(self, number: int, guard: Guard) -> Sentence:
+        place, low, high = f"m->place[{number}]", f"m->low[{number}]", f"m->high[{number}]"
+        first, last = self._invariants.places(number)
+        truths = [self._definitions.truth(truth) for truth in guard.leaves]
+        unknown = " && ".join(
+            [
+                *(f"{truth} >= UNKNOWN && {truth} <= UNSET" for truth in truths[:1]),
+                *(f"{truth} == {truths[0]}" for truth in truths[1:]),
+                f"{place} == -(int){truths[0]} && {low} == INFINITY && {high} == -INFINITY",
+            ]
+        )
+        known = (
+            f"{place} >= {first} && {place} <= {last} && {low} == limits[{place}] && "
+            f"{high} == limits[{place} + 1] && is_kept_{number}(m, t_ns)"
+        )
+        return Sentence("a guard and its truths fit a number", f"{place} < 0 ? {unknown} : {known}")
+
+    # --- what changes ------------------------------------------------------------------------
+
+    def _change(self, number: int, guard: Guard) -> str:
+        """The contract: truths change, and what depends on them is marked; nothing else."""
+        nodes = [self._layout.node_of_truth[truth] for truth in guard.leaves]
+        return "\n".join(
+            [
+                f"static void contract_cross_{number}(monitor *m, double x, int64_t t_ns)\n{{",
+                f"    must_be_kept_{number}(m, t_ns);",
+                "    must_be_finite(m, t_ns);",
+                "    must_be_marks(m, t_ns);",
+                claim(f"spec_same(x, m->value[{guard.value}])", "it is its number"),
+                claim(f"!is_inside(m, {number}, x)", "it is outside its guard"),
+                "    const monitor old = *m;",
+                self._numbers(),
+                f"    m->place[{number}] = nondet_integer();",
+                f"    m->low[{number}] = nondet_double();",
+                f"    m->high[{number}] = nondet_double();",
+                *(f"    m->truth[{node}] = (unsigned char)nondet_number();" for node in nodes),
+                *self._consequences(guard),
+                f"    suppose_guard_{number}(m, t_ns);\n}}\n",
+            ]
+        )
+
+    def _numbers(self) -> str:
+        """Numbers that are kept as they arrive until somebody looks (S4): one is not finite."""
+        lines = [
+            f"        m->value[{value}] = spec_finite(m->value[{value}]);"
+            for value in covered_values(self._layout)
+        ]
+        return "\n".join(["    if (!isfinite(x)) {", *lines, "    }"]) if lines else "    (void)x;"
+
+    def _consequences(self, guard: Guard) -> Iterator[str]:
+        for truth in guard.leaves:
+            node = self._layout.node_of_truth[truth]
+            yield f"    if (m->truth[{node}] != old.truth[{node}]) {{"
+            yield f"        m->since_ns[{node}] = t_ns;"
+            for user in users_of(self._layout, truth):
+                yield f"        mark(m, {user});"
+            yield "    }"
+
+    # --- truths ------------------------------------------------------------------------------
+
+    def _set(self, name: str, truths: Sequence[int]) -> str:
+        """What it means to give one of some truths a value."""
+        cases = []
+        for truth in truths:
+            node = self._layout.node_of_truth[truth]
+            marks = "".join(f" mark(m, {user});" for user in users_of(self._layout, truth))
+            cases.append(
+                f"    case {node}:\n        if (value != m->truth[{node}]) {{\n"
+                f"            m->truth[{node}] = (unsigned char)value;\n"
+                f"            m->since_ns[{node}] = t_ns;\n"
+                f"           {marks}\n        }}\n        break;\n"
+            )
+        return _SET.format(name=name, cases="".join(cases))
+
+    def _check_set_truth(self) -> str:
+        return f"""\
+{ANY}
+    const unsigned node = nondet_number();
+    const unsigned value = nondet_number() % 5;
+    __CPROVER_assume(node < TRUTHS);
+    suppose_marks(m, t_ns);
+    monitor expected = s;
+    spec_set_truth(&expected, node, value, t_ns);
+    set_truth(m, node, value, t_ns);
+    must_be_same(m, &expected);"""
+
+    # --- the check ---------------------------------------------------------------------------
+
+    def _check(self, number: int, guard: Guard) -> str:
+        """What it leaves behind is what the contract makes of the memory before."""
+        nodes = [self._layout.node_of_truth[truth] for truth in guard.leaves]
+        copied = [f"{name}[{number}]" for name in ("place", "low", "high")]
+        copied += [f"truth[{node}]" for node in nodes]
+        return "\n".join(
+            [
+                ANY,
+                *self._each_place(number),
+                f"    suppose_kept_{number}(m, t_ns);",
+                "    suppose_finite(m, t_ns);",
+                "    suppose_marks(m, t_ns);",
+                "    const monitor old = s;",
+                f"    const double x = m->value[{guard.value}];",
+                f"    __CPROVER_assume(!is_inside(m, {number}, x));",
+                f"    cross(m, {number}, x, t_ns);",
+                f"    must_be_guard_{number}(m, t_ns);",
+                "    monitor expected = old;",
+                self._numbers().replace("m->", "expected."),
+                *(f"    expected.{place} = m->{place};" for place in copied),
+                "    {",
+                "        monitor *const m = &expected;",
+                *(f"    {line}" for line in self._consequences(guard)),
+                "    }",
+                "    must_be_same(m, &expected);",
+            ]
+        )
+
+    def _each_place(self, number: int) -> Iterator[str]:
+        """Each place that a guard can have is looked at on its own."""
+        first, last = self._invariants.places(number)
+        yield f"    switch (m->place[{number}]) {{"
+        for place in (*range(-4, -1), *range(first, last + 1)):
+            yield f"    case {place}: m->place[{number}] = {place}; break;"
+        yield "    default: __CPROVER_assume(false);"
+        yield "    }"
+
+    def _is_same(self) -> str:
+        lines = []
+        for member in members(self._layout):
+            found = _MEMBER.fullmatch(member)
+            assert found is not None, f"{member} is no member"
+            name, count = found["name"], found["count"]
+            places = [f"{name}[{place}]" for place in range(int(count))] if count else [name]
+            for place in places:
+                is_double = found["kind"] == "double"
+                pair = f"m->{place}", f"other->{place}"
+                same = f"spec_same({pair[0]}, {pair[1]})" if is_double else " == ".join(pair)
+                lines.append(claim(same, f"`{name}` is as it has to be"))
+        body = "\n".join(lines)
+        return f"static void must_be_same(const monitor *m, const monitor *other)\n{{\n{body}\n}}\n"
+
+
+_SET = """\
+void {name}(monitor *m, unsigned node, unsigned value, int64_t t_ns)
+{{
+    switch (node) {{
+{cases}    default:
+        __CPROVER_assert(false, "it is one of these truths");
+    }}
+}}
+"""
+
+_CONTRACT = """\
+void ignore_cross(monitor *m, unsigned g, double x, int64_t t_ns)
+{{
+    (void)m;
+    (void)g;
+    (void)x;
+    (void)t_ns;
+}}
+
+void contract_cross(monitor *m, unsigned g, double x, int64_t t_ns)
+{{
+    switch (g) {{
+{cases}    default:
+        __CPROVER_assert(false, "there is such a guard");
+    }}
+}}
+"""
