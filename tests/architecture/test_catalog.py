@@ -44,8 +44,8 @@ class Tool:
 
 
 # 0 syntax, 1 names and declarations, 2 types, 3 units and time, 4 meaning, 5 targets, 6 recordings,
-# 7 what rules mean together, tests, coverage and reports, 8 files and configuration, 9 defects of
-# the tool.
+# 7 what rules mean together, tests, coverage, reports and proofs, 8 files and configuration,
+# 9 defects of the tool.
 ROSSMARIE = Tool(
     rossmarie.catalog.CATALOG,
     "ROSS",
@@ -59,6 +59,7 @@ ROSSMARIE = Tool(
         "testing": {7},
         "analysis": {7},
         "report": {7},
+        "verification": {7},
         "driver": {8},
         "catalog": {9},
     },

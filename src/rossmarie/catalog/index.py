@@ -13,6 +13,7 @@ from rossmarie.report.safety import errors as safety_errors
 from rossmarie.syntax import errors as syntax_errors
 from rossmarie.targets import errors as targets_errors
 from rossmarie.testing import errors as testing_errors
+from rossmarie.verification import errors as verification_errors
 
 DIAGNOSTICS: tuple[type[Template], ...] = (
     *syntax_errors.ALL,
@@ -22,6 +23,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *testing_errors.ALL,
     *analysis_errors.ALL,
     *safety_errors.ALL,
+    *verification_errors.ALL,
     *driver_errors.ALL,
     *catalog_errors.ALL,
 )

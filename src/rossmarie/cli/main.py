@@ -35,6 +35,14 @@ app = typer.Typer(
 )
 
 
+def _set_up(wanted: bool) -> None:
+    if wanted:
+        from rossmarie.cli.verification import prover
+
+        prover()
+        raise typer.Exit
+
+
 @app.callback()
 def rossmarie(version: Annotated[bool, output.version_option()] = False) -> None:
     """Safety rules for robots: check them, build their monitor, replay a recording."""
@@ -123,27 +131,9 @@ def fmt(
     ] = False,
 ) -> None:
     """Write rules files in the one layout."""
-    from rossmarie.driver.formatting import Formatted, format_file
-    from rossmarie.driver.writing import reason, write_whole
+    from rossmarie.cli.formatting import run_fmt
 
-    exit_code = 0
-    for path in files:
-        result = format_file(path)
-        if not isinstance(result, Formatted):
-            output.print_diagnostics(result, Format.TEXT, file_count=1)
-            exit_code = max(exit_code, output.exit_code(result))
-        elif result.has_changed and check_only:
-            typer.echo(f"would reformat {path}")
-            exit_code = max(exit_code, 1)
-        elif result.has_changed:
-            try:
-                write_whole(path, result.text)
-            except OSError as error:
-                output.complain(f"cannot write {path}: {reason(error)}")
-                exit_code = 2
-            else:
-                typer.echo(f"reformatted {path}")
-    raise typer.Exit(exit_code)
+    run_fmt(files, check_only)
 
 
 @app.command()
@@ -185,25 +175,9 @@ def build(
     messages: MessageFolders = None,
 ) -> None:
     """Generate the monitor of a rules file."""
-    from rossmarie.driver import RulesError
-    from rossmarie.driver.build import ForeignFileError, build_files
-    from rossmarie.driver.writing import reason
+    from rossmarie.cli.build import run_build
 
-    try:
-        built = build_files(
-            rules, target.value, out, systems=system or (), message_folders=messages or ()
-        )
-    except RulesError as error:
-        output.reject(error.diagnostics)
-    except ForeignFileError as error:
-        output.fail(f"{error}; remove it, or choose another --out", exit_code=2)
-    except OSError as error:
-        output.fail(f"cannot write to {out}: {reason(error)}", exit_code=2)
-    output.print_diagnostics(built.warnings, Format.TEXT, file_count=1)
-    for path in built.written:
-        typer.echo(f"wrote {path}")
-    if built.next_step:
-        typer.echo(built.next_step)
+    run_build(rules, out, target.value, system or (), messages or ())
 
 
 @app.command()
@@ -352,6 +326,54 @@ def coverage(
     from rossmarie.cli.testing import run_coverage
 
     run_coverage(rules, recordings, topic_map or [], report, system or [], messages or [])
+
+
+@app.command()
+def verify(
+    rules: Rules,
+    seconds: Annotated[
+        int,
+        typer.Option(
+            metavar="SECONDS",
+            min=1,
+            help="How long a processor may work for each solver on one question.",
+        ),
+    ] = 120,
+    report: Annotated[
+        Path | None,
+        typer.Option(
+            "--json",
+            metavar="FILE",
+            help="Also write JSON for `rossmarie report --verification`.",
+            parser=written,
+        ),
+    ] = None,
+    keep: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR", help="Write what the prover gets here, to ask again.", parser=written
+        ),
+    ] = None,
+    _ready: Annotated[
+        bool,
+        typer.Option(
+            "--set-up", help="Only make the prover ready.", is_eager=True, callback=_set_up
+        ),
+    ] = False,
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Prove that the generated C is what the rules mean, for runs of any length (CBMC)."""
+    from rossmarie.cli.verification import run_verify
+
+    run_verify(
+        rules,
+        seconds=seconds,
+        report=report,
+        kept=keep,
+        systems=system or (),
+        message_folders=messages or (),
+    )
 
 
 @app.command()

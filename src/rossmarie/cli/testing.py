@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,11 +11,12 @@ import typer
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
 from rossmarie.cli.replay import refusing, told_progress, topic_pairs
+from rossmarie.cli.saving import refuse_read, save
 from rossmarie.driver import RulesError
 from rossmarie.driver.coverage import Exercised, cover_recordings, coverage_report
 from rossmarie.driver.generating import generate_tests
 from rossmarie.driver.testing import Outcome, UnknownTestError, run_test_file, tests_beside
-from rossmarie.driver.writing import reason, write_whole
+from rossmarie.driver.writing import reason
 from rossmarie.ir import near_name
 from rossmarie.report.coverage import write_coverage
 from rossmarie.report.margins import write_margins
@@ -44,7 +44,7 @@ def run_test(
         output.fail(f"{error}{hint}", exit_code=2)
     report(tested)
     if junit is not None:
-        _save(junit, junit_text(tested))
+        save(junit, junit_text(tested))
     raise typer.Exit(0 if tested.ran and not any(ran.found for ran in tested.ran) else 1)
 
 
@@ -53,15 +53,8 @@ def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
     if tests_beside(rules) == rules:
         output.fail(f"{rules} holds tests; name the rules that they are for", exit_code=2)
     written = generate_tests(rules, systems=systems, message_folders=message_folders)
-    _save(written.path, written.text)
+    save(written.path, written.text)
     typer.echo(f"wrote {_counted(written.count, 'test')} to {written.path}")
-
-
-def _save(path: Path, text: str) -> None:
-    try:
-        write_whole(path, text)
-    except OSError as error:
-        output.fail(f"cannot write {path}: {reason(error)}", exit_code=2)
 
 
 def report(tested: Outcome) -> None:
@@ -94,8 +87,8 @@ def run_coverage(
     `report` of the first as JSON.
     """
     pairs = topic_pairs(topic_map)
-    if report is not None and any(_is_same(report, read) for read in (rules, *recordings)):
-        output.fail(f"{report} is what is read; choose another --json", exit_code=2)
+    if report is not None:
+        refuse_read(report, (rules, *recordings))
     with refusing(), told_progress("moving thresholds") as on_progress:
         found = cover_recordings(
             rules,
@@ -110,12 +103,8 @@ def run_coverage(
     typer.echo()
     write_margins(found.coverage.machine, found.margins, sys.stdout)
     if report is not None:
-        _save(report, _report_text(found, rules, recordings))
+        save(report, _report_text(found, rules, recordings))
         typer.echo(f"wrote {report}")
-
-
-def _is_same(path: Path, other: Path) -> bool:
-    return os.path.realpath(path) == os.path.realpath(other)
 
 
 def _report_text(found: Exercised, rules: Path, recordings: Sequence[Path]) -> str:

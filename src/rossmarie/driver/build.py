@@ -78,6 +78,15 @@ def build_files(
     files = {
         name: text for name, text in generate(compiled.machine, target).items() if name not in owned
     }
+    written = write_generated(files, folder, rules)
+    next_step = TARGETS[target].next_step(compiled.machine)
+    return Built(written, compiled.warnings, next_step)
+
+
+def write_generated(files: Mapping[str, str], folder: Path, rules: Path) -> list[Path]:
+    """Write what was generated from rules, by name, into a folder, and give the paths. Raises
+    as `build_files` does.
+    """
     changed = {}
     for name, text in files.items():
         path = folder / name
@@ -90,8 +99,7 @@ def build_files(
     for path, text in changed.items():
         path.parent.mkdir(parents=True, exist_ok=True)
         write_whole(path, text)
-    next_step = TARGETS[target].next_step(compiled.machine)
-    return Built([folder / name for name in files], compiled.warnings, next_step)
+    return [folder / name for name in files]
 
 
 def _check_own(path: Path, present: bytes, text: str, rules: Path) -> None:

@@ -7,20 +7,24 @@ from dataclasses import dataclass
 Parts = tuple[tuple[str, str], ...]
 """Functions, each with what is called instead of it."""
 
+Passes = tuple[tuple[str, int], ...]
+"""Loops, each by its function and its number there, with how often they are passed through."""
+
 
 @dataclass(frozen=True)
 class Check:
     """A function of the program without parameters, `check_NAME`; `about` says what it shows.
 
-    Calls go where `replaced` says. No loop is passed through more often
-    than the program allows (that is shown as well), but for those in `unwound`, of which so many
-    passes stand for all.
+    Calls go where `replaced` says. No loop is passed through more often than `loops` says of it, or
+    else the program; that is shown as well, but for those in `unwound`, of which so many passes
+    stand for all.
     """
 
     name: str
     about: str
     replaced: Parts = ()
-    unwound: tuple[tuple[str, int], ...] = ()
+    loops: Passes = ()
+    unwound: Passes = ()
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,8 @@ from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import Invariants, Sentence, users_of
 from rossmarie.verification.program import ANY, assertions, assumptions, claim, predicate
 
+_LOOPS_OVER_LIMITS = ("cross_far.0", "cross_far.1", "flip.0", "gain_sight.1")
+
 _MEMBER = re.compile(r"(?P<kind>.*?) ?\*?(?P<name>\w+)(\[(?P<count>\d+)\])?;")
 
 
@@ -38,7 +40,10 @@ class GuardChecks:
         for number, guard in enumerate(self._layout.guards):
             remark = self._layout.values[guard.value].remark.split("  ", 1)[-1]
             about = f"a new `{remark}` is compared with its limits"
-            check = Check(f"cross_{number}", about, (("set_truth", f"contract_set_{number}"),))
+            parts = (("set_truth", f"contract_set_{number}"),)
+            most = len(guard.limits) + 2
+            loops = tuple((loop, most) for loop in _LOOPS_OVER_LIMITS)
+            check = Check(f"cross_{number}", about, parts, loops)
             yield Written(check, self._check(number, guard))
         if self._layout.guards:
             about = "a truth has a value, and what depends on it is marked"

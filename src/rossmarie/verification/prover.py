@@ -15,7 +15,7 @@ import signal
 import subprocess
 import tempfile
 from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -71,13 +71,13 @@ class Prover:
 
     root: Path | None
 
-    def version(self) -> str:
-        """What CBMC says of itself, as `6.6.0`; empty if it does not run."""
+    def version(self, program: str = "cbmc") -> str:
+        """What CBMC, or a solver of it, says of itself, as `6.6.0`; empty if it does not run."""
         try:
-            done = self._must(["cbmc", "--version"], self.root or Path("/"))
+            done = self._must([program, "--version"], self.root or Path("/"))
         except (OSError, ProverError):
             return ""
-        found = re.match(r"[\d.]+", done)
+        found = re.search(r"\d+(\.\d+)+", done)
         return found[0] if found else ""
 
     @contextmanager
@@ -87,9 +87,10 @@ class Prover:
         with tempfile.TemporaryDirectory(prefix="rossmarie_", dir=inside) as folder:
             yield Path(folder)
 
-    def write(self, folder: Path, harness: Harness) -> None:
-        """Write the program of a harness, beside the sources that it includes."""
+    def compile(self, folder: Path, harness: Harness) -> None:
+        """Write the program of a harness, beside the sources that it includes, and try it."""
         (folder / "harness.c").write_text(harness.text, encoding="utf-8")
+        self._must(["goto-cc", "-c", "-o", "harness.goto", "harness.c"], folder)
 
     def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> Outcome:
         """Ask about a check in a folder with its program. No single question is given more than so
@@ -108,7 +109,7 @@ class Prover:
         """Translate what a check calls; gives the name of the file."""
         program = f"{check.name}.goto"
         function = f"check_{check.name}"
-        self._must(["goto-cc", "--function", function, "-o", program, "harness.c"], folder)
+        self._must(["goto-cc", "--function", function, "-o", program, "harness.goto"], folder)
         calls = [
             word for old, new in check.replaced for word in ("--replace-calls", f"{old}:{new}")
         ]
@@ -189,6 +190,10 @@ class _Started:
         self.process = subprocess.Popen(
             command,
             cwd=folder,
+            env={
+                **os.environ,
+                "TMPDIR": ".",
+            },  # what it leaves when it is killed goes with the folder
             stdout=self._said,
             stderr=subprocess.STDOUT,
             start_new_session=True,
@@ -217,22 +222,27 @@ class _Started:
         return self._said.read()
 
 
+def own_root() -> Path:
+    """Where the Debian of `find_prover` is, if there is one. Raises `OSError` without a home."""
+    return cache_folder() / "prover"
+
+
 def find_prover() -> Prover | None:
-    """CBMC 6 of the system, or in the cache of ROSSMARie (`prover`); None if there is neither."""
-    known = []
-    if shutil.which("cbmc"):
-        known.append(Prover(None))
-    own = cache_folder() / "prover"
-    if (own / "usr/bin/cbmc").exists() and hasattr(os, "geteuid") and os.geteuid() == 0:
-        known.append(Prover(own))
+    """CBMC 6 of the system, or in the cache of ROSSMARie; None if there is neither."""
+    known = [Prover(None)] if shutil.which("cbmc") else []
+    with suppress(OSError):
+        known += [Prover(own_root())] if _can_enter(own_root()) else []
     return next((prover for prover in known if prover.version().startswith("6.")), None)
 
 
+def _can_enter(root: Path) -> bool:
+    return (root / "usr/bin/cbmc").exists() and hasattr(os, "geteuid") and os.geteuid() == 0
+
+
 def _unwound(check: Check) -> list[str]:
-    options: list[str] = []
-    for loop, passes in check.unwound:
-        options += ["--unwindset", f"{loop}:{passes}", "--no-unwinding-assertions"]
-    return options
+    loops = (*check.loops, *check.unwound)
+    options = [word for loop, passes in loops for word in ("--unwindset", f"{loop}:{passes}")]
+    return [*options, "--no-unwinding-assertions"] if check.unwound else options
 
 
 def _named(names: Sequence[str]) -> list[str]:

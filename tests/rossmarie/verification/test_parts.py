@@ -10,7 +10,7 @@ from rossmarie.targets import c99
 from rossmarie.verification.harness import Harness, harness
 from rossmarie.verification.prover import Prover, Verdict, find_prover
 
-SECONDS = 120.0
+SECONDS = 120
 
 RULES = """\
 input tilt = topic /tilt : std_msgs/Float64 .data timeout 0.2 sec;

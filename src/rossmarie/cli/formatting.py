@@ -1,0 +1,35 @@
+"""`rossmarie fmt`: rules files in the one layout."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import typer
+
+from dslkit.command_line import Format
+from rossmarie.cli.output import output
+from rossmarie.driver.formatting import Formatted, format_file
+from rossmarie.driver.writing import reason, write_whole
+
+
+def run_fmt(files: Sequence[Path], check_only: bool) -> None:
+    """Write each file in the one layout, or only say which would change, and end."""
+    exit_code = 0
+    for path in files:
+        result = format_file(path)
+        if not isinstance(result, Formatted):
+            output.print_diagnostics(result, Format.TEXT, file_count=1)
+            exit_code = max(exit_code, output.exit_code(result))
+        elif result.has_changed and check_only:
+            typer.echo(f"would reformat {path}")
+            exit_code = max(exit_code, 1)
+        elif result.has_changed:
+            try:
+                write_whole(path, result.text)
+            except OSError as error:
+                output.complain(f"cannot write {path}: {reason(error)}")
+                exit_code = 2
+            else:
+                typer.echo(f"reformatted {path}")
+    raise typer.Exit(exit_code)

@@ -1,0 +1,96 @@
+"""`rossmarie verify`: proofs that the generated C is what the rules mean."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NoReturn
+
+import typer
+
+from dslkit.diagnostics import Template
+from dslkit.source import Span
+from rossmarie.cli.output import output
+from rossmarie.cli.replay import told_progress
+from rossmarie.cli.saving import refuse_read, save
+from rossmarie.driver import RulesError
+from rossmarie.driver.build import ForeignFileError
+from rossmarie.driver.verifying import (
+    Questions,
+    complaint,
+    keep,
+    prove,
+    questions_of,
+    verification_report,
+)
+from rossmarie.driver.writing import reason
+from rossmarie.report.proofs import Proofs, refutations, write_proofs
+from rossmarie.report.safety.errors import at_file
+from rossmarie.verification.errors import NoProver, ProgramRefused
+from rossmarie.verification.prover import Prover, ProverError
+from rossmarie.verification.setup import NoProverError, provide_prover
+
+
+def run_verify(
+    rules: Path,
+    *,
+    seconds: int,
+    report: Path | None,
+    kept: Path | None,
+    systems: Sequence[Path],
+    message_folders: Sequence[Path],
+) -> None:
+    """Prove, print what came of it, and end with 0 only if everything is proved; write a `report`
+    as JSON, and what the prover gets into the folder `kept`.
+    """
+    try:
+        questions = questions_of(rules, systems=systems, message_folders=message_folders)
+    except RulesError as error:
+        output.reject(error.diagnostics)
+    output.print_findings(questions.compiled.warnings)
+    if report is not None:
+        refuse_read(report, [Path(each.path) for each in questions.compiled.sources])
+    if kept is not None:
+        _keep(questions, kept, rules)
+    proofs = _proofs(questions, seconds)
+    whole = Span(questions.compiled.sources[-1], 0, 0)
+    output.print_findings(tuple(refutations(proofs, whole)))
+    write_proofs(proofs, sys.stdout)
+    if report is not None:
+        save(report, verification_report(questions, proofs, rules, version=output.own_version()))
+        typer.echo(f"wrote {report}")
+    raise typer.Exit(0 if proofs.is_complete else 1)
+
+
+def _keep(questions: Questions, folder: Path, rules: Path) -> None:
+    try:
+        paths = keep(questions, folder, rules)
+    except ForeignFileError as error:
+        output.fail(f"{error}; remove it, or choose another --keep", exit_code=2)
+    except OSError as error:
+        output.fail(f"cannot write to {folder}: {reason(error)}", exit_code=2)
+    for path in paths:
+        typer.echo(f"wrote {path}")
+
+
+def _proofs(questions: Questions, seconds: int) -> Proofs:
+    found = prover()
+    try:
+        with told_progress("proving") as on_progress:
+            return prove(questions, found, seconds=seconds, on_progress=on_progress)
+    except ProverError as error:
+        _give_up(ProgramRefused(reason=complaint(error)))
+
+
+def prover() -> Prover:
+    """The prover, made ready if that is needed and can be; otherwise the run ends."""
+    try:
+        return provide_prover(output.complain)
+    except NoProverError as error:
+        _give_up(NoProver(reason=str(error), advice=error.advice))
+
+
+def _give_up(finding: Template) -> NoReturn:
+    output.print_findings([at_file(finding, Path("cbmc"))])
+    raise typer.Exit(1)

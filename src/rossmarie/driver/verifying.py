@@ -1,0 +1,115 @@
+"""From a rules file to proofs about the C that is generated from it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+
+from rossmarie.driver.build import generate, write_generated
+from rossmarie.driver.pipeline import Compiled, compile_file
+from rossmarie.driver.sources import hashed_sources
+from rossmarie.driver.workers import answers
+from rossmarie.report.proofs import Proofs
+from rossmarie.report.safety import EvidenceKind, evidence_text
+from rossmarie.report.safety.evidence import Hashed
+from rossmarie.report.safety.proved import bound_of, verification_results
+from rossmarie.targets import c99
+from rossmarie.verification.check import Check
+from rossmarie.verification.harness import Harness, harness
+from rossmarie.verification.prover import Outcome, Prover, ProverError, Verdict
+
+HARNESS = "harness.c"
+"""The program around the generated C, under the name that it has for the prover."""
+
+
+@dataclass(frozen=True)
+class Questions:
+    """What is to be shown of a rules file: `program`, with its checks, about the C in `files`."""
+
+    compiled: Compiled
+    files: Mapping[str, str]
+    program: Harness
+
+    def texts(self) -> dict[str, str]:
+        """All that the prover gets, by name."""
+        return {**self.files, HARNESS: self.program.text}
+
+
+def questions_of(
+    rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
+) -> Questions:
+    """The questions about a rules file. Raises `RulesError`."""
+    compiled = compile_file(rules, systems=systems, message_folders=message_folders)
+    files = generate(compiled.machine, c99.TARGET.name)
+    program = harness(compiled.machine)
+    origin = next(iter(files.values())).partition("\n")[0]
+    return Questions(compiled, files, replace(program, text=f"{origin} */\n{program.text}"))
+
+
+def keep(questions: Questions, folder: Path, rules: Path) -> list[Path]:
+    """Write what the prover gets. Raises as `build_files` does."""
+    return write_generated(questions.texts(), folder, rules)
+
+
+def prove(
+    questions: Questions,
+    prover: Prover,
+    *,
+    seconds: int,
+    on_progress: Callable[[float], None] = lambda _: None,
+) -> Proofs:
+    """Ask all questions; no solver is given more than so many seconds for one.
+
+    Raises `ProverError` if the prover does not take the program.
+    """
+    program = questions.program
+    with prover.workshop() as folder:
+        for name, text in questions.files.items():
+            (folder / name).write_text(text, encoding="utf-8")
+        prover.compile(folder, program)
+        ask = partial(_outcome, prover, program, folder, seconds)
+        found = list(answers(ask, program.checks, on_progress))
+    pairs = zip(program.checks, found, strict=True)
+    return Proofs(
+        machine=questions.compiled.machine,
+        outcomes=tuple(outcome or _ended(check) for check, outcome in pairs),
+        unasked=tuple(
+            name
+            for name in questions.files
+            if name.endswith(".c") and f'"{name}"' not in program.text
+        ),
+        tools={tool: its for tool in ("cbmc", "z3") if (its := prover.version(tool))},
+    )
+
+
+def _outcome(prover: Prover, program: Harness, folder: Path, seconds: int, check: Check) -> Outcome:
+    try:
+        return prover.run(program, check, folder, seconds)
+    except ProverError as error:
+        return Outcome(check, Verdict.UNDECIDED, (f"the prover fails: {complaint(error)}",))
+
+
+def _ended(check: Check) -> Outcome:
+    return Outcome(check, Verdict.UNDECIDED, ("the system ended the prover; memory may be short",))
+
+
+def complaint(error: ProverError) -> str:
+    """The line of what the prover says that has the reason."""
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    reasons = [line for line in lines if re.search(r"\berror: |^Reason: ", line)]
+    return (reasons or lines[-1:] or ["it said nothing"])[0]
+
+
+def verification_report(questions: Questions, proofs: Proofs, rules: Path, *, version: str) -> str:
+    """The report of `prove`, for a safety file."""
+    return evidence_text(
+        EvidenceKind.VERIFICATION,
+        tools={"rossmarie": version, **proofs.tools},
+        sources=hashed_sources(questions.compiled.sources, rules),
+        outputs=[Hashed.of(name, text.encode()) for name, text in questions.texts().items()],
+        bound=bound_of(proofs.machine),
+        results=tuple(verification_results(proofs)),
+    )

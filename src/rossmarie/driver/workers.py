@@ -1,0 +1,85 @@
+"""Long questions, several at once, each in a process that can be ended at any moment."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor, as_completed
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from typing import TypeVar
+
+Question = TypeVar("Question")
+Answer = TypeVar("Answer")
+
+
+def answers(
+    ask: Callable[[Question], Answer],
+    questions: Sequence[Question],
+    on_progress: Callable[[float], None],
+) -> Iterator[Answer | None]:
+    """The answers in the order of the questions; None where the system ended the process.
+
+    If this run ends early, even if it is killed, so do the processes, with what they have opened
+    in `with`.
+    """
+    with _workers() as pool:
+        waiting = [pool.submit(_answer, ask, question) for question in questions]
+        for count, _ in enumerate(as_completed(waiting), 1):
+            on_progress(count / len(waiting))
+        yield from map(_result, waiting)
+
+
+def _result(done: Future[Answer]) -> Answer | None:
+    try:
+        return done.result()
+    except BrokenProcessPool:
+        return None
+
+
+@contextmanager
+def _workers() -> Iterator[ProcessPoolExecutor]:
+    context = multiprocessing.get_context("spawn")  # others copy threads that draw progress
+    others = multiprocessing.active_children()
+    pool = ProcessPoolExecutor(os.cpu_count(), context, initializer=_begin)
+    try:
+        yield pool
+    except BaseException:
+        for worker in multiprocessing.active_children():
+            if worker not in others:
+                worker.terminate()
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _begin() -> None:
+    """Who interrupts means the run as a whole, which then ends its workers; without it they end."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_the_run, daemon=True).start()
+
+
+def _end_with_the_run() -> None:
+    run = multiprocessing.parent_process()
+    if run is not None:
+        run.join()
+        os.kill(os.getpid(), signal.SIGTERM)
+
+
+def _answer(ask: Callable[[Question], Answer], question: Question) -> Answer:
+    signal.signal(signal.SIGTERM, _leave)
+    try:
+        return ask(question)
+    except SystemExit:
+        os._exit(1)  # the pool would go on with its next question
+    finally:
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+
+
+def _leave(*_: object) -> None:
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)  # a second one would cut the leaving short
+    sys.exit()

@@ -1,0 +1,159 @@
+"""What was proved of the generated C: as a model, as findings, and as a table for people."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TextIO
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import Span
+from rossmarie import ir
+from rossmarie.report.coverage import print_table
+from rossmarie.verification.check import Check
+from rossmarie.verification.errors import PartRefuted
+from rossmarie.verification.prover import Outcome, Verdict
+
+_MESSAGES = "messages"
+_GROUPS = {
+    "visit": "rules and conditions",
+    "numbers": _MESSAGES,
+    "update": _MESSAGES,
+    "step": _MESSAGES,
+}
+_OTHERS = "evaluation, timers, calls"
+
+
+@dataclass(frozen=True)
+class Proofs:
+    """What became of all questions about the C of a machine. `unasked` are the generated sources
+    that none is about, `tools` the versions of the programs that answered.
+    """
+
+    machine: ir.Machine
+    outcomes: tuple[Outcome, ...]
+    unasked: tuple[str, ...]
+    tools: Mapping[str, str]
+
+    @property
+    def rules(self) -> tuple[str, ...]:
+        """The names of the rules."""
+        return tuple(rule.name for rule in self.machine.rules)
+
+    @property
+    def is_inductive(self) -> bool:
+        """Whether the monitor is right in runs of any length: each step begins where another one
+        may have ended, so all have to be proved.
+        """
+        return all(outcome.verdict is Verdict.PROVED for outcome in self.outcomes)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether nothing is left to show."""
+        return self.is_inductive and not self.unasked
+
+    def having(self, verdict: Verdict) -> tuple[Outcome, ...]:
+        """What has this verdict."""
+        return tuple(outcome for outcome in self.outcomes if outcome.verdict is verdict)
+
+    def reasons(self, outcome: Outcome) -> tuple[str, ...]:
+        """Its reasons, each once."""
+        return tuple(dict.fromkeys(outcome.reasons))
+
+
+def refutations(proofs: Proofs, file: Span) -> Iterator[Diagnostic]:
+    """A finding for each part that is refuted, at its place in the rules, or at `file`."""
+    for outcome in proofs.having(Verdict.REFUTED):
+        first, *others = proofs.reasons(outcome) or ("what it has to show",)
+        finding = PartRefuted(part=outcome.check.about, sentence=first, check=outcome.check.name)
+        places = (_place(proofs.machine, words) for words in (first, outcome.check.about))
+        span = next((place for place in places if place is not None), file)
+        yield finding.at(span, notes=tuple(f"nor does: {other}" for other in others))
+
+
+def _place(machine: ir.Machine, words: str) -> Span | None:
+    """The rule, condition, number or topic that words name."""
+    for rule in machine.rules:
+        if f"rule {rule.name} " in f"{words} ":
+            return rule.head
+    said = [
+        *((truth.text, truth.span) for truth in machine.truths),
+        *((signal.text, signal.span) for signal in machine.signals),
+    ]
+    for text, span in said:
+        if f"`{text}`" in words:
+            return span
+    for used in machine.inputs:
+        if machine.channels[used.channel].topic in words.split():
+            return used.span
+    return None
+
+
+# --- the table -------------------------------------------------------------------------------
+
+
+def write_proofs(proofs: Proofs, out: TextIO) -> None:
+    """Write how many questions of each group are answered, what is not proved and why, for which
+    rules it holds without bound, and the verdict.
+    """
+    print_table(_table(proofs, styled=Console(file=out).is_terminal), out)
+    out.write("".join(f"{line}\n" for line in _conclusion(proofs)))
+
+
+def _table(proofs: Proofs, *, styled: bool) -> Table:
+    table = Table(box=SIMPLE_HEAD if styled else None, pad_edge=False, header_style="bold")
+    table.add_column("Of the generated C", overflow="fold", min_width=20)
+    table.add_column("Proved", justify="right", no_wrap=True)
+    table.add_column("Not proved", overflow="fold")
+    groups: dict[str, list[Outcome]] = {}
+    for outcome in proofs.outcomes:
+        groups.setdefault(_group(outcome.check), []).append(outcome)
+    for name, outcomes in groups.items():
+        table.add_row(*map(Text, (name, _counts(outcomes), _left(outcomes))))
+    for name in proofs.unasked:
+        table.add_row(*map(Text, (name, "", "no question is asked about it")))
+    return table
+
+
+def _group(check: Check) -> str:
+    return _GROUPS.get(check.name.partition("_")[0], _OTHERS)
+
+
+def _counts(outcomes: Sequence[Outcome]) -> str:
+    proved = sum(outcome.verdict is Verdict.PROVED for outcome in outcomes)
+    return f"{proved}/{len(outcomes)}"
+
+
+def _left(outcomes: Sequence[Outcome]) -> str:
+    return "; ".join(
+        f"{outcome.verdict.value}: {outcome.check.about}"
+        for outcome in outcomes
+        if outcome.verdict is not Verdict.PROVED
+    )
+
+
+def _conclusion(proofs: Proofs) -> Iterator[str]:
+    """What is open, with the reasons, and what all this amounts to."""
+    for outcome in proofs.having(Verdict.UNDECIDED):
+        for reason in proofs.reasons(outcome):
+            yield f"undecided: {outcome.check.about}: {reason}"
+    yield ""
+    if proofs.rules:
+        whom = (
+            ", ".join(proofs.rules)
+            if proofs.is_inductive
+            else "no rule, as that rests on all parts"
+        )
+        yield f"For runs of any length: {whom}"
+    counts = [
+        f"{len(found)} {verdict.value}" for verdict in Verdict if (found := proofs.having(verdict))
+    ]
+    counts += [f"{len(proofs.unasked)} not asked about"] if proofs.unasked else []
+    with_what = " and ".join(f"{tool} {its}" for tool, its in proofs.tools.items())
+    verdict = "Proved" if proofs.is_complete else "NOT proved"
+    yield f"{verdict}: the generated C is what the rules mean ({', '.join(counts)}; {with_what})"

@@ -1,0 +1,39 @@
+"""Proofs about the generated C as the results of a report: the rules, then every question."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie import ir
+from rossmarie.report.proofs import Proofs
+from rossmarie.report.safety.evidence import EvidenceKind, Result
+from rossmarie.verification.message_checks import ELEMENTS
+
+_PROVED, _, _, _NOT_PROVED = EvidenceKind.VERIFICATION.statuses
+
+
+def bound_of(machine: ir.Machine) -> str:
+    """How far proofs about the C of a machine hold, and what they take for granted."""
+    arrays = f"; arrays of up to {ELEMENTS} elements" if machine.arrays else ""
+    return (
+        "one step from any well-formed state, so no bound on messages, timers, values or time"
+        f"{arrays}; asin, atan2 and sqrt of the C library may be any functions"
+    )
+
+
+def verification_results(proofs: Proofs) -> Iterator[Result]:
+    """First of each rule whether it is right in runs of any length, which rests on all parts."""
+    for name in proofs.rules:
+        yield Result(
+            name=f"rule {name} in runs of any length",
+            status=_PROVED if proofs.is_inductive else _NOT_PROVED,
+            detail="rests on every question about the monitor",
+        )
+    for outcome in proofs.outcomes:
+        yield Result(
+            name=outcome.check.about,
+            status=outcome.verdict.value,
+            detail="; ".join((f"check_{outcome.check.name}", *proofs.reasons(outcome))),
+        )
+    for name in proofs.unasked:
+        yield Result(name=name, status=_NOT_PROVED, detail="no question is asked about it")

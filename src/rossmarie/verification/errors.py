@@ -1,0 +1,52 @@
+"""ROSS79x: what comes of proofs about the generated C."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class PartRefuted(Error, code="ROSS790", name="part-refuted"):
+    """A part of the generated C that does not do what the rules mean."""
+
+    title = "refuted: {part}"
+    label = "does not hold: {sentence}"
+    note = "shown by `check_{check}` of the harness"
+    help = (
+        "this is a defect of this tool, in the C or in what is claimed of it: do not use the C, "
+        "and please report it, with the rules and what `--keep DIR` writes"
+    )
+    part: str
+    sentence: str
+    check: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoProver(Error, code="ROSS791", name="no-prover"):
+    """A system on which nothing can be proved."""
+
+    title = "nothing can be proved here: there is no CBMC 6, and it cannot be set up"
+    label = "{reason}"
+    note = "CBMC 6 is a package of Debian 13; elsewhere a Debian 13 in the cache folder runs it"
+    help = "{advice}"
+    reason: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class ProgramRefused(Error, code="ROSS792", name="program-refused"):
+    """A program that CBMC does not translate."""
+
+    title = "CBMC does not take the generated C"
+    label = "{reason}"
+    note = "nothing was asked, so nothing is proved"
+    help = (
+        "see that the headers of the C library are there (on Debian: libc6-dev); if they are, this "
+        "is a defect of this tool: please report it, with the rules"
+    )
+    reason: str
+
+
+ALL: tuple[type[Template], ...] = (PartRefuted, NoProver, ProgramRefused)

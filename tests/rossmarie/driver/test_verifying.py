@@ -1,0 +1,67 @@
+"""Proofs by CBMC itself, from a rules file to the verdict."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from dslkit.source import Span
+from rossmarie.driver.verifying import Questions, prove, questions_of
+from rossmarie.report.proofs import Proofs, refutations
+from rossmarie.verification.prover import Prover
+from support.provers import real_prover
+
+SECONDS = 120
+RULES = """\
+action stop;
+input speed = topic /speed : std_msgs/Float64 .data;
+rule fast: if speed > 3 then { stop; } latched until reset;
+"""
+
+
+@pytest.fixture(scope="module")
+def prover() -> Prover:
+    return real_prover()
+
+
+@pytest.fixture(scope="module")
+def judged(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+    """The question of how a rule is judged."""
+    path = tmp_path_factory.mktemp("rules") / "fast.ross"
+    path.write_text(RULES)
+    found = questions_of(path)
+    checks = [check for check in found.program.checks if check.about == "rule fast is judged"]
+    return replace(found, program=replace(found.program, checks=tuple(checks)))
+
+
+def changed(questions: Questions, old: str, new: str) -> Questions:
+    """As if the generator had written something else."""
+    source = questions.files["fast_monitor.c"]
+    assert old in source
+    return replace(questions, files={**questions.files, "fast_monitor.c": source.replace(old, new)})
+
+
+def shown(proofs: Proofs, questions: Questions) -> list[tuple[str, str]]:
+    """The findings: the sentence, and where it is pointed at."""
+    nowhere = Span(questions.compiled.sources[-1], 0, 0)
+    found = refutations(proofs, nowhere)
+    return [(each.primary.text, each.primary.span.text) for each in found]
+
+
+def test_what_is_right_is_proved(prover: Prover, judged: Questions) -> None:
+    told: list[float] = []
+    proofs = prove(judged, prover, seconds=SECONDS, on_progress=told.append)
+    assert proofs.is_complete
+    assert proofs.tools["cbmc"].startswith("6.")
+    assert told == [1.0]
+
+
+def test_a_fault_in_the_generated_c_is_refuted_where_the_rule_is(
+    prover: Prover, judged: Questions
+) -> None:
+    wrong = changed(judged, "condition == LOST", "condition == UNKNOWN")
+    proofs = prove(wrong, prover, seconds=SECONDS)
+    assert not proofs.is_inductive
+    sentence = "does not hold: rule fast is active as S35 to S37 say"
+    assert (sentence, "fast") in shown(proofs, wrong)

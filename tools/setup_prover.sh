@@ -1,0 +1,19 @@
+#!/bin/sh
+# Makes CBMC 6 ready for the tests that prove: from Debian 13, or in a Debian 13 of its own in the
+# cache folder. Without it these tests are skipped, and say so. Never fails.
+set -u
+cd "$(dirname "$0")/.."
+
+has_package() { # whether this Debian is one that has it
+    [ "$(. /etc/os-release && echo "${ID:-}")" = debian ] &&
+        [ "$(. /etc/os-release && echo "${VERSION_ID:-0}")" -ge 13 ]
+}
+
+if ! cbmc --version 2>/dev/null | grep -q '^6\.'; then
+    if has_package 2>/dev/null; then
+        tools/setup_debian.sh cbmc z3 gcc libc6-dev
+    elif ! command -v debootstrap >/dev/null && command -v apt-get >/dev/null; then
+        tools/setup_debian.sh debootstrap
+    fi
+fi
+.venv/bin/rossmarie verify --set-up || echo "setup: without CBMC 6 proofs are not tested"
