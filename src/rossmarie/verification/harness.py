@@ -88,8 +88,8 @@ class _Writer:
     def harness(self) -> Harness:
         guards = GuardChecks(self._layout, self._definitions, self._invariants)
         written = [
-            *guards.written(),
             *EngineChecks(self._layout, self._definitions, guards.parts()).written(),
+            *guards.written(),
             *MessageChecks(self._layout, self._definitions, guards.parts()).written(),
         ]
         most_events = (ir.most_evaluations(self._machine) + 1) * (len(self._machine.rules) + 1)

@@ -30,7 +30,7 @@ _SOLVERS = ((), ("--smt2",))
 _ONLY_LOOPS = ("--no-standard-checks", "--no-assertions")
 """What remains to be shown then is that loops end."""
 
-_SHORT = 10
+_SHORT = 20
 """For how many seconds several claims are asked together."""
 
 _FEW = 4
