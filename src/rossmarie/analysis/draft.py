@@ -16,6 +16,8 @@ from rossmarie.analysis.course import Course, Leg, Moment
 from rossmarie.analysis.terms import number_of
 from rossmarie.analysis.witness import Sending, Witness
 from rossmarie.ir import ChannelValues, Machine
+from rossmarie.ir.carried import raw_of
+from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
 
 _ANGLES = (ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
 
@@ -23,15 +25,14 @@ _ANGLES = (ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
 @dataclass(frozen=True)
 class Knob:
     """A number that a leg of a draft has: of a slot, an element (`cell`), or an angle of the
-    orientation in four slots. `scale` and `offset` lead from SI to the unit that its user sees.
+    orientation in four slots. `unit` is the one that its user sees.
     """
 
     slots: tuple[int, ...]
     array: int | None
     cell: int
     angle: ir.Function | None
-    scale: float
-    offset: float
+    unit: Unit
 
 
 @dataclass(frozen=True)
@@ -109,7 +110,7 @@ def _values(
         if is_known:
             node, signal = machine.signals[index].node, machine.signals[index]
             assert isinstance(node, ir.Apply)
-            knob = Knob(slots, None, 0, node.function, signal.scale, signal.offset)
+            knob = Knob(slots, None, 0, node.function, _unit_of(signal))
             yield knob, value(asked[-1].signal(index).value)
             turned |= set(slots)
     for slot, number in leg.slots.items():
@@ -118,10 +119,10 @@ def _values(
             yield _slot_knob(machine, slot), value(number.value)
     for array, cells in leg.cells.items():
         if machine.inputs[machine.arrays[array].input].channel in sending:
-            scale, offset = _shown_as(machine, lambda node, a=array: node == ir.Element(a))
+            unit = _shown_in(machine, ir.Element(array))
             for i, cell in enumerate(cells):
                 if _is_true(model, cell.is_there):
-                    knob = Knob((), array, i, None, scale, offset)
+                    knob = Knob((), array, i, None, unit)
                     yield knob, value(cell.number.value)
 
 
@@ -137,15 +138,16 @@ def _orientations(machine: Machine) -> Iterator[tuple[int, tuple[int, ...]]]:
 
 
 def _slot_knob(machine: Machine, slot: int) -> Knob:
-    scale, offset = _shown_as(machine, lambda node: node == ir.Read(slot))
-    return Knob((slot,), None, 0, None, scale, offset)
+    return Knob((slot,), None, 0, None, _shown_in(machine, ir.Read(slot)))
 
 
-def _shown_as(machine: Machine, is_it: object) -> tuple[float, float]:
-    assert callable(is_it)
-    found = (signal for signal in machine.signals if is_it(signal.node))
-    signal = next(found, None)
-    return (1.0, 0.0) if signal is None else (signal.scale, signal.offset)
+def _shown_in(machine: Machine, node: ir.SignalNode) -> Unit:
+    found = next((signal for signal in machine.signals if signal.node == node), None)
+    return DIMENSIONLESS if found is None else _unit_of(found)
+
+
+def _unit_of(signal: ir.Signal) -> Unit:
+    return parse_unit(signal.unit) if signal.unit else DIMENSIONLESS
 
 
 def _shakes(machine: Machine, leg: Leg, model: z3.ModelRef) -> Iterator[tuple[int, float]]:
@@ -188,36 +190,18 @@ def _message(machine: Machine, leg: DraftLeg, channel: int, swing: int) -> Chann
             angles.setdefault(knob.slots, {})[knob.angle] = value
         elif knob.array is not None:
             if machine.inputs[machine.arrays[knob.array].input].channel == channel:
-                arrays.setdefault(knob.array, []).append(_raw(machine.arrays[knob.array], value))
+                arrays.setdefault(knob.array, []).append(raw_of(machine.arrays[knob.array], value))
         else:
             (slot,) = knob.slots
             slots[slot] = value + swing * leg.shakes.get(slot, 0.0)
     for group, given in angles.items():
         slots |= dict(zip(group, quaternion(given), strict=True))
     own = {
-        slot: _raw(machine.slots[slot], value)
+        slot: raw_of(machine.slots[slot], value)
         for slot, value in slots.items()
         if machine.inputs[machine.slots[slot].input].channel == channel
     }
     return ChannelValues(own, arrays)
-
-
-def _raw(source: ir.Slot | ir.Array, value: float) -> float:
-    """S7 backwards."""
-    is_plain = source.scale == 1.0 and source.offset == 0.0
-    raw = value if is_plain else (value - source.offset) / source.scale
-    return raw if source.limits is None else _nearest(source.limits, raw)
-
-
-def _nearest(limits: tuple[float, float], raw: float) -> float:
-    """The whole number within limits that is nearest."""
-    return min(max(float(round(raw)), limits[0]), limits[1])
-
-
-def can_hold(source: ir.Slot | ir.Array, value: float) -> bool:
-    """Whether a field can carry a value in SI, up to rounding."""
-    raw = (value - source.offset) / source.scale
-    return source.limits is None or math.isclose(raw, _nearest(source.limits, raw), abs_tol=1e-9)
 
 
 def quaternion(angles: Mapping[ir.Function, float]) -> tuple[float, float, float, float]:

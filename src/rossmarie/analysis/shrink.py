@@ -6,9 +6,10 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from rossmarie.analysis.draft import Draft, DraftLeg, Knob, can_hold, witness_of
+from rossmarie.analysis.draft import Draft, DraftLeg, Knob, witness_of
 from rossmarie.analysis.witness import Claim, View, Witness, views
 from rossmarie.ir import AgeReaches, Count, Fold, Held, Kind, Machine, Read, supports
+from rossmarie.ir.carried import carries
 
 _MOST_REPLAYS = 80
 _MOST_MESSAGES = 400
@@ -123,11 +124,11 @@ def _rounder(machine: Machine, knob: Knob, value: float) -> Iterator[float]:
     is_slot = knob.array is None and knob.angle is None
     if is_slot and machine.slots[knob.slots[0]].kind is not Kind.REAL:
         return
-    shown_value = value * knob.scale + knob.offset
+    shown_value = knob.unit.from_si(value)
     source = machine.slots[knob.slots[0]] if knob.array is None else machine.arrays[knob.array]
     for text in _round_numbers(shown_value):
-        turned = (text - knob.offset) / knob.scale
-        if cost(text) < cost(shown_value) and can_hold(source, turned):
+        turned = knob.unit.to_si(text)
+        if cost(text) < cost(shown_value) and carries(source, turned):
             yield turned
 
 

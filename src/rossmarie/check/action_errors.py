@@ -139,11 +139,12 @@ class IntegerMismatch(Error, code="ROSS230", name="integer-mismatch"):
 
     title = "`{field}` cannot hold this number"
     label = "{reason}"
-    help = "write a whole number from {low} to {high}"
+    help = "write a whole number from {low} to {high}{unit}"
     field: str
     reason: str
     low: int
     high: int
+    unit: str
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,7 +8,6 @@ from dslkit.diagnostics import Label
 from rossmarie.check.action_errors import (
     FieldGivenTwice,
     FieldNotAssignable,
-    IntegerMismatch,
     ValueMismatch,
 )
 from rossmarie.check.action_numbers import fits
@@ -18,9 +17,9 @@ from rossmarie.check.expressions import infer
 from rossmarie.check.operands import require_constant
 from rossmarie.check.paths import Field, describe_field, field_of
 from rossmarie.check.targets import Sent, Targets
-from rossmarie.check.trees import stripped
 from rossmarie.check.unit_errors import MisplacedUnit
 from rossmarie.check.units import read_unit
+from rossmarie.check.whole_numbers import is_whole
 from rossmarie.ir import reactions
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Message, Quantity, Text, Unknown
@@ -150,16 +149,8 @@ def _number(
         number = unit.to_si(number)
     elif not fits(node, type_, field, context):
         return None
-    number = (field.unit or DIMENSIONLESS).from_si(number) + 0.0
     limits = _INTEGERS.get("" if field.leaf is None else field.leaf.base)
-    if limits is None:
-        return number
-    low, high = limits
-    if number.is_integer() and low <= number <= high:
-        return number
-    reason = f"{number:g} is no whole number"
-    if number.is_integer():
-        reason = f"{number:g} is out of its range"
-    finding = IntegerMismatch(field=field.text, reason=reason, low=low, high=high)
-    context.collector.add(finding.at(stripped(node).span))
-    return None
+    if limits and not is_whole(node, number, field.text, (field.unit, limits), context):
+        return None
+    found = (field.unit or DIMENSIONLESS).from_si(number) + 0.0
+    return float(round(found)) if limits else found

@@ -92,6 +92,8 @@ class CommandChecker:
         None after reporting what is wrong.
         """
         infer(range_, self._context)
+        if not self._targets.is_commanded(topic):
+            return None
         target = ast.Target(topic, None, topic.span)
         sent = self._targets.topic(target)
         command = None if sent is None else self._command(sent, target)

@@ -12,6 +12,7 @@ from rossmarie.check.test_errors import NotSettable, SettingMismatch, UnknownTes
 from rossmarie.check.type_errors import NotAnArray
 from rossmarie.check.unit_errors import MisplacedUnit
 from rossmarie.check.units import ANGLE, read_unit
+from rossmarie.check.whole_numbers import is_whole
 from rossmarie.ir.script import Setting, SettingValue
 from rossmarie.syntax import ast
 from rossmarie.types import (
@@ -202,13 +203,20 @@ class _SettingChecker:
             return None
         number = value.numbers[0]
         if around is None:
-            return number if self._fits(node, found, type_) else None
+            return self._held(node, number, type_) if self._fits(node, found, type_) else None
         if not is_plain(found):
             advice = f"write the unit once, `[...] {around.symbol}`"
             reason = "this element has a unit, and so has the whole list"
             self._add(MisplacedUnit(reason=reason, advice=advice).at(node.span))
             return None
-        return around.to_si(number)
+        return self._held(node, around.to_si(number), type_)
+
+    def _held(self, node: ast.Expression, number: float, type_: Quantity) -> float | None:
+        """The number, if messages can carry it."""
+        if type_.limits is None:
+            return number
+        held = type_.unit, type_.limits
+        return number if is_whole(node, number, self._text, held, self._context) else None
 
     def _fits_list(self, value: ast.Bracket, found: Quantity, element: Type) -> bool:
         if isinstance(element, Quantity):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from dslkit.diagnostics import Collector, Edit, Fix, Label
+from dslkit.diagnostics import Collector, Edit, Fix, Label, listed
 from dslkit.source import Span
 from rossmarie.check.action_errors import UnknownSentType, UntypedTarget
 from rossmarie.check.context import Context
@@ -18,6 +18,7 @@ from rossmarie.check.system_model import (
     report_conflict,
     type_name,
 )
+from rossmarie.check.test_errors import UncommandedTopic
 from rossmarie.syntax import ast
 from rossmarie.types import Kind, Message, MessageDefinitionError
 
@@ -36,13 +37,15 @@ class Sent:
 @dataclass
 class Targets:
     """Resolves targets. `stated` are the types that inputs, effects and system models state, with
-    the place. If not `is_parsed`, something that could not be read may state more.
+    the place; `commanded` the topics that effects limit, scale or block, and what those are called
+    there. If not `is_parsed`, something that could not be read may state more.
     """
 
     model: SystemModel
     context: Context
     is_parsed: bool
     stated: dict[tuple[Kind, str], ast.Name] = field(default_factory=dict)
+    commanded: dict[str, str] = field(default_factory=dict)
 
     @property
     def _collector(self) -> Collector:
@@ -76,6 +79,8 @@ class Targets:
                 kind = Kind.ACTION
             case ast.Limit(target=target) | ast.Scale(target=target) | ast.Block(target=target):
                 kind = Kind.MESSAGE
+                full = self.full_name(kind, target.name)
+                self.commanded.setdefault(full, target.name.text)
             case ast.Publish(target=target):
                 kind = Kind.MESSAGE
             case _:
@@ -120,6 +125,27 @@ class Targets:
         # What is wrong with a type is reported once, however many effects go by it.
         message = find_message(written, self.model, self._collector)
         return None if message is None else Sent(name, type_name(written.text), message)
+
+    def is_commanded(self, name: ast.Name) -> bool:
+        """Whether an action commands the topic; reports it if not."""
+        if self.full_name(Kind.MESSAGE, name) in self.commanded:
+            return True
+        if self.model.is_whole and self.is_parsed:
+            self._report_uncommanded(name)
+        return False
+
+    def _report_uncommanded(self, name: ast.Name) -> None:
+        full = self.full_name(Kind.MESSAGE, name)
+        finding = UncommandedTopic(topic=full)
+        bare = (topic.lstrip("/") for topic in self.commanded)
+        known = [*self.commanded, *self.commanded.values(), *bare]
+        near = near_name(name.text, known) if self.context.may_suggest() else None
+        if near is not None:
+            help, fix = f"did you mean `{near}`?", rename(name, near)
+            self._collector.add(finding.at(name.span, help=help, fix=fix))
+            return
+        notes = (f"commanded are {listed(tuple(self.commanded))}",) if self.commanded else ()
+        self._collector.add(finding.at(name.span, notes=notes))
 
     def sent(self, target: ast.Target, kind: Kind) -> Sent | None:
         """The service or action server; None after reporting that its type is not known."""

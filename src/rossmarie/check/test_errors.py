@@ -85,6 +85,16 @@ class NothingExpected(Warning, code="ROSS132", name="nothing-expected"):
     help = "say what is expected: `expect RULE active at 1 sec;`"
 
 
+@dataclass(frozen=True, kw_only=True)
+class UncommandedTopic(Error, code="ROSS133", name="uncommanded-topic"):
+    """A test that expects something of commands that nothing holds back."""
+
+    title = "no action commands {topic}"
+    label = "whatever comes in on this topic goes out"
+    help = "limit, scale or block {topic} in an action, or name a topic of an action"
+    topic: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownTestInput,
     SettingMismatch,
@@ -93,4 +103,5 @@ ALL: tuple[type[Template], ...] = (
     TooManyMessages,
     NotSettable,
     NothingExpected,
+    UncommandedTopic,
 )

@@ -11,7 +11,7 @@ from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
 from rossmarie.cli.output import each_once, output
 from rossmarie.driver.analyze import Analysis, analyze_file, write_witnesses
-from rossmarie.driver.writing import reason
+from rossmarie.driver.writing import reason, write_whole
 
 
 def run_check(
@@ -25,6 +25,9 @@ def run_check(
     message_folders: Sequence[Path],
 ) -> None:
     """Print the findings, write the witnesses, and end with the exit code."""
+    is_tests = witnesses is not None and witnesses.suffix == ".ross"
+    if is_tests and len(files) > 1:
+        output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
     analyses = [
         analyze_file(
             path,
@@ -42,7 +45,9 @@ def run_check(
             found += _for_target(path, target, systems, message_folders)
     told = each_once(found)
     output.print_diagnostics(told, form, file_count=len(files))
-    if witnesses is not None:
+    if witnesses is not None and is_tests:
+        _write_tests(analyses[0], files[0], witnesses, form, systems, message_folders)
+    elif witnesses is not None:
         _write(analyses, witnesses, form)
     raise typer.Exit(output.exit_code(told))
 
@@ -63,3 +68,28 @@ def _write(analyses: Sequence[Analysis], folder: Path, form: Format) -> None:
         output.fail(f"cannot write to {folder}: {reason(error)}", exit_code=2)
     for path in written:
         typer.echo(f"wrote {path}", err=form is not Format.TEXT)
+
+
+def _write_tests(
+    analysis: Analysis,
+    rules: Path,
+    path: Path,
+    form: Format,
+    systems: Sequence[Path],
+    folders: Sequence[Path],
+) -> None:
+    from rossmarie.driver.witness_tests import is_foreign, witness_tests
+
+    found = witness_tests(analysis, rules, path, systems=systems, message_folders=folders)
+    if found is None:
+        return
+    try:
+        if is_foreign(path):
+            output.fail(f"{path} is not overwritten: no check has written it", exit_code=2)
+        write_whole(path, found.text)
+    except OSError as error:
+        output.fail(f"cannot write {path}: {reason(error)}", exit_code=2)
+    tests = "1 test" if found.count == 1 else f"{found.count} tests"
+    typer.echo(f"wrote {tests} to {path}", err=form is not Format.TEXT)
+    for name in found.left_out:
+        typer.echo(f"cannot be told as a test: {name}", err=True)

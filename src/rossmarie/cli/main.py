@@ -102,7 +102,9 @@ def check(
     witnesses: Annotated[
         Path | None,
         typer.Option(
-            metavar="DIR", help="Write what shows a finding here, for replay.", parser=written
+            metavar="PATH",
+            help="Write what shows a finding into this folder, or as tests into a .ross file.",
+            parser=written,
         ),
     ] = None,
     system: Systems = None,

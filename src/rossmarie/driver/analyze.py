@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.witness import Witness
-from rossmarie.driver.pipeline import RulesError, check_file, compile_checked
+from rossmarie.driver.pipeline import Compiled, RulesError, check_file, compile_checked
 from rossmarie.driver.writing import write_whole
 from rossmarie.ir import Machine
 
@@ -19,10 +19,13 @@ TOGGLE_NS = 1_000_000_000
 
 @dataclass(frozen=True)
 class Analysis:
-    """All findings on a rules file, and the witnesses as recordings (CSV), by file name."""
+    """All findings on a rules file, and the witnesses as recordings (CSV), by file name; the rules
+    as they were asked, None if nothing was.
+    """
 
     findings: tuple[Finding, ...]
     witnesses: dict[str, str]
+    compiled: Compiled | None = None
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
@@ -47,10 +50,11 @@ def analyze_file(
     if result.program is None or not result.program.rules:
         return without_answers
     try:
-        machine = compile_checked(result, message_folders).machine
+        compiled = compile_checked(result, message_folders)
     except RulesError:
         return without_answers
-    return analyzed(machine, result.diagnostics, rules, thorough, toggle_ns)
+    found = analyzed(compiled.machine, result.diagnostics, rules, thorough, toggle_ns)
+    return replace(found, compiled=compiled)
 
 
 def analyzed(

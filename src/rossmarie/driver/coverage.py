@@ -15,6 +15,7 @@ from rossmarie.ir import Machine, Verdict
 from rossmarie.recordings import Update, open_recording
 from rossmarie.report.safety import EvidenceKind, evidence_text
 from rossmarie.report.safety.exercised import coverage_results
+from rossmarie.report.spare import spares
 from rossmarie.targets import python
 from rossmarie.testing.cone import cone_of, told_by
 from rossmarie.testing.coverage import Coverage, Watcher
@@ -103,6 +104,7 @@ def coverage_report(
         sources=(*hashed_sources(exercised.sources, rules), *files),
         bound=f"{count} recording{'' if count == 1 else 's'}, {seconds}",
         results=tuple(coverage_results(exercised.coverage, exercised.reasons)),
+        margins=tuple(spares(exercised.coverage.machine, exercised.margins)),
     )
 
 

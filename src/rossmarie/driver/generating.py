@@ -7,6 +7,7 @@ file.
 from __future__ import annotations
 
 import dataclasses
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,15 +16,13 @@ from dslkit.source import SourceFile
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.pipeline import Compiled, compile_file
 from rossmarie.driver.testing import tests_beside
-from rossmarie.interpreter import Interpreter
-from rossmarie.ir import Machine
-from rossmarie.ir.script import Expectation, Script
+from rossmarie.ir.script import Script
 from rossmarie.testing.coverage import Watcher
 from rossmarie.testing.goals import Goal
 from rossmarie.testing.play import steps_of
 from rossmarie.testing.propose import Proposal, propose
-from rossmarie.testing.run import run, stretches
-from rossmarie.testing.write import write_script
+from rossmarie.testing.run import expectations_of
+from rossmarie.testing.write import own_name, write_script
 
 _HEAD = """\
 // Written by `rossmarie test {rules} --write`: what these rules do at their boundaries. Not
@@ -59,7 +58,7 @@ def generate_tests(
     tests = []
     for proposal in _telling(read, proposals, known):
         script = known[proposal.script.name]
-        expectations = tuple(_expectations(read.machine, script, proposal.rule))
+        expectations = tuple(expectations_of(read.machine, script, proposal.rule, script.end_ns))
         expecting = dataclasses.replace(proposal.script, expectations=expectations)
         tests.append(write_script(compiled.machine, expecting, compiled.bases))
     text = format_text("\n\n".join([_HEAD.format(rules=rules.name), *tests]))
@@ -68,15 +67,10 @@ def generate_tests(
 
 def _renamed(proposals: Iterator[Proposal]) -> Iterator[Proposal]:
     """Each with a name of its own."""
-    seen: dict[str, int] = {}
+    seen: Counter[str] = Counter()
     for proposal in proposals:
-        name = proposal.script.name
-        seen[name] = seen.get(name, 0) + 1
-        if seen[name] > 1:
-            script = dataclasses.replace(proposal.script, name=f"{name} ({seen[name]})")
-            yield dataclasses.replace(proposal, script=script)
-        else:
-            yield proposal
+        script = dataclasses.replace(proposal.script, name=own_name(proposal.script.name, seen))
+        yield dataclasses.replace(proposal, script=script)
 
 
 def _telling(
@@ -92,19 +86,3 @@ def _telling(
         reached |= new
         if new:
             yield proposal
-
-
-def _expectations(machine: Machine, script: Script, rule: int) -> list[Expectation]:
-    """What the interpreter says of a rule."""
-    verdicts = run(Interpreter(machine), machine, script)
-    changes = [verdict for verdict in verdicts if verdict.rule == rule]
-    end_ns = script.end_ns
-    expectations: list[Expectation] = []
-    for stretch in stretches(changes):
-        last_ns = end_ns if stretch.end_ns is None else stretch.end_ns - 1
-        if expectations and expectations[-1].is_active is stretch.is_active:
-            first_ns = expectations.pop().first_ns
-        else:
-            first_ns = stretch.first_ns
-        expectations.append(Expectation(rule, stretch.is_active, first_ns, last_ns, None))
-    return expectations

@@ -7,6 +7,7 @@ from rossmarie.ir.limits import EARLIEST_NS, LATEST_NS, LONGEST_NS, MOST_EVALUAT
 from rossmarie.ir.malformed import MalformedMachine
 from rossmarie.ir.message import ChannelValues
 from rossmarie.ir.model import (
+    FLAG_LIMITS,
     AgeReaches,
     And,
     Apply,
@@ -67,6 +68,7 @@ from rossmarie.ir.verify import verify
 
 __all__ = [
     "EARLIEST_NS",
+    "FLAG_LIMITS",
     "LATEST_NS",
     "LONGEST_NS",
     "MOST_EVALUATIONS",

@@ -27,6 +27,9 @@ class Kind(enum.Enum):
     TEXT = "text"
 
 
+FLAG_LIMITS = (0.0, 1.0)
+
+
 @dataclass(frozen=True)
 class Input:
     """A named input; `timeout_ns` is the age at which it is lost, None if it never is."""
@@ -57,7 +60,7 @@ class Slot:
 @dataclass(frozen=True)
 class Array:
     """A numeric array of any length that a message carries; it exists only while it arrives.
-    `limits` are those of a slot.
+    `limits` are those of a slot; flags are the whole numbers within `FLAG_LIMITS`.
     """
 
     input: int

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 from dslkit.source import Span
 
-SettingValue = float | bool | str | tuple[float, ...] | None
+SettingValue = float | bool | str | tuple[float | bool, ...] | None
 """In SI; a tuple is a whole array, None is unknown."""
 
 

@@ -68,7 +68,8 @@ class Inputs:
         index = self._slots_by_place.setdefault((used, place.path), len(self.slots))
         if index == len(self.slots):
             unit = _unit(type_)
-            kind, shown, limits = _kind(type_), _symbol(unit), _limits(type_)
+            kind, shown = _kind(type_), _symbol(unit)
+            limits = _limits(type_) if kind is ir.Kind.REAL else None
             slot = ir.Slot(used, place.path, kind, unit.scale, unit.offset, shown, limits)
             self.slots.append(slot)
         return index
@@ -104,6 +105,9 @@ def _unit(type_: Type) -> Unit:
 
 
 def _limits(type_: Type) -> tuple[float, float] | None:
+    """Of an element or a number; an array holds its flags as 0 and 1."""
+    if isinstance(type_, Boolean):
+        return ir.FLAG_LIMITS
     return type_.limits if isinstance(type_, Quantity) else None
 
 

@@ -12,12 +12,8 @@ from rich.text import Text
 
 from rossmarie import ir
 from rossmarie.report.coverage import print_table
+from rossmarie.report.spare import MEANING, spares
 from rossmarie.testing.margins import Margin
-
-_MEANING = (
-    "Between the first two values every verdict stays as it is, to the instant; between the "
-    "last two each rule becomes active and is cleared as often, perhaps earlier or later."
-)
 
 
 def write_margins(machine: ir.Machine, margins: Sequence[Margin], out: TextIO) -> None:
@@ -28,20 +24,7 @@ def write_margins(machine: ir.Machine, margins: Sequence[Margin], out: TextIO) -
     table.add_column("Is", justify="right", no_wrap=True)
     for head in ("Same from", "to", "As often from", "to"):
         table.add_column(head, justify="right", no_wrap=True)
-    for each in margins:
-        ends = (each.same.low, each.same.high, each.as_often.low, each.as_often.high)
-        values = (each.threshold.value, *ends)
-        cells = (each.threshold.text, *(_shown(machine, each, value) for value in values))
-        table.add_row(*map(Text, cells))
+    for each in spares(machine, margins):
+        table.add_row(*map(Text, (each.name, *each.cells)))
     print_table(table, out)
-    out.write(f"{_MEANING}\n")
-
-
-def _shown(machine: ir.Machine, margin: Margin, value: float | None) -> str:
-    """A value in the unit of its threshold; `any` if nothing changes however far it goes."""
-    if value is None:
-        return "any"
-    if margin.threshold.constant is None:
-        return f"{value:.6g} s"
-    shown = machine.signals[margin.threshold.constant]
-    return f"{value * shown.scale + shown.offset:.6g} {shown.unit}".strip()
+    out.write(f"{MEANING}\n")

@@ -110,7 +110,7 @@ class _Guard:
             if is_active
         ]
         if (expected.topic, expected.path) not in self._places:
-            reason = f"no action limits commands on {expected.topic}"
+            reason = f"no rule starts an action that limits commands on {expected.topic}"
         elif active:
             reason = f"active then: {', '.join(active)}"
         else:

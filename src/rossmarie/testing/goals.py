@@ -22,6 +22,7 @@ from rossmarie.ir.support import (
     supports,
     truth_operands,
 )
+from rossmarie.testing.whole import whole_step
 
 
 class Aspect(enum.Enum):
@@ -53,13 +54,15 @@ class Goal:
 @dataclass(frozen=True)
 class Edge:
     """A signal and the constant that it is compared with; `step` is a small visible distance, in
-    SI: a thousandth, rounded to a power of ten of the unit that the user sees.
+    SI: a thousandth, rounded to a power of ten of the unit that the user sees, or with `is_whole`
+    that of two neighbors among the values that the signal can have.
     """
 
     signal: int
     threshold: float
     step: float
     constant: int
+    is_whole: bool = False
 
 
 def goals(machine: ir.Machine) -> Iterator[Goal]:
@@ -153,8 +156,9 @@ def edges(machine: ir.Machine, truth: int) -> list[Edge]:
         value = machine.signals[constant].node
         is_number = not _is_text(machine, signal)
         if isinstance(value, ir.Constant) and is_number and not _is_constant(machine, signal):
-            step = _step(machine, signal, constant, value.value)
-            found.append(Edge(signal, value.value, step, constant))
+            whole = whole_step(machine, signal)
+            step = _step(machine, constant, value.value) if whole is None else whole
+            found.append(Edge(signal, value.value, step, constant, whole is not None))
     return found
 
 
@@ -167,9 +171,7 @@ def _is_text(machine: ir.Machine, signal: int) -> bool:
     return isinstance(node, ir.Read) and machine.slots[node.slot].kind is not ir.Kind.REAL
 
 
-def _step(machine: ir.Machine, signal: int, constant: int, value: float) -> float:
-    if isinstance(machine.signals[signal].node, ir.Count):
-        return 1.0
+def _step(machine: ir.Machine, constant: int, value: float) -> float:
     shown = machine.signals[constant]
     return visible_step(value * shown.scale + shown.offset) / shown.scale
 

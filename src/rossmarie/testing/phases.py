@@ -13,9 +13,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from rossmarie import ir
+from rossmarie.ir.carried import carries, holds_flags
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.goals import visible_step
-from rossmarie.testing.solve import Values, Variable, World
+from rossmarie.testing.solve import Ramp, Values, Variable, World
 
 _ANGLES = {ir.Function.ROLL: "roll", ir.Function.PITCH: "pitch", ir.Function.YAW: "yaw"}
 _SECOND = 1_000_000_000
@@ -54,6 +55,7 @@ class Stage:
     machine: ir.Machine
     rule: int
     beat_ns: int
+    ramp: Ramp
 
     def script(self, name: str, phases: Sequence[Phase]) -> Script:
         """The events of phases; nothing is expected yet."""
@@ -167,7 +169,8 @@ class Stage:
         array = self.machine.arrays[index]
         name = self.machine.inputs[array.input].name
         unit = self.world.unit(Variable("element", index)).symbol
-        return Setting(name, self._topic(array.input), array.path, elements, None, unit)
+        value = tuple(each != 0.0 for each in elements) if holds_flags(array) else elements
+        return Setting(name, self._topic(array.input), array.path, value, None, unit)
 
     # --- what takes several messages ---------------------------------------------------------
 
@@ -180,23 +183,20 @@ class Stage:
             return
         now = values.get(Variable("slot", slot), 0.0)
         if variable.kind == "rate" and value != 0.0:
-            for count in range(_beats_of_a_ramp(self.machine, self.rule, self.beat_ns) + 1):
-                number = now + value * (count - 1) * self.beat_ns / 1e9
-                yield count * self.beat_ns, [self._of_slot(slot, number)]
+            for count in range(-1, self.ramp.count + 1):
+                number = now + value * count * self.beat_ns / 1e9
+                yield (count + 1) * self.beat_ns, [self._of_slot(slot, number)]
         elif variable.kind == "previous" and value != now:
             yield 0, [self._of_slot(slot, value)]
             yield self.beat_ns, [self._of_slot(slot, now)]
         elif variable.kind == "oscillating" and value != 0.0:
             node = self.machine.truths[variable.index].node
             assert isinstance(node, ir.Oscillates)
-            swing = self._visible_swing(node.swing)
+            swing = _visible_swing(self.machine.slots[slot], node.swing, now)
             step_ns = min(self.beat_ns, node.window_ns // (node.count + 3))
             for count in range(node.count + 3):
                 number = now + (swing if count % 2 else 0.0)
                 yield count * step_ns, [self._of_slot(slot, number)]
-
-    def _visible_swing(self, swing: float) -> float:
-        return 2 * swing if swing else 1.0
 
     def _slot_of(self, variable: Variable) -> int:
         """The field that a rate, a sample or an oscillation is of; -1 if it is of none alone."""
@@ -212,10 +212,20 @@ class Stage:
         return read.slot if isinstance(read, ir.Read) else -1
 
 
-def _beats_of_a_ramp(machine: ir.Machine, rule: int, beat: int) -> int:
-    """How many messages a rate has to last: one, or as long as the longest `for`."""
+def _visible_swing(slot: ir.Slot, swing: float, now: float) -> float:
+    """How far a field goes to and fro, from what it is now: clearly far enough, if it can."""
+    sizes = [factor * swing for factor in (2.0, 1.25, 1.0)] if swing else [1.0]
+    if slot.limits is not None:
+        step = abs(slot.scale)
+        sizes = [math.ceil(size / step) * step for size in sizes] if swing else [step]
+    ways = [size * way for size in sizes for way in (1, -1)]
+    return next((each for each in ways if carries(slot, now + each)), ways[0])
+
+
+def ramp_of(machine: ir.Machine, rule: int, beat: int) -> Ramp:
+    """How a rate lasts: over one message, or as long as the longest `for`."""
     longest_ns = delay_ns(machine, machine.rules[rule].condition)
-    return min(1 + math.ceil(longest_ns / beat), 64)
+    return Ramp(beat / 1e9, min(math.ceil(longest_ns / beat), 63))
 
 
 def delay_ns(machine: ir.Machine, truth: int, *, value: bool = True) -> int:

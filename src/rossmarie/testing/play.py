@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from itertools import groupby
 
 from rossmarie.ir import ChannelValues, Kind, Machine, Slot
+from rossmarie.ir.carried import raw_of
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.orientation import UPRIGHT, with_angle
 
@@ -109,7 +110,7 @@ class _Sender:
             if machine.inputs[array.input].channel == channel:
                 whole = self.values.get((machine.channels[channel].topic, array.path))
                 elements = whole if isinstance(whole, tuple) else ()
-                arrays[index] = [raw(each, array.scale, array.offset) for each in elements]
+                arrays[index] = [raw_of(array, each) for each in elements]
         return ChannelValues(slots, arrays)
 
     def _slot(self, slot: Slot) -> float:
@@ -120,10 +121,9 @@ class _Sender:
             texts = self.machine.texts
             return float(texts.index(text)) if isinstance(text, str) and text in texts else -1.0
         if value is _UNSET:
-            value = 1.0 if slot.path[-1:] == ("w",) else 0.0
-            return value if slot.kind is Kind.FLAG else raw(value, slot.scale, slot.offset)
+            return 1.0 if slot.path[-1:] == ("w",) else 0.0
         number = _number(value)
-        return number if slot.kind is Kind.FLAG else raw(number, slot.scale, slot.offset)
+        return number if slot.kind is Kind.FLAG else raw_of(slot, number)
 
     def _value(self, topic: str, path: tuple[str | int, ...]) -> SettingValue | object:
         if path and isinstance(path[-1], int):
@@ -138,10 +138,3 @@ _UNSET = object()
 
 def _number(value: object) -> float:
     return float(value) if isinstance(value, float | bool) else math.nan
-
-
-def raw(si: float, scale: float, offset: float) -> float:
-    """The number in a message that arrives as `si`; a value that is written in the unit of the
-    message arrives as the rules would read it there, bit for bit.
-    """
-    return (si - offset) / scale

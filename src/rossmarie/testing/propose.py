@@ -23,8 +23,10 @@ from rossmarie.testing.goals import (
     edges,
     losable_inputs,
 )
-from rossmarie.testing.phases import Phase, Stage, beat_ns, delay_ns, round_up
-from rossmarie.testing.solve import Values, World, edge_point, rational
+from rossmarie.testing.phases import Phase, Stage, beat_ns, delay_ns, ramp_of, round_up
+from rossmarie.testing.sides import beside
+from rossmarie.testing.solve import Values, World
+from rossmarie.testing.whole import is_carried
 
 _MOST_BEATS = 20_000
 _LONGEST_NAME = 90
@@ -39,9 +41,11 @@ class Proposal:
 
 
 def propose(machine: ir.Machine) -> Iterator[Proposal]:
-    """Proposals for all rules, in their order."""
+    """Proposals for all rules, in their order, of messages that there can be."""
     for index in range(len(machine.rules)):
-        yield from _Proposer(machine, index).all()
+        for proposal in _Proposer(machine, index).all():
+            if is_carried(machine, proposal.script):
+                yield proposal
 
 
 class _Proposer:
@@ -56,9 +60,10 @@ class _Proposer:
             self._roots.append(self._rule.release)
         leaves = {leaf for root in self._roots for leaf in ir.leaf_truths(machine, root)}
         self._leaves = sorted(leaves)
-        self._world = World(machine, self._leaves)
         self._beat_ns = beat_ns(machine, self._rule)
-        self._stage = Stage(self._world, machine, index, self._beat_ns)
+        ramp = ramp_of(machine, index, self._beat_ns)
+        self._world = World(machine, self._leaves, ramp=ramp)
+        self._stage = Stage(self._world, machine, index, self._beat_ns, ramp)
         settled_ns = max(
             delay_ns(machine, root, value=value) for root in self._roots for value in (True, False)
         )
@@ -120,9 +125,10 @@ class _Proposer:
         is_array = isinstance(self._machine.truths[leaf].node, ir.Quantified)
         term = self._world.signal(edge.signal, 0 if is_array else None)
         near, found = calm, []
-        for steps in (-1, 0, 1):
-            point = edge_point(self._machine, edge, steps)
-            values = self._world.solve([hangs, term == rational(point)], near, leaf)
+        for way in (-1, 0, 1):
+            ways = beside(self._machine, edge, term, way)
+            tried = (self._world.solve([hangs, one], near, leaf) for one in ways)
+            values = next((each for each in tried if each is not None), None)
             near = values or near
             found.append(values)
         shown = self._machine.signals[edge.constant]

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, ChannelValues, Event, Machine, Verdict
 from rossmarie.ir.script import Expectation, Script
 from rossmarie.testing.play import Step, steps_of
@@ -101,3 +102,18 @@ def stretches(changes: Sequence[Verdict]) -> Iterator[Stretch]:
             first_ns = change.at_ns
         is_active = now_active
     yield Stretch(is_active, first_ns, None)
+
+
+def expectations_of(machine: Machine, script: Script, rule: int, end_ns: int) -> list[Expectation]:
+    """What the interpreter says of a rule, up to an instant."""
+    verdicts = play(Interpreter(machine), steps_of(machine, script), end_ns)
+    changes = [verdict for verdict in verdicts if verdict.rule == rule]
+    expectations: list[Expectation] = []
+    for stretch in stretches(changes):
+        last_ns = end_ns if stretch.end_ns is None else stretch.end_ns - 1
+        if expectations and expectations[-1].is_active is stretch.is_active:
+            first_ns = expectations.pop().first_ns
+        else:
+            first_ns = stretch.first_ns
+        expectations.append(Expectation(rule, stretch.is_active, first_ns, last_ns, None))
+    return expectations

@@ -16,8 +16,11 @@ from typing import Any
 import z3
 
 from rossmarie import ir
-from rossmarie.ir import Comparison, Function, Kind
+from rossmarie.ir import Function, Kind
 from rossmarie.testing.goals import Edge, edges, signals_of
+from rossmarie.testing.terms import compared, extreme, fraction, leaves, rational
+from rossmarie.testing.whole import slot_behind
+from rossmarie.testing.whole_facts import field_facts, ramp_facts
 from rossmarie.units import Unit, parse_unit
 
 TIME_LIMIT_MS = 2000
@@ -43,17 +46,29 @@ Values = Mapping[Variable, float]
 """In SI; truths and texts by their numbers."""
 
 
+@dataclass(frozen=True)
+class Ramp:
+    """Messages `step_s` apart, with which a number rises or falls: one before the value that it is
+    about, and `count` behind it.
+    """
+
+    step_s: float
+    count: int
+
+
 @dataclass
 class World:
     """The formulas of one rule, and its variables.
 
     A world that `is_free` allows for all that can be, and more: what is computed is any number,
-    `for`s are as they like. What is impossible there is impossible.
+    `for`s are as they like. What is impossible there is impossible. A `ramp` is how a rate comes
+    about in any other.
     """
 
     machine: ir.Machine
     truths: Sequence[int]
     is_free: bool = False
+    ramp: Ramp | None = None
     variables: dict[Variable, Any] = field(default_factory=dict)
     units: dict[Variable, Unit] = field(default_factory=dict)
     _side: list[Any] = field(default_factory=list)
@@ -113,7 +128,7 @@ class World:
     def _leaf(self, truth: int, part: int | None) -> Any:
         match self.machine.truths[truth].node:
             case ir.Compare(comparison=comparison, left=left, right=right):
-                return _compared(comparison, self.signal(left, part), self.signal(right, part))
+                return compared(comparison, self.signal(left, part), self.signal(right, part))
             case ir.Between(signal=signal, low=low, high=high):
                 value = self.signal(signal, part)
                 return z3.And(self.signal(low, part) <= value, value <= self.signal(high, part))
@@ -154,7 +169,7 @@ class World:
             case ir.Fold(folding=folding, element=element):
                 least = folding is ir.Folding.MINIMUM
                 values = [self.signal(element, each) for each in range(self.length)]
-                return _extreme(values, least)
+                return extreme(values, least=least)
             case ir.Count(element=element):
                 parts = [self._leaf(element, each) for each in range(self.length)]
                 return z3.Sum([z3.If(each, z3.RealVal(1), z3.RealVal(0)) for each in parts])
@@ -189,7 +204,7 @@ class World:
             case Function.ABSOLUTE:
                 return z3.If(values[0] >= 0, values[0], -values[0])
             case Function.MINIMUM | Function.MAXIMUM:
-                return _extreme(values, function is Function.MINIMUM)
+                return extreme(values, least=function is Function.MINIMUM)
             case _:  # a norm, along its first component: the others are zero
                 self._side += [value == 0 for value in values[1:]]
                 return z3.If(values[0] >= 0, values[0], -values[0])
@@ -215,7 +230,32 @@ class World:
         return None
 
     def _real(self, variable: Variable) -> Any:
-        return self.variables.setdefault(variable, z3.Real(f"v{len(self.variables)}"))
+        if variable not in self.variables:
+            term = z3.Real(f"v{len(self.variables)}")
+            self.variables[variable] = term
+            self._side += self._carried(variable, term, f"whole_{term}")
+        return self.variables[variable]
+
+    def _carried(self, variable: Variable, term: Any, name: str) -> list[Any]:
+        """What follows for a variable from its field holding only whole numbers."""
+        machine = self.machine
+        source: ir.Slot | ir.Array | None = None
+        if variable.kind == "element":
+            source = machine.arrays[variable.index]
+        elif variable.kind == "slot":
+            source = machine.slots[variable.index]
+        elif variable.kind in ("previous", "rate"):
+            slot = slot_behind(machine, variable.index)
+            source = None if slot is None else machine.slots[slot]
+            if variable.kind == "rate" and slot is not None and machine.slots[slot].limits:
+                return self._ramp(slot, term, name)
+        return [] if source is None else field_facts(source, term, name, is_wide=self.is_free)
+
+    def _ramp(self, slot: int, rate: Any, name: str) -> list[Any]:
+        if self.ramp is None:
+            return []
+        now, step = self._slot(slot), rate * rational(self.ramp.step_s)
+        return ramp_facts(self.machine.slots[slot], now, step, self.ramp.count, name)
 
     def _bool(self, variable: Variable) -> Any:
         return self._real(variable) != 0
@@ -259,7 +299,7 @@ class World:
             for edge in edges(self.machine, truth):
                 for part in self._parts(truth):
                     value = self.signal(edge.signal, part)
-                    distance = rational(edge.step * _CLEAR)
+                    distance = rational(edge.step * (1 if edge.is_whole else _CLEAR))
                     threshold = rational(edge.threshold)
                     yield z3.Or(value >= threshold + distance, value <= threshold - distance)
 
@@ -272,7 +312,7 @@ class World:
         term, unit = self.variables[variable], self.unit(variable)
         _prefer(solver, term >= 0)
         model = solver.model() if solver.check() == z3.sat else None
-        exact = Fraction(0) if model is None else _fraction(model.eval(term, model_completion=True))
+        exact = Fraction(0) if model is None else fraction(model.eval(term, model_completion=True))
         shown = unit.from_si(float(exact))
         candidates = [0.0, 1.0, *(round(shown, digits) for digits in range(7)), shown]
         for candidate in candidates:
@@ -311,35 +351,13 @@ class World:
 
     def _reads(self, edge: Edge, variable: Variable) -> bool:
         term = self.signal(edge.signal, variable.part if variable.kind == "element" else None)
-        return any(z3.eq(each, self.variables[variable]) for each in _leaves(term))
-
-
-def edge_point(machine: ir.Machine, edge: Edge, steps: int) -> float:
-    """A threshold, or the round number some steps beside it, in SI."""
-    if steps == 0:
-        return edge.threshold
-    unit = parse_unit(machine.signals[edge.constant].unit or "1")
-    shown = unit.from_si(edge.threshold)
-    step = edge.step / unit.scale
-    return unit.to_si(float(f"{shown + steps * step:.12g}"))
+        return any(z3.eq(each, self.variables[variable]) for each in leaves(term))
 
 
 def rests_on(machine: ir.Machine, truth: int) -> tuple[int, ...]:
     """The signals of a leaf, or of the elements of a quantified one."""
     node = machine.truths[truth].node
     return signals_of(machine, node.element if isinstance(node, ir.Quantified) else truth)
-
-
-def rational(value: float) -> Any:
-    """A double as the exact number that it is."""
-    fraction = Fraction(value)
-    return z3.Q(fraction.numerator, fraction.denominator)
-
-
-def _fraction(value: Any) -> Fraction:
-    if z3.is_algebraic_value(value):
-        value = value.approx(20)
-    return Fraction(value.numerator_as_long(), value.denominator_as_long())
 
 
 def _prefer(solver: Any, wish: Any) -> bool:
@@ -350,35 +368,3 @@ def _prefer(solver: Any, wish: Any) -> bool:
         return True
     solver.pop()
     return False
-
-
-def _compared(comparison: Comparison, left: Any, right: Any) -> Any:
-    match comparison:
-        case Comparison.EQUAL:
-            return left == right
-        case Comparison.NOT_EQUAL:
-            return left != right
-        case Comparison.LESS:
-            return left < right
-        case Comparison.LESS_OR_EQUAL:
-            return left <= right
-        case Comparison.GREATER:
-            return left > right
-        case _:
-            return left >= right
-
-
-def _extreme(values: list[Any], least: bool) -> Any:
-    found = values[0]
-    for value in values[1:]:
-        found = z3.If(value < found if least else value > found, value, found)
-    return found
-
-
-def _leaves(term: Any) -> Iterator[Any]:
-    waiting = [term]
-    while waiting:
-        each = waiting.pop()
-        if each.num_args() == 0:
-            yield each
-        waiting.extend(each.children())

@@ -14,7 +14,9 @@ import z3
 
 from rossmarie import ir
 from rossmarie.testing.goals import Aspect, Goal, atoms, edges
-from rossmarie.testing.solve import World, rational
+from rossmarie.testing.sides import is_apart
+from rossmarie.testing.solve import World
+from rossmarie.testing.terms import rational
 
 NO_VALUES = "no values make the rule hang on it"
 LOST_ONLY = "only a lost input ends it sooner"
@@ -67,8 +69,8 @@ def _wanted(world: World, goal: Goal) -> list[Any]:
         value, threshold = world.signal(edge.signal), rational(edge.threshold)
         reach = rational(edge.step * 2)
         wanted += {
-            Aspect.UNDER: [value < threshold, value >= threshold - reach],
+            Aspect.UNDER: [is_apart(edge, threshold - value), value >= threshold - reach],
             Aspect.AT: [value == threshold],
-            Aspect.OVER: [value > threshold, value <= threshold + reach],
+            Aspect.OVER: [is_apart(edge, value - threshold), value <= threshold + reach],
         }[goal.aspect]
     return wanted

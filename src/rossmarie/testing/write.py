@@ -7,6 +7,7 @@ number in its unit, if there is one.
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
 from rossmarie import ir
@@ -16,6 +17,13 @@ from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
 
 Bases = Mapping[str, tuple[str, ...]]
 """Of each input, by its name, the path that its declaration chooses."""
+
+
+def own_name(name: str, seen: Counter[str]) -> str:
+    """A name that no other test has, and that can stand between quotes."""
+    plain = name.replace('"', "'")
+    seen[plain] += 1
+    return plain if seen[plain] == 1 else f"{plain} ({seen[plain]})"
 
 
 def write_script(machine: ir.Machine, script: Script, bases: Bases) -> str:
@@ -68,13 +76,13 @@ def _field(setting: Setting, bases: Bases) -> str:
 def _value(machine: ir.Machine, setting: Setting) -> str:
     value = setting.value
     if isinstance(value, bool):
-        return "true" if value else "false"
+        return _word(value)
     if isinstance(value, str):
         return f'"{value}"'
     unit = _unit(machine, setting)
     symbol = "" if unit == DIMENSIONLESS else f" {unit.symbol}"
     if isinstance(value, tuple):
-        numbers = ", ".join(_number(each, unit) for each in value)
+        numbers = ", ".join(_element(each, unit) for each in value)
         return f"[{numbers}]{symbol}" if value else "unknown"
     return "unknown" if value is None or math.isnan(value) else f"{_number(value, unit)}{symbol}"
 
@@ -95,6 +103,14 @@ def _unit(machine: ir.Machine, setting: Setting) -> Unit:
 
 def _topic(machine: ir.Machine, field: ir.Slot | ir.Array) -> str:
     return machine.channels[machine.inputs[field.input].channel].topic
+
+
+def _element(value: float | bool, unit: Unit) -> str:
+    return _word(value) if isinstance(value, bool) else _number(value, unit)
+
+
+def _word(value: bool) -> str:
+    return "true" if value else "false"
 
 
 def _number(value: float, unit: Unit) -> str:

@@ -100,3 +100,25 @@ def test_leaving_out_a_field_keeps_the_comments_before_it() -> None:
     text = fixed(head + "if level // its data. in V.\n .data > 1 V then { go; };\n")
     assert "if level // its data. in V.\n" in text
     assert check_text(text)[1] == ()
+
+
+COMMANDED = """
+input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 1 sec;
+action slow { limit /cmd_vel : geometry_msgs/Twist { linear.x in [-0.2, 0.2] m/s; }; }
+rule fast: if speed > 1 m/s then { slow; };
+"""
+
+
+@pytest.mark.parametrize("misspelt", ["/cmd_ve", "cmd_val"])
+def test_a_misspelt_topic_of_a_test_becomes_the_one_that_an_action_commands(misspelt: str) -> None:
+    expected = f"expect {misspelt}.linear.x in [0, 1] m/s at 0 s;"
+    text = fixed(f'{COMMANDED}test "t" {{ at 0 s speed = 2 m/s; {expected} }}')
+    assert "cmd_vel.linear.x in [0, 1]" in text
+    assert check_text(text)[1] == ()
+
+
+def test_a_topic_that_is_like_none_is_told_which_ones_are_commanded() -> None:
+    text = COMMANDED + 'test "t" { expect /arm_joints.x in [0, 1] at 0 s; }'
+    (finding,) = check_text(text)[1]
+    assert finding.notes == ("commanded are `/cmd_vel`",)
+    assert finding.fix is None

@@ -48,8 +48,43 @@ def test_witnesses_are_written_and_replay(rules: Path, tmp_path: Path) -> None:
     assert "faster" in replayed.stdout
 
 
-def test_a_folder_that_cannot_be_written_is_said(rules: Path) -> None:
+def test_witnesses_are_written_as_tests(rules: Path, tmp_path: Path) -> None:
+    path = tmp_path / "kept" / "found.ross"
+    path.parent.mkdir()
+    for _ in range(2):  # what a check has written it may write again
+        done = run("check", "--witnesses", path, rules)
+        assert done.returncode == 0
+        assert f"wrote 1 test to {path}" in done.stdout
+    assert 'import "../rules.ross";' in path.read_text()
+    tested = run("test", path)
+    assert tested.returncode == 0, tested.stderr
+    assert "1 test passed, 0 failed" in tested.stdout
+
+
+def test_a_file_that_no_check_has_written_is_not_overwritten(rules: Path) -> None:
     done = run("check", "--witnesses", rules, rules)
+    assert done.returncode == 2
+    assert "is not overwritten" in done.stderr
+    assert rules.read_text() == RULES
+
+
+def test_tests_of_witnesses_are_for_one_rules_file(rules: Path, tmp_path: Path) -> None:
+    done = run("check", "--witnesses", tmp_path / "found.ross", rules, rules)
+    assert done.returncode == 2
+    assert "name one" in done.stderr
+
+
+def test_without_a_finding_no_tests_are_written(rules: Path, tmp_path: Path) -> None:
+    rules.write_text(RULES.replace("low;", "lower;"))
+    path = tmp_path / "found.ross"
+    assert run("check", "--witnesses", path, rules).returncode == 0
+    assert not path.exists()
+
+
+def test_a_folder_that_cannot_be_written_is_said(rules: Path) -> None:
+    taken = rules.with_suffix(".csv")
+    taken.touch()
+    done = run("check", "--witnesses", taken, rules)
     assert done.returncode == 2
     assert "cannot write to" in done.stderr
 

@@ -136,12 +136,23 @@ def test_coverage_goes_into_the_safety_file(
         "status": "not covered",
         "detail": "2/5 seen; not seen: just under 1 m/s, at 1 m/s, just over 1 m/s",
     }
+    assert whole["margins"][0] == {
+        "name": "1 m/s in speed > 1 m/s",
+        "unit": "m/s",
+        "value": 1.0,
+        "same": [0.5, 1.5],
+        "as_often": [0.2, 1.5],
+    }
     digest = hashlib.sha256(Path("drive.csv").read_bytes()).hexdigest()
     code, printed = run("report", "fast.ross", "--coverage", "c.json")
     assert code == 0
     assert "not done: The coverage report has 2 not covered" in printed
     assert "ROSS782" not in printed
-    assert digest in Path("report.html").read_text("utf-8")
+    page = Path("report.html").read_text("utf-8")
+    assert digest in page
+    cells = ("1 m/s", "0.5 m/s", "1.5 m/s", "0.2 m/s", "1.5 m/s")
+    row = "".join(f"<td>{cell}</td>" for cell in cells)
+    assert f'<th scope="row">1 m/s in speed &gt; 1 m/s</th>{row}' in page
 
 
 def test_a_changed_message_makes_the_coverage_another(

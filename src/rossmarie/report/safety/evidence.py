@@ -7,6 +7,11 @@ that are not named here are passed over:
      "sources": [{"path": "rules.ross", "sha256": "..."}], "outputs": [...],
      "bound": "3 events",
      "results": [{"name": "no overflow", "status": "proved", "detail": "..."}]}
+
+One of coverage may say how far thresholds can go, without end where there is null:
+
+     "margins": [{"name": "maxtilt", "unit": "deg", "value": 10, "same": [8.5, null],
+                  "as_often": [8, null]}]
 """
 
 from __future__ import annotations
@@ -19,6 +24,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from rossmarie.report.safety.errors import EvidenceError, NotEvidence, at_file
+from rossmarie.report.spare import Spare, read_spare
 
 VERSION = 1
 
@@ -71,6 +77,7 @@ class Evidence:
     outputs: tuple[Hashed, ...]
     bound: str
     results: tuple[Result, ...]
+    margins: tuple[Spare, ...] = ()
 
     @property
     def open_results(self) -> tuple[Result, ...]:
@@ -96,13 +103,14 @@ def evidence_text(
     outputs: Sequence[Hashed] = (),
     bound: str,
     results: Sequence[Result],
+    margins: Sequence[Spare] = (),
 ) -> str:
     """A report of a kind: the tools by name with their versions, the files that it is about, those
     that were made of them, how far it holds, and the questions with their answers.
     """
     strange = {each.status for each in results} - set(kind.statuses)
     assert not strange, f"{strange} is no status of {kind.value}"
-    whole = {
+    whole: dict[str, object] = {
         "format": _format(kind),
         "version": VERSION,
         "tools": dict(tools),
@@ -111,6 +119,8 @@ def evidence_text(
         "bound": bound,
         "results": [asdict(each) for each in results],
     }
+    if margins:
+        whole["margins"] = [asdict(each) for each in margins]
     return json.dumps(whole, indent=2) + "\n"
 
 
@@ -142,6 +152,7 @@ def _evidence(content: bytes, kind: EvidenceKind, path: Path) -> Evidence:
         outputs=_hashed(whole.get("outputs", [])),
         bound=_text(whole.get("bound", "")),
         results=tuple(_result(each, kind) for each in whole["results"]),
+        margins=tuple(read_spare(each) for each in whole.get("margins", [])),
     )
 
 

@@ -27,6 +27,7 @@ from rossmarie.report.safety.model import SafetyFile
 from rossmarie.report.safety.phrase import Phrase, listed
 from rossmarie.report.safety.rules import RuleText, claims, rule_texts
 from rossmarie.report.safety.witness import witness_svg
+from rossmarie.report.spare import MEANING
 from rossmarie.report.wiring import wiring_of, wiring_svg
 
 _MOST_NAMES = 3
@@ -56,6 +57,7 @@ def render_safety_file(content: SafetyFile) -> str:
         claims=_claims(machine),
         open_points=open_points(content),
         missing=_missing,
+        spare_meaning=MEANING,
         others=lambda evidence: evidence.others(_hashed(content)),
         line=_Lines(content),
         duration=duration_text,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,7 @@ from rossmarie.report.safety.evidence import (
     evidence_text,
     parse_evidence,
 )
+from rossmarie.report.spare import Spare
 
 GOOD: dict[str, Any] = {
     "format": "rossmarie-verification",
@@ -31,6 +33,8 @@ GOOD: dict[str, Any] = {
         {"name": "termination", "status": "undecided", "detail": "out of time"},
     ],
 }
+
+SPARE = {"name": "limit", "unit": "deg", "value": 10, "same": [8.5, None], "as_often": [8, None]}
 
 
 def parse(whole: object) -> Any:
@@ -64,6 +68,14 @@ def test_a_report_is_read() -> None:
         ({"sources": [{"path": "rules.ross"}]}, "it has no `sha256`"),
         ({"results": [{"name": "x", "status": "fine"}]},
          "`fine` is none of proved, refuted, undecided, not proved"),
+        ({"margins": {"name": "x"}}, "a member is not of the kind that it should be"),
+        ({"margins": [{**SPARE, "unit": 1}]},
+         "a margin has something else where a string should be"),
+        ({"margins": [{**SPARE, "value": True}]},
+         "a margin has something else where a number should be"),
+        ({"margins": [{**SPARE, "same": [math.nan, 1]}]},
+         "a margin has something else where a number should be"),
+        ({"margins": [{**SPARE, "as_often": [1]}]}, "a margin has no two ends"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_with_a_report_is_said(change: dict[str, Any], reason: str) -> None:
@@ -71,6 +83,9 @@ def test_what_is_wrong_with_a_report_is_said(change: dict[str, Any], reason: str
 
 
 words = st.text(max_size=8)
+numbers = st.floats(allow_nan=False, allow_infinity=False)
+ranges = st.tuples(*[st.none() | numbers] * 2)
+margins = st.lists(st.builds(Spare, words, words, numbers, ranges, ranges), max_size=3)
 hashes = st.lists(st.builds(Hashed, words, words), max_size=3)
 
 
@@ -80,6 +95,7 @@ hashes = st.lists(st.builds(Hashed, words, words), max_size=3)
     sources=hashes,
     outputs=hashes,
     bound=words,
+    spares=margins,
     data=st.data(),
 )
 def test_what_is_written_is_read_again(
@@ -88,17 +104,25 @@ def test_what_is_written_is_read_again(
     sources: list[Hashed],
     outputs: list[Hashed],
     bound: str,
+    spares: list[Spare],
     data: st.DataObject,
 ) -> None:
     statuses = st.sampled_from(kind.statuses)
     results = data.draw(st.lists(st.builds(Result, words, statuses, words), max_size=3))
     text = evidence_text(
-        kind, tools=tools, sources=sources, outputs=outputs, bound=bound, results=results
+        kind,
+        tools=tools,
+        sources=sources,
+        outputs=outputs,
+        bound=bound,
+        results=results,
+        margins=spares,
     )
     found = parse_evidence(text.encode(), kind, Path("v.json"))
     assert dict(found.tools) == tools
     assert (found.sources, found.outputs) == (tuple(sources), tuple(outputs))
     assert (found.bound, found.results) == (bound, tuple(results))
+    assert found.margins == tuple(spares)
 
 
 def test_what_a_report_is_about_beside_the_rules_is_known() -> None:

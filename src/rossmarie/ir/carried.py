@@ -1,0 +1,42 @@
+"""The numbers that a field of a message can carry: those of some types are whole, within limits."""
+
+from __future__ import annotations
+
+import math
+
+from rossmarie.ir.model import FLAG_LIMITS, Array, Slot
+
+Limits = tuple[float, float]
+
+_ROUNDING = 1e-12
+
+
+def raw_of(source: Slot | Array, si: float) -> float:
+    """S7 backwards: the number in a message that arrives as `si`, of a field of whole numbers the
+    nearest. A value written in the unit of the message arrives as the rules would read it there,
+    bit for bit.
+    """
+    is_plain = source.scale == 1.0 and source.offset == 0.0
+    number = si if is_plain else (si - source.offset) / source.scale
+    if source.limits is None or math.isnan(number):
+        return number
+    return float(round(min(max(number, source.limits[0]), source.limits[1])))
+
+
+def carries(source: Slot | Array, si: float) -> bool:
+    """Whether a field can carry a value in SI."""
+    return source.limits is None or is_carried(source.limits, (si - source.offset) / source.scale)
+
+
+def holds_flags(array: Array) -> bool:
+    """Whether the elements are truths."""
+    return array.limits == FLAG_LIMITS
+
+
+def is_carried(limits: Limits, raw: float) -> bool:
+    """Whether a field with such limits can carry a number, up to rounding."""
+    if not math.isfinite(raw):
+        return False
+    near = round(raw)
+    is_near = math.isclose(raw, near, rel_tol=_ROUNDING, abs_tol=_ROUNDING)
+    return is_near and limits[0] <= near <= limits[1]

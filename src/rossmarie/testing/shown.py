@@ -1,0 +1,188 @@
+"""A witness as a script: the messages that show a finding, as a user would write them."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from rossmarie import ir
+from rossmarie.analysis.witness import Witness, other_text, views
+from rossmarie.interpreter import arithmetic
+from rossmarie.ir.carried import holds_flags
+from rossmarie.ir.script import Script, ScriptedArrival, Setting, SettingValue
+from rossmarie.testing.goals import edges
+from rossmarie.testing.orientation import ANGLES, UPRIGHT
+from rossmarie.testing.run import expectations_of
+from rossmarie.units import parse_unit
+
+_DEGREES = parse_unit("deg")
+_DIGITS = 6
+_FEWEST = 3  # messages that are told as a repetition
+_UNSET = object()
+_Run = tuple[int, int, int | None]
+"""The first and the last instant, and the period, of messages."""
+
+
+def script_of(
+    machine: ir.Machine, witness: Witness, name: str, rules: Sequence[int]
+) -> Script | None:
+    """The witness as a script in which some rules do what they do in it; None if there is none.
+    Where it makes no difference, orientations are told by their angles and numbers in the units of
+    the rules; as they are in messages otherwise.
+    """
+    for is_plain in (False, True):
+        events = _Teller(machine, is_plain).events(witness)
+        script = Script(name, tuple(events), (), None)
+        if all(is_shown(machine, witness, script, rule) for rule in rules):
+            return script
+    return None
+
+
+def is_shown(machine: ir.Machine, witness: Witness, script: Script, rule: int) -> bool:
+    """Whether a rule becomes active and is cleared in a script as it does in a witness."""
+    # Of several evaluations at one instant the last counts.
+    seen = {0: False} | {view.at_ns: view.active[rule] for view in views(machine, witness)}
+    before = [None, *seen.values()]
+    changed = [each for each, last in zip(seen.items(), before, strict=False) if each[1] != last]
+    own = expectations_of(machine, script, rule, witness.end_ns)
+    return changed == [(each.first_ns, each.is_active) for each in own]
+
+
+@dataclass
+class _Teller:
+    """Tells the messages of a witness; `last` is what fields were set to last, in SI."""
+
+    machine: ir.Machine
+    is_plain: bool
+    last: dict[tuple[str, tuple[str | int, ...], str | None], SettingValue] = field(
+        default_factory=dict
+    )
+
+    def events(self, witness: Witness) -> list[ScriptedArrival]:
+        """All messages, in their order; those without news as repetitions."""
+        instants: dict[int, list[int]] = {}
+        told: list[ScriptedArrival] = []
+        for sending in witness.events:
+            settings: list[Setting] = []
+            for channel, values in sending.messages.items():
+                instants.setdefault(channel, []).append(sending.at_ns)
+                settings += self._news(channel, values)
+            if settings:
+                inputs = tuple(dict.fromkeys(setting.input for setting in settings))
+                topics = tuple(dict.fromkeys(setting.topic for setting in settings))
+                once = (sending.at_ns, sending.at_ns, None)
+                told.append(ScriptedArrival(*once, inputs, topics, tuple(settings)))
+        events = [*self._repeated(instants, told), *told]
+        return sorted(events, key=lambda event: (event.first_ns, event.period_ns is None))
+
+    def _repeated(
+        self, instants: Mapping[int, Sequence[int]], told: Sequence[ScriptedArrival]
+    ) -> Iterator[ScriptedArrival]:
+        """The messages by their instants; a single one only where nothing else tells of it."""
+        groups: dict[_Run, list[int]] = {}
+        for channel, times_ns in instants.items():
+            for run in _runs(times_ns):
+                groups.setdefault(run, []).append(channel)
+        said = {(topic, event.first_ns) for event in told for topic in event.topics}
+        for (first_ns, last_ns, period_ns), channels in groups.items():
+            topics = [
+                topic
+                for topic in (self.machine.channels[channel].topic for channel in channels)
+                if period_ns is not None or (topic, first_ns) not in said
+            ]
+            names = tuple(self._name(topic) for topic in topics)
+            if names:
+                yield ScriptedArrival(first_ns, last_ns, period_ns, names, tuple(topics), ())
+
+    def _name(self, topic: str) -> str:
+        channels = self.machine.channels
+        return next(
+            used.name for used in self.machine.inputs if channels[used.channel].topic == topic
+        )
+
+    # --- fields ------------------------------------------------------------------------------
+
+    def _news(self, channel: int, values: ir.ChannelValues) -> Iterator[Setting]:
+        """What is not as it was in the message before."""
+        for setting in self._settings(channel, values):
+            key = (setting.topic, setting.path, setting.angle)
+            usual: object = _UNSET if setting.angle is None else 0.0
+            if self.last.get(key, usual) != setting.value:
+                yield setting
+            self.last[key] = setting.value
+
+    def _settings(self, channel: int, values: ir.ChannelValues) -> Iterator[Setting]:
+        machine = self.machine
+        topic = machine.channels[channel].topic
+        turned: set[int] = set()
+        for group in () if self.is_plain else self._orientations():
+            parts = tuple(values.slots.get(slot, math.nan) for slot in group)
+            if not any(math.isnan(part) for part in parts):
+                turned |= set(group)
+                yield from self._turned(group[0], topic, parts)
+        for index, elements in values.arrays.items():
+            array = machine.arrays[index]
+            si = [raw * array.scale + array.offset for raw in elements]
+            told = tuple(each != 0.0 for each in si) if holds_flags(array) else tuple(si)
+            unit = self._unit(ir.Element(index), array.unit)
+            name = machine.inputs[array.input].name
+            yield Setting(name, topic, array.path, told, None, unit)
+        for index, raw in values.slots.items():
+            if index not in turned:
+                slot = machine.slots[index]
+                unit = self._unit(ir.Read(index), slot.unit)
+                value = self._value(slot, raw)
+                yield Setting(machine.inputs[slot.input].name, topic, slot.path, value, None, unit)
+
+    def _value(self, slot: ir.Slot, raw: float) -> SettingValue:
+        if math.isnan(raw):
+            return None
+        if slot.kind is ir.Kind.FLAG:
+            return raw != 0.0
+        if slot.kind is ir.Kind.TEXT:
+            return self.machine.texts[int(raw)] if raw >= 0.0 else other_text(self.machine)
+        return raw * slot.scale + slot.offset
+
+    def _turned(self, slot: int, topic: str, parts: tuple[float, ...]) -> Iterator[Setting]:
+        found = self.machine.slots[slot]
+        name = self.machine.inputs[found.input].name
+        for angle, function in ANGLES.items():
+            shown = round(_DEGREES.from_si(arithmetic.apply(function, parts)), _DIGITS) + 0.0
+            value = _DEGREES.to_si(shown)
+            yield Setting(name, topic, found.path[:-1], value, angle, _DEGREES.symbol)
+
+    def _orientations(self) -> Iterator[tuple[int, ...]]:
+        """The slots of each orientation of which the rules compute an angle."""
+        found: dict[tuple[int, ...], None] = {}
+        for signal in self.machine.signals:
+            node = signal.node
+            if isinstance(node, ir.Apply) and node.function in ANGLES.values():
+                reads = [self.machine.signals[operand].node for operand in node.operands]
+                slots = tuple(read.slot for read in reads if isinstance(read, ir.Read))
+                if len(slots) == len(UPRIGHT):
+                    found[slots] = None
+        return iter(found)
+
+    def _unit(self, read: ir.SignalNode, own: str) -> str:
+        """The unit of a threshold of a field, or else its own."""
+        for truth in range(0 if self.is_plain else len(self.machine.truths)):
+            for edge in edges(self.machine, truth):
+                if self.machine.signals[edge.signal].node == read:
+                    return self.machine.signals[edge.constant].unit or own
+        return own
+
+
+def _runs(times_ns: Sequence[int]) -> Iterator[_Run]:
+    """Instants as repetitions with one period each, and single ones."""
+    waiting = list(times_ns)
+    while waiting:
+        gaps = [later - earlier for earlier, later in itertools.pairwise(waiting)]
+        count = 1 + next((at for at, gap in enumerate(gaps) if gap != gaps[0]), len(gaps))
+        if count < _FEWEST:
+            yield waiting[0], waiting[0], None
+            waiting = waiting[1:]
+        else:
+            yield waiting[0], waiting[count - 1], gaps[0]
+            waiting = waiting[count:]
