@@ -80,7 +80,7 @@ def _message(
 ) -> Message | None:
     written = declaration.message_type
     if written is not None:
-        if topic is not None and topic.message_type != type_name(written.text):
+        if topic is not None:
             report_conflict(written, topic, collector)
         return find_message(written, model, collector)
     if topic is not None:

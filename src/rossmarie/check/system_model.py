@@ -274,14 +274,13 @@ def _report_other_unit(
 
 
 def report_conflict(written: ast.Name, topic: Topic, collector: Collector) -> None:
-    """Report that `written` is not the message type that a system model gives `topic`, unless one
-    of the two could not be read.
+    """Report if `written` is not the message type that a system model gives `topic`, unless one of
+    the two could not be read.
     """
-    if not written.text or not topic.message_type:
+    found = type_name(written.text)
+    if not written.text or not topic.message_type or found == topic.message_type:
         return
-    finding = TopicTypeConflict(
-        topic=topic.name, found=type_name(written.text), expected=topic.message_type
-    )
+    finding = TopicTypeConflict(topic=topic.name, found=found, expected=topic.message_type)
     place = Label(topic.declaration.message_type.span, f"{topic.message_type} here")
     fix = Fix(f"write `{topic.message_type}`", (Edit(written.span, topic.message_type),))
     collector.add(finding.at(written.span, place, fix=fix))

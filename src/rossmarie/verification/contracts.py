@@ -89,20 +89,6 @@ int contract_visit(monitor *m, unsigned node, int64_t t_ns)
     return any_count(1);
 }}
 
-int contract_evaluate(monitor *m, int64_t t_ns)
-{{
-    const monitor old = *m;
-    must_be_looked(m, t_ns);
-    forget(m, &old);
-    for (unsigned i = 0; i != INPUTS; i++)
-        __CPROVER_assume(m->state[i] == old.state[i] && m->stamp_ns[i] == old.stamp_ns[i]);
-    for (unsigned i = 0; i != CHANNELS; i++)
-        __CPROVER_assume(m->quiet[i] == old.quiet[i]);
-    __CPROVER_assume(m->now_ns == t_ns);
-    suppose_at_rest(m, t_ns);
-    return any_count(RULES);
-}}
-
 /* What is forgotten by expiring; what arrived at this very instant stays. */
 static void suppose_ticked(const monitor *m, const monitor *old, int64_t t_ns)
 {{
@@ -116,14 +102,6 @@ static void suppose_ticked(const monitor *m, const monitor *old, int64_t t_ns)
     suppose_looked(m, t_ns);
 }}
 
-void contract_tick(monitor *m, int64_t t_ns)
-{{
-    const monitor old = *m;
-    must_be_unlooked(m, t_ns);
-    forget(m, &old);
-    suppose_ticked(m, &old, t_ns);
-}}
-
 void contract_restart(monitor *m, int64_t t_ns)
 {{
     const monitor old = *m;
@@ -131,21 +109,6 @@ void contract_restart(monitor *m, int64_t t_ns)
     forget(m, &old);
     suppose_restarted(m, t_ns);
     suppose_unlooked(m, t_ns);
-}}
-
-int contract_catch_up(monitor *m, int64_t t_ns)
-{{
-    const monitor old = *m;
-    if (t_ns <= EARLIEST || t_ns >= LATEST)
-        return -1;
-    forget(m, &old);
-    __CPROVER_assume(m->now_ns <= t_ns);
-    if (!old.started || t_ns < old.now_ns)
-        suppose_restarted(m, t_ns);
-    else
-        suppose_at_rest(m, m->now_ns);
-    suppose_unlooked(m, t_ns);
-    return any_count({most_events});
 }}
 
 /* A function that takes an instant is looked at in stages, each with no more than it rests on:
@@ -173,6 +136,27 @@ int caught_up_somehow(monitor *m, int64_t t_ns)
 void end_at_tick(monitor *m, int64_t t_ns)
 {{
     must_be_unlooked(m, t_ns);
+    __CPROVER_assume(false);
+}}
+
+void tick_and_end(monitor *m, int64_t t_ns)
+{{
+    __CPROVER_assert(t_ns > m->now_ns, "time goes on");
+    end_at_tick(m, t_ns);
+}}
+
+void never_tick(monitor *m, int64_t t_ns)
+{{
+    (void)m;
+    (void)t_ns;
+    __CPROVER_assume(false);
+}}
+
+void never_restart(monitor *m, int64_t t_ns)
+{{
+    (void)m;
+    (void)t_ns;
+    __CPROVER_assert(false, "time does not begin again");
     __CPROVER_assume(false);
 }}
 

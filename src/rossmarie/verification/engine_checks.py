@@ -101,7 +101,7 @@ class EngineChecks:
         yield Written(tick, f"{ANY}\n{_TICK}")
         restart = Check("restart", "time begins, or begins again", self._parts)
         yield Written(restart, self._restart())
-        yield self._catch_up()
+        yield from self._catch_up()
         yield from self._public()
 
     # --- evaluation --------------------------------------------------------------------------
@@ -180,12 +180,21 @@ class EngineChecks:
     must_be_unlooked(m, t_ns);
     must_not_act(m, &old);"""
 
-    def _catch_up(self) -> Written:
-        """One pass of its loop stands for all: it begins in any state that a pass can end in."""
-        parts = tuple((part, f"contract_{part}") for part in ("evaluate", "tick", "restart"))
+    def _catch_up(self) -> Iterator[Written]:
+        """One pass of its loop stands for all: it begins with a monitor at rest, and evaluation
+        leaves one behind.
+        """
         about = "timers that are due before an instant run one after the other"
-        body = f"{begin(self._layout)}\n{_CATCH_UP}"
-        return Written(Check("catch_up", about, parts, unwound=(("catch_up.0", 2),)), body)
+        once = (("catch_up.0", 1),)
+        anew = (("restart", "contract_restart"), ("tick", "never_tick"))
+        check = Check("catch_up_anew", f"{about}: time begins, or begins again", anew, (), once)
+        yield Written(check, f"{begin(self._layout)}\n{_CATCH_UP_ANEW}")
+        passes = (("restart", "never_restart"), ("tick", "tick_and_end"))
+        check = Check("catch_up_passes", f"{about}: one of them", passes, (), once)
+        yield Written(check, f"{_CATCHES_UP}\n    (void)catch_up(m, t_ns);")
+        ends = (("restart", "never_restart"), ("tick", "never_tick"))
+        check = Check("catch_up_ends", f"{about}: none is left", ends, (), once)
+        yield Written(check, f"{_CATCHES_UP}\n{_CATCH_UP_ENDS}")
 
     # --- the interface -----------------------------------------------------------------------
 
@@ -232,14 +241,19 @@ _TICK = """\
     must_be_looked(m, t_ns);
     must_not_act(m, &old);"""
 
-_CATCH_UP = """\
-    const int events = catch_up(m, t_ns);
-    const bool is_in_range = t_ns > EARLIEST && t_ns < LATEST;
-    __CPROVER_assert((events >= 0) == is_in_range, "what is out of range is refused");
-    if (events >= 0) {
-        if (!old.started || t_ns < old.now_ns)
-            must_be_restarted(m, t_ns);
-        else
-            must_be_at_rest(m, m->now_ns);
-        must_be_unlooked(m, t_ns);
-    }"""
+_CATCH_UP_ANEW = """\
+    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);
+    __CPROVER_assume(!m->started || t_ns < m->now_ns);
+    (void)catch_up(m, t_ns);
+    __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
+    must_be_unlooked(m, t_ns);"""
+
+_CATCHES_UP = f"""\
+{ANY}
+    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST && m->now_ns <= t_ns);
+    suppose_at_rest(m, m->now_ns);"""
+
+_CATCH_UP_ENDS = """\
+    (void)catch_up(m, t_ns);
+    __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
+    must_be_unlooked(m, t_ns);"""

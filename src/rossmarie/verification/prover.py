@@ -30,7 +30,7 @@ _SOLVERS = ((), ("--smt2",))
 _ONLY_LOOPS = ("--no-standard-checks", "--no-assertions")
 """What remains to be shown then is that loops end."""
 
-_SHORT = 20
+_SHORT = 10
 """For how many seconds several claims are asked together."""
 
 _FEW = 4
@@ -250,16 +250,14 @@ def _named(names: Sequence[str]) -> list[str]:
 
 
 def _grouped(names: Sequence[str]) -> Iterator[list[str]]:
-    """What C itself forbids; the claims of small functions; those of others, a few at a time."""
+    """What C itself forbids; the claims of small functions together; those of each other one."""
     groups: dict[str, list[str]] = {}
     for name in names:
         function, kind = name.split(".", 1)
         groups.setdefault(function if kind.startswith("assertion") else "", []).append(name)
     yield groups.pop("", [])
     yield [name for group in groups.values() if len(group) <= _FEW for name in group]
-    for group in groups.values():
-        if len(group) > _FEW:
-            yield from (group[i : i + _FEW] for i in range(0, len(group), _FEW))
+    yield from (group for group in groups.values() if len(group) > _FEW)
 
 
 def _weight(verdict: Verdict) -> int:

@@ -106,6 +106,18 @@ def test_the_types_that_a_system_model_gives_are_looked_up() -> None:
     assert errors_of(text) == [("ROSS118", "p/Nope"), ("ROSS118", "p/Nope")]
 
 
+@pytest.mark.parametrize(
+    ("again", "expected"),
+    [("geometry_msgs/Twist", []), ("std_msgs/Bool", [("ROSS111", "std_msgs/Bool")])],
+)
+def test_a_type_that_a_system_model_gives_may_be_said_again(
+    again: str, expected: list[tuple[str, str]]
+) -> None:
+    system = "system s { topic /cmd_vel : geometry_msgs/Twist; }\n"
+    text = f"action a0 {{ block /cmd_vel : {again}; }}\n"
+    assert errors_of(system + SPEED + text + USE) == expected
+
+
 def test_names_in_broken_effects_count_as_used() -> None:
     text = "const pace = [-1, 1] m/s\naction a0 { limit /nope { x in pace; }; }\n"
     assert errors_of(SPEED + text + USE) == [("ROSS119", "/nope")]
