@@ -39,6 +39,9 @@ def begin(layout: Layout) -> str:
 
 
 _RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
+IN_RANGE = "    __CPROVER_assume(m->now_ns > EARLIEST && m->wake_ns <= LATEST);"
+"""What is known of the instants of any monitor at rest."""
+
 RESTS = """\
     __CPROVER_assert(m->now_ns == t_ns, "the clock is set");
     must_be_at_rest(m, t_ns);"""
@@ -76,7 +79,7 @@ def counts(call: str) -> str:
     """A call tells how much has changed, and refuses an instant out of range."""
     return f"""\
 {ANY}
-    __CPROVER_assume(m->now_ns > EARLIEST && m->wake_ns <= LATEST);
+{IN_RANGE}
     const int events = {call};
     const bool is_in_range = t_ns > EARLIEST && t_ns < LATEST;
     __CPROVER_assert((events >= 0) == is_in_range, "what is out of range is refused");"""

@@ -16,6 +16,7 @@ from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions, converted
 from rossmarie.verification.engine_checks import (
     COUNTED_PARTS,
+    IN_RANGE,
     RESTS,
     after,
     between,
@@ -60,7 +61,7 @@ class MessageChecks:
         body = f"{ANY}\n{declared}\n    suppose_at_rest(m, m->now_ns);\n    (void){call};"
         short = f"{about}, the short way"
         yield between(f"{name}_calm", short, f"{body}\n{RESTS}", calm)
-        body = f"{ANY}\n{declared}\n    (void){call};"
+        body = f"{ANY}\n{declared}\n{IN_RANGE}\n    (void){call};"
         yield after(f"{name}_calm", short, body, calm)
         check = Check(f"{name}_counts", f"{about}: changes are counted", self._counted)
         yield Written(check, f"{declared}\n{counts(call)}")
