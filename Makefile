@@ -78,7 +78,7 @@ bench: $(READY) compiler ros1
 fmt: $(READY)
 	$(RUN)/ruff format
 	$(RUN)/ruff check --fix
-	$(RUN)/rossmarie fmt $(filter-out %_as_printed.ross,$(wildcard examples/*/*.ross))
+	$(RUN)/rossmarie fmt $(filter-out %_as_printed.ross,$(wildcard examples/*/*.ross src/heron/rules/*.ross))
 
 SECONDS ?= 60
 fuzz: $(READY)

@@ -4,18 +4,24 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
+from importlib.util import find_spec
 
 import pytest
 
 import dslkit
 import ezskiros
+import heron
 import rossmarie
+
+# What cannot be imported where Python is too old for MuJoCo.
+SIMULATION = {"heron.experiments", "heron.robot", "heron.scene"}
+WITHOUT_MUJOCO = set() if find_spec("mujoco") else SIMULATION
 
 PACKAGES = [
     module.name
-    for package in (dslkit, ezskiros, rossmarie)
+    for package in (dslkit, ezskiros, heron, rossmarie)
     for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}.")
-    if module.ispkg
+    if module.ispkg and module.name not in WITHOUT_MUJOCO
 ]
 
 

@@ -1,0 +1,1 @@
+"""The command `heron`: thin, it prints what the experiments found."""

@@ -1,0 +1,26 @@
+"""Which rules guard the robot in which arm of an experiment."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+from heron.rules import FOLDER
+from heron.variants import Arm
+from rossmarie.driver import compile_file
+from rossmarie.ir import Machine
+
+NAVIGATION_RULES = {
+    Arm.DEROS: FOLDER / "navigation_deros.ross",
+    Arm.ROSSMARIE: FOLDER / "navigation.ross",
+}
+PLACING_RULES = {
+    Arm.DEROS: FOLDER / "placing_deros.ross",
+    Arm.ROSSMARIE: FOLDER / "placing.ross",
+}
+
+
+@cache
+def machine_of(rules: Path) -> Machine:
+    """A rules file, compiled. Raises `RulesError`."""
+    return compile_file(rules).machine

@@ -1,0 +1,94 @@
+"""The operator of the base.
+
+He drives the robot by hand, at walking pace and with full torque, over what has stopped it, or back
+from what nobody should drive over, and resets the rules there: one visit for each stop. A reset
+without that would leave the robot where the same rule stops it again.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from heron import messages
+from heron.experiments.summons import Summons
+from heron.guard import Guard
+from heron.robot import Base
+from heron.robot.physics import attitude
+from heron.scene import Course
+from heron.topics import JOYSTICK, REPLAN, Carrier
+
+_LEVEL = math.radians(3)
+_TOO_STEEP = math.radians(20)
+
+
+@dataclass(frozen=True)
+class BaseOperatorParameters:
+    """Lengths in m, speeds in m/s."""
+
+    pace: float = 0.2
+    way: float = 1.2
+    """He drives at least so far: the robot is 0.9 m long, and all of it has to be past a bump."""
+
+
+class BaseOperator:
+    """Sees the robot itself: he stands beside it."""
+
+    period_ns = 100_000_000
+
+    def __init__(
+        self,
+        physics: Base,
+        carrier: Carrier,
+        guard: Guard,
+        course: Course,
+        parameters: BaseOperatorParameters,
+    ) -> None:
+        self._physics = physics
+        self.summons = Summons(guard)
+        self._course = course
+        self._parameters = parameters
+        self._drive = carrier.publisher(JOYSTICK)
+        self._replan = carrier.publisher(REPLAN)
+        self._by_hand: Callable[[], bool] | None = None
+
+    def tick(self, now_ns: int) -> None:
+        """Look after the robot."""
+        if self.summons.presence_ns(now_ns) is None:
+            return
+        self._by_hand = self._by_hand or self._way_out()
+        if not self._by_hand():
+            self._drive(messages.twist(0.0, 0.0))
+            self.summons.reset()
+            self._by_hand = None
+
+    def _way_out(self) -> Callable[[], bool]:
+        """What he does; the function says whether he is still at it."""
+        start = self._physics.position.copy()
+        is_too_steep = self._is_before_steep_ramp()
+        pace = -self._parameters.pace if is_too_steep else self._parameters.pace
+        if is_too_steep:
+            self._replan(messages.Bool(True))
+
+        def drive() -> bool:
+            way = math.dist(start[:2], self._physics.position[:2])
+            if way >= self._parameters.way and abs(self._pitch()) < _LEVEL:
+                return False
+            self._drive(messages.twist(pace, 0.0))
+            return True
+
+        return drive
+
+    def _is_before_steep_ramp(self) -> bool:
+        """Whether the robot is on, or right before, a ramp that nobody should drive up."""
+        x, y, _ = self._physics.position
+        return any(
+            slope.start_x - 1.0 < x < slope.end_x
+            and abs(y - slope.y) < 1.0
+            and slope.angle > _TOO_STEEP
+            for slope in self._course.slopes
+        )
+
+    def _pitch(self) -> float:
+        return attitude(self._physics.quaternion).pitch

@@ -1,0 +1,143 @@
+"""What is measured in the navigation experiment, from the truth and from what the guard did."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from heron.experiments.trace import Trace
+from heron.guard import Occurrence
+from heron.robot.physics import Floats
+from heron.scene import BaseParameters, Course
+from heron.scene.base import AXLES
+from heron.scene.scene import STEP_NS
+from rossmarie.ir import OrderKind
+
+_GRAVITY = 9.81
+_BANDWIDTH = 50.0  # Hz; what is above is ringing of the contact model
+_ON_SLOPE = math.radians(10)
+_ON_STEEP_SLOPE = math.radians(20)
+_FORESEEN = 3.0  # s after a hazard in which caution is no needless one
+Flags = NDArray[np.bool_]
+
+
+@dataclass(frozen=True)
+class NavigationMeasures:
+    """Times in s, accelerations in m/s^2.
+
+    `peaks` are the greatest accelerations at the axles, below 50 Hz and without gravity;
+    `reactions` the times from when a hazard began to the first action of a rule against it, for the
+    hazards that there were and that somebody acted on.
+    """
+
+    is_completed: bool
+    duration: float
+    interventions: int
+    replanned: int
+    peaks: Mapping[str, float]
+    time_at_torque_limit: float
+    reactions: Mapping[str, float]
+    time_restricted: float
+    time_restricted_without_need: float
+
+
+def peaks(trace: Trace) -> dict[str, float]:
+    """The greatest acceleration at each axle, on whichever side."""
+    return {axle: _peak(trace.accelerations[axle]) for axle in AXLES}
+
+
+def _peak(accelerations: Floats) -> float:
+    """Of both sides: of shape (rows, sides, 3)."""
+    if len(accelerations) == 0:
+        return 0.0
+    kernel = _low_pass()
+    smooth = np.apply_along_axis(
+        lambda column: np.convolve(column, kernel, "same"), 0, accelerations
+    )
+    half = len(kernel) // 2  # where the kernel hangs over the ends there is nothing to see
+    norms = np.linalg.norm(smooth[half : len(smooth) - half], axis=2)
+    return float(np.max(np.abs(norms - _GRAVITY), initial=0.0))
+
+
+def _low_pass() -> Floats:
+    """A windowed sinc: no delay, and nothing that rings on."""
+    rate = 1e9 / STEP_NS
+    half = round(rate / _BANDWIDTH)
+    instants = np.arange(-half, half + 1)
+    kernel: Floats = np.sinc(2 * _BANDWIDTH / rate * instants) * np.hamming(len(instants))
+    kernel /= kernel.sum()
+    return kernel
+
+
+# --- hazards ---------------------------------------------------------------------------------
+
+
+def hazards(trace: Trace, course: Course, base: BaseParameters) -> dict[str, Flags]:
+    """When each hazard is there: an axle on the bump, a slope under the base."""
+    tilt = np.abs(trace.columns["pitch"])
+    return {
+        "bump": _on_bump(trace, course, base),
+        "gentle": (tilt > _ON_SLOPE) & (tilt <= _ON_STEEP_SLOPE),
+        "steep": tilt > _ON_STEEP_SLOPE,
+    }
+
+
+def _on_bump(trace: Trace, course: Course, base: BaseParameters) -> Flags:
+    """From when the front axle touches it to when the rear axle has left it."""
+    if course.bump is None:
+        return np.zeros(len(trace.times), dtype=np.bool_)
+    low, high = course.bump
+    reach = _reach(course, base)
+    x = trace.columns["x"]
+    here: Flags = (x + base.front_x >= low - reach) & (x + base.rear_x <= high + reach)
+    return here & (np.abs(trace.columns["y"]) < 1.2)
+
+
+def _reach(course: Course, base: BaseParameters) -> float:
+    """How far before the bump a wheel touches it."""
+    found, wheel = course.parameters, base.wheel_radius
+    low, high = course.bump or (0.0, 0.0)
+    apart = found.bump_radius + wheel
+    between = apart - found.bump_height
+    return math.sqrt(apart**2 - between**2) - (high - low) / 2
+
+
+def reactions(
+    trace: Trace, present: Mapping[str, Flags], occurrences: Sequence[Occurrence]
+) -> dict[str, float]:
+    """From when a hazard began to the first action against it: of rules with its name in theirs."""
+    found = {}
+    for hazard, flags in present.items():
+        starts = [
+            each.at_ns * 1e-9
+            for each in occurrences
+            if each.kind is OrderKind.START and hazard in each.rule
+        ]
+        onsets = trace.times[flags]
+        if len(onsets) and (after := [at for at in starts if at >= onsets[0]]):
+            found[hazard] = after[0] - float(onsets[0])
+    return found
+
+
+def time_of(flags: Flags) -> float:
+    """How long something was so."""
+    return float(np.count_nonzero(flags)) * STEP_NS * 1e-9
+
+
+def without_need(trace: Trace, present: Mapping[str, Flags]) -> Flags:
+    """When commands were restricted though no hazard was there, nor had been just before."""
+    is_restricted = trace.columns["is_restricted"] > 0
+    needed = np.any(list(present.values()), axis=0)
+    return is_restricted & ~_prolonged(needed, round(_FORESEEN * 1e9 / STEP_NS))
+
+
+def _prolonged(flags: Flags, steps: int) -> Flags:
+    """Each stretch of true, and so many steps more."""
+    rows = np.arange(len(flags))
+    last = np.maximum.accumulate(np.where(flags, rows, -steps - 1))
+    found: Flags = rows - last <= steps
+    return found

@@ -1,0 +1,148 @@
+"""Experiment I: through a corridor with a bump, up a ramp, to the block in the room."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from heron.experiments.arms import NAVIGATION_RULES, machine_of
+from heron.experiments.base_operator import BaseOperator, BaseOperatorParameters
+from heron.experiments.episode import told_by
+from heron.experiments.measures import (
+    NavigationMeasures,
+    hazards,
+    peaks,
+    reactions,
+    time_of,
+    without_need,
+)
+from heron.experiments.runner import Node, run
+from heron.experiments.trace import BaseWitness, Trace
+from heron.guard import Guard, unfiltered
+from heron.robot import (
+    Base,
+    Drive,
+    DriveParameters,
+    Imu,
+    ImuParameters,
+    Localization,
+    LocalizationParameters,
+    WheelOdometry,
+    WheelOdometryParameters,
+)
+from heron.scene import BaseParameters, Course, CourseParameters, build_navigation, course
+from heron.tasks import Navigation, NavigationParameters, Outcome
+from heron.topics import COMMAND, Carrier, InProcess, Remapped
+from heron.variants import Arm, Terrain
+
+LONGEST_S = 240.0
+_SETTLING_STEPS = 500
+_NEARLY = 0.98  # of what a servo may give
+_SEEDED = ("course", "imu", "odometry", "localization")
+
+
+@dataclass(frozen=True)
+class NavigationEpisode:
+    """One run: what was run, how it went, and what the guard had to say."""
+
+    arm: Arm
+    terrain: Terrain
+    seed: int
+    course: Course
+    outcome: Outcome
+    measures: NavigationMeasures
+    told: tuple[tuple[float, str], ...]
+    trace: Trace
+
+
+@dataclass
+class _Robot:
+    """All that takes part in an episode."""
+
+    physics: Base
+    navigation: Navigation
+    guard: Guard | None
+    operator: BaseOperator | None
+    witness: BaseWitness
+    nodes: list[Node]
+
+
+def run_navigation(arm: Arm, terrain: Terrain, seed: int) -> NavigationEpisode:
+    """One episode. The same arguments give the same episode, number for number."""
+    base = BaseParameters()
+    sources = dict(zip(_SEEDED, np.random.SeedSequence(seed).spawn(len(_SEEDED)), strict=True))
+    generators = {name: np.random.default_rng(source) for name, source in sources.items()}
+    built = course(terrain, varied(generators["course"]))
+    robot = _assembled(arm, built, base, generators)
+    navigation = robot.navigation
+    run(
+        robot.physics,
+        robot.nodes,
+        round(LONGEST_S * 1e9),
+        lambda: navigation.outcome is not Outcome.RUNNING,
+    )
+    trace = robot.witness.trace()
+    return NavigationEpisode(
+        arm=arm,
+        terrain=terrain,
+        seed=seed,
+        course=built,
+        outcome=navigation.outcome,
+        measures=_measured(robot, trace, built, base),
+        told=told_by(robot.guard),
+        trace=trace,
+    )
+
+
+def varied(generator: np.random.Generator) -> CourseParameters:
+    """What differs from seed to seed of the course."""
+    return replace(
+        CourseParameters(),
+        bump_x=float(generator.uniform(2.3, 2.9)),
+        bump_height=float(generator.uniform(0.02, 0.03)),
+        friction=float(generator.uniform(0.8, 1.0)),
+    )
+
+
+def _assembled(
+    arm: Arm, built: Course, base: BaseParameters, generators: dict[str, np.random.Generator]
+) -> _Robot:
+    physics = Base(build_navigation(built, base))
+    physics.settle(_SETTLING_STEPS)
+    carrier = InProcess()
+    nodes: list[Node] = [
+        Imu(physics, carrier, generators["imu"], ImuParameters()),
+        WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
+        Localization(physics, carrier, generators["localization"], LocalizationParameters()),
+        Drive(physics, carrier, base, DriveParameters()),
+    ]
+    guard, operator = None, None
+    view: Carrier = carrier
+    if arm is not Arm.NONE:
+        guard = Guard(machine_of(NAVIGATION_RULES[arm]), carrier, lambda: physics.now_ns)
+        operator = BaseOperator(physics, carrier, guard, built, BaseOperatorParameters())
+        nodes += [guard, operator]
+        view = Remapped(carrier, {COMMAND.name: unfiltered(COMMAND.name)})
+    navigation = Navigation(view, built.routes, NavigationParameters(), lambda: physics.now_ns)
+    witness = BaseWitness(physics, lambda: guard is not None and guard.is_restricting)
+    nodes += [navigation, witness]
+    return _Robot(physics, navigation, guard, operator, witness, nodes)
+
+
+def _measured(
+    robot: _Robot, trace: Trace, built: Course, base: BaseParameters
+) -> NavigationMeasures:
+    present = hazards(trace, built, base)
+    guard, operator = robot.guard, robot.operator
+    return NavigationMeasures(
+        is_completed=robot.navigation.outcome is Outcome.COMPLETED,
+        duration=robot.physics.now_ns * 1e-9,
+        interventions=0 if operator is None else operator.summons.visits,
+        replanned=robot.navigation.replanned,
+        peaks=peaks(trace),
+        time_at_torque_limit=time_of(trace.columns["effort"] >= _NEARLY),
+        reactions=reactions(trace, present, [] if guard is None else guard.occurrences),
+        time_restricted=time_of(trace.columns["is_restricted"] > 0),
+        time_restricted_without_need=time_of(without_need(trace, present)),
+    )

@@ -1,0 +1,31 @@
+"""The one loop: what is due speaks, then the physics goes one step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+from heron.robot.physics import Physics
+
+
+class Node(Protocol):
+    """Something that has its turn again and again; `period_ns` is a multiple of the step."""
+
+    @property
+    def period_ns(self) -> int:
+        """How often."""
+
+    def tick(self, now_ns: int) -> None:
+        """Its turn."""
+
+
+def run(
+    physics: Physics, nodes: Sequence[Node], until_ns: int, is_over: Callable[[], bool]
+) -> None:
+    """Let time pass. Nodes of one instant have their turns in the order in which they stand."""
+    while physics.now_ns < until_ns and not is_over():
+        now_ns = physics.now_ns
+        for node in nodes:
+            if now_ns % node.period_ns == 0:
+                node.tick(now_ns)
+        physics.step()

@@ -1,0 +1,86 @@
+"""What really happened in an episode: the truth that no sensor tells, at every step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from heron.robot import Arm, Base
+from heron.robot.imperfection import LowPass
+from heron.robot.physics import Floats, attitude
+from heron.scene.base import AXLES, SIDES
+from heron.scene.scene import STEP_NS
+
+_BANDWIDTH = 40.0  # Hz
+_COLUMNS = ("x", "y", "pitch", "effort", "is_restricted")
+
+
+@dataclass(frozen=True)
+class Trace:
+    """One row for each step: instants (s), columns, and of the base the acceleration of each axle
+    (m/s^2).
+    """
+
+    times: Floats
+    columns: dict[str, Floats]
+    accelerations: dict[str, Floats] = field(default_factory=dict)
+
+
+class BaseWitness:
+    """Writes down every step of the base."""
+
+    period_ns = STEP_NS
+
+    def __init__(self, physics: Base, is_restricting: Callable[[], bool]) -> None:
+        self._physics = physics
+        self._is_restricting = is_restricting
+        self._rows: list[tuple[float, ...]] = []
+        self._axles: list[Floats] = []
+        names = [f"{axle}_{side}" for axle in AXLES for side in SIDES]
+        self._sensors = [physics.sensor(name) for name in names]
+
+    def tick(self, now_ns: int) -> None:
+        """One step later."""
+        physics = self._physics
+        x, y, _ = physics.position.tolist()
+        pitch = attitude(physics.quaternion).pitch
+        is_restricted = float(self._is_restricting())
+        self._rows.append((now_ns * 1e-9, x, y, pitch, physics.effort, is_restricted))
+        self._axles.append(np.concatenate(self._sensors))
+
+    def trace(self) -> Trace:
+        """All of it."""
+        rows = np.array(self._rows)
+        axles = np.array(self._axles).reshape(len(rows), len(AXLES), len(SIDES), 3)
+        columns = {name: rows[:, index + 1] for index, name in enumerate(_COLUMNS)}
+        return Trace(
+            rows[:, 0], columns, {name: axles[:, index] for index, name in enumerate(AXLES)}
+        )
+
+
+class ArmWitness:
+    """Writes down every step of the arm: forces as its sensor has them, without noise."""
+
+    period_ns = STEP_NS
+
+    def __init__(self, arm: Arm, is_acting: Callable[[], bool]) -> None:
+        self._arm = arm
+        self._is_acting = is_acting
+        self._weight = arm.force()
+        self._low_pass = LowPass(_BANDWIDTH, STEP_NS)
+        self._rows: list[tuple[float, ...]] = []
+
+    def tick(self, now_ns: int) -> None:
+        """One step later."""
+        force = self._low_pass.feed(self._arm.force() - self._weight)
+        effort = float(self._arm.efforts.max())
+        height = float(self._arm.grasp[2])
+        self._rows.append((now_ns * 1e-9, float(force[2]), effort, height, self._is_acting()))
+
+    def trace(self) -> Trace:
+        """All of it."""
+        times, force, effort, height, is_acting = np.array(self._rows).T
+        columns = {"force": force, "effort": effort, "height": height, "is_restricted": is_acting}
+        return Trace(times, columns)

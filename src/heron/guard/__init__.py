@@ -1,0 +1,9 @@
+"""The safety node in this process: monitor, reactor and filter between programs and robot.
+
+It performs what the nodes that ROSSMARie generates for ROS perform, in the same order.
+"""
+
+from heron.guard.guard import Guard, Occurrence, unfiltered
+from heron.guard.performing import UnsupportedEffectError
+
+__all__ = ["Guard", "Occurrence", "UnsupportedEffectError", "unfiltered"]

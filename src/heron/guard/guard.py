@@ -1,0 +1,263 @@
+"""The guard: each message goes through the monitor (which rules are active?), the reactor (what
+follows?) and the filters (what may pass?) before the next is looked at.
+
+As in the generated nodes, rules are looked at once all inputs with a timeout have arrived, or
+`PATIENCE_NS` is over; until then no command passes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence, Set
+from dataclasses import dataclass
+from functools import partial
+
+from heron.guard.commands import CommandFilter
+from heron.guard.intake import Intake, Take
+from heron.guard.performing import NEVER, Workshop, require_scalar_fields, servers
+from heron.guard.relay import Relay
+from heron.messages import Message
+from heron.topics import Carrier, Topic
+from rossmarie.driver.monitor import Monitor
+from rossmarie.interpreter import Reactor
+from rossmarie.interpreter.reactor import State
+from rossmarie.ir import Event, FieldBounds, Machine, Order, OrderKind, Verdict
+
+PERIOD_NS = 2_000_000  # what is due by itself is done so late at most
+PATIENCE_NS = 5_000_000_000
+_FILTER_PERIOD_NS = 50_000_000
+_UNFILTERED = "unfil_"
+_IN_FORCE = (State.RUNNING, State.HOLDING)
+
+
+@dataclass(frozen=True)
+class Occurrence:
+    """Something that the guard did: an order for a task, and the rule behind it."""
+
+    at_ns: int
+    rule: str
+    action: str
+    kind: OrderKind
+
+
+class Guard:
+    """A rules file on guard. `clock` is the time of the robot, in ns."""
+
+    period_ns = PERIOD_NS
+
+    def __init__(self, machine: Machine, carrier: Carrier, clock: Callable[[], int]) -> None:
+        self._machine = machine
+        self._clock = clock
+        self._monitor = Monitor(machine)
+        self._intake = Intake(self._monitor)
+        self._reactor = Reactor(machine.reactions)
+        self.is_acting = False
+        """Whether any task of a rule is in force."""
+        self.verdicts: list[Verdict] = []
+        self.occurrences: list[Occurrence] = []
+        self._awaited = {used.channel for used in machine.inputs if used.timeout_ns is not None}
+        self._first: dict[int, Message] = {}
+        self._has_begun = self._is_open = self._is_reset_wanted = False
+        self._wake_ns = self._filters_due_ns = 0
+        self._due_ns = NEVER
+        self._subscribe(carrier)
+        self._filters = self._make_filters(carrier)
+        self._relays = _make_relays(machine, carrier)
+        self._reports: list[tuple[int, bool]] = []
+        self._is_following = False
+        self._performers = Workshop(
+            machine, carrier, self._filters, self._relays, self._want_reset, self._report
+        ).performers()
+        self._rules = {
+            task: rule for rule, plan in enumerate(machine.reactions.plans) for task in plan.tasks
+        }
+
+    @property
+    def active(self) -> tuple[str, ...]:
+        """The rules that are active."""
+        return self._monitor.active
+
+    @property
+    def servers(self) -> Set[str]:
+        """The action servers that it stands in front of."""
+        return self._relays.keys()
+
+    @property
+    def latched(self) -> tuple[str, ...]:
+        """Those of them that wait for an operator."""
+        waiting = {rule.name for rule in self._machine.rules if rule.release is None}
+        return tuple(name for name in self.active if name in waiting)
+
+    @property
+    def is_restricting(self) -> bool:
+        """Whether any command topic is bounded, or taken over by a rule."""
+        return any(each.is_restricting for each in self._filters.values())
+
+    def explain(self, verdict: Verdict) -> str:
+        """A verdict in words."""
+        return self._monitor.explain(verdict)
+
+    def reset(self) -> None:
+        """An operator resets all latched rules."""
+        now_ns = self._clock()
+        self._keep(self._monitor.reset(now_ns))
+        self._follow(now_ns)
+
+    def tick(self, now_ns: int) -> None:
+        """Time has passed."""
+        if not self._has_begun:
+            if now_ns >= PATIENCE_NS:
+                self._begin(now_ns)
+        elif now_ns >= self._wake_ns:
+            self._advance(now_ns)
+        if now_ns >= self._filters_due_ns:
+            self._update_filters(now_ns)
+
+    # --- what comes in -----------------------------------------------------------------------
+
+    def _subscribe(self, carrier: Carrier) -> None:
+        for index, channel in enumerate(self._machine.channels):
+            topic = Topic(channel.topic, channel.message_type)
+            carrier.subscribe(topic, self._listener(index, self._intake.take(index)))
+
+    def _listener(self, channel: int, take: Take) -> Callable[[Message], None]:
+        def listen(message: Message) -> None:
+            now_ns = self._clock()
+            if not self._is_open:
+                self._first[channel] = message
+                self._open_when_ready()
+            if not self._has_begun:
+                if self._is_open:
+                    self._begin(now_ns)
+            elif events := take(now_ns, message):
+                self._keep(events)
+                self._follow(now_ns)
+            else:
+                self._plan_wake()
+
+        return listen
+
+    def _open_when_ready(self) -> None:
+        """No command passes while an input with a timeout has never arrived (R12)."""
+        if self._awaited <= self._first.keys():
+            self._is_open = True
+            self._reactor.open()
+
+    def _begin(self, now_ns: int) -> None:
+        """With the first messages of all inputs, so that none counts as lost that only starts."""
+        self._has_begun = True
+        if self._first:
+            self._keep(self._intake.begin(now_ns, self._first))
+        else:
+            self._keep(self._monitor.advance(now_ns))
+        self._follow(now_ns)
+
+    def _advance(self, now_ns: int) -> None:
+        self._keep(self._monitor.advance(now_ns))
+        for performer in self._performers:
+            performer.tick(now_ns)
+        self._follow(now_ns)
+
+    def _plan_wake(self) -> None:
+        """What is due first, after what only the monitor knows has changed."""
+        wake_ns = self._monitor.next_wake()
+        self._wake_ns = self._due_ns if wake_ns is None else min(wake_ns, self._due_ns)
+
+    def _plan_rest(self) -> None:
+        """What is due by itself in the reactor, and for tasks."""
+        due = [performer.due_ns for performer in self._performers]
+        wake_ns = self._reactor.next_wake()
+        self._due_ns = min([*due, *([] if wake_ns is None else [wake_ns])], default=NEVER)
+
+    # --- what follows ------------------------------------------------------------------------
+
+    def _follow(self, now_ns: int) -> None:
+        """What follows from the monitor: after each of its calls, at the same instant."""
+        active = set(self._monitor.active)
+        flags = [rule.name in active for rule in self._machine.rules]
+        self._is_following = True
+        for order in self._reactor.react(now_ns, flags, ()):
+            self._perform(now_ns, order)
+        while self._reports:
+            task, success = self._reports.pop(0)
+            for order in self._reactor.report(now_ns, task, success, ()):
+                self._perform(now_ns, order)
+        self._is_following = False
+        self.is_acting = any(state in _IN_FORCE for state in self._reactor.states)
+        if self._is_reset_wanted:
+            self._is_reset_wanted = False
+            self.reset()
+        for command in self._filters.values():
+            command.forget()
+        self._update_filters(now_ns)
+        self._plan_rest()
+        self._plan_wake()
+
+    def _perform(self, now_ns: int, order: Order) -> None:
+        task = self._machine.reactions.tasks[order.task]
+        rule = self._machine.rules[self._rules[order.task]].name
+        action = self._machine.reactions.actions[task.action].name
+        self.occurrences.append(Occurrence(now_ns, rule, action, order.kind))
+        if order.kind is OrderKind.START:
+            self._performers[order.task].start(now_ns)
+        else:
+            self._performers[order.task].stop()
+
+    def _keep(self, events: Sequence[Event]) -> None:
+        self.verdicts += [event for event in events if isinstance(event, Verdict)]
+
+    def _report(self, task: int, success: bool) -> None:
+        """A task has ended: at once, or some time after it was started."""
+        self._reports.append((task, success))
+        if not self._is_following:
+            self._follow(self._clock())
+
+    def _want_reset(self, _: int) -> None:
+        self._is_reset_wanted = True
+
+    # --- commands ----------------------------------------------------------------------------
+
+    def _make_filters(self, carrier: Carrier) -> dict[int, CommandFilter]:
+        filters = {}
+        for index, command in enumerate(self._machine.reactions.commands):
+            require_scalar_fields(command)
+            filters[index] = CommandFilter(
+                command,
+                carrier.publisher(Topic(command.topic, command.message_type)),
+                self._bounds_on(index),
+            )
+            source = Topic(unfiltered(command.topic), command.message_type)
+            carrier.subscribe(source, self._commanded(filters[index]))
+        return filters
+
+    def _bounds_on(self, command: int) -> Callable[[int], tuple[FieldBounds, ...]]:
+        return lambda at_ns: self._reactor.bounds(at_ns, command)
+
+    def _commanded(self, command: CommandFilter) -> Callable[[Message], None]:
+        def receive(message: Message) -> None:
+            now_ns = self._clock()
+            if self._has_begun and now_ns >= self._wake_ns:
+                self._advance(now_ns)
+            command.receive(now_ns, message)
+
+        return receive
+
+    def _update_filters(self, now_ns: int) -> None:
+        for command in self._filters.values():
+            command.update(now_ns)
+        self._filters_due_ns = now_ns + _FILTER_PERIOD_NS
+
+
+def _make_relays(machine: Machine, carrier: Carrier) -> dict[str, Relay]:
+    relays = {}
+    for name in servers(machine):
+        relays[name] = Relay(partial(carrier.server, name))
+        carrier.serve(unfiltered(name), relays[name])
+    return relays
+
+
+def unfiltered(topic: str) -> str:
+    """Where programs publish the commands that the guard lets through on a topic, as the generated
+    nodes have it.
+    """
+    head, slash, tail = topic.rpartition("/")
+    return f"{head}{slash}{_UNFILTERED}{tail}"

@@ -1,0 +1,106 @@
+"""From messages to what the monitor takes in: one function for each topic, made once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from operator import attrgetter
+from typing import Any
+
+from heron import messages
+from heron.messages import Message
+from rossmarie.driver.monitor import Monitor, Value
+from rossmarie.ir import Array, Event, Slot, arrival_names, field_names
+from rossmarie.ir.reactions import FieldPath
+
+Take = Callable[[int, Message], Sequence[Event]]
+"""An instant and a message; gives what the monitor has to tell."""
+
+
+class Intake:
+    """All topics that the rules read."""
+
+    def __init__(self, monitor: Monitor) -> None:
+        self._monitor = monitor
+        self._fields = [self._named_fields(index) for index in range(len(monitor.machine.channels))]
+
+    def take(self, channel: int) -> Take:
+        """The fastest way from a message on a channel into the monitor."""
+        monitor = self._monitor
+        described = monitor.machine.channels[channel]
+        paths = [slot.path for slot in self._on(channel, monitor.machine.slots)]
+        if self._on(channel, monitor.machine.arrays) or not _are_plain(
+            paths, described.message_type
+        ):
+            return lambda at_ns, message: monitor.update(at_ns, self._values(channel, message))
+        call = monitor.update_call(described.topic)
+        read = _read_all(paths)
+
+        def take(at_ns: int, message: Message) -> Sequence[Event]:
+            return monitor.take_events() if call(at_ns, *read(message)) else ()
+
+        return take
+
+    def begin(self, at_ns: int, first: Mapping[int, Message]) -> Sequence[Event]:
+        """The first messages of several channels arrive together."""
+        values: dict[str, Value] = {}
+        for channel, message in first.items():
+            values |= self._values(channel, message)
+        return self._monitor.update(at_ns, values)
+
+    def _values(self, channel: int, message: Message) -> dict[str, Value]:
+        return {name: _value(message, path) for name, path in self._fields[channel].items()}
+
+    def _named_fields(self, channel: int) -> dict[str, FieldPath]:
+        """The fields of a channel, as the monitor calls them; of an input of which only the age is
+        read, the whole message.
+        """
+        machine = self._monitor.machine
+        slots, arrays = field_names(machine)
+        named: list[tuple[frozenset[str], Slot | Array]]
+        named = [*zip(slots, machine.slots, strict=True), *zip(arrays, machine.arrays, strict=True)]
+        fields: dict[str, FieldPath] = {
+            max(names, key=len): field.path
+            for names, field in named
+            if machine.inputs[field.input].channel == channel
+        }
+        ages = arrival_names(machine).items()
+        return fields | {name: () for name, arriving in ages if arriving == channel}
+
+    def _on(self, channel: int, fields: Sequence[Slot] | Sequence[Array]) -> list[Slot | Array]:
+        inputs = self._monitor.machine.inputs
+        return [field for field in fields if inputs[field.input].channel == channel]
+
+
+def _are_plain(paths: Sequence[FieldPath], message_type: str) -> bool:
+    """Whether all fields are numbers or flags that stand for themselves."""
+    if any(isinstance(part, int) for path in paths for part in path):
+        return False
+    empty = messages.new_message(message_type)
+    return all(isinstance(_value(empty, path), int | float) for path in paths)
+
+
+def _read_all(paths: Sequence[FieldPath]) -> Callable[[Message], Sequence[float]]:
+    """Like `attrgetter`, but always of numbers, and always several."""
+    attributes = [".".join(map(str, path)) for path in paths]
+    if len(paths) > 1:
+        read = attrgetter(*attributes)
+        return lambda message: list(map(float, read(message)))
+    read_one: Callable[[Message], Any] | None = attrgetter(*attributes) if attributes else None
+    return lambda message: () if read_one is None else (float(read_one(message)),)
+
+
+def _value(message: Message, path: FieldPath) -> Value:
+    """A field; NaN for an element that is not there, seconds for an instant, 1 for a message."""
+    value = message
+    for part in path:
+        if isinstance(part, str):
+            value = getattr(value, part)
+        elif part < len(value):
+            value = value[part]
+        else:
+            return math.nan
+    if isinstance(value, messages.Time):
+        return float(value.sec) + value.nanosec * 1e-9
+    found: Value = value if path else 1.0
+    return found

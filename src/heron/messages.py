@@ -1,0 +1,157 @@
+"""The ROS messages that the robot speaks, and how they are made.
+
+The classes are those that rosbags has for ROS 1: plain data with the fields of the definitions.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Any
+
+import numpy as np
+from rosbags.interfaces import Nodetype
+from rosbags.typesys import Stores, get_typestore
+from rosbags.typesys.store import Typestore
+from rosbags.typesys.stores import ros1_noetic
+
+__all__ = [
+    "Bool",
+    "Imu",
+    "Message",
+    "Odometry",
+    "PoseWithCovarianceStamped",
+    "Quaternion",
+    "Time",
+    "Twist",
+    "WrenchStamped",
+    "imu",
+    "message_class",
+    "new_message",
+    "odometry",
+    "quaternion_about_z",
+    "stamped_pose",
+    "twist",
+    "type_name",
+    "wrench",
+    "yaw_of",
+]
+
+Time = ros1_noetic.builtin_interfaces__msg__Time
+Point = ros1_noetic.geometry_msgs__msg__Point
+Pose = ros1_noetic.geometry_msgs__msg__Pose
+PoseWithCovariance = ros1_noetic.geometry_msgs__msg__PoseWithCovariance
+PoseWithCovarianceStamped = ros1_noetic.geometry_msgs__msg__PoseWithCovarianceStamped
+Quaternion = ros1_noetic.geometry_msgs__msg__Quaternion
+Twist = ros1_noetic.geometry_msgs__msg__Twist
+TwistWithCovariance = ros1_noetic.geometry_msgs__msg__TwistWithCovariance
+Vector3 = ros1_noetic.geometry_msgs__msg__Vector3
+Odometry = ros1_noetic.nav_msgs__msg__Odometry
+Imu = ros1_noetic.sensor_msgs__msg__Imu
+Bool = ros1_noetic.std_msgs__msg__Bool
+Header = ros1_noetic.std_msgs__msg__Header
+Wrench = ros1_noetic.geometry_msgs__msg__Wrench
+WrenchStamped = ros1_noetic.geometry_msgs__msg__WrenchStamped
+
+Message = Any
+"""A message: of one of the classes here, or of `message_class`."""
+
+_ZEROS = {"bool": False, "string": "", "float32": 0.0, "float64": 0.0}
+
+
+def type_name(message_class: type) -> str:
+    """`sensor_msgs/Imu`."""
+    name: str = message_class.__msgtype__  # type: ignore[attr-defined]
+    return name.replace("/msg/", "/")
+
+
+def message_class(name: str) -> type:
+    """The class of messages of a type such as `std_msgs/Bool`. Raises `KeyError`."""
+    found: type = _store().types[_full(name)]
+    return found
+
+
+def new_message(name: str) -> Message:
+    """A message with all fields zero, false or empty."""
+    store = _store()
+    _, fields = store.fielddefs[_full(name)]
+    return store.types[_full(name)](*(_new_field(kind) for _, kind in fields))
+
+
+def _new_field(description: Any) -> Any:
+    kind, detail = description
+    if kind == Nodetype.NAME:
+        return new_message(detail)
+    if kind == Nodetype.BASE:
+        return _ZEROS.get(detail[0], 0)
+    (element_kind, element), count = detail
+    if element_kind == Nodetype.BASE and element[0] != "string":
+        return np.zeros(count, element[0])
+    return [_new_field(detail[0]) for _ in range(count)]
+
+
+def _full(name: str) -> str:
+    return name if "/msg/" in name else name.replace("/", "/msg/")
+
+
+@cache
+def _store() -> Typestore:
+    return get_typestore(Stores.ROS1_NOETIC)
+
+
+# --- makers ----------------------------------------------------------------------------------
+
+
+def twist(linear_x: float, angular_z: float) -> Message:
+    """A velocity command for a base that cannot go sideways."""
+    return Twist(Vector3(linear_x, 0.0, 0.0), Vector3(0.0, 0.0, angular_z))
+
+
+def imu(
+    at_ns: int,
+    orientation: Message,
+    rates: tuple[float, float, float],
+    acceleration: tuple[float, float, float],
+) -> Message:
+    """A reading of an inertial measurement unit; its covariances are not known."""
+    none = np.zeros(9)
+    header = _header(at_ns, "imu")
+    return Imu(header, orientation, none, Vector3(*rates), none, Vector3(*acceleration), none)
+
+
+def odometry(at_ns: int, x: float, y: float, yaw: float, velocity: Message) -> Message:
+    """Where the wheels say that the base is, and how fast it is."""
+    pose = PoseWithCovariance(_pose(x, y, yaw), np.zeros(36))
+    return Odometry(
+        _header(at_ns, "odom"), "base_link", pose, TwistWithCovariance(velocity, np.zeros(36))
+    )
+
+
+def stamped_pose(at_ns: int, x: float, y: float, yaw: float) -> Message:
+    """Where the base is on the map."""
+    pose = PoseWithCovariance(_pose(x, y, yaw), np.zeros(36))
+    return PoseWithCovarianceStamped(_header(at_ns, "map"), pose)
+
+
+def wrench(at_ns: int, force: tuple[float, float, float]) -> Message:
+    """What pushes the hand; torques are not measured."""
+    return WrenchStamped(_header(at_ns, "wrist"), Wrench(Vector3(*force), Vector3(0.0, 0.0, 0.0)))
+
+
+def _pose(x: float, y: float, yaw: float) -> Message:
+    return Pose(Point(x, y, 0.0), quaternion_about_z(yaw))
+
+
+def _header(at_ns: int, frame: str) -> Message:
+    return Header(0, Time(*divmod(at_ns, 1_000_000_000)), frame)
+
+
+def quaternion_about_z(yaw: float) -> Message:
+    """A turn on a level floor."""
+    return Quaternion(0.0, 0.0, math.sin(yaw / 2), math.cos(yaw / 2))
+
+
+def yaw_of(orientation: Message) -> float:
+    """The turn on the floor of an orientation."""
+    x, y, z, w = orientation.x, orientation.y, orientation.z, orientation.w
+    return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))

@@ -1,0 +1,27 @@
+"""The robot: what its controllers do with commands, and what its sensors say of the physics."""
+
+from heron.robot.arm import Arm
+from heron.robot.arm_controller import ArmController, ArmControllerParameters
+from heron.robot.base import Base
+from heron.robot.drive import Drive, DriveParameters
+from heron.robot.force_torque import ForceTorque, ForceTorqueParameters
+from heron.robot.imu import Imu, ImuParameters
+from heron.robot.localization import Localization, LocalizationParameters
+from heron.robot.odometry import WheelOdometry, WheelOdometryParameters
+
+__all__ = [
+    "Arm",
+    "ArmController",
+    "ArmControllerParameters",
+    "Base",
+    "Drive",
+    "DriveParameters",
+    "ForceTorque",
+    "ForceTorqueParameters",
+    "Imu",
+    "ImuParameters",
+    "Localization",
+    "LocalizationParameters",
+    "WheelOdometry",
+    "WheelOdometryParameters",
+]

@@ -1,0 +1,37 @@
+"""Active compliance: how far the arm gives way to forces, `M a = F + K (wanted - x) - D v`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from heron.robot.physics import Floats
+
+
+@dataclass
+class Admittance:
+    """A mass (kg) on a spring (N/m) and a damper (N s/m), at a place and with a velocity.
+
+    With these numbers it is calm in the air, and swings against a hard table: what it hears of
+    forces comes too late for such a spring. The softer the spring, the less it swings.
+    """
+
+    place: Floats
+    stiffness: float = 500.0
+    damping: float = 300.0
+    mass: float = 4.0
+
+    def __post_init__(self) -> None:
+        self.velocity = np.zeros_like(self.place)
+
+    def step(self, wanted: Floats, force: Floats, step_s: float) -> Floats:
+        """Where it is one step later."""
+        push = force + self.stiffness * (wanted - self.place) - self.damping * self.velocity
+        self.velocity = self.velocity + push / self.mass * step_s
+        self.place = self.place + self.velocity * step_s
+        return self.place
+
+    def rest(self) -> None:
+        """Stop at once."""
+        self.velocity = np.zeros_like(self.place)

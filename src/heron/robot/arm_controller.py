@@ -1,0 +1,196 @@
+"""The controller of the arm: an action server that places the block, compliant all the time.
+
+It places where it believes that the table is. Only where it has once touched something does it
+know better: then it comes slowly, and lets go as soon as it feels the table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from heron.messages import Message
+from heron.robot.admittance import Admittance
+from heron.robot.arm import Arm
+from heron.robot.physics import Floats
+from heron.topics import ARM, ARM_STOP, WRENCH, Carrier, Goal, Parameter
+
+STIFFNESS = "/arm_controller.stiffness"
+PLACE = "place"
+RETRACTED = "retracted"
+_NEVER = -(10**18)
+_GRAVITY = 9.81
+_UP = np.array([0.0, 0.0, 1.0])
+
+
+@dataclass(frozen=True)
+class ArmControllerParameters:
+    """Rate in Hz, lengths in m, speeds in m/s, times in s, forces in N."""
+
+    rate: float = 125.0
+    stiffness: float = 500.0
+    speed: float = 0.08
+    careful_speed: float = 0.02
+    careful_from: float = 0.02
+    touch: float = 5.0
+    release: float = 6.0
+    retraction: float = 0.04
+    reached: float = 0.005
+    payload: float = 0.5
+    """The mass of the block (kg): when it is gone, its weight is missing in what is felt."""
+    patience: float = 3.0
+    """For so long it pushes towards a place that it does not reach; then it lets go."""
+    stop_timeout: float = 0.25
+
+
+class ArmController:
+    """Goals are `{"pose": "place"}` and `{"pose": "retracted"}`; `believed` is where the middle of
+    the block is to be placed.
+    """
+
+    def __init__(
+        self, arm: Arm, carrier: Carrier, believed: Floats, parameters: ArmControllerParameters
+    ) -> None:
+        self._arm = arm
+        self._believed = believed
+        self._parameters = parameters
+        self._step_s = 1 / parameters.rate
+        self.period_ns = round(1e9 / parameters.rate)
+        self._admittance = Admittance(arm.grasp.copy(), parameters.stiffness)
+        self._wanted = self._target = arm.grasp.copy()
+        self._force = np.zeros(3)
+        self._stopped_ns = _NEVER
+        self._goal: str | None = None
+        self._done: Callable[[bool], None] = _nobody
+        self._arrived_ns: int | None = None
+        self._felt_height: float | None = None
+        self._is_careful = False
+        self.has_let_go = False
+        self.attempts = 0
+        carrier.subscribe(WRENCH, self._feel)
+        carrier.subscribe(ARM_STOP, self._stop)
+        carrier.serve(ARM, self)
+        carrier.declare(STIFFNESS, Parameter(lambda: self._admittance.stiffness, self._soften))
+
+    # --- goals -------------------------------------------------------------------------------
+
+    def send(self, goal: Goal, done: Callable[[bool], None]) -> None:
+        """A new goal takes the place of the one at hand."""
+        self.cancel()
+        self._goal = str(goal.get("pose"))
+        self._done = done
+        if self._goal == PLACE and not self.has_let_go:
+            self._begin_to_place()
+        elif self._goal in (PLACE, RETRACTED):  # what is placed needs no placing
+            self._rise()
+        else:
+            self._end(is_reached=False)
+
+    def cancel(self) -> None:
+        """The goal at hand, if there is one, is given up: the arm stays where it is."""
+        self._wanted = self._target = self._arm.grasp.copy()
+        self._end(is_reached=False)
+
+    def lead_up(self, height: float) -> None:
+        """Somebody leads the stopped arm up by hand, and tells it where the block has to go."""
+        self._felt_height = height
+        place = self._arm.grasp + _UP * self._parameters.retraction
+        self._wanted = self._admittance.place = place
+        if self._goal == PLACE:
+            self._begin_to_place()
+
+    def _begin_to_place(self) -> None:
+        self.attempts += 1
+        self._arrived_ns = None
+        self._is_careful = self._felt_height is not None
+        self._target = self._believed.copy()
+        if self._felt_height is not None:
+            self._target[2] = self._felt_height
+
+    def _rise(self) -> None:
+        self._wanted = self._arm.grasp.copy()
+        self._target = self._wanted + _UP * self._parameters.retraction
+
+    def _end(self, *, is_reached: bool) -> None:
+        done, self._done, self._goal = self._done, _nobody, None
+        done(is_reached)
+
+    # --- motion ------------------------------------------------------------------------------
+
+    def tick(self, now_ns: int) -> None:
+        """One period later."""
+        if now_ns - self._stopped_ns <= self._parameters.stop_timeout * 1e9:
+            self._admittance.rest()
+            self._arm.move(_towards(self._arm.commanded, self._admittance.place, self._most()))
+            return
+        self._go_on()
+        self._arm.move(self._admittance.step(self._wanted, self._force, self._step_s))
+        if self._goal == PLACE and not self.has_let_go:
+            self._look_for_table(now_ns)
+        elif self._goal is not None and self._is_there():
+            self._end(is_reached=True)
+
+    def _go_on(self) -> None:
+        """The place that is wanted moves towards the target."""
+        self._wanted = _towards(self._wanted, self._target, self._most())
+
+    def _most(self) -> float:
+        """How far it goes in one period."""
+        found = self._parameters
+        left = float(np.linalg.norm(self._target - self._wanted))
+        is_slow = self._goal == PLACE and self._is_careful and left < found.careful_from
+        return (found.careful_speed if is_slow else found.speed) * self._step_s
+
+    def _look_for_table(self, now_ns: int) -> None:
+        """Down to where it is told to; or, once it knows that this is wrong, until it feels it."""
+        found = self._parameters
+        pushed = float(self._force[2])
+        is_told_to_be_there = np.array_equal(self._wanted, self._target)
+        if self._is_careful:
+            if pushed > found.release:
+                self._let_go()
+            elif is_told_to_be_there:
+                self._target = self._target - _UP * (found.careful_speed * self._step_s)
+            return
+        if pushed > found.touch and self._felt_height is None:
+            self._felt_height = float(self._arm.grasp[2])
+        if self._arrived_ns is None and is_told_to_be_there:
+            self._arrived_ns = now_ns
+        pushing_s = 0.0 if self._arrived_ns is None else (now_ns - self._arrived_ns) * 1e-9
+        if self._is_there() or pushing_s > found.patience:
+            self._let_go()
+
+    def _let_go(self) -> None:
+        self._arm.let_go()
+        self.has_let_go = True
+        self._rise()
+
+    def _is_there(self) -> bool:
+        distance = float(np.linalg.norm(self._arm.grasp - self._target))
+        return distance < self._parameters.reached
+
+    # --- what is heard -----------------------------------------------------------------------
+
+    def _feel(self, message: Message) -> None:
+        force = message.wrench.force
+        missing = _GRAVITY * self._parameters.payload if self.has_let_go else 0.0
+        self._force = np.array([force.x, force.y, force.z - missing])
+
+    def _stop(self, message: Message) -> None:
+        self._stopped_ns = self._arm.now_ns if message.data else _NEVER
+
+    def _soften(self, stiffness: float) -> None:
+        self._admittance.stiffness = stiffness
+
+
+def _towards(place: Floats, target: Floats, most: float) -> Floats:
+    """A place nearer to the target."""
+    way = target - place
+    distance = float(np.linalg.norm(way))
+    return target.copy() if distance <= most else place + way * (most / distance)
+
+
+def _nobody(_: bool) -> None:
+    """Nobody waits for the goal."""

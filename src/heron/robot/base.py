@@ -1,0 +1,52 @@
+"""The base while it runs: what its actuators and sensors reach of the physics."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from heron.robot.physics import Floats, Physics
+from heron.scene.base import SIDES
+
+
+class Base(Physics):
+    """A scene with the base in it."""
+
+    def __init__(self, model: Any) -> None:
+        super().__init__(model)
+        wheels = tuple(f"wheel_{side}" for side in SIDES)
+        self._angles = [model.joint(name).qposadr[0] for name in wheels]
+        self._servos = [model.actuator(name).id for name in wheels]
+        self._most = float(model.actuator_forcerange[self._servos[0], 1])
+
+    @property
+    def position(self) -> Floats:
+        """Where the base is."""
+        found: Floats = self.data.qpos[0:3]
+        return found
+
+    @property
+    def quaternion(self) -> Floats:
+        """How the base is turned: w, x, y, z."""
+        found: Floats = self.data.qpos[3:7]
+        return found
+
+    @property
+    def wheel_angles(self) -> tuple[float, float]:
+        """How far the left and the right wheel have turned (rad)."""
+        left, right = (float(self.data.qpos[index]) for index in self._angles)
+        return left, right
+
+    @property
+    def effort(self) -> float:
+        """The torque of the servo that gives more, as a share of what it may give."""
+        left, right = (abs(float(self.data.actuator_force[index])) for index in self._servos)
+        return max(left, right) / self._most
+
+    def turn_wheels(self, left: float, right: float) -> None:
+        """Asks the servos for angular velocities (rad/s)."""
+        self.data.ctrl[self._servos] = (left, right)
+
+    def limit_torque(self, most: float) -> None:
+        """How much the servo of each wheel may give (Nm)."""
+        self.model.actuator_forcerange[self._servos] = (-most, most)
+        self._most = most

@@ -1,0 +1,69 @@
+"""Wheel odometry: where the base would be if its wheels never slipped."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from heron import messages
+from heron.robot.base import Base
+from heron.robot.imperfection import Late
+from heron.scene.base import BaseParameters
+from heron.topics import ODOMETRY, Carrier
+
+
+@dataclass(frozen=True)
+class WheelOdometryParameters:
+    """Rate in Hz, latency in s."""
+
+    rate: float = 50.0
+    latency: float = 0.02
+    ticks: int = 4096
+    """Of the encoder, for one turn of the wheel."""
+    radius_error: float = 0.005
+    """How far the radius that the odometry believes in is off, as a share: tires wear."""
+
+
+class WheelOdometry:
+    """Counts ticks of the wheels."""
+
+    def __init__(
+        self,
+        physics: Base,
+        carrier: Carrier,
+        generator: np.random.Generator,
+        base: BaseParameters,
+        parameters: WheelOdometryParameters,
+    ) -> None:
+        self._physics = physics
+        self._base = base
+        self._parameters = parameters
+        self.period_ns = round(1e9 / parameters.rate)
+        self._late = Late(carrier.publisher(ODOMETRY), round(parameters.latency * 1e9))
+        self._radius = base.wheel_radius * (1 + generator.normal(0.0, parameters.radius_error))
+        self._before = self._ticks()
+        self._x = self._y = self._yaw = 0.0
+
+    def tick(self, now_ns: int) -> None:
+        """One period later."""
+        ticks = self._ticks()
+        per_tick = 2 * math.pi * self._radius / self._parameters.ticks
+        left, right = (
+            (now - before) * per_tick for now, before in zip(ticks, self._before, strict=True)
+        )
+        self._before = ticks
+        way, turn = (left + right) / 2, (right - left) / (2 * self._base.half_track)
+        self._x += way * math.cos(self._yaw + turn / 2)
+        self._y += way * math.sin(self._yaw + turn / 2)
+        self._yaw += turn
+        rate = self._parameters.rate
+        velocity = messages.twist(way * rate, turn * rate)
+        self._late.send(now_ns, messages.odometry(now_ns, self._x, self._y, self._yaw, velocity))
+        self._late.deliver(now_ns)
+
+    def _ticks(self) -> tuple[int, int]:
+        per_radian = self._parameters.ticks / (2 * math.pi)
+        left, right = (math.floor(angle * per_radian) for angle in self._physics.wheel_angles)
+        return left, right

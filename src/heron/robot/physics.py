@@ -1,0 +1,64 @@
+"""The physics while it runs, behind names."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from heron.scene.scene import STEP_NS
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Attitude:
+    """How a body is turned (rad)."""
+
+    roll: float
+    pitch: float
+    yaw: float
+
+
+class Physics:
+    """A compiled scene and its state. Time is in ns since the beginning."""
+
+    def __init__(self, model: Any) -> None:
+        self.model = model
+        self.data = mujoco.MjData(model)
+        self.now_ns = 0
+        self._slices = {
+            model.sensor(index).name: slice(
+                model.sensor_adr[index], model.sensor_adr[index] + model.sensor_dim[index]
+            )
+            for index in range(model.nsensor)
+        }
+        mujoco.mj_forward(model, self.data)
+
+    def settle(self, steps: int) -> None:
+        """Let everything come to rest, before time begins."""
+        mujoco.mj_step(self.model, self.data, nstep=steps)
+
+    def step(self) -> None:
+        """One step of the physics."""
+        mujoco.mj_step(self.model, self.data)
+        self.now_ns += STEP_NS
+
+    def sensor(self, name: str) -> Floats:
+        """The present reading of an ideal sensor; a view that changes with the state."""
+        found: Floats = self.data.sensordata[self._slices[name]]
+        return found
+
+
+def attitude(quaternion: Floats) -> Attitude:
+    """Roll, pitch and yaw of a quaternion w, x, y, z, as the rules language has them."""
+    w, x, y, z = quaternion.tolist()
+    return Attitude(
+        math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)),
+        math.asin(max(-1.0, min(1.0, 2 * (w * y - z * x)))),
+        math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)),
+    )

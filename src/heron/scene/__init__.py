@@ -1,0 +1,24 @@
+"""What is in the world: builders of MJCF, from parameters in SI units."""
+
+from heron.scene.arm import ArmParameters
+from heron.scene.base import AXLES, BaseParameters, add_base
+from heron.scene.course import Course, CourseParameters, Slope, add_course, course
+from heron.scene.ground import Contact
+from heron.scene.placing import TableParameters, build_placing
+from heron.scene.scene import build_navigation
+
+__all__ = [
+    "AXLES",
+    "ArmParameters",
+    "BaseParameters",
+    "Contact",
+    "Course",
+    "CourseParameters",
+    "Slope",
+    "TableParameters",
+    "add_base",
+    "add_course",
+    "build_navigation",
+    "build_placing",
+    "course",
+]

@@ -1,0 +1,118 @@
+"""The course of the navigation experiment: a corridor with a bump, and a room that lies higher.
+
+Two ramps lead to the room. The short way is straight on; how steep it is, is what variants of the
+experiment differ in. The other is a detour and always gentle.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from heron.scene.ground import (
+    Contact,
+    add_bump,
+    add_floor,
+    add_platform,
+    add_ramp,
+    ramp_pieces,
+    run_of,
+)
+from heron.variants import Terrain
+
+
+@dataclass(frozen=True)
+class Slope:
+    """A stretch of the course where the ground rises: on the map, from x to x at one y."""
+
+    start_x: float
+    end_x: float
+    y: float
+    angle: float
+
+
+@dataclass(frozen=True)
+class CourseParameters:
+    """Lengths in m, angles in rad; what seeds vary stands first."""
+
+    bump_x: float = 2.5
+    bump_height: float = 0.025
+    friction: float = 1.0
+    bump_radius: float = 0.2
+    gentle: float = math.radians(12)
+    steep: float = math.radians(25)
+    transition: float = 0.3
+    transitions: int = 3
+    room_x: float = 10.0
+    room_height: float = 0.8
+    detour_y: float = -3.0
+    junction_x: float = 4.2
+    ramp_width: float = 2.0
+
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Course:
+    """Where things are. `routes` lead from the start to the block, the preferred one first."""
+
+    terrain: Terrain
+    parameters: CourseParameters
+    slopes: tuple[Slope, ...]
+    routes: tuple[tuple[Point, ...], ...]
+
+    @property
+    def block(self) -> Point:
+        """Where the block is that is to be picked up."""
+        return self.routes[0][-1]
+
+    @property
+    def bump(self) -> tuple[float, float] | None:
+        """From where to where the bump reaches along the corridor."""
+        if self.terrain is Terrain.FLAT:
+            return None
+        found = self.parameters
+        depth = found.bump_radius - found.bump_height
+        half = math.sqrt(found.bump_radius**2 - depth**2)
+        return found.bump_x - half, found.bump_x + half
+
+
+def course(terrain: Terrain, parameters: CourseParameters) -> Course:
+    """The course of a variant."""
+    x, detour = parameters.room_x, parameters.detour_y
+    block = (x + 2.0, detour / 2)
+    direct = ((0.0, 0.0), (x + 0.8, 0.0), block)
+    junction = parameters.junction_x
+    around = ((0.0, 0.0), (junction, 0.0), (junction, detour), (x + 0.8, detour), block)
+    angles = {
+        Terrain.FLAT: (),
+        Terrain.GENTLE: ((0.0, parameters.gentle), (detour, parameters.gentle)),
+        Terrain.STEEP: ((0.0, parameters.steep), (detour, parameters.gentle)),
+    }[terrain]
+    slopes = tuple(
+        Slope(x - run_of(_pieces(angle, parameters)), x, y, angle) for y, angle in angles
+    )
+    return Course(terrain, parameters, slopes, (direct, around))
+
+
+def add_course(spec: Any, built: Course) -> Contact:
+    """Floor, bump, ramps and the room; gives how wheels touch them."""
+    found = built.parameters
+    contact = Contact(friction=found.friction)
+    add_floor(spec, contact)
+    if built.terrain is Terrain.FLAT:
+        return contact
+    add_bump(spec, contact, found.bump_x, found.bump_height, found.bump_radius)
+    for slope in built.slopes:
+        toe = (slope.start_x, slope.y)
+        add_ramp(spec, contact, toe, _pieces(slope.angle, found), found.ramp_width)
+    margin = found.ramp_width
+    low = (found.room_x, found.detour_y - margin)
+    add_platform(spec, contact, low, (found.room_x + 5, margin), found.room_height)
+    return contact
+
+
+def _pieces(angle: float, parameters: CourseParameters) -> Any:
+    return ramp_pieces(angle, parameters.room_height, parameters.transition, parameters.transitions)

@@ -1,0 +1,58 @@
+"""The scene of the placing experiment: the arm above a table, which may be higher than believed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from heron.scene.arm import HOME, ArmParameters, add_arm
+from heron.scene.ground import Contact
+from heron.scene.scene import new_spec
+
+_HALF = (0.3, 0.3, 0.02)
+
+
+@dataclass(frozen=True)
+class TableParameters:
+    """Lengths in m. `believed_height` is where the arm is told that the top is."""
+
+    believed_height: float = 0.75
+    too_high: float = 0.04
+    friction: float = 0.8
+    place: tuple[float, float] = (0.134, -0.492)
+
+    @property
+    def height(self) -> float:
+        """Where the top really is."""
+        return self.believed_height + self.too_high
+
+
+def build_placing(table: TableParameters, arm: ArmParameters) -> Any:
+    """The arm at its home pose, the block in its hand, as a model of MuJoCo."""
+    spec = new_spec()
+    add_arm(spec, arm)
+    top = spec.worldbody.add_geom(
+        name="table",
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=_HALF,
+        pos=[*table.place, table.height - _HALF[2]],
+    )
+    top.rgba = [0.8, 0.7, 0.55, 1]
+    Contact(table.friction, arm.contact_time).apply(top)
+    return spec.compile()
+
+
+def take_up(model: Any, data: Any, arm: ArmParameters) -> None:
+    """The initial state: the arm at home, the block in its hand."""
+    data.qpos[: len(HOME)] = HOME
+    data.ctrl[: len(HOME)] = HOME
+    mujoco.mj_kinematics(model, data)
+    hand = data.body("hand")
+    reach = np.array([0.0, arm.hand_length + arm.block_half, 0.0])
+    address = model.joint("block").qposadr[0]
+    data.qpos[address : address + 3] = hand.xpos + hand.xmat.reshape(3, 3) @ reach
+    data.qpos[address + 3 : address + 7] = hand.xquat
+    mujoco.mj_forward(model, data)

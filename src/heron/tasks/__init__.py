@@ -1,0 +1,7 @@
+"""What the robot is there for: tasks, as programs that know topics and action servers only."""
+
+from heron.tasks.navigation import Navigation, NavigationParameters
+from heron.tasks.outcome import Outcome
+from heron.tasks.placing import Placing
+
+__all__ = ["Navigation", "NavigationParameters", "Outcome", "Placing"]

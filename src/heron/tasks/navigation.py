@@ -1,0 +1,145 @@
+"""Navigation: follows a route to its end, and takes the next route when it is told to replan."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from heron import messages
+from heron.messages import Message
+from heron.tasks.outcome import Outcome
+from heron.topics import COMMAND, POSE, REPLAN, Carrier
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class NavigationParameters:
+    """Rate in Hz, speeds in m/s and rad/s, lengths in m, times in s."""
+
+    rate: float = 20.0
+    cruise: float = 0.45
+    """A tenth below the 0.5 m/s that the safety rules allow, as a planner is set up."""
+    fastest_turn: float = 0.6
+    lookahead: float = 0.8
+    arrival: float = 0.15
+    turn_on_the_spot: float = 0.5
+    """When the way lies further aside than this (rad)."""
+    patience: float = 45.0
+    """Without progress for so long, the task is given up; an operator comes sooner."""
+    progress: float = 0.3
+
+
+class Navigation:
+    """Pure pursuit along a chain of points. `routes` begin where the robot is."""
+
+    def __init__(
+        self,
+        carrier: Carrier,
+        routes: Sequence[Sequence[Point]],
+        parameters: NavigationParameters,
+        clock: Callable[[], int],
+    ) -> None:
+        self._routes = [list(route) for route in routes]
+        self._parameters = parameters
+        self._clock = clock
+        self._pose: tuple[float, float, float] | None = None
+        self._next = 1
+        self._progress_at: Point = (math.inf, math.inf)
+        self._progress_ns = 0
+        self._command = carrier.publisher(COMMAND)
+        self.outcome = Outcome.RUNNING
+        self.replanned = 0
+        self.ended_ns: int | None = None
+        self.period_ns = round(1e9 / parameters.rate)
+        carrier.subscribe(POSE, self._locate)
+        carrier.subscribe(REPLAN, self._replan)
+
+    def tick(self, now_ns: int) -> None:
+        """One period later."""
+        if self.outcome is not Outcome.RUNNING or self._pose is None:
+            self._command(messages.twist(0.0, 0.0))
+            return
+        self._look_for_progress(now_ns)
+        self._pass_points()
+        if self._next == len(self._routes[0]):
+            self._end(Outcome.COMPLETED)
+            return
+        self._command(self._pursue())
+
+    # --- pursuit -----------------------------------------------------------------------------
+
+    def _pursue(self) -> Message:
+        assert self._pose is not None
+        found = self._parameters
+        x, y, yaw = self._pose
+        aim_x, aim_y = self._aim((x, y))
+        aside = _wrapped(math.atan2(aim_y - y, aim_x - x) - yaw)
+        turn = max(-found.fastest_turn, min(found.fastest_turn, 2.0 * aside))
+        if abs(aside) > found.turn_on_the_spot:
+            return messages.twist(0.0, turn)
+        left = math.dist((x, y), self._routes[0][-1])
+        return messages.twist(min(found.cruise, 0.1 + 0.5 * left), turn)
+
+    def _aim(self, here: Point) -> Point:
+        """A point on the present leg, some way ahead."""
+        start, end = self._routes[0][self._next - 1], self._routes[0][self._next]
+        length = math.dist(start, end)
+        along = _along(start, end, here) + self._parameters.lookahead
+        share = min(1.0, along / length)
+        return (
+            start[0] + share * (end[0] - start[0]),
+            start[1] + share * (end[1] - start[1]),
+        )
+
+    def _pass_points(self) -> None:
+        assert self._pose is not None
+        here = self._pose[:2]
+        route = self._routes[0]
+        while self._next < len(route):
+            start, end = route[self._next - 1], route[self._next]
+            is_near = math.dist(here, end) < self._parameters.arrival
+            if not is_near and _along(start, end, here) < math.dist(start, end):
+                return
+            self._next += 1
+
+    # --- what is heard -----------------------------------------------------------------------
+
+    def _locate(self, message: Message) -> None:
+        pose = message.pose.pose
+        self._pose = (pose.position.x, pose.position.y, messages.yaw_of(pose.orientation))
+
+    def _replan(self, message: Message) -> None:
+        """The way is of no use: back to where the next route leaves it."""
+        if not message.data or len(self._routes) < 2 or self._pose is None:
+            return
+        del self._routes[0]
+        self.replanned += 1
+        self._routes[0][0] = self._pose[:2]
+        self._next = 1
+
+    # --- progress ----------------------------------------------------------------------------
+
+    def _look_for_progress(self, now_ns: int) -> None:
+        assert self._pose is not None
+        here = self._pose[:2]
+        if math.dist(here, self._progress_at) > self._parameters.progress:
+            self._progress_at, self._progress_ns = here, now_ns
+        elif now_ns - self._progress_ns > self._parameters.patience * 1e9:
+            self._end(Outcome.GIVEN_UP)
+
+    def _end(self, outcome: Outcome) -> None:
+        self.outcome = outcome
+        self.ended_ns = self._clock()
+
+
+def _along(start: Point, end: Point, here: Point) -> float:
+    """How far along a leg a place is."""
+    length = math.dist(start, end)
+    across = (here[0] - start[0]) * (end[0] - start[0]) + (here[1] - start[1]) * (end[1] - start[1])
+    return across / length
+
+
+def _wrapped(angle: float) -> float:
+    return math.remainder(angle, 2 * math.pi)

@@ -1,0 +1,13 @@
+"""How it stands with a task."""
+
+from __future__ import annotations
+
+import enum
+
+
+class Outcome(enum.Enum):
+    """A task is under way, or over."""
+
+    RUNNING = "running"
+    COMPLETED = "completed"
+    GIVEN_UP = "given up"

@@ -1,0 +1,168 @@
+"""What connects the robot, what drives it and what guards it: topics, action servers, parameters.
+
+A `Carrier` carries messages by the name and the type of their topic, and nothing else is known of
+who speaks and who listens. `InProcess` hands each message over at once.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+from heron import messages
+from heron.messages import Message, type_name
+
+Publish = Callable[[Message], None]
+Scalar = bool | float | str
+Goal = Mapping[str, Scalar]
+"""The fields of a goal, by name."""
+
+
+@dataclass(frozen=True)
+class Topic:
+    """A topic: its name and the type of its messages, such as `sensor_msgs/Imu`."""
+
+    name: str
+    type: str
+
+
+IMU = Topic("/imu/data", type_name(messages.Imu))
+ODOMETRY = Topic("/odom", type_name(messages.Odometry))
+POSE = Topic("/amcl_pose", type_name(messages.PoseWithCovarianceStamped))
+COMMAND = Topic("/cmd_vel", type_name(messages.Twist))
+JOYSTICK = Topic("/joy_vel", type_name(messages.Twist))
+BOOST = Topic("/drive/boost", type_name(messages.Bool))
+WRENCH = Topic("/wrench", type_name(messages.WrenchStamped))
+ARM_STOP = Topic("/arm/stop", type_name(messages.Bool))
+REPLAN = Topic("/navigation/replan", type_name(messages.Bool))
+
+ARM = "/arm"
+"""The action server of the arm: it places what it holds, and retracts."""
+
+
+class TopicTypeError(TypeError):
+    """A topic is used with messages of two types."""
+
+
+class Server(Protocol):
+    """An action server: it has one goal at a time."""
+
+    def send(self, goal: Goal, done: Callable[[bool], None]) -> None:
+        """A new goal takes the place of the one at hand; `done` hears whether it was reached."""
+
+    def cancel(self) -> None:
+        """The goal at hand, if there is one, is given up; `done` hears of that."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number that can be set while a node runs."""
+
+    get: Callable[[], float]
+    set: Callable[[float], None]
+
+
+class Carrier(Protocol):
+    """What carries messages."""
+
+    def publisher(self, topic: Topic) -> Publish:
+        """A function that sends a message on a topic."""
+
+    def subscribe(self, topic: Topic, receive: Callable[[Message], None]) -> None:
+        """`receive` gets each message on a topic."""
+
+    def serve(self, name: str, server: Server) -> None:
+        """An action server is there from now on."""
+
+    def server(self, name: str) -> Server:
+        """An action server. Raises `KeyError` if it is not there."""
+
+    def declare(self, name: str, parameter: Parameter) -> None:
+        """A parameter is there from now on; its name has that of its node in front."""
+
+    def parameter(self, name: str) -> Parameter:
+        """A parameter. Raises `KeyError` if it is not there."""
+
+
+class InProcess:
+    """Hands each message over at once, to listeners in the order in which they came."""
+
+    def __init__(self) -> None:
+        self._types: dict[str, str] = {}
+        self._servers: dict[str, Server] = {}
+        self._parameters: dict[str, Parameter] = {}
+        self._listeners: defaultdict[str, list[Callable[[Message], None]]] = defaultdict(list)
+
+    def publisher(self, topic: Topic) -> Publish:
+        """A function that sends a message on a topic."""
+        self._enter(topic)
+        listeners = self._listeners[topic.name]
+
+        def publish(message: Message) -> None:
+            for receive in listeners:
+                receive(message)
+
+        return publish
+
+    def subscribe(self, topic: Topic, receive: Callable[[Message], None]) -> None:
+        """`receive` gets each message on a topic."""
+        self._enter(topic)
+        self._listeners[topic.name].append(receive)
+
+    def serve(self, name: str, server: Server) -> None:
+        """An action server is there from now on."""
+        self._servers[name] = server
+
+    def server(self, name: str) -> Server:
+        """An action server. Raises `KeyError` if it is not there."""
+        return self._servers[name]
+
+    def declare(self, name: str, parameter: Parameter) -> None:
+        """A parameter is there from now on."""
+        self._parameters[name] = parameter
+
+    def parameter(self, name: str) -> Parameter:
+        """A parameter. Raises `KeyError` if it is not there."""
+        return self._parameters[name]
+
+    def _enter(self, topic: Topic) -> None:
+        known = self._types.setdefault(topic.name, topic.type)
+        if known != topic.type:
+            raise TopicTypeError(f"{topic.name} carries {known}, not {topic.type}")
+
+
+@dataclass(frozen=True)
+class Remapped:
+    """A carrier as seen by a node that was started with other names for its topics."""
+
+    carrier: Carrier
+    names: Mapping[str, str]
+
+    def publisher(self, topic: Topic) -> Publish:
+        """A function that sends a message on a topic."""
+        return self.carrier.publisher(self._renamed(topic))
+
+    def subscribe(self, topic: Topic, receive: Callable[[Message], None]) -> None:
+        """`receive` gets each message on a topic."""
+        self.carrier.subscribe(self._renamed(topic), receive)
+
+    def serve(self, name: str, server: Server) -> None:
+        """An action server is there from now on."""
+        self.carrier.serve(self.names.get(name, name), server)
+
+    def server(self, name: str) -> Server:
+        """An action server. Raises `KeyError` if it is not there."""
+        return self.carrier.server(self.names.get(name, name))
+
+    def declare(self, name: str, parameter: Parameter) -> None:
+        """A parameter is there from now on."""
+        self.carrier.declare(name, parameter)
+
+    def parameter(self, name: str) -> Parameter:
+        """A parameter. Raises `KeyError` if it is not there."""
+        return self.carrier.parameter(name)
+
+    def _renamed(self, topic: Topic) -> Topic:
+        return Topic(self.names.get(topic.name, topic.name), topic.type)

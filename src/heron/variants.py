@@ -1,0 +1,28 @@
+"""What there is to choose from. Needs no simulation."""
+
+from __future__ import annotations
+
+import enum
+
+
+class Arm(str, enum.Enum):
+    """What guards the robot in an experiment."""
+
+    NONE = "none"
+    DEROS = "deros"  # rules stop it until an operator comes
+    ROSSMARIE = "rossmarie"  # by rules, it recovers
+
+
+class Terrain(str, enum.Enum):
+    """What is in the way of the base."""
+
+    FLAT = "flat"  # neither bump nor ramps: whatever a monitor restricts here is without need
+    GENTLE = "gentle"  # a bump, and a ramp of 12 degrees into the room
+    STEEP = "steep"  # a bump, and a ramp of 25 degrees straight on
+
+
+class Table(str, enum.Enum):
+    """On what the arm places."""
+
+    EXPECTED = "expected"  # where the arm believes it
+    HIGH = "high"  # some centimeters higher

@@ -1,0 +1,170 @@
+"""The guard in this process does what the generated nodes do."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from heron import messages
+from heron.guard import Guard, UnsupportedEffectError
+from heron.topics import Topic
+from rossmarie.ir import OrderKind
+from support.guarding import UNFILTERED, Guarded
+
+SECOND = 1_000_000_000
+_TYPES = {"scan": "sensor_msgs/LaserScan", "mode": "std_msgs/String", "lamp": "std_msgs/Bool"}
+HEAD = """
+system robot {
+    topic /cmd_vel : geometry_msgs/Twist;
+    node planner { publishes /cmd_vel; }
+}
+input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec;
+action slow { limit /cmd_vel { linear.x in [-0.2, 0.2] m/s; } ramp 0.3 m/s^2; }
+action back { publish /cmd_vel { linear.x = -0.1 m/s; } at 10 Hz; }
+action push { publish /drive/boost : std_msgs/Bool { data = true; } at 10 Hz; }
+action stop { block /cmd_vel; } latched until reset;
+"""
+
+
+def started(tmp_path: Path, rules: str) -> tuple[Guarded, Guard]:
+    path = tmp_path / "rules.ross"
+    path.write_text(HEAD + rules, encoding="utf-8")
+    guarded = Guarded()
+    return guarded, guarded.start(path)
+
+
+def test_no_command_passes_before_all_inputs_have_arrived(tmp_path: Path) -> None:
+    guarded, guard = started(tmp_path, "rule r: if speed > 1 m/s then { slow; };")
+    guarded.command(0.5)
+    assert guarded.sent[-1][1] == 0.0
+    guarded.speed(0.0)
+    guarded.command(0.5)
+    assert guarded.sent[-1][1] == 0.5
+    assert not guard.active
+
+
+def test_inputs_that_only_start_are_not_lost(tmp_path: Path) -> None:
+    rules = """
+    input tilt = topic /imu/data : sensor_msgs/Imu .linear_acceleration.x timeout 0.2 sec;
+    rule r: if speed > 1 m/s or tilt > 1 m/s^2 then { stop; };
+    """
+    guarded, guard = started(tmp_path, rules)
+    guarded.speed(0.0)
+    assert not guard.verdicts
+
+
+def test_after_some_patience_an_input_that_is_missing_counts_as_lost(tmp_path: Path) -> None:
+    guarded, guard = started(tmp_path, "rule r: if speed > 1 m/s then { stop; };")
+    guarded.pass_time(guard, 4 * SECOND, lambda: None)
+    assert not guard.active
+    guarded.pass_time(guard, 6 * SECOND, lambda: guarded.command(0.5))
+    assert guard.active == ("r",)
+    assert {speed for _, speed in guarded.sent} == {0.0}
+
+
+def test_a_limit_holds_at_once_and_is_lifted_along_its_ramp(tmp_path: Path) -> None:
+    guarded, guard = started(tmp_path, "rule r: if speed > 1 m/s then { slow; };")
+    guarded.speed(0.0)
+    guarded.command(0.5)
+    assert not guard.is_restricting
+    guarded.speed(2.0)
+    assert guarded.sent[-1][1] == 0.2, "the last command is sent again, bounded"
+    assert guard.is_restricting
+    guarded.speed(0.0)
+    guarded.now_ns = SECOND // 4
+    guarded.command(0.5)
+    assert guarded.sent[-1][1] == pytest.approx(0.275)
+
+
+def test_a_command_of_a_rule_takes_the_place_of_the_program(tmp_path: Path) -> None:
+    guarded, guard = started(tmp_path, "rule r: if speed > 1 m/s then { back; };")
+    guarded.speed(0.0)
+    guarded.speed(2.0)
+    guarded.sent.clear()
+    guarded.pass_time(guard, SECOND, lambda: guarded.speed(2.0))
+    guarded.command(0.5)
+    assert {speed for _, speed in guarded.sent} == {-0.1}
+    assert len(guarded.sent) >= 9
+    guarded.speed(0.0)
+    guarded.command(0.5)
+    assert guarded.sent[-1][1] == 0.5
+
+
+def test_what_is_published_at_a_rate_ends_with_its_rule(tmp_path: Path) -> None:
+    guarded, guard = started(tmp_path, "rule r: if speed > 1 m/s then { push; };")
+    guarded.speed(2.0)
+    guarded.pass_time(guard, SECOND, lambda: guarded.speed(2.0))
+    assert len(guarded.boosts) == 11
+    guarded.speed(0.0)
+    guarded.pass_time(guard, 2 * SECOND, lambda: guarded.speed(0.0))
+    assert len(guarded.boosts) == 11
+
+
+def test_an_input_that_falls_silent_acts_without_a_message(tmp_path: Path) -> None:
+    guarded, guard = started(tmp_path, "rule r: if speed > 1 m/s then { push; };")
+    guarded.speed(0.0)
+    guarded.pass_time(guard, SECOND, lambda: None)
+    (verdict,) = guard.verdicts
+    assert verdict.at_ns == SECOND // 2
+    assert "timeout" in guard.explain(verdict) or "older" in guard.explain(verdict)
+
+
+def test_a_latched_rule_waits_for_its_operator(tmp_path: Path) -> None:
+    guarded, guard = started(tmp_path, "rule r: if speed > 1 m/s then { stop; };")
+    guarded.speed(2.0)
+    guarded.speed(0.0)
+    guarded.command(0.5)
+    assert guard.latched == ("r",)
+    assert guarded.sent[-1][1] == 0.0
+    guard.reset()
+    guarded.command(0.5)
+    assert not guard.latched
+    assert guarded.sent[-1][1] == 0.5
+    assert [each.kind for each in guard.occurrences] == [OrderKind.START, OrderKind.STOP]
+
+
+def test_a_command_that_is_not_finite_stops_the_base(tmp_path: Path) -> None:
+    guarded, _ = started(tmp_path, "rule r: if speed > 1 m/s then { slow; };")
+    guarded.speed(0.0)
+    guarded.publish(UNFILTERED, messages.twist(0.1, np.nan))
+    assert guarded.sent[-1][1] == 0.0
+
+
+def test_what_it_cannot_do_is_refused_at_the_start(tmp_path: Path) -> None:
+    rules = "action call_it { call /s : std_srvs/Trigger within 1 sec; }\n"
+    with pytest.raises(UnsupportedEffectError, match="Call"):
+        started(tmp_path, rules + "rule r: if speed > 1 m/s then { call_it; };")
+
+
+def test_arrays_elements_texts_and_instants_are_read(tmp_path: Path) -> None:
+    rules = """
+    input scan = topic /scan : sensor_msgs/LaserScan timeout 1 sec;
+    input mode = topic /mode : std_msgs/String;
+    input lamp = topic /lamp : std_msgs/Bool;
+    rule near: if any(scan.ranges < 0.5 m) then { slow; };
+    rule ahead: if scan.ranges[2] > 5 m then { slow; };
+    rule late: if scan.header.stamp > 7.5 s then { slow; };
+    rule service: if mode == "service" then { slow; };
+    rule silent: if age(lamp) > 2 s then { slow; };
+    """
+    guarded, guard = started(tmp_path, rules + "rule r: if speed > 1 m/s then { slow; };")
+    scan = messages.new_message("sensor_msgs/LaserScan")
+    scan.header.stamp = messages.Time(7, 0)
+    scan.ranges = np.array([1.0, 1.0])
+    text = messages.new_message("std_msgs/String")
+    topics = {name: Topic(f"/{name}", kind) for name, kind in _TYPES.items()}
+    guarded.speed(0.0)
+    guarded.publish(topics["lamp"], messages.Bool(False))
+    guarded.publish(topics["mode"], text)
+    guarded.publish(topics["scan"], scan)
+    assert set(guard.active) <= {"ahead"}, "an element that is not there is unknown"
+    scan.header.stamp = messages.Time(7, 600_000_000)
+    scan.ranges = np.array([0.3, 1.0, 6.0])
+    text.data = "service"
+    guarded.publish(topics["scan"], scan)
+    guarded.publish(topics["mode"], text)
+    assert set(guard.active) == {"near", "ahead", "late", "service"}
+    guarded.pass_time(guard, 3 * SECOND, lambda: guarded.publish(topics["scan"], scan))
+    assert "silent" in guard.active

@@ -1,0 +1,85 @@
+"""Experiment I: what the thesis says of its three arms, in physics."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+
+from heron.experiments import NavigationEpisode, run_navigation
+from heron.tasks import Outcome
+from heron.variants import Arm, Terrain
+
+SEED = 3
+
+
+@cache
+def episode(arm: Arm, terrain: Terrain) -> NavigationEpisode:
+    """Each is run once for all tests."""
+    return run_navigation(arm, terrain, SEED)
+
+
+def test_the_same_seed_is_the_same_episode() -> None:
+    first = episode(Arm.ROSSMARIE, Terrain.FLAT)
+    again = run_navigation(Arm.ROSSMARIE, Terrain.FLAT, SEED)
+    assert (first.measures, first.told) == (again.measures, again.told)
+    assert all(
+        np.array_equal(first.trace.columns[name], again.trace.columns[name])
+        for name in first.trace.columns
+    )
+
+
+def test_another_seed_is_another_episode() -> None:
+    one = episode(Arm.ROSSMARIE, Terrain.FLAT)
+    other = run_navigation(Arm.ROSSMARIE, Terrain.FLAT, SEED + 1)
+    assert one.course != other.course
+    assert not np.array_equal(one.trace.columns["y"][:5000], other.trace.columns["y"][:5000])
+
+
+def test_on_level_ground_nothing_is_restricted() -> None:
+    found = episode(Arm.ROSSMARIE, Terrain.FLAT)
+    assert found.measures.is_completed
+    assert found.told == ()
+    assert found.measures.time_restricted == 0.0
+
+
+def test_the_first_axle_hits_the_bump_and_the_others_are_spared() -> None:
+    without = episode(Arm.NONE, Terrain.GENTLE).measures.peaks
+    guarded = episode(Arm.ROSSMARIE, Terrain.GENTLE).measures.peaks
+    assert guarded["front"] > 0.7 * without["front"], "the rule reacts, it does not foresee"
+    assert guarded["drive"] < 0.6 * without["drive"]
+    assert guarded["rear"] < 0.6 * without["rear"]
+
+
+def test_without_a_monitor_the_base_stalls_on_the_gentle_ramp() -> None:
+    found = episode(Arm.NONE, Terrain.GENTLE)
+    assert found.outcome is Outcome.GIVEN_UP
+    assert found.measures.time_at_torque_limit > 30
+
+
+def test_with_rules_that_recover_it_arrives_by_itself() -> None:
+    found = episode(Arm.ROSSMARIE, Terrain.GENTLE).measures
+    assert found.is_completed
+    assert found.interventions == 0
+    assert found.reactions["bump"] < 0.1
+    assert found.reactions["gentle"] < 1.0
+
+
+def test_with_rules_that_stop_it_waits_for_its_operator() -> None:
+    found = episode(Arm.DEROS, Terrain.GENTLE).measures
+    recovered = episode(Arm.ROSSMARIE, Terrain.GENTLE).measures
+    assert found.is_completed
+    assert found.interventions == 2
+    assert found.duration > recovered.duration + 60
+
+
+def test_from_a_steep_ramp_it_backs_off_and_takes_the_other_way() -> None:
+    found = episode(Arm.ROSSMARIE, Terrain.STEEP)
+    assert found.measures.is_completed
+    assert found.measures.replanned == 1
+    assert found.measures.interventions == 0
+    assert any("back_off_steep_ramp activated" in words for _, words in found.told)
+    assert found.trace.columns["y"].min() < -2.5

@@ -1,0 +1,43 @@
+"""The rules of the experiments: without findings, and the same hazards in all arms."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from heron.rules import FOLDER
+from rossmarie.driver import check_file, compile_file
+from rossmarie.ir import Machine
+
+EXPERIMENTS = ("navigation", "placing")
+FILES = [f"{name}{arm}" for name in EXPERIMENTS for arm in ("", "_deros")]
+
+
+def conditions(machine: Machine) -> set[str]:
+    """When its rules act, as it is written."""
+    return {machine.truths[rule.condition].text for rule in machine.rules}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_there_are_no_findings(name: str) -> None:
+    assert check_file(FOLDER / f"{name}.ross").diagnostics == ()
+
+
+def test_they_are_in_the_one_layout() -> None:
+    program = Path(sys.executable).with_name("rossmarie")
+    files = sorted(FOLDER.glob("*.ross"))
+    run = subprocess.run([program, "fmt", "--check", *files], capture_output=True, check=False)
+    assert run.returncode == 0, run.stdout
+
+
+@pytest.mark.parametrize("name", EXPERIMENTS)
+def test_both_arms_look_at_the_same_hazards(name: str) -> None:
+    ours, theirs = (compile_file(FOLDER / f"{name}{arm}.ross").machine for arm in ("", "_deros"))
+    assert conditions(ours) == conditions(theirs)
+    assert conditions(ours)
+    assert {hazard.name for hazard in ours.hazards} == {hazard.name for hazard in theirs.hazards}
+    assert all(rule.release is None for rule in theirs.rules), "DeROS waits for an operator"
+    assert all(rule.release is not None for rule in ours.rules), "ROSSMARie never does"
