@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from rossmarie import ir
 from rossmarie.driver.build import generate, write_generated
 from rossmarie.driver.pipeline import Compiled, compile_file
 from rossmarie.driver.sources import hashed_sources
@@ -20,22 +21,20 @@ from rossmarie.targets import c99
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness, harness
 from rossmarie.verification.prover import Outcome, Prover, ProverError, Verdict
-
-HARNESS = "harness.c"
-"""The program around the generated C, under the name that it has for the prover."""
+from rossmarie.verification.reactor_harness import reactor_harness
 
 
 @dataclass(frozen=True)
 class Questions:
-    """What is to be shown of a rules file: `program`, with its checks, about the C in `files`."""
+    """What is to be shown of a rules file: `programs`, each with its checks, about `files`."""
 
     compiled: Compiled
     files: Mapping[str, str]
-    program: Harness
+    programs: tuple[Harness, ...]
 
     def texts(self) -> dict[str, str]:
         """All that the prover gets, by name."""
-        return {**self.files, HARNESS: self.program.text}
+        return {**self.files, **{f"{program.name}.c": program.text for program in self.programs}}
 
 
 def questions_of(
@@ -44,9 +43,19 @@ def questions_of(
     """The questions about a rules file. Raises `RulesError`."""
     compiled = compile_file(rules, systems=systems, message_folders=message_folders)
     files = generate(compiled.machine, c99.TARGET.name)
-    program = harness(compiled.machine)
     origin = next(iter(files.values())).partition("\n")[0]
-    return Questions(compiled, files, replace(program, text=f"{origin} */\n{program.text}"))
+    programs = tuple(
+        replace(program, text=f"{origin} */\n{program.text}")
+        for program in _programs(compiled.machine)
+    )
+    return Questions(compiled, files, programs)
+
+
+def _programs(machine: ir.Machine) -> Iterator[Harness]:
+    """One about the monitor and, if rules do anything, one about the reactor."""
+    yield harness(machine)
+    if machine.reactions.tasks:
+        yield reactor_harness(machine)
 
 
 def keep(questions: Questions, folder: Path, rules: Path) -> list[Path]:
@@ -65,27 +74,35 @@ def prove(
 
     Raises `ProverError` if the prover does not take the program.
     """
-    program = questions.program
+    checks = [(program, check) for program in questions.programs for check in program.checks]
     with prover.workshop() as folder:
         for name, text in questions.files.items():
             (folder / name).write_text(text, encoding="utf-8")
-        prover.compile(folder, program)
-        ask = partial(_outcome, prover, program, folder, seconds)
-        found = list(answers(ask, program.checks, on_progress))
-    pairs = zip(program.checks, found, strict=True)
+        for program in questions.programs:
+            prover.compile(folder, program)
+        ask = partial(_outcome, prover, folder, seconds)
+        found = list(answers(ask, checks, on_progress))
+    pairs = zip(checks, found, strict=True)
     return Proofs(
         machine=questions.compiled.machine,
-        outcomes=tuple(outcome or _ended(check) for check, outcome in pairs),
-        unasked=tuple(
-            name
-            for name in questions.files
-            if name.endswith(".c") and f'"{name}"' not in program.text
-        ),
+        outcomes=tuple(outcome or _ended(check) for (_, check), outcome in pairs),
+        unasked=tuple(_unasked(questions)),
         tools={tool: its for tool in ("cbmc", "z3") if (its := prover.version(tool))},
     )
 
 
-def _outcome(prover: Prover, program: Harness, folder: Path, seconds: int, check: Check) -> Outcome:
+def _unasked(questions: Questions) -> Iterator[str]:
+    """Sources that no program includes, and what programs leave out of those that they include."""
+    for name in questions.files:
+        asked = any(f'"{name}"' in program.text for program in questions.programs)
+        if name.endswith(".c") and not asked:
+            yield name
+    for program in questions.programs:
+        yield from program.unasked
+
+
+def _outcome(prover: Prover, folder: Path, seconds: int, asked: tuple[Harness, Check]) -> Outcome:
+    program, check = asked
     try:
         return prover.run(program, check, folder, seconds)
     except ProverError as error:

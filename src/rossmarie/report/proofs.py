@@ -25,14 +25,15 @@ _GROUPS = {
     "numbers": _MESSAGES,
     "update": _MESSAGES,
     "step": _MESSAGES,
+    "reactor": "actions and commands",
 }
 _OTHERS = "evaluation, timers, calls"
 
 
 @dataclass(frozen=True)
 class Proofs:
-    """What became of all questions about the C of a machine. `unasked` are the generated sources
-    that none is about, `tools` the versions of the programs that answered.
+    """What became of all questions about the C of a machine. `unasked` are the generated sources,
+    or parts of these, that none is about, `tools` the versions of the programs that answered.
     """
 
     machine: ir.Machine

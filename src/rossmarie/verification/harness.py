@@ -21,19 +21,7 @@ from rossmarie.verification.engine_checks import EngineChecks
 from rossmarie.verification.guard_checks import GuardChecks
 from rossmarie.verification.invariants import Invariants, Sentence
 from rossmarie.verification.message_checks import ELEMENTS, MessageChecks
-from rossmarie.verification.program import assertions, assumptions, predicate
-
-_PRELUDE = """\
-#include <math.h>
-#undef isnan
-#undef isinf
-#undef isfinite
-#undef signbit
-#define isnan(x) __CPROVER_isnand(x)
-#define isinf(x) __CPROVER_isinfd(x)
-#define isfinite(x) __CPROVER_isfinited(x)
-#define signbit(x) __CPROVER_signd(x)
-"""
+from rossmarie.verification.program import PRELUDE, assertions, assumptions, predicate
 
 _UNCHECKED = """\
 #pragma CPROVER check push
@@ -61,13 +49,16 @@ _MOMENTS = {
 
 @dataclass(frozen=True)
 class Harness:
-    """The text of the program, beside NAME_monitor.c, and what to check in it; no loop is passed
-    through more often than `passes`.
+    """The text of the program, beside the generated C, and what to check in it; no loop is passed
+    through more often than `passes`. `name` is that of its file; `unasked` is what no check is
+    about.
     """
 
     text: str
     checks: tuple[Check, ...]
     passes: int
+    name: str = "harness"
+    unasked: tuple[str, ...] = ()
 
 
 def harness(machine: ir.Machine) -> Harness:
@@ -94,7 +85,7 @@ class _Writer:
         ]
         most_events = (ir.most_evaluations(self._machine) + 1) * (len(self._machine.rules) + 1)
         parts = [
-            _PRELUDE,
+            PRELUDE,
             f'#include "{self._layout.name}_monitor.c"\n',
             _MODELS,
             _UNCHECKED,

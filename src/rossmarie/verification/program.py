@@ -6,6 +6,19 @@ from collections.abc import Sequence
 
 from rossmarie.verification.invariants import Sentence
 
+PRELUDE = """\
+#include <math.h>
+#undef isnan
+#undef isinf
+#undef isfinite
+#undef signbit
+#define isnan(x) __CPROVER_isnand(x)
+#define isinf(x) __CPROVER_isinfd(x)
+#define isfinite(x) __CPROVER_isfinited(x)
+#define signbit(x) __CPROVER_signd(x)
+"""
+"""What CBMC knows of numbers."""
+
 ANY = """\
     monitor s = any();
     monitor *const m = &s;

@@ -89,14 +89,14 @@ class Prover:
 
     def compile(self, folder: Path, harness: Harness) -> None:
         """Write the program of a harness, beside the sources that it includes, and try it."""
-        (folder / "harness.c").write_text(harness.text, encoding="utf-8")
-        self._must(["goto-cc", "-c", "-o", "harness.goto", "harness.c"], folder)
+        (folder / f"{harness.name}.c").write_text(harness.text, encoding="utf-8")
+        self._must(["goto-cc", "-c", "-o", f"{harness.name}.goto", f"{harness.name}.c"], folder)
 
     def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> Outcome:
         """Ask about a check in a folder with its program. No single question is given more than so
         many seconds of a processor.
         """
-        command = ["cbmc", self._compile(check, folder), "--json-ui"]
+        command = ["cbmc", self._compile(harness, check, folder), "--json-ui"]
         command += ["--unwind", str(harness.passes), *_unwound(check)]
         listed = _messages(self._must([*command, "--show-properties"], folder))
         names = [each["name"] for message in listed for each in message.get("properties", ())]
@@ -105,11 +105,12 @@ class Prover:
         reasons = tuple(reason for answer in answers for reason in answer[1])
         return Outcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
 
-    def _compile(self, check: Check, folder: Path) -> str:
+    def _compile(self, harness: Harness, check: Check, folder: Path) -> str:
         """Translate what a check calls; gives the name of the file."""
         program = f"{check.name}.goto"
         function = f"check_{check.name}"
-        self._must(["goto-cc", "--function", function, "-o", program, "harness.goto"], folder)
+        whole = f"{harness.name}.goto"
+        self._must(["goto-cc", "--function", function, "-o", program, whole], folder)
         calls = [
             word for old, new in check.replaced for word in ("--replace-calls", f"{old}:{new}")
         ]

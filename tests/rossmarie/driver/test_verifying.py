@@ -31,8 +31,9 @@ def judged(tmp_path_factory: pytest.TempPathFactory) -> Questions:
     path = tmp_path_factory.mktemp("rules") / "fast.ross"
     path.write_text(RULES)
     found = questions_of(path)
-    checks = [check for check in found.program.checks if check.about == "rule fast is judged"]
-    return replace(found, program=replace(found.program, checks=tuple(checks)))
+    program = found.programs[0]
+    checks = [check for check in program.checks if check.about == "rule fast is judged"]
+    return replace(found, programs=(replace(program, checks=tuple(checks)),))
 
 
 def changed(questions: Questions, old: str, new: str) -> Questions:

@@ -124,9 +124,10 @@ static bool set_clock(reactor *r, int64_t t_ns)
     if (t_ns <= EARLIEST || t_ns >= LATEST)
         return false;
     for (unsigned task = 0; task != TASKS && t_ns < r->now_ns; task++) {
-        const int64_t age_ns = r->now_ns - r->since_ns[task];
-        if (r->since_ns[task] != NEVER)
+        if (r->since_ns[task] != NEVER) {
+            const int64_t age_ns = r->now_ns - r->since_ns[task];
             r->since_ns[task] = t_ns - (age_ns < LONGEST ? age_ns : LONGEST);
+        }
     }
     r->now_ns = t_ns;
     return true;

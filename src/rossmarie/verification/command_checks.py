@@ -1,0 +1,214 @@
+"""What is to be shown of the bounds that lie on commands (R11, R12).
+
+Takes the reactions of a machine; gives C functions. The numbers come from the effects as the rules
+state them, not from the tables that the generator makes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rossmarie.ir import reactions
+from rossmarie.targets.c99.types import number
+from rossmarie.verification.check import Check, Passes, Written
+from rossmarie.verification.program import claim
+from rossmarie.verification.reactor_invariants import in_force
+
+ANY_REACTOR = """\
+    reactor s = any();
+    const reactor *const r = &s;
+    const int64_t t_ns = nondet_instant();
+    suppose_fit(r);"""
+"""Any memory that fits, at any instant."""
+
+_IN_RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
+
+CONTRACTS = """\
+/* The same number, or none in both. */
+static bool spec_same(double a, double b) { return (isnan(a) && isnan(b)) || a == b; }
+
+/* Of this, its check has shown no more than: a way of 0 or more, none while in force. */
+double __CPROVER_uninterpreted_way(unsigned, double);
+
+double contract_moved(const reactor *r, unsigned task, double ramp, int64_t t_ns)
+{
+    const double way = __CPROVER_uninterpreted_way(task, ramp);
+    __CPROVER_assert(task < TASKS, "what moves is a task");
+    __CPROVER_assert(t_ns > EARLIEST && t_ns < LATEST, "it moves at an instant in range");
+    __CPROVER_assume(way >= 0.0 && (r->state[task] != HOLDING || way == 0.0));
+    return way;
+}
+"""
+
+_MOVED = (("moved", "contract_moved"),)
+
+
+@dataclass(frozen=True)
+class _End:
+    """What a task does to a field while it is in force."""
+
+    task: int
+    low: float
+    high: float
+    ramp: float
+
+
+class CommandChecks:
+    """Writes these checks for one reactor."""
+
+    def __init__(self, found: reactions.Reactions, name: str) -> None:
+        self._found = found
+        self._name = name
+
+    def written(self) -> Iterator[Written]:
+        """All of them; none without commands."""
+        if not self._found.commands:
+            return
+        text = _BOUNDED.format(name=self._name)
+        about = "a number of a command stays in its bounds"
+        yield Written(Check("bounded", about), text + _STAYS)
+        about = "a number of a command is scaled, then bounded"
+        yield Written(Check("scaled", about), text + _IS_SCALED)
+        for task, ramp in sorted(self._ramps()):
+            about = f"how far a limit has moved: {self._said(task)}"
+            name = f"moved_{task}_{_word(ramp)}"
+            yield Written(Check(name, about), self._moved(task, ramp))
+        for index, command in enumerate(self._found.commands):
+            for place, field in enumerate(command.fields):
+                path = ".".join(map(str, field.path))
+                about = f"the bounds of {command.topic}.{path}"
+                check = Check(f"bounds_{index}_{place}", about, _MOVED, self._loops(index))
+                yield Written(check, self._bounds(index, place))
+            about = f"the bounds of {command.topic} are zero until the reactor is opened"
+            yield Written(
+                Check(f"shut_{index}", about, _MOVED, self._loops(index)), self._shut(index)
+            )
+        about = "commands that do not exist have no bounds"
+        yield Written(Check("no_command", about, _MOVED), self._no_command())
+
+    def _said(self, task: int) -> str:
+        found = self._found.tasks[task]
+        return f"{self._found.actions[found.action].name}, task {task}"
+
+    # --- the numbers of the rules ------------------------------------------------------------
+
+    def _limits(self, command: int, field: int) -> Iterator[_End]:
+        for index, task in enumerate(self._found.tasks):
+            if isinstance(task.effect, reactions.Limit) and task.effect.topic == command:
+                for bound in task.effect.bounds:
+                    if bound.field == field:
+                        yield _End(index, bound.low, bound.high, bound.ramp or 0.0)
+
+    def _scales(self, command: int) -> Iterator[tuple[int, reactions.Scale]]:
+        for index, task in enumerate(self._found.tasks):
+            if isinstance(task.effect, reactions.Scale) and task.effect.topic == command:
+                yield index, task.effect
+
+    def _ramps(self) -> set[tuple[int, float]]:
+        """The tasks that bound commands, with how fast that fades."""
+        found: set[tuple[int, float]] = set()
+        for command, each in enumerate(self._found.commands):
+            for field in range(len(each.fields)):
+                found |= {(end.task, end.ramp) for end in self._limits(command, field)}
+            found |= {(task, scale.ramp or 0.0) for task, scale in self._scales(command)}
+        return found
+
+    # --- the checks --------------------------------------------------------------------------
+
+    def _moved(self, task: int, ramp: float) -> str:
+        holds = in_force(task)
+        lines = [
+            ANY_REACTOR,
+            _IN_RANGE,
+            f"    const double way = moved(r, {task}, {number(ramp)}, t_ns);",
+            claim("way >= 0.0", "it moves apart"),
+            claim(f"!{holds} || way == 0.0", "what is in force has not moved"),
+        ]
+        return "\n".join(lines)
+
+    def _call(self, command: int) -> str:
+        size = len(self._found.commands[command].fields)
+        return "\n".join(
+            [
+                f"    {self._name}_bounds b[{size}];",
+                f"    {self._name}_bounds_of(r, t_ns, {command}, b);",
+            ]
+        )
+
+    def _bounds(self, command: int, field: int) -> str:
+        lines = [ANY_REACTOR, _IN_RANGE, "    __CPROVER_assume(r->opened);", self._call(command)]
+        lines += self._field(command, field)
+        return "\n".join(lines)
+
+    def _field(self, command: int, field: int) -> Iterator[str]:
+        b = f"b[{field}]"
+        yield claim(f"{b}.low <= 0.0 && 0.0 <= {b}.high", "zero is in bounds")
+        yield claim(f"0.0 <= {b}.factor && {b}.factor <= 1.0", "a factor makes nothing larger")
+        for end in self._limits(command, field):
+            kept = f"{number(end.low)} <= {b}.low && {b}.high <= {number(end.high)}"
+            yield claim(f"!{in_force(end.task)} || ({kept})", "a limit in force is kept")
+        for task, scale in self._scales(command):
+            kept = f"{b}.factor <= {number(scale.factor)}"
+            yield claim(f"!{in_force(task)} || {kept}", "a scale in force is kept")
+        if not any(self._limits(command, field)):
+            free = f"{b}.low == -INFINITY && {b}.high == INFINITY"
+            yield claim(free, "what nothing limits is unlimited")
+
+    def _loops(self, command: int) -> Passes:
+        """The loops over fields, limits and scales have as many passes as there are of these."""
+        fields = range(len(self._found.commands[command].fields))
+        limits = sum(len(list(self._limits(command, field))) for field in fields)
+        scales = len(list(self._scales(command)))
+        called = f"{self._name}_bounds_of"
+        return (
+            (f"{called}.0", len(fields) + 1),
+            (f"{called}.1", limits + 1),
+            ("factor_of.0", scales + 1),
+        )
+
+    def _shut(self, command: int) -> str:
+        shut = "    __CPROVER_assume(!r->opened || t_ns <= EARLIEST || t_ns >= LATEST);"
+        lines = [ANY_REACTOR, shut, self._call(command)]
+        for field in range(len(self._found.commands[command].fields)):
+            zero = f"b[{field}].low == 0.0 && b[{field}].high == 0.0 && b[{field}].factor == 1.0"
+            lines.append(claim(zero, "nothing passes (R12)"))
+        return "\n".join(lines)
+
+    def _no_command(self) -> str:
+        most = len(self._found.commands)
+        return "\n".join(
+            [
+                ANY_REACTOR,
+                "    const int command = nondet_integer();",
+                f"    __CPROVER_assume(command < 0 || command >= {most});",
+                f"    {self._name}_bounds_of(r, t_ns, command, NULL);",
+            ]
+        )
+
+
+def _word(ramp: float) -> str:
+    """A number in a name."""
+    return ramp.hex().replace(".", "_").replace("+", "").replace("-", "m")
+
+
+_BOUNDED = """\
+    {name}_bounds b;
+    b.factor = nondet_double();
+    b.low = nondet_double();
+    b.high = nondet_double();
+    __CPROVER_assume(0.0 <= b.factor && b.factor <= 1.0 && b.low <= 0.0 && 0.0 <= b.high);
+    const double x = nondet_double();
+    const double found = {name}_bounded(b, x);
+"""
+
+_STAYS = """\
+    __CPROVER_assert(isfinite(found), "what passes is finite");
+    __CPROVER_assert(b.low <= found && found <= b.high, "what passes is in its bounds");
+    __CPROVER_assert(isfinite(x) || found == 0.0, "what is not finite becomes 0");"""
+
+_IS_SCALED = """\
+    const double scaled = x * b.factor;
+    const double raised = b.low > scaled ? b.low : scaled;
+    const double expected = b.high < raised ? b.high : raised;
+    __CPROVER_assert(!isfinite(x) || spec_same(found, expected), "what passes is what R11 says");"""

@@ -1,0 +1,262 @@
+"""The program that CBMC is given about a reactor: the generated C as it is, and the checks.
+
+Takes a machine; gives C text and the list of its checks. What the reactor is told of the monitor
+(which rules are active, which conditions are true) is anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rossmarie import ir
+from rossmarie.ir import reactions
+from rossmarie.targets.c99.layout import lay_out
+from rossmarie.verification.check import Check, Written
+from rossmarie.verification.command_checks import ANY_REACTOR, CONTRACTS, CommandChecks
+from rossmarie.verification.harness import Harness
+from rossmarie.verification.program import PRELUDE, assertions, assumptions, claim
+from rossmarie.verification.reactor_invariants import ReactorInvariants, in_force
+
+
+def reactor_harness(machine: ir.Machine) -> Harness:
+    """Everything that is to be shown of the reactor of a machine."""
+    return _Writer(machine).harness()
+
+
+class _Writer:
+    def __init__(self, machine: ir.Machine) -> None:
+        self._machine = machine
+        self._found = machine.reactions
+        self._name = lay_out(machine).name
+        self._invariants = ReactorInvariants(machine.reactions)
+
+    def harness(self) -> Harness:
+        fit = self._invariants.sentences()
+        written = [_prefixed(each) for each in self._written()]
+        fields = [len(command.fields) for command in self._found.commands]
+        parts = [
+            PRELUDE,
+            f'#include "{self._name}_reactor.c"\n',
+            _MEMORY.format(name=self._name),
+            f"static void suppose_fit(const reactor *r)\n{{\n{assumptions(fit)}\n}}\n",
+            f"static void must_fit(const reactor *r)\n{{\n{assertions(fit)}\n}}\n",
+            self._contracts(),
+            CONTRACTS if self._found.commands else "",
+            *(each.text() for each in written),
+        ]
+        passes = max(len(self._found.tasks), len(self._found.plans), *fields) + 2
+        checks = tuple(each.check for each in written)
+        unasked = (f"{self._name}_reactor.c: what react and report order",)
+        return Harness("\n".join(parts), checks, passes, "reactor_harness", unasked)
+
+    def _written(self) -> Iterator[Written]:
+        yield from CommandChecks(self._found, self._name).written()
+        yield from self._calls()
+        yield from self._parts()
+
+    def _calls(self) -> Iterator[Written]:
+        """The functions that do nothing but to set or to tell."""
+        for name, about, lines in (
+            ("init", "a reactor begins", _INIT),
+            ("open", "a reactor is opened", _OPEN),
+            ("task_state", "where a task stands", _TASK_STATE),
+        ):
+            yield Written(Check(name, about), lines.format(name=self._name))
+        yield Written(Check("next_wake", "when the reactor looks next"), self._next_wake())
+
+    def _next_wake(self) -> str:
+        lines = [ANY_REACTOR, f"    const int64_t wake_ns = {self._name}_reactor_next_wake(r);"]
+        lines.append(claim("wake_ns > r->now_ns", "it is after the last look (R13)"))
+        ends = ["wake_ns == NEVER"]
+        for index, task in enumerate(self._found.tasks):
+            if timeout := reactions.timeout_ns(task.effect):
+                due = f"r->since_ns[{index}] + INT64_C({timeout})"
+                runs = f"r->state[{index}] == RUNNING"
+                lines.append(claim(f"!({runs}) || wake_ns <= {due}", "no end is missed (R13)"))
+                ends.append(f"({runs} && wake_ns == {due})")
+        lines.append(claim(" || ".join(ends), "something ends then (R13)"))
+        return "\n".join(lines)
+
+    def _parts(self) -> Iterator[Written]:
+        yield Written(Check("set_clock", "the clock of the reactor is set"), self._set_clock())
+        for rule in range(len(self._found.plans)):
+            name = self._machine.rules[rule].name
+            yield Written(Check(f"release_{rule}", f"rule {name} is released"), self._release(rule))
+
+        about = "which rules are engaged before their tasks start"
+        yield Written(Check("engaged", about, _ENGAGING), self._engaged())
+
+    def _engaged(self) -> str:
+        """R1. What follows is no part of this: only `release` writes what it is about."""
+        lines = [ANY_REACTOR, _REACT.format(name=self._name)]
+        for rule, plan in enumerate(self._found.plans):
+            goes_on = " && ".join([_is_on(rule), *(f"!({_is_on(other)})" for other in plan.unless)])
+            engaged = f"r->engaged[{rule}] == (is_looked ? {goes_on} : old.engaged[{rule}])"
+            about = "a rule is engaged if it is active, not exempted and does not give way (R1)"
+            lines.append(claim(engaged, about))
+        return "\n".join(lines)
+
+    def _contracts(self) -> str:
+        is_confirmed = any(
+            isinstance(task.effect, reactions.CancelGoal) and task.effect.confirmation is not None
+            for task in self._found.tasks
+        )
+        monitor = f", const {self._name}_monitor *m" if is_confirmed else ""
+        unused = "    (void)m;\n" if is_confirmed else ""
+        return _CONTRACTS.format(monitor=monitor, unused=unused)
+
+    def _set_clock(self) -> str:
+        times = self._invariants.clock()
+        lines = [ANY_REACTOR.replace("    suppose_fit(r);", assumptions(list(times))), _SET_CLOCK]
+        for task in range(len(self._found.tasks)):
+            since, before = f"r->since_ns[{task}]", f"old.since_ns[{task}]"
+            forward = f"r->now_ns < old.now_ns || {since} == {before}"
+            lines.append(claim(forward, "time goes on"))
+            never = f"({before} == NEVER) == ({since} == NEVER)"
+            lines.append(claim(never, "what has begun stays so"))
+            age = f"old.now_ns - {before}"
+            kept = f"{since} == t_ns - ({age} < LONGEST ? {age} : LONGEST)"
+            lines.append(
+                claim(f"r->now_ns >= old.now_ns || {before} == NEVER || {kept}", "ages stay (R14)")
+            )
+        lines += [claim(each.holds, each.about) for each in self._invariants.clock()]
+        return "\n".join(lines)
+
+    def _release(self, rule: int) -> str:
+        plan = self._found.plans[rule]
+        lines = [
+            ANY_REACTOR,
+            f"    __CPROVER_assume(r->engaged[{rule}]);",
+            "    const reactor old = s;",
+        ]
+        lines.append(f"    release(&s, {rule});")
+        lines.append(claim(f"!r->engaged[{rule}]", "it is not engaged"))
+        lines.append("    unsigned stopped = 0;")
+        for task in range(len(self._found.tasks)):
+            if task in plan.tasks:
+                lines.append(f"    stopped += {in_force(task).replace('r->', 'old.')};")
+                lines.append(claim(f"r->state[{task}] == IDLE", "its tasks are forgotten (R9)"))
+            else:
+                same = f"r->state[{task}] == old.state[{task}]"
+                lines.append(claim(same, "tasks of other rules go on"))
+        lines.append(claim("r->decided == stopped", "what is in force is stopped, once (R9)"))
+        lines.append("    s.decided = 0;")
+        lines.append("    must_fit(r);")
+        return "\n".join(lines)
+
+
+def _prefixed(written: Written) -> Written:
+    """Told apart from what is asked about the monitor."""
+    return replace(written, check=replace(written.check, name=f"reactor_{written.check.name}"))
+
+
+def _is_on(rule: int) -> str:
+    return f"active[{rule}] && !(is_told && exempted[{rule}] != 0)"
+
+
+_MEMORY = """\
+reactor nondet_reactor(void);
+int64_t nondet_instant(void);
+unsigned nondet_number(void);
+int nondet_integer(void);
+double nondet_double(void);
+_Bool nondet_bool(void);
+
+static bool active[RULES];
+static unsigned char exempted[RULES];
+
+bool {name}_is_active(const {name}_monitor *m, int rule)
+{{
+    (void)m;
+    __CPROVER_assert(rule >= 0 && rule < RULES, "what is asked about is a rule");
+    return active[rule];
+}}
+
+static void perform(void *user, int task, enum {name}_order order, int by_rule)
+{{
+    (void)user;
+    __CPROVER_assert(task >= 0 && task < TASKS, "orders are about tasks");
+    __CPROVER_assert(by_rule >= -1 && by_rule < RULES, "a rule overrules");
+    (void)order;
+}}
+
+/* Any bits in memory, but for what C itself excludes: a bool is 0 or 1, a callback a function. */
+static reactor any(void)
+{{
+    reactor r = nondet_reactor();
+    r.opened = nondet_bool();
+    for (unsigned i = 0; i != TASKS; i++)
+        r.reported[i] = nondet_bool();
+    for (unsigned i = 0; i != RULES; i++) {{
+        r.engaged[i] = nondet_bool();
+        active[i] = nondet_bool();
+        exempted[i] = (unsigned char)nondet_number();
+    }}
+    r.perform = perform;
+    r.user = NULL;
+    return r;
+}}
+"""
+
+_ENGAGING = (
+    ("release", "contract_release"),
+    ("pass_resources_on", "ignore_resources"),
+    ("start_stage", "ignore_stage"),
+    ("settle", "ignore_settle"),
+)
+
+_CONTRACTS = """\
+void contract_release(reactor *r, unsigned rule) {{ r->engaged[rule] = false; }}
+
+void ignore_resources(reactor *r) {{ (void)r; }}
+
+void ignore_stage(reactor *r, unsigned rule)
+{{
+    (void)r;
+    (void)rule;
+}}
+
+void ignore_settle(reactor *r{monitor})
+{{
+    (void)r;
+{unused}}}
+"""
+
+_REACT = """\
+    const reactor old = s;
+    const bool is_looked = t_ns > EARLIEST && t_ns < LATEST;
+    const bool is_told = nondet_bool();
+    {name}_react(&s, NULL, is_told ? exempted : NULL, t_ns);"""
+
+_INIT = """\
+    reactor s = any();
+    const reactor *const r = &s;
+    {name}_reactor_init(&s, perform, NULL);
+    __CPROVER_assert(!r->opened, "it is not open (R12)");
+    must_fit(r);"""
+
+_OPEN = f"""\
+{ANY_REACTOR}
+    (void)t_ns;
+    {{name}}_reactor_open(&s);
+    __CPROVER_assert(r->opened, "it is open");
+    must_fit(r);"""
+
+_TASK_STATE = f"""\
+{ANY_REACTOR}
+    (void)t_ns;
+    const int task = nondet_integer();
+    const int state = {{name}}_task_state(r, task);
+    if (task < 0 || task >= TASKS)
+        __CPROVER_assert(state == IDLE, "what does not exist does nothing");
+    else
+        __CPROVER_assert(state == r->state[task], "it is told as it is");"""
+
+_SET_CLOCK = """\
+    const reactor old = s;
+    const bool is_set = set_clock(&s, t_ns);
+    __CPROVER_assert(is_set == (t_ns > EARLIEST && t_ns < LATEST), "it is refused if out of range");
+    __CPROVER_assert(r->now_ns == (is_set ? t_ns : old.now_ns), "it is set, or as it was");
+    if (!is_set)
+        return;"""

@@ -1,0 +1,93 @@
+"""The generated reactor, proved by CBMC against what the reactions mean, and seeded faults."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from rossmarie.driver.verifying import Questions, prove, questions_of
+from rossmarie.report.proofs import Proofs
+from rossmarie.verification.prover import Prover, Verdict
+from support.provers import StandIn, real_prover
+
+SECONDS = 120
+
+RULES = """\
+input speed = topic /speed : std_msgs/Float64 .data;
+action slow {
+    limit /cmd_vel : geometry_msgs/Twist { linear.x in [-0.2, 0.5] m/s; } ramp 0.3 m/s^2;
+}
+action half { scale /cmd_vel : geometry_msgs/Twist by 50 %; }
+action ask { call /ask : std_srvs/Trigger within 1 sec; }
+rule fast: if speed > 3 then { slow; ask; };
+rule wild: if speed > 5 unless fast then { half; };
+"""
+
+FILE = "small_reactor.c"
+
+
+@pytest.fixture(scope="module")
+def questions(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+    path = tmp_path_factory.mktemp("rules") / "small.ross"
+    path.write_text(RULES)
+    return questions_of(path)
+
+
+@pytest.fixture(scope="module")
+def prover() -> Prover:
+    return real_prover()
+
+
+def proofs(prover: Prover, questions: Questions, old: str, new: str, *names: str) -> Proofs:
+    """What comes of some checks of the reactor after a change of the generated C."""
+    source = questions.files[FILE]
+    assert old in source
+    files = {**questions.files, FILE: source.replace(old, new)}
+    program = questions.programs[1]
+    checks = tuple(check for check in program.checks if check.name.startswith(names))
+    assert checks
+    changed = replace(questions, files=files, programs=(replace(program, checks=checks),))
+    return prove(changed, prover, seconds=SECONDS)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["bounded", "scaled", "moved", "bounds_0_0", "bounds_0_5", "shut", "set_clock", "release",
+     "engaged", "next_wake", "init"],
+)  # fmt: skip
+def test_the_reactor_is_what_reactions_mean(
+    prover: Prover, questions: Questions, name: str
+) -> None:
+    found = proofs(prover, questions, "Generated", "Generated", f"reactor_{name}")
+    assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "name", "expected"),
+    [
+        ("lesser(greater(", "greater(lesser(", "bounded", "what passes is"),
+        ("isfinite(value) ?", "!isnan(value) ?", "bounded", "what passes is finite"),
+        ("value * b.factor", "value", "scaled", "what passes is what R11 says"),
+        ("? ramp *", "? -ramp *", "moved", "it moves apart"),
+        ("b < a ? b : a", "b < a ? a : b", "bounds_0_0", "a limit in force is kept"),
+        ("= r->opened && ", "= ", "shut", "nothing passes (R12)"),
+        ("(r->since_ns[task] != NEVER)", "(true)", "set_clock", "what has begun stays so"),
+        ("r->started_count[rule] = 0;", "", "release", "has started nothing"),
+        ("exempted && exempted[rule]", "false", "engaged", "a rule is engaged if it is active"),
+        ("&& !yields(m, exempted, rule)", "", "engaged", "a rule is engaged if it is active"),
+        ("due_ns < wake_ns ?", "due_ns > wake_ns ?", "next_wake", "no end is missed (R13)"),
+    ],
+)
+def test_a_seeded_fault_is_refuted(
+    prover: Prover, questions: Questions, old: str, new: str, name: str, expected: str
+) -> None:
+    found = proofs(prover, questions, old, new, f"reactor_{name}")
+    reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
+    assert any(expected in reason for reason in reasons), found.outcomes
+
+
+def test_what_is_not_asked_about_is_not_proved(questions: Questions) -> None:
+    found = prove(questions, StandIn(), seconds=1)
+    assert found.unasked == (f"{FILE}: what react and report order",)
+    assert not found.is_complete
