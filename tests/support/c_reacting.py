@@ -109,7 +109,7 @@ _BOUNDS = """\
 static void print_bounds(const NAME_reactor *r, int64_t t_ns)
 {
     static const int fields[] = {FIELDS};
-    NAME_bounds bounds[3];
+    NAME_bounds bounds[MOST_FIELDS];
     for (int command = 0; command < NAME_COMMANDS; command++) {
         NAME_bounds_of(r, t_ns, command, bounds);
         for (int i = 0; i < fields[command]; i++) {
@@ -134,7 +134,9 @@ def program(machine: ir.Machine) -> str:
     asked = [*(f"t_ns + INT64_C({later})" for later in LATER), *EVER]
     calls = "\n".join(f"        print_bounds(r, {instant});" for instant in asked)
     text = PROGRAM.replace("PRINT_BOUNDS", calls.strip() if found.commands else "(void)print_bits;")
-    text = text.replace("BOUNDS", _BOUNDS.replace("FIELDS", fields) if found.commands else "")
+    most = max((len(command.fields) for command in found.commands), default=0)
+    bounds = _BOUNDS.replace("MOST_FIELDS", str(most)).replace("FIELDS", fields)
+    text = text.replace("BOUNDS", bounds if found.commands else "")
     text = text.replace("WATCHES", str(len(machine.watches)))
     text = text.replace("WATCH", _WATCH if machine.watches else "", 1)
     return text.replace("NAME", machine.name)

@@ -1,0 +1,352 @@
+"""Faults of a monitor: what a generator that errs might have written for `rules.ross`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A change of the generated C at one place."""
+
+    name: str
+    old: str
+    new: str
+    part: Literal["monitor", "reactor"] = "monitor"
+
+
+@dataclass(frozen=True)
+class Equivalent:
+    """A change that nobody can notice, and why."""
+
+    fault: Fault
+    reason: str
+
+
+_LIMITS = (
+    Fault(
+        "a limit that is reached counts as passed, inside a guard",
+        "!UNLIKELY(!(x > m->low[g]))",
+        "!UNLIKELY(!(x >= m->low[g]))",
+    ),
+    Fault(
+        "a limit that is reached counts as passed, when a number becomes known",
+        "guard_limits[g + 1] && x > limits[place + 1]; place++",
+        "guard_limits[g + 1] && x >= limits[place + 1]; place++",
+    ),
+    Fault(
+        "a limit that is reached counts as passed, when a number falls far",
+        "place != guard_limits[g] && x <= limits[place]",
+        "place != guard_limits[g] && x < limits[place]",
+    ),
+    Fault("a limit of another number", "1.0, /* rules.ross", "1.5, /* rules.ross"),
+    Fault("`<` is taken for `<=`", "0.39999999999999997, /*", "0.4, /*"),
+    Fault(
+        "a comparison is turned round below its limit",
+        "leaf_below[11] = {\n    FALSE, FALSE, FALSE, FALSE, TRUE,",
+        "leaf_below[11] = {\n    FALSE, FALSE, FALSE, FALSE, FALSE,",
+    ),
+    Fault(
+        "both ends of an interval are crossed and the truth flips once",
+        "NO_TWIN, 5, 4, NO_TWIN",
+        "NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN",
+    ),
+    Fault(
+        "a crossed limit sets the opposite",
+        "limit_above[limit] ^ is_rising ^ 1u",
+        "limit_above[limit] ^ is_rising",
+    ),
+    Fault("a guard is open above", "m->high[g] = limits[place + 1];", "m->high[g] = DBL_MAX;"),
+    Fault("degrees are taken for radians", "= data * 0.017453292519943295 + 0.0;", "= data;"),
+)
+
+_DURATIONS = (
+    Fault(
+        "a duration is over an instant late",
+        "t_ns >= due_ns ? (unsigned char)TRUE",
+        "t_ns > due_ns ? (unsigned char)TRUE",
+    ),
+    Fault(
+        "a duration of another condition",
+        "INT64_C(1000000000), /* rules.ross:43",
+        "INT64_C(1100000000), /* rules.ross:43",
+    ),
+    Fault("a duration is not begun anew", "operand == TRUE ? due_ns : NEVER", "due_ns"),
+    Fault(
+        "nothing is remembered of before a duration",
+        "m->held_before[k] = operand == TRUE ? m->held_before[k] : operand;",
+        "",
+    ),
+    Fault("nobody wakes for a duration", "    wake_by(m, m->held_due_ns[k]);\n", ""),
+    Fault(
+        "the next wake forgets durations",
+        "        if (m->held_due_ns[k] > m->now_ns)\n"
+        "            wake_ns = earlier(wake_ns, m->held_due_ns[k]);\n",
+        "            ;\n",
+    ),
+    Fault(
+        "a duration is over and nobody looks",
+        "            mark(m, held_nodes[k]);",
+        "            ;",
+    ),
+    Fault("since when a truth holds is not noted", "    m->since_ns[node] = t_ns;\n", ""),
+)
+
+_TIME = (
+    Fault(
+        "a timer of the same instant runs before a message",
+        "if (wake_ns >= t_ns)",
+        "if (wake_ns > t_ns)",
+    ),
+    Fault(
+        "a message at a due instant is taken as calm", "t_ns < m->wake_ns;", "t_ns <= m->wake_ns;"
+    ),
+    Fault(
+        "time stands still where nothing arrives",
+        "    tick(m, t_ns);\n    if (is_pending(m))",
+        "    if (is_pending(m))",
+    ),
+    Fault(
+        "what was before a duration survives a jump back",
+        "m->held_before[k] = m->started ? UNKNOWN : FALSE;",
+        ";",
+    ),
+    Fault(
+        "samples survive a jump back",
+        "    for (unsigned k = 0; k != SAMPLED; k++)\n        forget_samples(m, k);\n",
+        "",
+    ),
+    Fault(
+        "turning points survive a jump back",
+        "        forget_turns(m, k);\n        m->gap[k] =",
+        "        m->gap[k] =",
+    ),
+    Fault(
+        "messages are of the future after a jump back",
+        "        m->stamp_ns[i] = t_ns - (age_ns < LONGEST ? age_ns : LONGEST);",
+        "",
+    ),
+    Fault("a jump back is taken as progress", "if (t_ns < m->now_ns) {", "if (false) {"),
+)
+
+_INPUTS = (
+    Fault(
+        "an input expires an instant late",
+        "t_ns - m->stamp_ns[i] >= input_timeouts[i]",
+        "t_ns - m->stamp_ns[i] > input_timeouts[i]",
+    ),
+    Fault(
+        "an expired input keeps its numbers", "        m->value[lost_values[i]] = NAN;", "        ;"
+    ),
+    Fault(
+        "an expired input keeps its samples",
+        "        forget_samples(m, lost_samples[i]);",
+        "        ;",
+    ),
+    Fault(
+        "nobody looks at numbers that expired",
+        "    if (has_expired)\n        review(m, t_ns);\n",
+        "",
+    ),
+    Fault(
+        "an expired channel is still quiet",
+        "    m->state[input] = EXPIRED;\n    m->quiet[input_channel[input]] = false;",
+        "    m->state[input] = EXPIRED;",
+    ),
+    Fault(
+        "a timeout of another input",
+        "INT64_C(200000000), /* orientation */",
+        "INT64_C(500000000), /* orientation */",
+    ),
+    Fault(
+        "a lost input is merely unknown",
+        "            return LOST;\n    if (row_blames",
+        "            return UNKNOWN;\n    if (row_blames",
+    ),
+    Fault(
+        "an age is reached an instant late",
+        "value = t_ns >= due_ns ? TRUE : FALSE;",
+        "value = t_ns > due_ns ? TRUE : FALSE;",
+    ),
+    Fault(
+        "an age that nobody knows is reached", "age_unknown[1] = {LOST}", "age_unknown[1] = {TRUE}"
+    ),
+    Fault(
+        "an age of a message that arrived is forgotten",
+        "    set_truth(m, age_leaf[k], value, t_ns);",
+        "",
+    ),
+)
+
+_TRUTHS = (
+    Fault(
+        "`and` is false only if both are",
+        "if (a == FALSE || b == FALSE)",
+        "if (a == FALSE && b == FALSE)",
+    ),
+    Fault(
+        "`or` is true only if both are",
+        "if (a == TRUE || b == TRUE)",
+        "if (a == TRUE && b == TRUE)",
+    ),
+    Fault(
+        "`not` makes the unknown false",
+        "return a == TRUE ? (unsigned char)FALSE : a;",
+        "return FALSE;",
+    ),
+    Fault("`and` of the wrong operand", "both(m->truth[TRUTH_AGE_FIX_2_5_SEC], ", "both(TRUE, "),
+    Fault("who depends on a truth is not marked", "    m->dirty |= node_users[node];\n", ""),
+    Fault("one who depends on a truth is not marked", "UINT64_C(0x4040000)", "UINT64_C(0x4000000)"),
+    Fault("marks are cleared together", "m->dirty &= m->dirty - 1;", "m->dirty = 0;"),
+)
+
+_RULES = (
+    Fault("a lost condition does not activate", "condition == LOST", "condition == UNKNOWN"),
+    Fault(
+        "an unknown condition activates",
+        "if (!was_active && condition == TRUE)",
+        "if (!was_active && condition != FALSE)",
+    ),
+    Fault(
+        "two rules are swapped",
+        "m->truth[rule_condition[rule]];",
+        "m->truth[rule_condition[rule < 2 ? 1 - rule : rule]];",
+    ),
+    Fault(
+        "a rule clears without its release",
+        "        m->truth[rule_release[rule]] == TRUE)",
+        "        m->truth[rule_release[rule]] != UNSET)",
+    ),
+    Fault(
+        "a rule clears while its condition is unknown",
+        "if (was_active && condition == FALSE && rule_release",
+        "if (was_active && condition != TRUE && rule_release",
+    ),
+    Fault(
+        "a latched rule clears by itself",
+        "TRUTH_NOT_SPEED_NOT_IN_0_5_1_M_S_FOR_1_SEC, LATCHED",
+        "TRUTH_NOT_SPEED_NOT_IN_0_5_1_M_S_FOR_1_SEC, TRUTH_TRUE_",
+    ),
+    Fault(
+        "a reset clears whatever the condition",
+        "            m->truth[rule_condition[i]] == FALSE)",
+        "            m->truth[rule_condition[i]] != UNSET)",
+    ),
+    Fault("a reset clears another rule", "(unsigned)rule == i", "(unsigned)rule == i + 1"),
+    Fault(
+        "a verdict tells another number",
+        "VALUE_SPEED, VALUE_MIN_RANGES, VALUE_RATE",
+        "VALUE_MIN_RANGES, VALUE_SPEED, VALUE_RATE",
+    ),
+)
+
+_NUMBERS = (
+    Fault("infinity counts as known", "return x - (x - x);", "return x;"),
+    Fault(
+        "a missing element is no minimum's matter", "isnan(a) || isnan(b) ? NAN", "isnan(b) ? NAN"
+    ),
+    Fault(
+        "a maximum for a minimum",
+        "a < b ? a : b; }\n\nstatic double pitch",
+        "a > b ? a : b; }\n\nstatic double pitch",
+    ),
+    Fault(
+        "all of no elements is true",
+        "? 0.0 : unknowns != 0 || count == 0 ? NAN : 1.0",
+        "? 0.0 : unknowns != 0 ? NAN : 1.0",
+    ),
+    Fault("any needs two", "return truths != 0 ? 1.0", "return truths > 1 ? 1.0"),
+    Fault("the others are counted", "NAN : (double)truths", "NAN : (double)(count - truths)"),
+    Fault(
+        "an unknown element counts as false",
+        "return is_unknown ? UNKNOWN : value ? TRUE : FALSE",
+        "return !is_unknown && value ? TRUE : FALSE",
+    ),
+    Fault("a pitch is turned round", "w * y - z * x", "z * x - w * y"),
+    Fault("a sine beyond 1 by rounding", "sine > 1.0 ? 1.0 : sine", "sine"),
+    Fault("a rate over samples of one instant", "if (m->latest_ns[k] != t_ns) {", "{"),
+    Fault("a rate in milliseconds", "m->before_ns[k]) / 1e9", "m->before_ns[k]) / 1e6"),
+    Fault("no absolute value", "fabs(m->value[VALUE_SPEED]);\n}", "m->value[VALUE_SPEED];\n}"),
+)
+
+_OSCILLATION = (
+    Fault(
+        "a turning point counts an instant too long",
+        "oldest_turn(m, k) < turn_windows[k]",
+        "oldest_turn(m, k) <= turn_windows[k]",
+    ),
+    Fault(
+        "two turning points are three",
+        "m->turns[k] != turn_first[k + 1] - turn_first[k]",
+        "m->turns[k] + 1 < turn_first[k + 1] - turn_first[k]",
+    ),
+    Fault("a swing that is reached counts", "x > extreme + swing", "x >= extreme + swing"),
+    Fault(
+        "the extreme is not followed",
+        "if (isnan(extreme) || (heading > 0 && x > extreme) ||",
+        "if (isnan(extreme) ||",
+    ),
+    Fault(
+        "turning points are kept through a gap",
+        "        forget_turns(m, k);\n        return unknown_kind",
+        "        return unknown_kind",
+    ),
+    Fault(
+        "a gap ends an instant late",
+        "m->gap_end_ns[k] >= turn_windows[k]",
+        "m->gap_end_ns[k] > turn_windows[k]",
+    ),
+    Fault("a gap is never told", "        m->gap[k] = value;", ""),
+)
+
+MONITOR = (
+    *_LIMITS,
+    *_DURATIONS,
+    *_TIME,
+    *_INPUTS,
+    *_TRUTHS,
+    *_RULES,
+    *_NUMBERS,
+    *_OSCILLATION,
+)
+
+
+EQUIVALENT = (
+    Equivalent(
+        Fault("a guard keeps its upper end", "    m->high[g] = limits[place + 1];", ""),
+        "what is not inside a guard is compared with all limits",
+    ),
+    Equivalent(
+        Fault("ends of durations survive a jump back", "        m->held_due_ns[k] = NEVER;\n", ""),
+        "each duration is evaluated before anybody asks, and sets its end",
+    ),
+    Equivalent(
+        Fault("nothing is marked after a jump back", "        mark(m, node);", "        ;"),
+        "every truth was forgotten, and marks what rests on it when it is known again",
+    ),
+    Equivalent(
+        Fault(
+            "a timer that is due at the next wake moves it",
+            "    if (due_ns < m->wake_ns)",
+            "    if (due_ns <= m->wake_ns)",
+        ),
+        "the wake is set to what it is",
+    ),
+    Equivalent(
+        Fault(
+            "a minimum asks whether its first operand is missing",
+            "isnan(a) || isnan(b) ? NAN",
+            "isnan(a) ? NAN",
+        ),
+        "a comparison with a missing operand is false, and gives the second",
+    ),
+    Equivalent(
+        Fault(
+            "unknown elements are counted",
+            "NAN : (double)truths",
+            "NAN : (double)(truths + unknowns)",
+        ),
+        "there are none here: their number was compared with zero before",
+    ),
+)

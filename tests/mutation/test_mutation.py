@@ -1,0 +1,57 @@
+"""Every fault that is seeded in the generated C is noticed."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+from mutation.bench import GENERATED_TESTS, TRACES, Bench
+from mutation.faults import EQUIVALENT, MONITOR, Equivalent, Fault
+from mutation.reactor_faults import REACTOR
+from support.c_compiler import needs_c
+
+pytestmark = needs_c
+
+FAULTS = (*MONITOR, *REACTOR)
+Noticed = Mapping[Fault, frozenset[str]]
+
+
+@pytest.fixture(scope="module")
+def bench() -> Bench:
+    return Bench()
+
+
+@pytest.fixture(scope="module")
+def noticed(bench: Bench) -> Iterator[Noticed]:
+    with ThreadPoolExecutor(2) as pool:
+        yield dict(zip(FAULTS, pool.map(bench.noticed, FAULTS), strict=True))
+
+
+def test_undamaged_c_is_the_interpreter(bench: Bench) -> None:
+    wanted, found = bench.expected_of_monitor()
+    assert found == wanted
+    wanted, found = bench.expected_of_reactor()
+    assert found == wanted
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
+def test_a_fault_is_noticed(noticed: Noticed, fault: Fault) -> None:
+    assert noticed[fault]
+
+
+@pytest.mark.parametrize("equivalent", EQUIVALENT, ids=lambda each: each.fault.name)
+def test_what_changes_nothing_is_not_noticed(bench: Bench, equivalent: Equivalent) -> None:
+    assert not bench.noticed(equivalent.fault), equivalent.reason
+
+
+def test_the_rates_are_told(noticed: Noticed, capsys: pytest.CaptureFixture[str]) -> None:
+    lines = ["", "seeded faults that are noticed"]
+    for who, faults in ((GENERATED_TESTS, MONITOR), (TRACES, FAULTS)):
+        found = [fault for fault in faults if who in noticed[fault]]
+        lines.append(f"  by {who}: {len(found)} of {len(faults)}")
+    with capsys.disabled():
+        sys.stdout.write("\n".join(lines) + "\n")
+    assert set().union(*noticed.values()) == {GENERATED_TESTS, TRACES}
