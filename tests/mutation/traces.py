@@ -161,13 +161,16 @@ def _channel(machine: ir.Machine, carried: ir.Slot | ir.Array) -> int | None:
 
 
 def random_events(machine: ir.Machine, events: int) -> ReactingCase:
-    """One long run of the reactor; tasks that are said to have ended were mostly running."""
+    """One long run of the reactor; tasks that are said to have ended were mostly running, and now
+    and then it is the very instant at which their time is up.
+    """
     random = Random(1)
     reactor = Reactor(machine.reactions)
     engaged = [False] * len(machine.rules)
     at_ns, found = 0, []
     for _ in range(events):
-        at_ns = _later(random, at_ns)
+        due_ns = reactor.next_wake()
+        at_ns = due_ns if due_ns and random.random() < 0.1 else _later(random, at_ns)
         running = [n for n, state in enumerate(reactor.states) if state is State.RUNNING]
         report = None
         if running and random.random() < 0.4:
