@@ -27,9 +27,6 @@ from rossmarie.verification.harness import Harness
 _SOLVERS = ((), ("--smt2",))
 """CBMC's own SAT solver, and z3."""
 
-_ONLY_LOOPS = ("--no-standard-checks", "--no-assertions")
-"""What remains to be shown then is that loops end."""
-
 _SHORT = 10
 """For how many seconds several claims are asked together."""
 
@@ -101,7 +98,7 @@ class Prover:
         listed = _messages(self._must([*command, "--show-properties"], folder))
         names = [each["name"] for message in listed for each in message.get("properties", ())]
         question = _Question([*command, "--slice-formula"], folder, seconds)
-        answers = [self._ask(question, _ONLY_LOOPS), *self._answers(question, names)]
+        answers = list(self._answers(question, names))
         reasons = tuple(reason for answer in answers for reason in answer[1])
         return Outcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
 
@@ -120,28 +117,26 @@ class Prover:
         return program
 
     def _answers(self, question: _Question, names: Sequence[str]) -> Iterator[_Answer]:
-        """Ask for all claims, a few at a time if that is too much: many easy questions together can
-        be a hard one.
+        """Ask for some claims at a time, as many easy questions together can be a hard one; each
+        question includes that loops end.
         """
         short = replace(question, seconds=min(question.seconds, _SHORT))
-        whole = self._ask(short, _named(names))
-        if whole[0] is not Verdict.UNDECIDED:
-            yield whole
-            return
-        for group in filter(None, _grouped(names)):
-            answer = self._ask(short, _named(group))
+        for group in _grouped(names) or [[]]:
+            answer = self._ask(short, group)
             if answer[0] is not Verdict.UNDECIDED:
                 yield answer
             else:
-                yield from (self._ask(question, _named([name])) for name in group)
+                yield from (self._ask(question, [name]) for name in group)
 
-    def _ask(self, question: _Question, options: Sequence[str]) -> _Answer:
+    def _ask(self, question: _Question, names: Sequence[str]) -> _Answer:
         """Ask all solvers at once; the first answer counts."""
         with ExitStack() as stack:
             started = [
                 stack.enter_context(
                     self._start(
-                        [*question.command, *options, *solver], question.folder, question.seconds
+                        [*question.command, *_named(names), *solver],
+                        question.folder,
+                        question.seconds,
                     )
                 )
                 for solver in _SOLVERS
@@ -149,7 +144,7 @@ class Prover:
             found = _first(started)
         if found is not None:
             return found
-        about = "its loops end" if options is _ONLY_LOOPS else ", ".join(options[1::2])
+        about = ", ".join(names)
         return Verdict.UNDECIDED, (f"no answer within {question.seconds} s: {about}",)
 
     def _must(self, command: Sequence[str], folder: Path) -> str:
@@ -250,15 +245,19 @@ def _named(names: Sequence[str]) -> list[str]:
     return [word for name in names for word in ("--property", name)]
 
 
-def _grouped(names: Sequence[str]) -> Iterator[list[str]]:
+def _grouped(names: Sequence[str]) -> list[list[str]]:
     """What C itself forbids; the claims of small functions together; those of each other one."""
-    groups: dict[str, list[str]] = {}
+    ours: dict[str, list[str]] = {}
+    forbidden = []
     for name in names:
         function, kind = name.split(".", 1)
-        groups.setdefault(function if kind.startswith("assertion") else "", []).append(name)
-    yield groups.pop("", [])
-    yield [name for group in groups.values() if len(group) <= _FEW for name in group]
-    yield from (group for group in groups.values() if len(group) > _FEW)
+        if kind.startswith("assertion"):
+            ours.setdefault(function, []).append(name)
+        else:
+            forbidden.append(name)
+    small = [name for group in ours.values() if len(group) <= _FEW for name in group]
+    large = [group for group in ours.values() if len(group) > _FEW]
+    return [group for group in (forbidden, small, *large) if group]
 
 
 def _weight(verdict: Verdict) -> int:
