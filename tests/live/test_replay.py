@@ -30,6 +30,9 @@ Changes = list[tuple[str, int, Any]]
 NEAR = 0.2
 """Seconds by which the instants may differ: what is played comes late on a busy machine."""
 
+_LOSSES = "stop_without_position"
+"""The rule of HUSKY that goes active when an input pauses."""
+
 Play = Callable[[], Process]
 
 
@@ -116,16 +119,20 @@ def imu(store: Typestore, index: int, pitch: float) -> tuple[str, Any]:
 
 @pytest.mark.skipif(not DRIVE.is_file(), reason=f"the recording {DRIVE.name} is not there")
 def test_a_part_of_a_real_drive_gives_the_same_verdicts(ros1: Ros1, tmp_path: Path) -> None:
-    """At half the speed, and again if need be: a busy machine adds pauses of its own."""
+    """At half the speed, and again if need be: a busy machine adds pauses of its own. What the rule
+    about lost inputs says of these is left out; in this part of the drive there is no other loss.
+    """
     expected = replayed(HUSKY, DRIVE, 177.0, 214.0)
     assert len(expected) == 8
+    assert _LOSSES not in {rule for rule, _, _ in expected}
 
     def play() -> Process:
         return ros1.play(DRIVE, "--start=177", "--duration=37", "--rate=0.5")
 
     program = ros1.build(compile_file(HUSKY).machine)
     for attempt in range(3):
-        said = says(ros1, program, tmp_path / f"latched {attempt}", play, len(expected))
+        told = says(ros1, program, tmp_path / f"latched {attempt}", play, len(expected))
+        said = [verdict for verdict in told if verdict[0] != _LOSSES]
         if said == expected:
             break
     assert said == expected

@@ -75,7 +75,8 @@ class Robot(Ears):
         if not self.frozen:
             self._stamp_s = time.time() if self.clock is None else self.clock
         self._publish_pitch(self.pitch, self._stamp_s)
-        self._publish_pitch(self.belated, self._stamp_s - 0.05)
+        # Much older, as the one before may be lost on a busy machine.
+        self._publish_pitch(self.belated, self._stamp_s - 1.0)
         if self.near is not None:
             self._scan = self._scan or self.sensor("/scan", LaserScan)
             self._scan.publish(LaserScan(ranges=[2.0, 0.1 if self.near else 1.0]))
