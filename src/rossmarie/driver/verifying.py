@@ -92,13 +92,11 @@ def prove(
 
 
 def _unasked(questions: Questions) -> Iterator[str]:
-    """Sources that no program includes, and what programs leave out of those that they include."""
+    """Sources that no program includes."""
     for name in questions.files:
         asked = any(f'"{name}"' in program.text for program in questions.programs)
         if name.endswith(".c") and not asked:
             yield name
-    for program in questions.programs:
-        yield from program.unasked
 
 
 def _outcome(prover: Prover, folder: Path, seconds: int, asked: tuple[Harness, Check]) -> Outcome:

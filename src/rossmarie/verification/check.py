@@ -17,7 +17,8 @@ class Check:
 
     Calls go where `replaced` says. No loop is passed through more often than `loops` says of it, or
     else the program; that is shown as well, but for those in `unwound`, of which so many passes
-    stand for all.
+    stand for all. What `is_discrete` is about states and orders of instants: a SAT solver is asked
+    about all of it at once; arithmetic is asked about piece by piece.
     """
 
     name: str
@@ -25,6 +26,7 @@ class Check:
     replaced: Parts = ()
     loops: Passes = ()
     unwound: Passes = ()
+    is_discrete: bool = False
 
 
 @dataclass(frozen=True)

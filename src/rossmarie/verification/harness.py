@@ -50,15 +50,13 @@ _MOMENTS = {
 @dataclass(frozen=True)
 class Harness:
     """The text of the program, beside the generated C, and what to check in it; no loop is passed
-    through more often than `passes`. `name` is that of its file; `unasked` is what no check is
-    about.
+    through more often than `passes`. `name` is that of its file.
     """
 
     text: str
     checks: tuple[Check, ...]
     passes: int
     name: str = "harness"
-    unasked: tuple[str, ...] = ()
 
 
 def harness(machine: ir.Machine) -> Harness:

@@ -98,7 +98,9 @@ class Prover:
         listed = _messages(self._must([*command, "--show-properties"], folder))
         names = [each["name"] for message in listed for each in message.get("properties", ())]
         question = _Question([*command, "--slice-formula"], folder, seconds)
-        answers = list(self._answers(question, names))
+        whole = self._ask(question, [], _SOLVERS[:1]) if check.is_discrete else None
+        is_decided = whole is not None and whole[0] is not Verdict.UNDECIDED
+        answers = [whole] if whole and is_decided else list(self._answers(question, names))
         reasons = tuple(reason for answer in answers for reason in answer[1])
         return Outcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
 
@@ -128,8 +130,15 @@ class Prover:
             else:
                 yield from (self._ask(question, [name]) for name in group)
 
-    def _ask(self, question: _Question, names: Sequence[str]) -> _Answer:
-        """Ask all solvers at once; the first answer counts."""
+    def _ask(
+        self,
+        question: _Question,
+        names: Sequence[str],
+        solvers: Sequence[Sequence[str]] = _SOLVERS,
+    ) -> _Answer:
+        """Ask for some claims, or for all if none is named, all solvers at once; the first answer
+        counts.
+        """
         with ExitStack() as stack:
             started = [
                 stack.enter_context(
@@ -139,7 +148,7 @@ class Prover:
                         question.seconds,
                     )
                 )
-                for solver in _SOLVERS
+                for solver in solvers
             ]
             found = _first(started)
         if found is not None:

@@ -15,8 +15,9 @@ from rossmarie.targets.c99.layout import lay_out
 from rossmarie.verification.check import Check, Written
 from rossmarie.verification.command_checks import ANY_REACTOR, CONTRACTS, CommandChecks
 from rossmarie.verification.harness import Harness
+from rossmarie.verification.order_checks import OrderChecks
 from rossmarie.verification.program import PRELUDE, assertions, assumptions, claim
-from rossmarie.verification.reactor_invariants import ReactorInvariants, in_force
+from rossmarie.verification.reactor_invariants import ReactorInvariants
 
 
 def reactor_harness(machine: ir.Machine) -> Harness:
@@ -30,30 +31,34 @@ class _Writer:
         self._found = machine.reactions
         self._name = lay_out(machine).name
         self._invariants = ReactorInvariants(machine.reactions)
+        self._orders = OrderChecks(machine, self._name)
+        self._is_confirmed = bool(machine.watches)
 
     def harness(self) -> Harness:
-        fit = self._invariants.sentences()
+        fit = [*self._invariants.always(), *self._invariants.at_rest()]
         written = [_prefixed(each) for each in self._written()]
         fields = [len(command.fields) for command in self._found.commands]
         parts = [
             PRELUDE,
             f'#include "{self._name}_reactor.c"\n',
-            _MEMORY.format(name=self._name),
+            self._memory(),
+            self._orders.overruler(),
             f"static void suppose_fit(const reactor *r)\n{{\n{assumptions(fit)}\n}}\n",
             f"static void must_fit(const reactor *r)\n{{\n{assertions(fit)}\n}}\n",
             self._contracts(),
+            self._orders.text(),
             CONTRACTS if self._found.commands else "",
             *(each.text() for each in written),
         ]
         passes = max(len(self._found.tasks), len(self._found.plans), *fields) + 2
         checks = tuple(each.check for each in written)
-        unasked = (f"{self._name}_reactor.c: what react and report order",)
-        return Harness("\n".join(parts), checks, passes, "reactor_harness", unasked)
+        return Harness("\n".join(parts), checks, passes, "reactor_harness")
 
     def _written(self) -> Iterator[Written]:
         yield from CommandChecks(self._found, self._name).written()
         yield from self._calls()
         yield from self._parts()
+        yield from self._orders.written()
 
     def _calls(self) -> Iterator[Written]:
         """The functions that do nothing but to set or to tell."""
@@ -80,12 +85,8 @@ class _Writer:
 
     def _parts(self) -> Iterator[Written]:
         yield Written(Check("set_clock", "the clock of the reactor is set"), self._set_clock())
-        for rule in range(len(self._found.plans)):
-            name = self._machine.rules[rule].name
-            yield Written(Check(f"release_{rule}", f"rule {name} is released"), self._release(rule))
-
         about = "which rules are engaged before their tasks start"
-        yield Written(Check("engaged", about, _ENGAGING), self._engaged())
+        yield Written(Check("engaged", about, _ENGAGING, is_discrete=True), self._engaged())
 
     def _engaged(self) -> str:
         """R1. What follows is no part of this: only `release` writes what it is about."""
@@ -97,13 +98,15 @@ class _Writer:
             lines.append(claim(engaged, about))
         return "\n".join(lines)
 
+    def _memory(self) -> str:
+        watches = len(self._machine.watches)
+        watched = _WATCHED.format(name=self._name, watches=watches) if watches else ""
+        lines = [f"    watched[{index}] = nondet_bool();\n" for index in range(watches)]
+        return _MEMORY.format(name=self._name, watches=watched, is_watched="".join(lines))
+
     def _contracts(self) -> str:
-        is_confirmed = any(
-            isinstance(task.effect, reactions.CancelGoal) and task.effect.confirmation is not None
-            for task in self._found.tasks
-        )
-        monitor = f", const {self._name}_monitor *m" if is_confirmed else ""
-        unused = "    (void)m;\n" if is_confirmed else ""
+        monitor = f", const {self._name}_monitor *m" if self._is_confirmed else ""
+        unused = "    (void)m;\n" if self._is_confirmed else ""
         return _CONTRACTS.format(monitor=monitor, unused=unused)
 
     def _set_clock(self) -> str:
@@ -121,28 +124,6 @@ class _Writer:
                 claim(f"r->now_ns >= old.now_ns || {before} == NEVER || {kept}", "ages stay (R14)")
             )
         lines += [claim(each.holds, each.about) for each in self._invariants.clock()]
-        return "\n".join(lines)
-
-    def _release(self, rule: int) -> str:
-        plan = self._found.plans[rule]
-        lines = [
-            ANY_REACTOR,
-            f"    __CPROVER_assume(r->engaged[{rule}]);",
-            "    const reactor old = s;",
-        ]
-        lines.append(f"    release(&s, {rule});")
-        lines.append(claim(f"!r->engaged[{rule}]", "it is not engaged"))
-        lines.append("    unsigned stopped = 0;")
-        for task in range(len(self._found.tasks)):
-            if task in plan.tasks:
-                lines.append(f"    stopped += {in_force(task).replace('r->', 'old.')};")
-                lines.append(claim(f"r->state[{task}] == IDLE", "its tasks are forgotten (R9)"))
-            else:
-                same = f"r->state[{task}] == old.state[{task}]"
-                lines.append(claim(same, "tasks of other rules go on"))
-        lines.append(claim("r->decided == stopped", "what is in force is stopped, once (R9)"))
-        lines.append("    s.decided = 0;")
-        lines.append("    must_fit(r);")
         return "\n".join(lines)
 
 
@@ -165,7 +146,7 @@ _Bool nondet_bool(void);
 
 static bool active[RULES];
 static unsigned char exempted[RULES];
-
+{watches}
 bool {name}_is_active(const {name}_monitor *m, int rule)
 {{
     (void)m;
@@ -182,32 +163,49 @@ static void perform(void *user, int task, enum {name}_order order, int by_rule)
 }}
 
 /* Any bits in memory, but for what C itself excludes: a bool is 0 or 1, a callback a function. */
-static reactor any(void)
+static reactor any_reactor(void)
 {{
     reactor r = nondet_reactor();
     r.opened = nondet_bool();
     for (unsigned i = 0; i != TASKS; i++)
         r.reported[i] = nondet_bool();
-    for (unsigned i = 0; i != RULES; i++) {{
+    for (unsigned i = 0; i != RULES; i++)
         r.engaged[i] = nondet_bool();
-        active[i] = nondet_bool();
-        exempted[i] = (unsigned char)nondet_number();
-    }}
     r.perform = perform;
     r.user = NULL;
     return r;
 }}
+
+static reactor any(void)
+{{
+    for (unsigned i = 0; i != RULES; i++) {{
+        active[i] = nondet_bool();
+        exempted[i] = (unsigned char)nondet_number();
+    }}
+{is_watched}    return any_reactor();
+}}
+"""
+
+_WATCHED = """
+static bool watched[{watches}];
+
+enum {name}_truth {name}_watch(const {name}_monitor *m, int watch)
+{{
+    (void)m;
+    __CPROVER_assert(watch >= 0 && watch < {watches}, "what is asked about is a confirmation");
+    return watched[watch] ? {name}_TRUE : {name}_UNKNOWN;
+}}
 """
 
 _ENGAGING = (
-    ("release", "contract_release"),
+    ("release", "disengage"),
     ("pass_resources_on", "ignore_resources"),
     ("start_stage", "ignore_stage"),
     ("settle", "ignore_settle"),
 )
 
 _CONTRACTS = """\
-void contract_release(reactor *r, unsigned rule) {{ r->engaged[rule] = false; }}
+void disengage(reactor *r, unsigned rule) {{ r->engaged[rule] = false; }}
 
 void ignore_resources(reactor *r) {{ (void)r; }}
 

@@ -1,4 +1,4 @@
-"""What holds of a reactor between two calls, as sentences over its memory.
+"""What holds of a reactor, between two calls and within one, as sentences over its memory.
 
 Takes the reactions of a machine; what is claimed is read off them, by the rules of
 `docs/explanation/reactions.md`, and not off the tables that the generator makes of them.
@@ -18,15 +18,31 @@ def in_force(task: int) -> str:
     return f"(r->state[{task}] == RUNNING || r->state[{task}] == HOLDING)"
 
 
+def can_fail(task: reactions.Task) -> bool:
+    """Its time can run out, or it does not wait for what another rule has (R6, R7)."""
+    needs = task.resource is not None and not reactions.waits(task.effect)
+    return needs or reactions.timeout_ns(task.effect) is not None
+
+
 class ReactorInvariants:
     """Writes the invariants of one reactor, of which `r` is the memory."""
 
     def __init__(self, found: reactions.Reactions) -> None:
         self._found = found
         self._rules = {task: rule for rule, plan in enumerate(found.plans) for task in plan.tasks}
+        self.can_fail = [task for task, each in enumerate(found.tasks) if can_fail(each)]
+        """The tasks that can fail."""
 
-    def sentences(self) -> list[Sentence]:
-        """All of them."""
+    def is_listed(self, task: int) -> str:
+        """Whether nothing has followed yet from the failure of a task."""
+        listed = [
+            f"({place} < r->failed_count && r->failed[{place}] == {task})"
+            for place in range(len(self.can_fail))
+        ]
+        return f"({' || '.join(listed)})" if task in self.can_fail else "false"
+
+    def always(self) -> list[Sentence]:
+        """What holds within a call as well."""
         rules, tasks = range(len(self._found.plans)), range(len(self._found.tasks))
         return [
             *self.clock(),
@@ -36,14 +52,45 @@ class ReactorInvariants:
             *(each for task in tasks for each in self._escalations(task)),
         ]
 
+    def at_rest(self) -> list[Sentence]:
+        """What holds between two calls only."""
+        return [
+            Sentence("no order is left to be given", "r->decided == 0 && r->failed_count == 0"),
+            *self.owned(),
+            *self.in_time(),
+        ]
+
     def clock(self) -> Iterator[Sentence]:
         """What holds of instants."""
         yield Sentence("its clock is in range", "r->now_ns >= EARLIEST && r->now_ns < LATEST")
-        yield Sentence("no order is left to be given", "r->decided == 0 && r->failed_count == 0")
         for task in range(len(self._found.tasks)):
             since = f"r->since_ns[{task}]"
             past = f"({since} >= EARLIEST - LONGEST && {since} <= r->now_ns)"
             yield Sentence("what has begun began in the past", f"{since} == NEVER || {past}")
+
+    def owned(self) -> Iterator[Sentence]:
+        """R7, R8: who has what is needed by what is in force, or waits."""
+        for task, declared in enumerate(self._found.tasks):
+            if declared.resource is None:
+                continue
+            free = f"spec_overruler(r, {task}) < 0"
+            yield Sentence(
+                "what is in force has what it needs (R8)",
+                f"!{in_force(task)} || {free}",
+            )
+            if reactions.waits(declared.effect):
+                yield Sentence(
+                    "what waits waits for another rule (R8)",
+                    f"r->state[{task}] != WAITING || !({free})",
+                )
+
+    def in_time(self) -> Iterator[Sentence]:
+        """What runs has not run out of time."""
+        for task, declared in enumerate(self._found.tasks):
+            if timeout := reactions.timeout_ns(declared.effect):
+                in_time = f"r->since_ns[{task}] > r->now_ns - INT64_C({timeout})"
+                runs = f"r->state[{task}] == RUNNING"
+                yield Sentence("what runs has time left", f"!({runs}) || {in_time}")
 
     def _started(self, rule: int) -> Iterator[Sentence]:
         """A rule remembers the tasks that it has started, each once, each of its own."""
@@ -54,8 +101,11 @@ class ReactorInvariants:
         yield Sentence("a rule that is not engaged has started nothing",
                        f"r->engaged[{rule}] || {count} == 0")  # fmt: skip
         for place in range(len(tasks)):
-            own = " || ".join(f"r->started[{first + place}] == {task}" for task in tasks)
-            yield Sentence("a rule starts its own tasks", f"{place} >= {count} || {own}")
+            own = " || ".join(
+                f"(r->started[{first + place}] == {task} && r->state[{task}] != IDLE)"
+                for task in tasks
+            )
+            yield Sentence("a rule has started its own tasks", f"{place} >= {count} || {own}")
         for one, other in combinations(range(len(tasks)), 2):
             differ = f"r->started[{first + one}] != r->started[{first + other}]"
             yield Sentence("a task that started is noted once", f"{other} >= {count} || {differ}")
@@ -75,23 +125,22 @@ class ReactorInvariants:
                 yield Sentence("a stage waits for the one before", waits)
 
     def _task(self, task: int) -> Iterator[Sentence]:
-        effect, state = self._found.tasks[task].effect, f"r->state[{task}]"
-        timeout = reactions.timeout_ns(effect)
-        possible = ["IDLE", "DONE", "FAILED"]
+        declared, state = self._found.tasks[task], f"r->state[{task}]"
+        effect = declared.effect
+        possible = ["IDLE", "DONE"]
+        possible += ["FAILED"] if can_fail(declared) else []
         possible += ["HOLDING"] if reactions.is_lasting(effect) else []
         possible += ["WAITING"] if reactions.waits(effect) else []
-        possible += ["RUNNING"] if timeout else []
+        possible += ["RUNNING"] if reactions.timeout_ns(effect) else []
         fits = " || ".join(f"{state} == {each}" for each in possible)
         yield Sentence("a task is in a state that its effect has", fits)
         yield Sentence("a rule that is not engaged has no task",
                        f"r->engaged[{self._rules[task]}] || {state} == IDLE")  # fmt: skip
         yield Sentence("what is in force has begun",
                        f"!{in_force(task)} || r->since_ns[{task}] != NEVER")  # fmt: skip
-        if timeout:
-            in_time = f"r->since_ns[{task}] > r->now_ns - INT64_C({timeout})"
-            yield Sentence("what runs has time left", f"{state} != RUNNING || {in_time}")
 
     def _escalations(self, task: int) -> Iterator[Sentence]:
         for other in self._found.tasks[task].otherwise:
-            yield Sentence("what follows a failure waits for it",
-                           f"r->state[{task}] == FAILED || r->state[{other}] == IDLE")  # fmt: skip
+            is_known = f"(r->state[{task}] == FAILED && !{self.is_listed(task)})"
+            yield Sentence("what follows a failure waits for it, and starts then (R6)",
+                           f"{is_known} == (r->state[{other}] != IDLE)")  # fmt: skip

@@ -1,0 +1,372 @@
+"""What is to be shown of the orders of a reactor: which it gives, and that it knows what follows.
+
+Takes the reactions of a machine; gives C functions. Each part of a call has a check of its own, and
+stands in the others as what its check has shown (its contract). What a call decides on is counted
+beside it, task by task; that the list of these has room for as many is shown of `decide`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from rossmarie import ir
+from rossmarie.verification.check import Check, Parts, Passes, Written
+from rossmarie.verification.invariants import Sentence
+from rossmarie.verification.order_contracts import CONTRACTS, OVERRULER, PERFORM, STAGES, TOLD
+from rossmarie.verification.order_invariants import OrderInvariants
+from rossmarie.verification.program import assertions, assumptions, claim
+from rossmarie.verification.reactor_invariants import ReactorInvariants, in_force
+
+_DECIDE = ("decide", "note_decided")
+_ESCALATE = ("escalate", "contract_escalate")
+_CLOCK = ("set_clock", "contract_set_clock")
+_RELEASES = (
+    ("set_clock", "set_clock_within"),
+    ("release", "contract_release"),
+    ("pass_resources_on", "end_at_pass_on"),
+)
+_STEP = (
+    ("escalate", "any_escalate"),
+    ("is_stage_over", "is_over"),
+    ("start_stage", "start_and_end"),
+    ("give_orders", "end_at_give_orders"),
+)
+_PASSES = (
+    ("escalate", "ignore_reactor"),
+    ("is_stage_over", "is_over_or_not"),
+    ("start_stage", "ignore_stage"),
+    ("give_orders", "ignore_reactor"),
+)
+_STARTS = (
+    _CLOCK,
+    ("release", "disengage"),
+    ("pass_resources_on", "any_pass_on"),
+    ("start_stage", "start_looked_at"),
+    ("settle", "end_at_settle"),
+)
+
+
+class OrderChecks:
+    """Writes these checks for one reactor."""
+
+    def __init__(self, machine: ir.Machine, name: str) -> None:
+        found = machine.reactions
+        self._found = found
+        self._name = name
+        self._names = [rule.name for rule in machine.rules]
+        self._is_confirmed = bool(machine.watches)
+        self._orders = OrderInvariants(found)
+        self._invariants = ReactorInvariants(found)
+
+    # --- what checks refer to ----------------------------------------------------------------
+
+    def text(self) -> str:
+        """Predicates and contracts."""
+        orders = self._orders
+        within = [*self._invariants.always(), *orders.told()]
+        monitor = f", const {self._name}_monitor *m" if self._is_confirmed else ""
+        unused = "    (void)m;\n" if self._is_confirmed else ""
+        return "\n".join(
+            [
+                TOLD.format(name=self._name),
+                PERFORM.format(name=self._name),
+                *_both("clock", _REACTOR, self._invariants.clock()),
+                *_both("within", _REACTOR, within),
+                *_both("listed", _REACTOR, orders.listed()),
+                *_both("owned", _REACTOR, self._invariants.owned()),
+                *_both("kept", _BEFORE, orders.kept()),
+                *_both("escalated", _BEFORE, orders.escalated()),
+                *_both("passed_on", _BEFORE, orders.passed_on()),
+                *_both("stage_started", f"{_BEFORE}, unsigned rule", orders.stage_started()),
+                *_both("startable", f"{_REACTOR}, unsigned rule", orders.startable()),
+                *_both("releasable", f"{_REACTOR}, unsigned rule", orders.releasable()),
+                *_both("untold", _REACTOR, orders.untold()),
+                *_both("unbegun", f"{_REACTOR}, unsigned rule", orders.unbegun()),
+                *_both("in_time", _REACTOR, self._invariants.in_time()),
+                *_both("ended", "const reactor *r, const reactor *old", orders.ended()),
+                self._stages(),
+                CONTRACTS.format(monitor=monitor, unused=unused, releases=self._releases()),
+            ]
+        )
+
+    def overruler(self) -> str:
+        """R2, for any task: the rule that has what it needs, -1 if that is its own, or none."""
+        cases = []
+        for index, task in enumerate(self._found.tasks):
+            if task.resource is None:
+                continue
+            cases.append(f"    case {index}:")
+            for rule in self._found.order:
+                claimed = {
+                    self._found.tasks[each].resource for each in self._found.plans[rule].tasks
+                }
+                if task.resource in claimed:
+                    taken = -1 if rule == self._orders.rule_of(index) else rule
+                    cases.append(f"        if (r->engaged[{rule}])\n            return {taken};")
+            cases.append("        return -1;")
+        body = "\n".join(cases)
+        return OVERRULER.format(cases=f"    switch (task) {{\n{body}\n    }}\n" if cases else "")
+
+    def _releases(self) -> str:
+        """What `release` does, task by task (R9)."""
+        lines = []
+        for rule, plan in enumerate(self._found.plans):
+            lines.append(f"    if (rule == {rule}) {{")
+            for task in plan.tasks:
+                lines.append(f"        if ({in_force(task)})\n            stop(r, {task});")
+                lines.append(f"        r->state[{task}] = IDLE;")
+            lines.append("    }")
+        return "\n".join(lines)
+
+    # --- the checks --------------------------------------------------------------------------
+
+    def written(self) -> Iterator[Written]:
+        """All of them."""
+        about = "an order is kept until the end of a call"
+        yield self._check("decide", about, (), self._decide())
+        about = "orders are given once each, as they were decided on"
+        yield self._check("give_orders", about, (), _GIVE)
+        for rule in range(len(self._found.plans)):
+            yield self._release(rule)
+            for stage in range(len(self._found.plans[rule].stages) + 1):
+                yield self._start(rule, stage)
+        yield self._check("escalate", "what follows from failures", (_DECIDE,), self._escalate())
+        about = "resources change hands"
+        yield self._check("pass_on", about, (_DECIDE, _ESCALATE), _PASS_ON)
+        yield from self._settle()
+        yield from self._react()
+        about = "what became of a task is told"
+        settle = ("settle", "end_at_settle")
+        yield self._check("report", about, (_CLOCK, settle), _REPORT.format(name=self._name))
+
+    def _settle(self) -> Iterator[Written]:
+        call = "settle(&s, NULL);" if self._is_confirmed else "settle(&s);"
+        body = f"{_SETTLE}\n    {call}"
+        ends = (_DECIDE, ("escalate", "end_at_escalate"))
+        yield self._check("settle_ends", "tasks end, until others follow", ends, body)
+        for rule, name in enumerate(self._names):
+            about = f"the next stage of rule {name} follows"
+            looked = f"    looked_at = {rule};\n{body}"
+            yield self._check(f"settle_{rule}", about, _STEP, looked)
+        yield self._check("settle_passes", "no more stages follow than there are", _PASSES, body)
+
+    def _react(self) -> Iterator[Written]:
+        about = "rules that are no longer engaged are released"
+        yield self._check("react", about, _RELEASES, _REACT.format(name=self._name))
+        for rule, name in enumerate(self._names):
+            text = _REACTS.format(name=self._name, rule=rule)
+            yield self._check(f"react_{rule}", f"rule {name} starts", _STARTS, text)
+
+    def _stages(self) -> str:
+        """Whether a rule can go on to its next stage (R5)."""
+        cases, plans = [], self._found.plans
+        for rule, plan in enumerate(plans):
+            for place, stage in enumerate(plan.stages):
+                over = " && ".join(
+                    f"(r->state[{task}] == HOLDING || r->state[{task}] == WAITING "
+                    f"|| r->state[{task}] == DONE)"
+                    for task in stage
+                )
+                here = f"rule == {rule} && r->engaged[{rule}] && r->stage[{rule}] == {place}"
+                cases.append(f"    if ({here})\n        return {over};")
+        counts = ", ".join(str(len(plan.stages)) for plan in plans)
+        return STAGES.format(counts=counts, cases="\n".join(cases))
+
+    def _check(self, name: str, about: str, parts: Parts, body: str) -> Written:
+        return Written(Check(name, about, parts, self._loops(), is_discrete=True), body)
+
+    def _loops(self) -> Passes:
+        """No rule has more tasks, stages, or others that claim what it needs."""
+        plans, tasks = self._found.plans, self._found.tasks
+        longest = max(len(plan.tasks) for plan in plans)
+        started = [len(stage) for plan in plans for stage in plan.stages]
+        started += [len(task.otherwise) for task in tasks]
+        return (
+            ("give_orders.0", 2 * len(tasks) + 1),
+            ("append_started.0", longest + 1),
+            ("release.0", longest + 1),
+            ("release.1", longest + 1),
+            ("overruler.0", len(plans) + 1),
+            ("start.0", max(started) + 1),
+            ("escalate.0", len(self._invariants.can_fail) + 1),
+            ("settle.1", max(len(plan.stages) for plan in plans) + 1),
+        )
+
+    def _decide(self) -> str:
+        tasks = range(len(self._found.tasks))
+        counted = " + ".join(f"told.count[{task}]" for task in tasks)
+        few = " && ".join(f"told.count[{task}] <= 2" for task in tasks)
+        return _DECIDED.format(name=self._name, counted=counted, few=few)
+
+    def _release(self, rule: int) -> Written:
+        about = f"rule {self._names[rule]} is released"
+        lines = [_WITHIN, _RELEASABLE.format(rule=rule), _RELEASED.format(rule=rule)]
+        about = "its tasks are forgotten, those of others go on (R9)"
+        tasks = range(len(self._found.tasks))
+        lines += [claim(text.format(index=each), about) for each in tasks for text in _ALIKE_TASK]
+        about = "it is not engaged, others are as they were (R9)"
+        rules = range(len(self._found.plans))
+        lines += [claim(text.format(index=each), about) for each in rules for text in _ALIKE_RULE]
+        return self._check(f"release_{rule}", about, (_DECIDE,), "\n".join(lines))
+
+    def _start(self, rule: int, stage: int) -> Written:
+        about = f"stage {stage + 1} of rule {self._names[rule]} starts"
+        if stage == len(self._found.plans[rule].stages):
+            about = f"nothing follows the last stage of rule {self._names[rule]}"
+        plan = self._found.plans[rule]
+        lines = [_WITHIN, f"    const unsigned rule = {rule};"]
+        lines.append(f"    __CPROVER_assume(r->stage[rule] == {stage} && r->failed_count == 0);")
+        lines.append("    suppose_startable(r, rule);\n    suppose_owned(r);")
+        lines.append(_CALL.format(call="start_stage(&s, rule)"))
+        lines.append(_STARTED)
+        for task in plan.stages[stage] if stage < len(plan.stages) else ():
+            free = f"spec_overruler(r, {task}) < 0"
+            starts = f"({free}) == (told.last[{task}] == START)"
+            lines.append(claim(starts, "what has what it needs starts (R3, R7)"))
+            lines.append(claim(f"r->state[{task}] != IDLE", "nothing is passed over (R3, R7)"))
+        return self._check(f"start_{rule}_{stage}", about, (_DECIDE,), "\n".join(lines))
+
+    def _escalate(self) -> str:
+        return "\n".join(
+            [_WITHIN, "    suppose_listed(r);", _CALL.format(call="escalate(&s)"), _ESCALATED]
+        )
+
+
+_REACTOR = "const reactor *r"
+_BEFORE = "const reactor *r, const reactor *old, const orders *was"
+
+
+def _both(name: str, parameters: str, sentences: Iterable[Sentence]) -> Iterator[str]:
+    """A predicate as what is supposed, and as what has to be shown."""
+    found = list(sentences)
+    unused = "".join(
+        f"    (void){each.split()[-1].lstrip('*')};\n" for each in parameters.split(",")
+    )
+    for word, write in (("suppose", assumptions), ("must_be", assertions)):
+        yield f"static void {word}_{name}({parameters})\n{{\n{unused}{write(found)}\n}}\n"
+
+
+_WITHIN = """\
+    reactor s = any();
+    const reactor *const r = &s;
+    told = any_orders();
+    suppose_within(r);"""
+
+_CALL = """\
+    const reactor old = s;
+    const orders was = told;
+    {call};
+    must_be_within(r);
+    must_be_kept(r, &old, &was);
+    __CPROVER_assert(r->failed_count == 0, "everything follows from failures (R6)");
+    __CPROVER_assert(r->now_ns == old.now_ns && r->opened == old.opened, "no time passes");"""
+
+_STARTED = """\
+    must_be_owned(r);
+    must_be_stage_started(r, &old, &was, rule);"""
+
+_ESCALATED = """\
+    must_be_escalated(r, &old, &was);"""
+
+_PASS_ON = f"""\
+{_WITHIN}
+    suppose_untold(r);
+    __CPROVER_assume(r->failed_count == 0);
+{_CALL.format(call="pass_resources_on(&s)")}
+    must_be_owned(r);
+    must_be_passed_on(r, &old, &was);"""
+
+_SETTLE = f"""\
+{_WITHIN}
+    suppose_listed(r);
+    suppose_owned(r);
+    before = s;"""
+
+_REACT = """\
+    reactor s = any();
+    const reactor *const r = &s;
+    const int64_t t_ns = nondet_instant();
+    suppose_fit(r);
+    begin_call(r);
+    before = s;
+    {name}_react(&s, NULL, nondet_bool() ? exempted : NULL, t_ns);
+    __CPROVER_assert(t_ns <= EARLIEST || t_ns >= LATEST,
+        "only what is out of range is refused (R1)");
+    must_fit(r);"""
+
+_REACTS = """\
+    reactor s = any();
+    told = any_orders();
+    before = s;
+    looked_at = {rule};
+    is_awaited = true;
+    {name}_react(&s, NULL, nondet_bool() ? exempted : NULL, nondet_instant());"""
+
+_REPORT = """\
+    reactor s = any();
+    const reactor *const r = &s;
+    const int64_t t_ns = nondet_instant();
+    const int task = nondet_integer();
+    suppose_fit(r);
+    begin_call(r);
+    {name}_report(&s, NULL, t_ns, task, nondet_bool());
+    __CPROVER_assert(task < 0 || task >= TASKS || t_ns <= EARLIEST || t_ns >= LATEST,
+        "only what does not exist or is out of range is refused");
+    must_fit(r);"""
+
+_RELEASABLE = """\
+    suppose_untold(r);
+    suppose_releasable(r, {rule});"""
+
+_RELEASED = """\
+    const orders was = told;
+    reactor expected = s;
+    spec_release(&expected, {rule});
+    const orders wanted = told;
+    told = was;
+    release(&s, {rule});
+    must_be_within(r);"""
+
+_ALIKE_TASK = (
+    "r->state[{index}] == expected.state[{index}]",
+    "r->since_ns[{index}] == expected.since_ns[{index}]",
+    "told.count[{index}] == wanted.count[{index}]",
+    "told.last[{index}] == wanted.last[{index}]",
+)
+
+_ALIKE_RULE = (
+    "r->engaged[{index}] == expected.engaged[{index}]",
+    "r->started_count[{index}] == expected.started_count[{index}]",
+    "r->stage[{index}] == expected.stage[{index}]",
+)
+
+_DECIDED = """\
+    reactor s = any();
+    const reactor *const r = &s;
+    told = any_orders();
+    const unsigned task = nondet_number(), order = nondet_number(), other = nondet_number();
+    const int by_rule = nondet_integer();
+    __CPROVER_assume(task < TASKS && order <= GIVEN_UP && by_rule >= -1 && by_rule < RULES);
+    __CPROVER_assume({few} && told.count[task] < 2);
+    __CPROVER_assume(r->decided == {counted} && other < r->decided);
+    const reactor old = s;
+    decide(&s, task, order, by_rule);
+    __CPROVER_assert(r->decided == old.decided + 1, "it is one more");
+    const {name}_decision *made = &r->decisions[old.decided];
+    __CPROVER_assert(made->task == task && made->order == order && made->by_rule == by_rule,
+        "it is kept as it was decided on");
+    __CPROVER_assert(r->decisions[other].task == old.decisions[other].task
+        && r->decisions[other].order == old.decisions[other].order
+        && r->decisions[other].by_rule == old.decisions[other].by_rule,
+        "those before are kept");"""
+
+_GIVE = """\
+    performing = any();
+    reactor *const r = &performing;
+    r->perform = perform_next;
+    __CPROVER_assume(r->decided <= 2 * TASKS);
+    const unsigned decided = r->decided;
+    performed = 0;
+    give_orders(r);
+    __CPROVER_assert(performed == decided, "each is given");
+    __CPROVER_assert(r->decided == 0, "none is left");"""

@@ -1,0 +1,298 @@
+"""What stands for the parts of a call of a reactor, as C text."""
+
+from __future__ import annotations
+
+OVERRULER = """\
+/* R2: the rule that has what a task needs, -1 if that is its own, or none. */
+static int spec_overruler(const reactor *r, unsigned task)
+{{
+    (void)r;
+    (void)task;
+{cases}    return -1;
+}}
+"""
+
+TOLD = """\
+enum {{
+    START = {name}_START,
+    STOP = {name}_STOP,
+    OVERRULED = {name}_OVERRULED,
+    GIVEN_UP = {name}_FAILED,
+    NO_ORDER = 99
+}};
+
+/* What a call has decided on so far, and what was in force when it began. */
+typedef struct {{
+    unsigned char count[TASKS];
+    int last[TASKS];
+    bool was_in_force[TASKS];
+    bool was_holding[TASKS];
+}} orders;
+orders nondet_orders(void);
+
+static orders told;
+
+static orders any_orders(void)
+{{
+    orders found = nondet_orders();
+    for (unsigned i = 0; i != TASKS; i++) {{
+        found.was_in_force[i] = nondet_bool();
+        found.was_holding[i] = nondet_bool();
+    }}
+    return found;
+}}
+
+/* A call begins: nothing has been decided on. */
+static void begin_call(const reactor *r)
+{{
+    for (unsigned i = 0; i != TASKS; i++) {{
+        told.count[i] = 0;
+        told.last[i] = NO_ORDER;
+        told.was_holding[i] = r->state[i] == HOLDING;
+        told.was_in_force[i] = told.was_holding[i] || r->state[i] == RUNNING;
+    }}
+}}
+
+/* For `decide`. */
+void note_decided(reactor *r, unsigned task, unsigned order, int32_t by_rule)
+{{
+    __CPROVER_assert(task < TASKS, "orders are about tasks");
+    __CPROVER_assert(told.count[task] < 2, "no task gets more than two orders");
+    if (order == OVERRULED) {{
+        __CPROVER_assert(by_rule >= 0 && by_rule == spec_overruler(r, task),
+            "the rule that overrules has what is needed (R7, R8)");
+    }} else {{
+        __CPROVER_assert(by_rule == -1, "nobody overrules");
+    }}
+    if (order == START)
+        __CPROVER_assert(spec_overruler(r, task) < 0, "what starts has what it needs (R7)");
+    if (order == STOP) {{
+        __CPROVER_assert(r->state[task] == RUNNING || r->state[task] == HOLDING,
+            "only what is in force is stopped (R9)");
+    }}
+    if (order == GIVEN_UP)
+        __CPROVER_assert(r->state[task] == FAILED, "what is given up has failed (R6)");
+    told.count[task]++;
+    told.last[task] = (int)order;
+}}
+"""
+
+CONTRACTS = """\
+/* Any memory and any orders, but for what a part of a call leaves alone. */
+static void anything(reactor *r)
+{{
+    const reactor old = *r;
+    const orders was = told;
+    *r = any_reactor();
+    r->now_ns = old.now_ns;
+    r->opened = old.opened;
+    told = any_orders();
+    for (unsigned i = 0; i != TASKS; i++) {{
+        told.was_in_force[i] = was.was_in_force[i];
+        told.was_holding[i] = was.was_holding[i];
+    }}
+}}
+
+bool contract_set_clock(reactor *r, int64_t t_ns)
+{{
+    const reactor old = *r;
+    if (t_ns <= EARLIEST || t_ns >= LATEST)
+        return false;
+    for (unsigned i = 0; i != TASKS; i++) {{
+        const int64_t since_ns = nondet_instant();
+        __CPROVER_assume((since_ns == NEVER) == (old.since_ns[i] == NEVER));
+        __CPROVER_assume(t_ns < old.now_ns || since_ns == old.since_ns[i]);
+        r->since_ns[i] = since_ns;
+    }}
+    r->now_ns = t_ns;
+    suppose_clock(r);
+    return true;
+}}
+
+/* What releases begin with; each leaves it as it is. */
+bool set_clock_within(reactor *r, int64_t t_ns)
+{{
+    const bool is_set = contract_set_clock(r, t_ns);
+    if (is_set)
+        must_be_within(r);
+    return is_set;
+}}
+
+static void stop(reactor *r, unsigned task)
+{{
+    told.count[task] = 1;
+    told.last[task] = STOP;
+    r->since_ns[task] = r->now_ns;
+}}
+
+/* R9, task by task. */
+static void spec_release(reactor *r, unsigned rule)
+{{
+{releases}
+    r->started_count[rule] = 0;
+    r->engaged[rule] = false;
+}}
+
+void contract_release(reactor *r, unsigned rule)
+{{
+    must_be_untold(r);
+    must_be_releasable(r, rule);
+    spec_release(r, rule);
+}}
+
+void contract_escalate(reactor *r)
+{{
+    const reactor old = *r;
+    const orders was = told;
+    must_be_within(r);
+    must_be_listed(r);
+    anything(r);
+    suppose_within(r);
+    suppose_kept(r, &old, &was);
+    suppose_escalated(r, &old, &was);
+    __CPROVER_assume(r->failed_count == 0);
+}}
+
+/* Any memory that a call can have before the stages of rules start. */
+static void anything_started(reactor *r)
+{{
+    const reactor old = *r;
+    const orders was = told;
+    anything(r);
+    suppose_within(r);
+    suppose_owned(r);
+    suppose_in_time(r);
+    suppose_kept(r, &old, &was);
+    __CPROVER_assume(r->failed_count == 0);
+}}
+
+static void must_be_ready(const reactor *r, unsigned rule)
+{{
+    must_be_within(r);
+    must_be_owned(r);
+    must_be_startable(r, rule);
+    __CPROVER_assert(r->failed_count == 0, "nothing has failed yet");
+}}
+
+/* The reactor when the call, or a part of it, began; and the rule that a check is about. */
+static reactor before;
+static unsigned looked_at;
+static bool is_awaited; /* whether that rule has to start */
+
+static bool is_fresh(const reactor *r, unsigned rule)
+{{
+    return r->engaged[rule] && !before.engaged[rule];
+}}
+
+/* --- of `react` --- */
+
+void end_at_pass_on(reactor *r)
+{{
+    must_be_within(r);
+    must_be_untold(r);
+    __CPROVER_assert(r->failed_count == 0, "nothing has failed yet");
+    for (unsigned rule = 0; rule != RULES; rule++) {{
+        if (is_fresh(r, rule)) {{
+            __CPROVER_assert(r->stage[rule] == 0, "a rule begins with its first stage (R3)");
+            must_be_unbegun(r, rule);
+        }}
+    }}
+    __CPROVER_assume(false);
+}}
+
+void any_pass_on(reactor *r)
+{{
+    anything_started(r);
+    if (is_fresh(r, looked_at)) {{
+        __CPROVER_assume(r->stage[looked_at] == 0);
+        suppose_unbegun(r, looked_at);
+    }}
+}}
+
+/* What others start leaves a rule alone. */
+void start_looked_at(reactor *r, unsigned rule)
+{{
+    if (rule != looked_at)
+        return;
+    must_be_ready(r, rule);
+    __CPROVER_assert(is_fresh(r, rule), "what has just been engaged starts (R3)");
+    __CPROVER_assume(false);
+}}
+
+void end_at_settle(reactor *r{monitor})
+{{
+{unused}    must_be_within(r);
+    must_be_listed(r);
+    must_be_owned(r);
+    __CPROVER_assert(!is_awaited || !is_fresh(r, looked_at), "what is engaged has started (R3)");
+    __CPROVER_assume(false);
+}}
+
+/* --- of `settle` --- */
+
+void end_at_escalate(reactor *r)
+{{
+    must_be_within(r);
+    must_be_listed(r);
+    must_be_owned(r);
+    must_be_in_time(r);
+    must_be_ended(r, &before);
+    __CPROVER_assume(false);
+}}
+
+void any_escalate(reactor *r) {{ anything_started(r); }}
+
+bool is_over(const reactor *r, unsigned rule)
+{{
+    return rule == looked_at && spec_is_over(r, rule);
+}}
+
+bool is_over_or_not(const reactor *r, unsigned rule)
+{{
+    return r->stage[rule] < spec_stages[rule] && nondet_bool();
+}}
+
+void start_and_end(reactor *r, unsigned rule)
+{{
+    must_be_ready(r, rule);
+    __CPROVER_assume(false);
+}}
+
+void end_at_give_orders(reactor *r)
+{{
+    must_be_within(r);
+    must_be_owned(r);
+    must_be_in_time(r);
+    __CPROVER_assert(r->failed_count == 0, "everything follows from failures (R6)");
+    __CPROVER_assert(!spec_is_over(r, looked_at), "a stage that is over is left (R5)");
+    __CPROVER_assume(false);
+}}
+
+void ignore_reactor(reactor *r) {{ (void)r; }}
+"""
+
+PERFORM = """\
+static reactor performing;
+static unsigned performed;
+
+static void perform_next(void *user, int task, enum {name}_order order, int by_rule)
+{{
+    (void)user;
+    const {name}_decision *const made = &performing.decisions[performed];
+    __CPROVER_assert(performed < performing.decided, "no more are given than there are");
+    __CPROVER_assert(task == made->task && (unsigned)order == made->order
+        && by_rule == made->by_rule, "it is given as it was decided on");
+    performed++;
+}}
+"""
+
+STAGES = """\
+static const unsigned spec_stages[RULES] = {{{counts}}};
+
+/* R5. */
+static bool spec_is_over(const reactor *r, unsigned rule)
+{{
+{cases}
+    return false;
+}}
+"""

@@ -1,0 +1,207 @@
+"""What holds of the orders of one call of a reactor, as sentences.
+
+Takes the reactions of a machine. `r` is the memory of the reactor; `told` counts the orders that
+the call has decided on so far, and knows what was in force when it began. `old` and `was` are both
+as they were before a part of the call.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+from rossmarie.ir import reactions
+from rossmarie.verification.invariants import Sentence
+from rossmarie.verification.reactor_invariants import ReactorInvariants, in_force
+
+
+class OrderInvariants:
+    """Writes these sentences for one reactor."""
+
+    def __init__(self, found: reactions.Reactions) -> None:
+        self._found = found
+        self._tasks = range(len(found.tasks))
+        self._rules = {task: rule for rule, plan in enumerate(found.plans) for task in plan.tasks}
+        invariants = ReactorInvariants(found)
+        self._can_fail, self._is_listed = invariants.can_fail, invariants.is_listed
+        self._follows = {each for task in found.tasks for each in task.otherwise}
+
+    def rule_of(self, task: int) -> int:
+        """The rule of whose plan a task is a part."""
+        return self._rules[task]
+
+    # --- what holds within a call ------------------------------------------------------------
+
+    def told(self) -> Iterator[Sentence]:
+        """What was decided so far fits where the tasks stand."""
+        for task in self._tasks:
+            yield from self._counted(task)
+            yield from self._silent(task)
+
+    def _counted(self, task: int) -> Iterator[Sentence]:
+        """Limits: no task gets more than two orders, OVERRULED and FAILED."""
+        state, count = f"r->state[{task}]", f"told.count[{task}]"
+        yield Sentence("no task gets more than two orders", f"{count} <= 2")
+        stops = f"{count} <= 1 && (told.last[{task}] == NO_ORDER || told.last[{task}] == STOP)"
+        engaged = f"r->engaged[{self._rules[task]}]"
+        yield Sentence("a task of a rule that is not engaged is told to stop, or nothing",
+                       f"{engaged} || ({stops})")  # fmt: skip
+        yield Sentence("a task that has not begun was told nothing",
+                       f"!{engaged} || {state} != IDLE || {count} == 0")  # fmt: skip
+        yield Sentence("only what fails gets two orders",
+                       f"{state} == FAILED || {count} <= 1")  # fmt: skip
+        fresh = f"(r->since_ns[{task}] == r->now_ns && !r->reported[{task}])"
+        yield Sentence("what is told to start starts now",
+                       f"{state} != RUNNING || {count} == 0 || {fresh}")  # fmt: skip
+        overruled = f"spec_overruler(r, {task}) >= 0"
+        yield Sentence("what is told to wait waits for another rule",
+                       f"{state} != WAITING || {count} == 0 || {overruled}")  # fmt: skip
+        if task in self._can_fail:
+            yield Sentence("what is to be told of its failure was told once at most",
+                           f"!{self._is_listed(task)} || {count} <= 1")  # fmt: skip
+
+    def _silent(self, task: int) -> Iterator[Sentence]:
+        """Nothing comes into force, or goes, without an order."""
+        last = f"told.last[{task}]"
+        yield Sentence("orders are counted", f"({last} == NO_ORDER) == (told.count[{task}] == 0)")
+        kept = f"({last} == NO_ORDER && told.was_in_force[{task}])"
+        yield Sentence("what is in force was told to start",
+                       f"!{in_force(task)} || {last} == START || {kept}")  # fmt: skip
+        fine = [f"!told.was_in_force[{task}]", in_force(task), f"{last} != NO_ORDER"]
+        fine += [f"r->state[{task}] == DONE", self._is_listed(task)]
+        yield Sentence("what is no longer in force was told so, or is done", " || ".join(fine))
+        fine = [f"!told.was_holding[{task}]", f"r->state[{task}] == HOLDING"]
+        fine.append(f"{last} != NO_ORDER")
+        yield Sentence("what holds does not end without an order", " || ".join(fine))
+
+    def listed(self) -> Iterator[Sentence]:
+        """The failures from which nothing has followed yet."""
+        most = len(self._can_fail)
+        yield Sentence("no more tasks fail than can", f"r->failed_count <= {most}")
+        for place in range(most):
+            failed = " || ".join(
+                f"(r->failed[{place}] == {task} && r->state[{task}] == FAILED)"
+                for task in self._can_fail
+            )
+            yield Sentence("what is listed has failed", f"{place} >= r->failed_count || {failed}")
+        for one, other in combinations(range(most), 2):
+            differ = f"r->failed[{one}] != r->failed[{other}]"
+            yield Sentence("no failure counts twice", f"{other} >= r->failed_count || {differ}")
+
+    # --- what parts of a call leave as it was ------------------------------------------------
+
+    def kept(self) -> Iterator[Sentence]:
+        """By each part that follows releases."""
+        for rule in range(len(self._found.plans)):
+            same = f"r->engaged[{rule}] == old->engaged[{rule}]"
+            yield Sentence("which rules are engaged is known",
+                           f"{same} && r->stage[{rule}] == old->stage[{rule}]")  # fmt: skip
+        for task in self._tasks:
+            same = f"old->state[{task}] == RUNNING && {_same(task)}"
+            begins = f"r->since_ns[{task}] == r->now_ns && !r->reported[{task}]"
+            yield Sentence("what runs has run before, or begins now",
+                           f"r->state[{task}] != RUNNING || ({same}) || ({begins})")  # fmt: skip
+
+    def escalated(self) -> Iterator[Sentence]:
+        """By what follows from failures: but what follows them, and what is told of them."""
+        for task in self._tasks:
+            may_begin = f"old->state[{task}] == IDLE" if task in self._follows else "false"
+            yield Sentence("what does not follow from failures stays as it is",
+                           f"{may_begin} || ({_same(task)})")  # fmt: skip
+            was_listed = self._is_listed(task).replace("r->", "old->")
+            yield Sentence("what has not failed is told nothing",
+                           f"{may_begin} || {was_listed} || ({_untold(task)})")  # fmt: skip
+            if task in self._follows:
+                free = f"spec_overruler(r, {task}) < 0"
+                fits = (
+                    f"(!{in_force(task)} || {free}) && (r->state[{task}] != WAITING || !({free}))"
+                )
+                yield Sentence("what follows has what it needs, or waits for it (R7)",
+                               f"old->state[{task}] != IDLE || ({fits})")  # fmt: skip
+
+    def passed_on(self) -> Iterator[Sentence]:
+        """When resources change hands: a rule that has not started yet."""
+        for plan in self._found.plans:
+            idle = " && ".join(f"old->state[{task}] == IDLE" for task in plan.tasks)
+            for task in plan.tasks:
+                yield Sentence("what has not begun does not begin so",
+                               f"!({idle}) || r->state[{task}] == IDLE")  # fmt: skip
+
+    def untold(self) -> Iterator[Sentence]:
+        """Before resources change hands."""
+        for task in self._tasks:
+            engaged = f"r->engaged[{self._rules[task]}]"
+            yield Sentence("releases come first (R1)", f"!{engaged} || told.count[{task}] == 0")
+
+    def unbegun(self) -> Iterator[Sentence]:
+        """Before `rule` starts."""
+        for task in self._tasks:
+            yield Sentence("a rule that starts begins anew (R3)",
+                           f"rule != {self._rules[task]} || r->state[{task}] == IDLE")  # fmt: skip
+
+    def stage_started(self) -> Iterator[Sentence]:
+        """When the stage of `rule` starts: all but what begins of it."""
+        for task in self._tasks:
+            begins = f"(rule == {self._rules[task]} && old->state[{task}] == IDLE)"
+            same = f"{_same(task)} && {_untold(task)}"
+            yield Sentence("other tasks stay as they are", f"{begins} || ({same})")
+
+    def startable(self) -> Iterator[Sentence]:
+        """Before the stage of `rule` starts."""
+        for rule, plan in enumerate(self._found.plans):
+            yield Sentence("a stage of an engaged rule starts",
+                           f"rule != {rule} || r->engaged[{rule}]")  # fmt: skip
+            for place, stage in enumerate(plan.stages):
+                for task in stage:
+                    here = f"rule == {rule} && r->stage[{rule}] == {place}"
+                    yield Sentence("a stage starts once",
+                                   f"!({here}) || r->state[{task}] == IDLE")  # fmt: skip
+
+    def releasable(self) -> Iterator[Sentence]:
+        """Before `rule` is released."""
+        yield Sentence("nothing has failed yet", "r->failed_count == 0")
+        for rule, plan in enumerate(self._found.plans):
+            yield Sentence("an engaged rule is released",
+                           f"rule != {rule} || r->engaged[{rule}]")  # fmt: skip
+            for task in plan.tasks:
+                forced = f"told.was_in_force[{task}] == {in_force(task)}"
+                held = f"told.was_holding[{task}] == (r->state[{task}] == HOLDING)"
+                yield Sentence("its tasks are as they were before the call",
+                               f"rule != {rule} || ({forced} && {held})")  # fmt: skip
+
+    # --- what a call has to reach ------------------------------------------------------------
+
+    def ended(self) -> Iterator[Sentence]:
+        """R4: by the end of tasks."""
+        for task, declared in enumerate(self._found.tasks):
+            if timeout := reactions.timeout_ns(declared.effect):
+                yield from self._ended(task, timeout)
+
+    def _ended(self, task: int, timeout: int) -> Iterator[Sentence]:
+        effect = self._found.tasks[task].effect
+        due = f"(old->since_ns[{task}] + INT64_C({timeout}))"
+        succeeds = f"(old->reported[{task}] && old->now_ns <= {due}{_confirmed(effect)})"
+        end = "HOLDING" if reactions.is_lasting(effect) else "DONE"
+        idle, state = f"old->state[{task}] != RUNNING", f"r->state[{task}]"
+        is_over = f"old->now_ns >= {due}"
+        yield Sentence("success in time ends a task (R4)",
+                       f"{idle} || !{succeeds} || {state} == {end}")  # fmt: skip
+        yield Sentence("a task fails when its time is up (R4)",
+                       f"{idle} || {succeeds} || !({is_over}) || {state} == FAILED")  # fmt: skip
+        yield Sentence("until then it runs (R4)",
+                       f"{idle} || {succeeds} || {is_over} || {state} == RUNNING")  # fmt: skip
+
+
+def _same(task: int) -> str:
+    parts = (f"{part}[{task}]" for part in ("state", "since_ns", "reported"))
+    return " && ".join(f"r->{part} == old->{part}" for part in parts)
+
+
+def _untold(task: int) -> str:
+    return f"told.count[{task}] == was->count[{task}] && told.last[{task}] == was->last[{task}]"
+
+
+def _confirmed(effect: reactions.Effect) -> str:
+    if isinstance(effect, reactions.CancelGoal) and effect.confirmation is not None:
+        return f" && watched[{effect.confirmation}] "
+    return ""
