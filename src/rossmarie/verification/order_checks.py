@@ -66,6 +66,7 @@ class OrderChecks:
         within = [*self._invariants.always(), *orders.told()]
         monitor = f", const {self._name}_monitor *m" if self._is_confirmed else ""
         unused = "    (void)m;\n" if self._is_confirmed else ""
+        argument = ", m" if self._is_confirmed else ""
         return "\n".join(
             [
                 TOLD.format(name=self._name),
@@ -85,7 +86,9 @@ class OrderChecks:
                 *_both("in_time", _REACTOR, self._invariants.in_time()),
                 *_both("ended", "const reactor *r, const reactor *old", orders.ended()),
                 self._stages(),
-                CONTRACTS.format(monitor=monitor, unused=unused, releases=self._releases()),
+                CONTRACTS.format(
+                    monitor=monitor, unused=unused, argument=argument, releases=self._releases()
+                ),
             ]
         )
 
@@ -136,7 +139,7 @@ class OrderChecks:
         yield from self._settle()
         yield from self._react()
         about = "what became of a task is told"
-        settle = ("settle", "end_at_settle")
+        settle = ("settle", "end_at_judging")
         yield self._check("report", about, (_CLOCK, settle), _REPORT.format(name=self._name))
 
     def _settle(self) -> Iterator[Written]:
@@ -306,11 +309,13 @@ _REPORT = """\
     reactor s = any();
     const reactor *const r = &s;
     const int64_t t_ns = nondet_instant();
-    const int task = nondet_integer();
+    told_of = nondet_integer();
+    is_success = nondet_bool();
     suppose_fit(r);
     begin_call(r);
-    {name}_report(&s, NULL, t_ns, task, nondet_bool());
-    __CPROVER_assert(task < 0 || task >= TASKS || t_ns <= EARLIEST || t_ns >= LATEST,
+    before = s;
+    {name}_report(&s, NULL, t_ns, told_of, is_success);
+    __CPROVER_assert(told_of < 0 || told_of >= TASKS || t_ns <= EARLIEST || t_ns >= LATEST,
         "only what does not exist or is out of range is refused");
     must_fit(r);"""
 

@@ -228,6 +228,23 @@ void end_at_settle(reactor *r{monitor})
     __CPROVER_assume(false);
 }}
 
+/* --- of `report` --- */
+
+static int told_of;
+static bool is_success;
+
+void end_at_judging(reactor *r{monitor})
+{{
+    for (int i = 0; i != TASKS; i++) {{
+        const bool runs = i == told_of && before.state[i] == RUNNING;
+        const unsigned state = runs && !is_success ? FAILED : before.state[i];
+        __CPROVER_assert(r->state[i] == state, "a reported failure is one, others go on (R6)");
+        __CPROVER_assert(r->reported[i] == (before.reported[i] || (runs && is_success)),
+            "a reported success is kept until ends are judged (R4)");
+    }}
+    end_at_settle(r{argument});
+}}
+
 /* --- of `settle` --- */
 
 void end_at_escalate(reactor *r)
