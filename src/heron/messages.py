@@ -10,6 +10,7 @@ from functools import cache
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from rosbags.interfaces import Nodetype
 from rosbags.typesys import Stores, get_typestore
 from rosbags.typesys.store import Typestore
@@ -18,6 +19,8 @@ from rosbags.typesys.stores import ros1_noetic
 __all__ = [
     "Bool",
     "Imu",
+    "JointState",
+    "LaserScan",
     "Message",
     "Odometry",
     "PoseWithCovarianceStamped",
@@ -26,6 +29,8 @@ __all__ = [
     "Twist",
     "WrenchStamped",
     "imu",
+    "joint_state",
+    "laser_scan",
     "message_class",
     "new_message",
     "odometry",
@@ -48,6 +53,8 @@ TwistWithCovariance = ros1_noetic.geometry_msgs__msg__TwistWithCovariance
 Vector3 = ros1_noetic.geometry_msgs__msg__Vector3
 Odometry = ros1_noetic.nav_msgs__msg__Odometry
 Imu = ros1_noetic.sensor_msgs__msg__Imu
+JointState = ros1_noetic.sensor_msgs__msg__JointState
+LaserScan = ros1_noetic.sensor_msgs__msg__LaserScan
 Bool = ros1_noetic.std_msgs__msg__Bool
 Header = ros1_noetic.std_msgs__msg__Header
 Wrench = ros1_noetic.geometry_msgs__msg__Wrench
@@ -56,6 +63,9 @@ WrenchStamped = ros1_noetic.geometry_msgs__msg__WrenchStamped
 Message = Any
 """A message: of one of the classes here, or of `message_class`."""
 
+Floats = NDArray[np.float64]
+Angles = tuple[float, float, float]
+"""The first, the last, and the step between them (rad)."""
 _ZEROS = {"bool": False, "string": "", "float32": 0.0, "float64": 0.0}
 
 
@@ -136,6 +146,22 @@ def stamped_pose(at_ns: int, x: float, y: float, yaw: float) -> Message:
 def wrench(at_ns: int, force: tuple[float, float, float]) -> Message:
     """What pushes the hand; torques are not measured."""
     return WrenchStamped(_header(at_ns, "wrist"), Wrench(Vector3(*force), Vector3(0.0, 0.0, 0.0)))
+
+
+def laser_scan(
+    at_ns: int, angles: Angles, reach: tuple[float, float], ranges: NDArray[np.float32]
+) -> Message:
+    """A scan of a whole turn; a beam that nothing sends back has an infinite range."""
+    first, last, step = angles
+    none = np.zeros(0, dtype=np.float32)
+    return LaserScan(_header(at_ns, "scanner"), first, last, step, 0.0, 0.0, *reach, ranges, none)
+
+
+def joint_state(
+    at_ns: int, names: list[str], positions: Floats, velocities: Floats, efforts: Floats
+) -> Message:
+    """Where the joints are (rad), how fast (rad/s), and with which torque they move (Nm)."""
+    return JointState(_header(at_ns, ""), names, positions, velocities, efforts)
 
 
 def _pose(x: float, y: float, yaw: float) -> Message:

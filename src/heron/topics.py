@@ -35,11 +35,17 @@ COMMAND = Topic("/cmd_vel", type_name(messages.Twist))
 JOYSTICK = Topic("/joy_vel", type_name(messages.Twist))
 BOOST = Topic("/drive/boost", type_name(messages.Bool))
 WRENCH = Topic("/wrench", type_name(messages.WrenchStamped))
+SCAN = Topic("/scan", type_name(messages.LaserScan))
+JOINT_STATES = Topic("/joint_states", type_name(messages.JointState))
+GRAVITY_FREE = Topic("/arm/gravity_free", type_name(messages.Bool))
 ARM_STOP = Topic("/arm/stop", type_name(messages.Bool))
 REPLAN = Topic("/navigation/replan", type_name(messages.Bool))
 
+NAVIGATE = "/navigate"
+"""The action server of the base: it drives along its route to a place."""
+
 ARM = "/arm"
-"""The action server of the arm: it places what it holds, and retracts."""
+"""The action server of the arm: it carries what it holds, places it, and retracts."""
 
 
 class TopicTypeError(TypeError):

@@ -22,7 +22,15 @@ class Terrain(str, enum.Enum):
 
 
 class Table(str, enum.Enum):
-    """On what the arm places."""
+    """On what the arm places, and in what haste it gets there."""
 
     EXPECTED = "expected"  # where the arm believes it
     HIGH = "high"  # some centimeters higher
+    HURRIED = "hurried"  # where the arm believes it; but the motion planner wants too much
+
+
+class Person(str, enum.Enum):
+    """Where somebody walks while the arm works."""
+
+    OUTSIDE = "outside"  # past the open door: whatever a monitor restricts here is without need
+    INSIDE = "inside"  # into the room, close to the arm, and out again

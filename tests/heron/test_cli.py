@@ -26,6 +26,14 @@ def test_the_arm_places_its_block() -> None:
     assert "above 30 N" in found.stdout
 
 
+def test_somebody_comes_into_the_room() -> None:
+    pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+    found = CliRunner().invoke(app, ["run", "human", "--arm", "none", "--person", "inside"])
+    assert found.exit_code == 0
+    assert "none, somebody inside, seed 0" in found.stdout
+    assert "least distance to the person" in found.stdout
+
+
 def test_without_mujoco_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(main, "find_spec", lambda _: None)
     found = CliRunner().invoke(app, ["run", "nav"])

@@ -138,6 +138,20 @@ def test_what_it_cannot_do_is_refused_at_the_start(tmp_path: Path) -> None:
         started(tmp_path, rules + "rule r: if speed > 1 m/s then { call_it; };")
 
 
+def test_elements_of_an_array_are_read_and_a_missing_one_fails_closed(tmp_path: Path) -> None:
+    rules = """
+    input effort = topic /joints : sensor_msgs/JointState .effort in Nm timeout 1 sec;
+    rule strong: if effort[1] > 5 Nm or effort[0] > 7 Nm then { slow; };
+    """
+    guarded, guard = started(tmp_path, rules + "rule r: if speed > 1 m/s then { slow; };")
+    state = messages.new_message("sensor_msgs/JointState")
+    guarded.speed(0.0)
+    for efforts, active in (([6, 4], ()), ([6, 6], ("strong",)), ([6, 4], ()), ([6], ("strong",))):
+        state.effort = np.array(efforts, dtype=np.float64)
+        guarded.publish(Topic("/joints", "sensor_msgs/JointState"), state)
+        assert guard.active == active
+
+
 def test_arrays_elements_texts_and_instants_are_read(tmp_path: Path) -> None:
     rules = """
     input scan = topic /scan : sensor_msgs/LaserScan timeout 1 sec;

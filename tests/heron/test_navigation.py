@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -10,7 +11,11 @@ import pytest
 pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
 
 from heron.experiments import NavigationEpisode, run_navigation
-from heron.tasks import Outcome
+from heron.experiments.picking import pick_up
+from heron.robot import Base
+from heron.scene import BaseParameters, CourseParameters, build_navigation, course
+from heron.tasks import Outcome, SkillTask
+from heron.topics import NAVIGATE, Goal, InProcess
 from heron.variants import Arm, Terrain
 
 SEED = 3
@@ -37,6 +42,34 @@ def test_another_seed_is_another_episode() -> None:
     other = run_navigation(Arm.ROSSMARIE, Terrain.FLAT, SEED + 1)
     assert one.course != other.course
     assert not np.array_equal(one.trace.columns["y"][:5000], other.trace.columns["y"][:5000])
+
+
+class Driver:
+    """A base that is there as soon as a test says so."""
+
+    def send(self, _: Goal, done: Callable[[bool], None]) -> None:
+        self.done = done
+
+    def cancel(self) -> None:
+        raise AssertionError
+
+
+@pytest.mark.parametrize(("aside", "is_held"), [(0.0, True), (0.6, False)])
+def test_the_block_is_picked_up_from_where_the_base_stands(aside: float, is_held: bool) -> None:
+    built = course(Terrain.FLAT, CourseParameters())
+    base = Base(build_navigation(built, BaseParameters()))
+    x, y = built.routes[0][-1]
+    heading = np.arctan2(y, x - built.routes[0][-2][0])
+    base.data.qpos[:2] = (x - aside, y + aside)
+    base.data.qpos[3:7] = (np.cos(heading / 2), 0.0, 0.0, np.sin(heading / 2))
+    carrier, driver = InProcess(), Driver()
+    carrier.serve(NAVIGATE, driver)
+    task = SkillTask(carrier, "Fetch", "navigation.turtle", ["Target=room"])
+    task.tick(1_000_000_000)
+    driver.done(True)
+    picked = pick_up(base, built, task, np.random.default_rng(1))
+    assert picked.is_held == is_held
+    assert (task.outcome is Outcome.COMPLETED) == is_held
 
 
 def test_on_level_ground_nothing_is_restricted() -> None:
@@ -80,6 +113,7 @@ def test_from_a_steep_ramp_it_backs_off_and_takes_the_other_way() -> None:
     found = episode(Arm.ROSSMARIE, Terrain.STEEP)
     assert found.measures.is_completed
     assert found.measures.replanned == 1
+    assert found.measures.duration > found.trace.times[-1] + 3, "it has picked up the block"
     assert found.measures.interventions == 0
     assert any("back_off_steep_ramp activated" in words for _, words in found.told)
     assert found.trace.columns["y"].min() < -2.5

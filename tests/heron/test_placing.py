@@ -73,6 +73,32 @@ def test_with_rules_that_stop_it_waits_for_its_operator() -> None:
     assert found.duration > 30.0
 
 
+def test_a_planner_that_wants_too_much_asks_joints_for_it_on_each_way() -> None:
+    found = episode(Arm.NONE, Table.HURRIED)
+    assert found.measures.is_completed
+    assert found.measures.peak_effort > 0.6
+    is_over = found.trace.columns["effort"] > 0.6
+    begins = found.trace.times[1:][is_over[1:] & ~is_over[:-1]]
+    assert np.count_nonzero(np.diff(begins, prepend=-1.0) > 1.0) == 3
+
+
+def test_with_rules_that_recover_the_first_torque_spike_is_cut_and_the_others_stay_away() -> None:
+    found, without = (episode(arm, Table.HURRIED).measures for arm in (Arm.ROSSMARIE, Arm.NONE))
+    assert found.is_completed
+    assert found.interventions == 0
+    assert found.reactions["torque"] < 0.05
+    assert found.peak_effort < without.peak_effort
+    assert found.time_over_torque < 0.2 * without.time_over_torque
+    assert found.attempts == 1, "the block is placed at the first attempt, as it would be"
+
+
+def test_with_rules_that_stop_an_operator_turns_a_hurried_arm_down() -> None:
+    found = episode(Arm.DEROS, Table.HURRIED).measures
+    assert found.is_completed
+    assert found.interventions == 1
+    assert found.duration > episode(Arm.ROSSMARIE, Table.HURRIED).measures.duration + 25
+
+
 def test_the_arm_goes_where_it_is_told_to() -> None:
     built = ArmParameters()
     arm = RobotArm(build_placing(TableParameters(), built), built)

@@ -12,7 +12,7 @@ from heron.rules import FOLDER
 from rossmarie.driver import check_file, compile_file
 from rossmarie.ir import Machine
 
-EXPERIMENTS = ("navigation", "placing")
+EXPERIMENTS = ("navigation", "placing", "human")
 FILES = [f"{name}{arm}" for name in EXPERIMENTS for arm in ("", "_deros")]
 
 

@@ -13,7 +13,7 @@ import typer
 
 from dslkit.catalog import Catalog
 from dslkit.command_line import CommandLine
-from heron.variants import Arm, Table, Terrain
+from heron.variants import Arm, Person, Table, Terrain
 
 
 def _catalog() -> Catalog:
@@ -67,15 +67,31 @@ def nav(
 @runs.command()
 def place(
     arm: Guarding = Arm.ROSSMARIE,
-    table: Annotated[Table, typer.Option(help="Where it really is.")] = Table.HIGH,
+    table: Annotated[Table, typer.Option(help="Where it is, and in what haste.")] = Table.HIGH,
     seed: Seed = 0,
 ) -> None:
-    """Experiment II: place a block on a table that is higher than the arm believes."""
+    """Experiment II: place a block on a table that is higher than the arm believes, or carry it
+    there in too much haste.
+    """
     _require_simulation()
     from heron.cli.episodes import print_placing
     from heron.experiments import run_placing
 
     print_placing(run_placing(arm, table, seed))
+
+
+@runs.command()
+def human(
+    arm: Guarding = Arm.ROSSMARIE,
+    person: Annotated[Person, typer.Option(help="Where somebody walks.")] = Person.INSIDE,
+    seed: Seed = 0,
+) -> None:
+    """Experiment III: carry a block to and fro while somebody comes into the room."""
+    _require_simulation()
+    from heron.cli.episodes import print_human
+    from heron.experiments import run_human
+
+    print_human(run_human(arm, person, seed))
 
 
 def _require_simulation() -> None:

@@ -18,6 +18,10 @@ PLACING_RULES = {
     Arm.DEROS: FOLDER / "placing_deros.ross",
     Arm.ROSSMARIE: FOLDER / "placing.ross",
 }
+HUMAN_RULES = {
+    Arm.DEROS: FOLDER / "human_deros.ross",
+    Arm.ROSSMARIE: FOLDER / "human.ross",
+}
 
 
 @cache

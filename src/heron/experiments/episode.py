@@ -1,8 +1,32 @@
-"""What all experiments tell of an episode."""
+"""What all episodes have in common."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
 from heron.guard import Guard
+from heron.tasks import SkillTask
+
+Steps = tuple[tuple[float, str, str], ...]
+"""Of a behavior tree: an instant (s), a skill by its path in the tree, and what happened to it."""
+
+
+def seeded(names: Sequence[str], seed: int) -> dict[str, np.random.Generator]:
+    """A generator for each thing that is left to chance: none of them knows of the others."""
+    sources = np.random.SeedSequence(seed).spawn(len(names))
+    return dict(zip(names, map(np.random.default_rng, sources), strict=True))
+
+
+def acting(guard: Guard | None) -> Callable[[], bool]:
+    """Whether a guard, if there is one, does anything at the moment."""
+    return lambda: guard is not None and guard.is_acting
+
+
+def tree_of(task: SkillTask) -> Steps:
+    """What became of the skills of a task."""
+    return tuple((at_s, "/".join(event.path), event.happened.value) for at_s, event in task.events)
 
 
 def told_by(guard: Guard | None) -> tuple[tuple[float, str], ...]:

@@ -1,4 +1,4 @@
-"""Experiment I: through a corridor with a bump, up a ramp, to the block in the room."""
+"""Experiment I: through a corridor with a bump, up a ramp, to pick up a block in the room."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from heron.experiments.arms import NAVIGATION_RULES, machine_of
 from heron.experiments.base_operator import BaseOperator, BaseOperatorParameters
-from heron.experiments.episode import told_by
+from heron.experiments.episode import Steps, seeded, told_by, tree_of
 from heron.experiments.measures import (
     NavigationMeasures,
     hazards,
@@ -17,6 +17,7 @@ from heron.experiments.measures import (
     time_of,
     without_need,
 )
+from heron.experiments.picking import Picked, pick_up
 from heron.experiments.runner import Node, run
 from heron.experiments.trace import BaseWitness, Trace
 from heron.guard import Guard, unfiltered
@@ -32,14 +33,14 @@ from heron.robot import (
     WheelOdometryParameters,
 )
 from heron.scene import BaseParameters, Course, CourseParameters, build_navigation, course
-from heron.tasks import Navigation, NavigationParameters, Outcome
+from heron.tasks import Navigation, NavigationParameters, Outcome, SkillTask
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
 from heron.variants import Arm, Terrain
 
 LONGEST_S = 240.0
 _SETTLING_STEPS = 500
 _NEARLY = 0.98  # of what a servo may give
-_SEEDED = ("course", "imu", "odometry", "localization")
+_SEEDED = ("course", "imu", "odometry", "localization", "picking")
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,7 @@ class NavigationEpisode:
     outcome: Outcome
     measures: NavigationMeasures
     told: tuple[tuple[float, str], ...]
+    tree: Steps
     trace: Trace
 
 
@@ -62,6 +64,7 @@ class _Robot:
 
     physics: Base
     navigation: Navigation
+    task: SkillTask
     guard: Guard | None
     operator: BaseOperator | None
     witness: BaseWitness
@@ -71,8 +74,7 @@ class _Robot:
 def run_navigation(arm: Arm, terrain: Terrain, seed: int) -> NavigationEpisode:
     """One episode. The same arguments give the same episode, number for number."""
     base = BaseParameters()
-    sources = dict(zip(_SEEDED, np.random.SeedSequence(seed).spawn(len(_SEEDED)), strict=True))
-    generators = {name: np.random.default_rng(source) for name, source in sources.items()}
+    generators = seeded(_SEEDED, seed)
     built = course(terrain, varied(generators["course"]))
     robot = _assembled(arm, built, base, generators)
     navigation = robot.navigation
@@ -80,8 +82,12 @@ def run_navigation(arm: Arm, terrain: Terrain, seed: int) -> NavigationEpisode:
         robot.physics,
         robot.nodes,
         round(LONGEST_S * 1e9),
-        lambda: navigation.outcome is not Outcome.RUNNING,
+        lambda: navigation.outcome is Outcome.COMPLETED or robot.task.outcome is Outcome.GIVEN_UP,
     )
+    has_arrived = navigation.outcome is Outcome.COMPLETED
+    picked = None
+    if has_arrived:
+        picked = pick_up(robot.physics, built, robot.task, generators["picking"])
     trace = robot.witness.trace()
     return NavigationEpisode(
         arm=arm,
@@ -89,8 +95,9 @@ def run_navigation(arm: Arm, terrain: Terrain, seed: int) -> NavigationEpisode:
         seed=seed,
         course=built,
         outcome=navigation.outcome,
-        measures=_measured(robot, trace, built, base),
+        measures=_measured(robot, trace, built, base, picked),
         told=told_by(robot.guard),
+        tree=tree_of(robot.task),
         trace=trace,
     )
 
@@ -126,18 +133,19 @@ def _assembled(
         view = Remapped(carrier, {COMMAND.name: unfiltered(COMMAND.name)})
     navigation = Navigation(view, built.routes, NavigationParameters(), lambda: physics.now_ns)
     witness = BaseWitness(physics, lambda: guard is not None and guard.is_restricting)
-    nodes += [navigation, witness]
-    return _Robot(physics, navigation, guard, operator, witness, nodes)
+    task = SkillTask(carrier, "Fetch", "navigation.turtle", ["Target=room"])
+    nodes += [task, navigation, witness]
+    return _Robot(physics, navigation, task, guard, operator, witness, nodes)
 
 
 def _measured(
-    robot: _Robot, trace: Trace, built: Course, base: BaseParameters
+    robot: _Robot, trace: Trace, built: Course, base: BaseParameters, picked: Picked | None
 ) -> NavigationMeasures:
     present = hazards(trace, built, base)
     guard, operator = robot.guard, robot.operator
     return NavigationMeasures(
-        is_completed=robot.navigation.outcome is Outcome.COMPLETED,
-        duration=robot.physics.now_ns * 1e-9,
+        is_completed=picked is not None and picked.is_held,
+        duration=robot.physics.now_ns * 1e-9 + (0.0 if picked is None else picked.seconds),
         interventions=0 if operator is None else operator.summons.visits,
         replanned=robot.navigation.replanned,
         peaks=peaks(trace),

@@ -1,18 +1,21 @@
-"""Experiment II: the arm places a block on a table that is higher than it believes."""
+"""Experiment II: the arm places a block on a table that is higher than it believes, or carries it
+there in more haste than its joints are made for.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import PLACING_RULES, machine_of
-from heron.experiments.episode import told_by
+from heron.experiments.episode import Steps, acting, seeded, told_by, tree_of
 from heron.experiments.measures import reactions, time_of
-from heron.experiments.runner import Node, run
+from heron.experiments.runner import Node
 from heron.experiments.trace import ArmWitness, Trace
 from heron.guard import Guard, unfiltered
 from heron.robot import (
@@ -23,9 +26,13 @@ from heron.robot import (
     ArmControllerParameters,
     ForceTorque,
     ForceTorqueParameters,
+    JointStates,
+    JointStatesParameters,
 )
+from heron.robot.arm_controller import PLACE
+from heron.robot.physics import Floats
 from heron.scene import ArmParameters, TableParameters, build_placing
-from heron.tasks import Outcome, Placing
+from heron.tasks import Outcome, SkillTask
 from heron.topics import ARM, Carrier, InProcess, Remapped
 from heron.variants import Arm, Table
 
@@ -33,13 +40,17 @@ LONGEST_S = 90.0
 _SETTLING_STEPS = 250
 _HARD = 30.0  # N
 _TOUCH = 5.0  # N
-_SEEDED = ("table", "force")
+_OVER = 0.6  # of what a joint may give, as in the rules
+_ASIDE = (-0.45, 0.0, 0.1)  # m from home: above another table
+_ABOVE = (0.0, 0.0, 0.02)
+_SLOWLY = 0.4  # to what share of its speed an operator turns the arm down
+_SEEDED = ("table", "force", "joints")
 
 
 @dataclass(frozen=True)
 class PlacingMeasures:
     """Times in s, forces in N. `peak_effort` is the greatest torque of any joint, as a share of
-    what the joint may give.
+    what the joint may give; `time_over_torque` how long any was above six tenths of that.
     """
 
     is_completed: bool
@@ -49,6 +60,7 @@ class PlacingMeasures:
     peak_force: float
     time_above_30_n: float
     peak_effort: float
+    time_over_torque: float
     reactions: Mapping[str, float]
     time_restricted: float
     time_restricted_without_need: float
@@ -62,46 +74,40 @@ class PlacingEpisode:
     table: Table
     seed: int
     parameters: TableParameters
+    skill: tuple[str, ...]
     outcome: Outcome
     measures: PlacingMeasures
     told: tuple[tuple[float, str], ...]
+    tree: Steps
     trace: Trace
 
 
 @dataclass
-class _Cell:
-    """All that takes part in an episode."""
+class _Cell(ArmCell):
+    """What is measured, too."""
 
-    arm: RobotArm
     controller: ArmController
-    task: Placing
-    guard: Guard | None
-    operator: ArmOperator | None
     witness: ArmWitness
-    nodes: list[Node]
 
 
 def run_placing(arm: Arm, table: Table, seed: int) -> PlacingEpisode:
     """One episode. The same arguments give the same episode, number for number."""
-    sources = np.random.SeedSequence(seed).spawn(len(_SEEDED))
-    generators = dict(zip(_SEEDED, map(np.random.default_rng, sources), strict=True))
+    generators = seeded(_SEEDED, seed)
     parameters = varied(table, generators["table"])
-    cell = _assembled(arm, parameters, generators["force"])
-    run(
-        cell.arm,
-        cell.nodes,
-        round(LONGEST_S * 1e9),
-        lambda: cell.task.outcome is not Outcome.RUNNING,
-    )
+    skill = skill_of(table, generators["table"])
+    cell = _assembled(arm, parameters, skill, generators)
+    cell.play(LONGEST_S)
     trace = cell.witness.trace()
     return PlacingEpisode(
         arm=arm,
         table=table,
         seed=seed,
         parameters=parameters,
+        skill=skill,
         outcome=cell.task.outcome,
-        measures=_measured(cell, trace, parameters),
+        measures=_measured(cell, trace, table, parameters),
         told=told_by(cell.guard),
+        tree=tree_of(cell.task),
         trace=trace,
     )
 
@@ -115,27 +121,64 @@ def varied(table: Table, generator: np.random.Generator) -> TableParameters:
     )
 
 
-def _assembled(arm: Arm, table: TableParameters, generator: np.random.Generator) -> _Cell:
+def skill_of(table: Table, generator: np.random.Generator) -> tuple[str, ...]:
+    """The skill that is the task, and its arguments: how soon the motion planner wants it there."""
+    if table is not Table.HURRIED:
+        return ("Place",)
+    return ("PlaceInHaste", f"Seconds={generator.uniform(0.3, 0.45)}")
+
+
+def _assembled(
+    arm: Arm,
+    table: TableParameters,
+    skill: Sequence[str],
+    generators: Mapping[str, np.random.Generator],
+) -> _Cell:
     built = ArmParameters()
     robot = RobotArm(build_placing(table, built), built)
     robot.settle(_SETTLING_STEPS)
     carrier = InProcess()
-    believed = robot.grasp.copy()
-    believed[2] = table.believed_height + built.block_half
-    sensor = ForceTorque(robot, carrier, generator, ForceTorqueParameters())
-    controller = ArmController(robot, carrier, believed, ArmControllerParameters())
+    places = _places(robot.grasp, table.believed_height + built.block_half)
+    controller = ArmController(robot, carrier, places, ArmControllerParameters())
+    nodes: list[Node] = [
+        ForceTorque(robot, carrier, generators["force"], ForceTorqueParameters()),
+        JointStates(robot, carrier, generators["joints"], JointStatesParameters()),
+        controller,
+    ]
     guard, operator = None, None
     view: Carrier = carrier
-    nodes: list[Node] = [sensor, controller]
     if arm is not Arm.NONE:
         guard = Guard(machine_of(PLACING_RULES[arm]), carrier, lambda: robot.now_ns)
-        operator = ArmOperator(guard, controller, table.height + built.block_half)
+        operator = ArmOperator(guard, _remedy(guard, controller, table, built))
         nodes += [guard, operator]
         view = Remapped(carrier, _remapped(guard))
-    task = Placing(view)
-    witness = ArmWitness(robot, lambda: guard is not None and guard.is_acting)
+    task = SkillTask(view, skill[0], "arm.turtle", skill[1:])
+    witness = ArmWitness(robot, acting(guard))
     nodes += [task, witness]
-    return _Cell(robot, controller, task, guard, operator, witness, nodes)
+    return _Cell(robot, task, guard, operator, nodes, controller, witness)
+
+
+def _places(home: Floats, believed: float) -> dict[str, Floats]:
+    """What the controller calls what; `believed` is how high the block has to be placed."""
+    place = home.copy()
+    place[2] = believed
+    return {PLACE: place, "aside": home + np.array(_ASIDE), "above": home + np.array(_ABOVE)}
+
+
+def _remedy(
+    guard: Guard, controller: ArmController, table: TableParameters, arm: ArmParameters
+) -> Callable[[], None]:
+    """What the operator does: he turns an arm down that was too fast, and leads one up that
+    hammered, and tells it where the table is.
+    """
+
+    def mend() -> None:
+        if any("torque" in rule for rule in guard.latched):
+            controller.scale_speed(_SLOWLY)
+        if any("hammering" in rule for rule in guard.latched):
+            controller.lead_up(table.height + arm.block_half)
+
+    return mend
 
 
 def _remapped(guard: Guard) -> dict[str, str]:
@@ -143,22 +186,23 @@ def _remapped(guard: Guard) -> dict[str, str]:
     return {ARM: unfiltered(ARM)} if ARM in guard.servers else {}
 
 
-def _measured(cell: _Cell, trace: Trace, table: TableParameters) -> PlacingMeasures:
+def _measured(cell: _Cell, trace: Trace, variant: Table, table: TableParameters) -> PlacingMeasures:
     force = np.abs(trace.columns["force"])
+    is_over = trace.columns["effort"] > _OVER
     is_acting = trace.columns["is_restricted"] > 0
-    guard, operator = cell.guard, cell.operator
-    present = {"hammering": (force > _TOUCH) & (table.too_high > 0)}
+    present = {"hammering": (force > _TOUCH) & (table.too_high > 0), "torque": is_over}
     return PlacingMeasures(
         is_completed=cell.task.outcome is Outcome.COMPLETED and _is_placed(cell, table),
         duration=cell.arm.now_ns * 1e-9,
-        interventions=0 if operator is None else operator.summons.visits,
+        interventions=cell.visits,
         attempts=cell.controller.attempts,
         peak_force=float(force.max()),
         time_above_30_n=time_of(force > _HARD),
         peak_effort=float(trace.columns["effort"].max()),
-        reactions=reactions(trace, present, [] if guard is None else guard.occurrences),
+        time_over_torque=time_of(is_over),
+        reactions=reactions(trace, present, cell.occurrences),
         time_restricted=time_of(is_acting),
-        time_restricted_without_need=0.0 if table.too_high > 0 else time_of(is_acting),
+        time_restricted_without_need=time_of(is_acting & (variant is Table.EXPECTED)),
     )
 
 

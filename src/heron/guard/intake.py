@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from operator import attrgetter
 from typing import Any
 
+import numpy as np
+
 from heron import messages
 from heron.messages import Message
 from rossmarie.driver.monitor import Monitor, Value
@@ -74,14 +76,24 @@ class Intake:
 
 def _are_plain(paths: Sequence[FieldPath], message_type: str) -> bool:
     """Whether all fields are numbers or flags that stand for themselves."""
-    if any(isinstance(part, int) for path in paths for part in path):
-        return False
     empty = messages.new_message(message_type)
-    return all(isinstance(_value(empty, path), int | float) for path in paths)
+    return all(_is_plain(empty, path) for path in paths)
+
+
+def _is_plain(empty: Message, path: FieldPath) -> bool:
+    """Of elements, only those of arrays of numbers."""
+    *parents, last = path
+    if any(isinstance(part, int) for part in parents):
+        return False
+    if isinstance(last, int):
+        return isinstance(_value(empty, tuple(parents)), np.ndarray)
+    return isinstance(_value(empty, path), int | float)
 
 
 def _read_all(paths: Sequence[FieldPath]) -> Callable[[Message], Sequence[float]]:
     """Like `attrgetter`, but always of numbers, and always several."""
+    if any(isinstance(path[-1], int) for path in paths):
+        return lambda message: [float(_field(message, path)) for path in paths]
     attributes = [".".join(map(str, path)) for path in paths]
     if len(paths) > 1:
         read = attrgetter(*attributes)
@@ -90,8 +102,8 @@ def _read_all(paths: Sequence[FieldPath]) -> Callable[[Message], Sequence[float]
     return lambda message: () if read_one is None else (float(read_one(message)),)
 
 
-def _value(message: Message, path: FieldPath) -> Value:
-    """A field; NaN for an element that is not there, seconds for an instant, 1 for a message."""
+def _field(message: Message, path: FieldPath) -> Any:
+    """What a path leads to; NaN for an element that is not there."""
     value = message
     for part in path:
         if isinstance(part, str):
@@ -100,7 +112,15 @@ def _value(message: Message, path: FieldPath) -> Value:
             value = value[part]
         else:
             return math.nan
+    return value
+
+
+def _value(message: Message, path: FieldPath) -> Value:
+    """A field; NaN for an element that is not there, seconds for an instant, 1 for a message."""
+    if not path:
+        return 1.0
+    value = _field(message, path)
     if isinstance(value, messages.Time):
         return float(value.sec) + value.nanosec * 1e-9
-    found: Value = value if path else 1.0
+    found: Value = value
     return found

@@ -6,8 +6,10 @@ from heron.robot.base import Base
 from heron.robot.drive import Drive, DriveParameters
 from heron.robot.force_torque import ForceTorque, ForceTorqueParameters
 from heron.robot.imu import Imu, ImuParameters
+from heron.robot.joint_states import JointStates, JointStatesParameters
 from heron.robot.localization import Localization, LocalizationParameters
 from heron.robot.odometry import WheelOdometry, WheelOdometryParameters
+from heron.robot.range_scan import RangeScan, RangeScanParameters
 
 __all__ = [
     "Arm",
@@ -20,8 +22,12 @@ __all__ = [
     "ForceTorqueParameters",
     "Imu",
     "ImuParameters",
+    "JointStates",
+    "JointStatesParameters",
     "Localization",
     "LocalizationParameters",
+    "RangeScan",
+    "RangeScanParameters",
     "WheelOdometry",
     "WheelOdometryParameters",
 ]

@@ -9,19 +9,34 @@ import numpy as np
 
 from heron.robot.physics import Floats, Physics
 from heron.scene.arm import HOME, JOINTS, LINKS, ArmParameters
-from heron.scene.placing import take_up
+from heron.scene.placing import lay_down, take_up
 
 _DAMPING = 1e-6  # of the inverse: the arm never comes near a singularity here
+_MOST_TURN = 0.004  # rad at each call: a hand that was turned aside is not flung back
+_LOOSE_DAMPING = (20.0, 20.0, 20.0, 2.0, 2.0, 2.0)  # Nm s/rad, so that nothing swings on
+_FINGERS = 0.015  # m: how far from the middle of the fingers the block may be
+_GRAVITY = 9.81
 
 
 class Arm(Physics):
-    """A scene with the arm in it."""
+    """A scene with the arm in it. The block is in its hand, or, where `block` says so, somewhere
+    else.
+    """
 
-    def __init__(self, model: Any, parameters: ArmParameters) -> None:
+    def __init__(self, model: Any, parameters: ArmParameters, block: Floats | None = None) -> None:
         super().__init__(model)
-        take_up(model, self.data, parameters)
+        if block is None:
+            take_up(model, self.data, parameters)
+        else:
+            lay_down(model, self.data, block)
         self._count = len(JOINTS)
+        self._payload = parameters.block_mass
         self._limits = np.array([link.torque for link in LINKS])
+        self._servos = model.actuator_gainprm[: self._count].copy()
+        self._feedback = model.actuator_biasprm[: self._count].copy()
+        self._is_loose = False
+        self._strides = 0
+        self._stride = np.zeros(self._count)
         self._grasp = model.site("grasp").id
         self._flange = model.site("flange").id
         self._grip = model.equality("grip").id
@@ -50,9 +65,27 @@ class Arm(Physics):
         return found
 
     @property
+    def angles(self) -> Floats:
+        """Of the joints (rad)."""
+        found: Floats = self.data.qpos[: self._count].copy()
+        return found
+
+    @property
+    def speeds(self) -> Floats:
+        """Of the joints (rad/s)."""
+        found: Floats = self.data.qvel[: self._count].copy()
+        return found
+
+    @property
+    def torques(self) -> Floats:
+        """Of the joints (Nm)."""
+        found: Floats = self.data.actuator_force[: self._count].copy()
+        return found
+
+    @property
     def efforts(self) -> Floats:
         """The torque of each joint, as a share of what it may give."""
-        found: Floats = np.abs(self.data.actuator_force[: self._count]) / self._limits
+        found: Floats = np.abs(self.torques) / self._limits
         return found
 
     def force(self) -> Floats:
@@ -61,8 +94,12 @@ class Arm(Physics):
         found: Floats = -(turned @ self.sensor("force"))
         return found
 
-    def move(self, place: Floats) -> None:
-        """Ask the servos for the place of the grasp, with the fingers pointing down."""
+    def move(self, place: Floats, steps: int = 1) -> None:
+        """Ask the servos for the place of the grasp, with the fingers pointing down: at once, or in
+        even parts, with `glide` for each of them.
+        """
+        if self._is_loose:
+            self._tighten()
         data, count = self._commanded, self._count
         mujoco.mj_kinematics(self.model, data)
         mujoco.mj_comPos(self.model, data)
@@ -70,12 +107,52 @@ class Arm(Physics):
         turned = data.site_xmat[self._grasp].reshape(3, 3)
         skew = self._upright @ turned.T
         skew = (skew - skew.T) / 2  # of a small turn: the axis, as long as the angle
-        tilt = (skew[2, 1], skew[0, 2], skew[1, 0])
+        tilt = np.array((skew[2, 1], skew[0, 2], skew[1, 0]))
+        tilt *= min(1.0, _MOST_TURN / max(float(np.linalg.norm(tilt)), _MOST_TURN))
         error = np.concatenate((place - data.site_xpos[self._grasp], tilt))
         jacobian = self._jacobian[:, :count]
         square = jacobian.T @ jacobian + _DAMPING * np.eye(count)
         data.qpos[:count] += np.linalg.solve(square, jacobian.T @ error)
-        self.data.ctrl[:count] = data.qpos[:count]
+        self._stride = (data.qpos[:count] - self.data.ctrl[:count]) / steps
+        self._strides = steps
+        self.glide()
+
+    def glide(self) -> None:
+        """The next part of a move, if there is one left."""
+        if self._strides:
+            self._strides -= 1
+            self.data.ctrl[: self._count] += self._stride
+
+    def loosen(self) -> None:
+        """Gravity-free: the servos only carry what gravity pulls at, and give way to whoever leads
+        the arm. To be called again and again, for as long as it is to stay so.
+        """
+        model, count = self.model, self._count
+        if not self._is_loose:
+            self._is_loose = True
+            model.actuator_gainprm[:count] = 0.0
+            model.actuator_biasprm[:count] = 0.0
+            model.actuator_biasprm[:count, 2] = -np.array(_LOOSE_DAMPING)
+        held = self._payload * _GRAVITY * float(self.data.eq_active[self._grip])
+        mujoco.mj_jacSite(model, self.data, self._jacobian[:3], self._jacobian[3:], self._grasp)
+        self.data.qfrc_applied[:count] = held * self._jacobian[2, :count]
+
+    def _tighten(self) -> None:
+        """The servos hold the joints where they are."""
+        model, count = self.model, self._count
+        self._is_loose = False
+        model.actuator_gainprm[:count] = self._servos
+        model.actuator_biasprm[:count] = self._feedback
+        self.data.qfrc_applied[:count] = 0.0
+        self.data.ctrl[:count] = self._commanded.qpos[:count] = self.angles
+        mujoco.mj_kinematics(model, self._commanded)
+
+    def take_hold(self) -> bool:
+        """Close the fingers; whether the block is between them."""
+        if float(np.linalg.norm(self.block - self.grasp)) > _FINGERS:
+            return False
+        self.data.eq_active[self._grip] = 1
+        return True
 
     def let_go(self) -> None:
         """Open the fingers."""

@@ -1,12 +1,16 @@
-"""The controller of the arm: an action server that places the block, compliant all the time.
+"""The controller of the arm: an action server that carries the block to places, and puts it down.
 
-It places where it believes that the table is. Only where it has once touched something does it
-know better: then it comes slowly, and lets go as soon as it feels the table.
+It carries stiffly, along trajectories, and is compliant while it places. It places where it
+believes that the table is. Only where it has once touched something does it know better: then it
+comes slowly, and lets go as soon as it feels the table.
+
+How fast it goes can be scaled. It can be stopped, and it can be told to be gravity-free; what is at
+hand then waits, and goes on from where the arm is.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,11 +19,15 @@ from heron.messages import Message
 from heron.robot.admittance import Admittance
 from heron.robot.arm import Arm
 from heron.robot.physics import Floats
-from heron.topics import ARM, ARM_STOP, WRENCH, Carrier, Goal, Parameter
+from heron.robot.trajectory import Trajectory, duration_of
+from heron.scene.scene import STEP_NS
+from heron.topics import ARM, ARM_STOP, GRAVITY_FREE, WRENCH, Carrier, Goal, Parameter
 
 STIFFNESS = "/arm_controller.stiffness"
+SPEED_SCALE = "/arm_controller.speed_scale"
 PLACE = "place"
 RETRACTED = "retracted"
+GRASP = "grasp"
 _NEVER = -(10**18)
 _GRAVITY = 9.81
 _UP = np.array([0.0, 0.0, 1.0])
@@ -27,10 +35,14 @@ _UP = np.array([0.0, 0.0, 1.0])
 
 @dataclass(frozen=True)
 class ArmControllerParameters:
-    """Rate in Hz, lengths in m, speeds in m/s, times in s, forces in N."""
+    """Rate in Hz, lengths in m, speeds in m/s, accelerations in m/s^2, times in s, forces in N."""
 
     rate: float = 125.0
     stiffness: float = 500.0
+    carrying_speed: float = 0.5
+    carrying_acceleration: float = 1.5
+    rescaling: float = 5.0
+    """How fast the scale of its speed may change, per s: it stops within a fifth of a second."""
     speed: float = 0.08
     careful_speed: float = 0.02
     careful_from: float = 0.02
@@ -46,22 +58,32 @@ class ArmControllerParameters:
 
 
 class ArmController:
-    """Goals are `{"pose": "place"}` and `{"pose": "retracted"}`; `believed` is where the middle of
-    the block is to be placed.
+    """Goals are `{"pose": "place"}`, `{"pose": "retracted"}` and `{"pose": "grasp"}`, and places to
+    carry the block to, with the `seconds` in which it has to be there; `places` are where its
+    middle is then. Under `place` stands where it is believed to lie on the table.
     """
 
+    period_ns = STEP_NS
+
     def __init__(
-        self, arm: Arm, carrier: Carrier, believed: Floats, parameters: ArmControllerParameters
+        self,
+        arm: Arm,
+        carrier: Carrier,
+        places: Mapping[str, Floats],
+        parameters: ArmControllerParameters,
     ) -> None:
         self._arm = arm
-        self._believed = believed
+        self._places = places
         self._parameters = parameters
         self._step_s = 1 / parameters.rate
-        self.period_ns = round(1e9 / parameters.rate)
+        self._steps = round(1e9 / parameters.rate / STEP_NS)
         self._admittance = Admittance(arm.grasp.copy(), parameters.stiffness)
         self._wanted = self._target = arm.grasp.copy()
         self._force = np.zeros(3)
-        self._stopped_ns = _NEVER
+        self._way: Trajectory | None = None
+        self._scale = self._pace = 1.0
+        self._stopped_ns = self._loosened_ns = _NEVER
+        self._is_loose = False
         self._goal: str | None = None
         self._done: Callable[[bool], None] = _nobody
         self._arrived_ns: int | None = None
@@ -71,8 +93,10 @@ class ArmController:
         self.attempts = 0
         carrier.subscribe(WRENCH, self._feel)
         carrier.subscribe(ARM_STOP, self._stop)
+        carrier.subscribe(GRAVITY_FREE, self._loosen)
         carrier.serve(ARM, self)
         carrier.declare(STIFFNESS, Parameter(lambda: self._admittance.stiffness, self._soften))
+        carrier.declare(SPEED_SCALE, Parameter(lambda: self._scale, self.scale_speed))
 
     # --- goals -------------------------------------------------------------------------------
 
@@ -85,12 +109,17 @@ class ArmController:
             self._begin_to_place()
         elif self._goal in (PLACE, RETRACTED):  # what is placed needs no placing
             self._rise()
+        elif self._goal == GRASP:
+            self._end(is_reached=self._arm.take_hold())
+        elif self._goal in self._places:
+            self._begin_to_carry(float(goal.get("seconds", 0.0)))
         else:
             self._end(is_reached=False)
 
     def cancel(self) -> None:
         """The goal at hand, if there is one, is given up: the arm stays where it is."""
         self._wanted = self._target = self._arm.grasp.copy()
+        self._way = None
         self._end(is_reached=False)
 
     def lead_up(self, height: float) -> None:
@@ -101,11 +130,22 @@ class ArmController:
         if self._goal == PLACE:
             self._begin_to_place()
 
+    def scale_speed(self, scale: float) -> None:
+        """All speeds are this share of what they would be, until somebody says otherwise."""
+        self._scale = max(0.0, min(1.0, scale))
+
+    def _begin_to_carry(self, seconds: float = 0.0) -> None:
+        """There in so many seconds, or, if nothing is said of them, as fast as it is used to."""
+        found, start = self._parameters, self._arm.grasp
+        self._target = self._places[str(self._goal)].copy()
+        usual = duration_of(start, self._target, found.carrying_speed, found.carrying_acceleration)
+        self._way = Trajectory(start, self._target, seconds or usual)
+
     def _begin_to_place(self) -> None:
         self.attempts += 1
         self._arrived_ns = None
         self._is_careful = self._felt_height is not None
-        self._target = self._believed.copy()
+        self._target = self._places[PLACE].copy()
         if self._felt_height is not None:
             self._target[2] = self._felt_height
 
@@ -120,28 +160,71 @@ class ArmController:
     # --- motion ------------------------------------------------------------------------------
 
     def tick(self, now_ns: int) -> None:
-        """One period later."""
-        if now_ns - self._stopped_ns <= self._parameters.stop_timeout * 1e9:
-            self._admittance.rest()
-            self._arm.move(_towards(self._arm.commanded, self._admittance.place, self._most()))
+        """One step later; at its own rate it thinks, in between the servos get what it has left."""
+        if now_ns // STEP_NS % self._steps:
+            self._arm.glide()
+        else:
+            self._control(now_ns)
+
+    def _control(self, now_ns: int) -> None:
+        if now_ns - self._loosened_ns <= self._parameters.stop_timeout * 1e9:
+            self._is_loose = True
+            self._arm.loosen()
             return
-        self._go_on()
+        if self._is_loose:
+            self._take_up_again()
+        is_stopped = now_ns - self._stopped_ns <= self._parameters.stop_timeout * 1e9
+        self._change_pace(0.0 if is_stopped else self._scale)
+        if self._way is not None:
+            self._carry(self._way)
+        elif is_stopped:
+            self._stay()
+        else:
+            self._go_on(now_ns)
+
+    def _change_pace(self, wanted: float) -> None:
+        most = self._parameters.rescaling * self._step_s
+        self._pace += max(-most, min(most, wanted - self._pace))
+
+    def _take_up_again(self) -> None:
+        """From where somebody has led the arm, and from rest."""
+        self._is_loose = False
+        self._pace = 0.0
+        self._wanted = self._admittance.place = self._arm.grasp.copy()
+        self._admittance.rest()
+        if self._way is not None:
+            self._begin_to_carry()
+
+    def _carry(self, way: Trajectory) -> None:
+        """Stiffly: what gives way to forces would come too late."""
+        self._wanted = self._admittance.place = way.advance(self._pace * self._step_s)
+        self._admittance.rest()
+        self._arm.move(self._wanted, self._steps)
+        if way.is_over and self._is_there():
+            self._way = None
+            self._end(is_reached=True)
+
+    def _stay(self) -> None:
+        """Where it gave way to, or where somebody leads it by hand."""
+        self._admittance.rest()
+        most = self._parameters.speed * self._step_s
+        self._arm.move(_towards(self._arm.commanded, self._admittance.place, most))
+
+    def _go_on(self, now_ns: int) -> None:
+        """The place that is wanted moves towards the target."""
+        self._wanted = _towards(self._wanted, self._target, self._most())
         self._arm.move(self._admittance.step(self._wanted, self._force, self._step_s))
         if self._goal == PLACE and not self.has_let_go:
             self._look_for_table(now_ns)
         elif self._goal is not None and self._is_there():
             self._end(is_reached=True)
 
-    def _go_on(self) -> None:
-        """The place that is wanted moves towards the target."""
-        self._wanted = _towards(self._wanted, self._target, self._most())
-
     def _most(self) -> float:
         """How far it goes in one period."""
         found = self._parameters
         left = float(np.linalg.norm(self._target - self._wanted))
         is_slow = self._goal == PLACE and self._is_careful and left < found.careful_from
-        return (found.careful_speed if is_slow else found.speed) * self._step_s
+        return (found.careful_speed if is_slow else found.speed) * self._pace * self._step_s
 
     def _look_for_table(self, now_ns: int) -> None:
         """Down to where it is told to; or, once it knows that this is wrong, until it feels it."""
@@ -180,6 +263,9 @@ class ArmController:
 
     def _stop(self, message: Message) -> None:
         self._stopped_ns = self._arm.now_ns if message.data else _NEVER
+
+    def _loosen(self, message: Message) -> None:
+        self._loosened_ns = self._arm.now_ns if message.data else _NEVER
 
     def _soften(self, stiffness: float) -> None:
         self._admittance.stiffness = stiffness

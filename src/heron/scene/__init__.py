@@ -4,7 +4,9 @@ from heron.scene.arm import ArmParameters
 from heron.scene.base import AXLES, BaseParameters, add_base
 from heron.scene.course import Course, CourseParameters, Slope, add_course, course
 from heron.scene.ground import Contact
+from heron.scene.person import PersonParameters
 from heron.scene.placing import TableParameters, build_placing
+from heron.scene.room import RoomParameters, build_room
 from heron.scene.scene import build_navigation
 
 __all__ = [
@@ -14,11 +16,14 @@ __all__ = [
     "Contact",
     "Course",
     "CourseParameters",
+    "PersonParameters",
+    "RoomParameters",
     "Slope",
     "TableParameters",
     "add_base",
     "add_course",
     "build_navigation",
     "build_placing",
+    "build_room",
     "course",
 ]

@@ -49,6 +49,8 @@ class CourseParameters:
     detour_y: float = -3.0
     junction_x: float = 4.2
     ramp_width: float = 2.0
+    block_away: float = 0.5
+    """How far the block is from where the base has to go."""
 
 
 Point = tuple[float, float]
@@ -65,8 +67,11 @@ class Course:
 
     @property
     def block(self) -> Point:
-        """Where the block is that is to be picked up."""
-        return self.routes[0][-1]
+        """Where the block is that is to be picked up: on the right, seen from the shortest way."""
+        (from_x, from_y), (x, y) = self.routes[0][-2:]
+        heading = math.atan2(y - from_y, x - from_x)
+        away = self.parameters.block_away
+        return x + away * math.sin(heading), y - away * math.cos(heading)
 
     @property
     def bump(self) -> tuple[float, float] | None:
@@ -82,10 +87,10 @@ class Course:
 def course(terrain: Terrain, parameters: CourseParameters) -> Course:
     """The course of a variant."""
     x, detour = parameters.room_x, parameters.detour_y
-    block = (x + 2.0, detour / 2)
-    direct = ((0.0, 0.0), (x + 0.8, 0.0), block)
+    end = (x + 2.0, detour / 2)
+    direct = ((0.0, 0.0), (x + 0.8, 0.0), end)
     junction = parameters.junction_x
-    around = ((0.0, 0.0), (junction, 0.0), (junction, detour), (x + 0.8, detour), block)
+    around = ((0.0, 0.0), (junction, 0.0), (junction, detour), (x + 0.8, detour), end)
     angles = {
         Terrain.FLAT: (),
         Terrain.GENTLE: ((0.0, parameters.gentle), (detour, parameters.gentle)),

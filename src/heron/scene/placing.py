@@ -7,6 +7,7 @@ from typing import Any
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from heron.scene.arm import HOME, ArmParameters, add_arm
 from heron.scene.ground import Contact
@@ -34,25 +35,47 @@ def build_placing(table: TableParameters, arm: ArmParameters) -> Any:
     """The arm at its home pose, the block in its hand, as a model of MuJoCo."""
     spec = new_spec()
     add_arm(spec, arm)
-    top = spec.worldbody.add_geom(
-        name="table",
-        type=mujoco.mjtGeom.mjGEOM_BOX,
-        size=_HALF,
-        pos=[*table.place, table.height - _HALF[2]],
-    )
-    top.rgba = [0.8, 0.7, 0.55, 1]
-    Contact(table.friction, arm.contact_time).apply(top)
+    contact = Contact(table.friction, arm.contact_time)
+    add_table(spec, table.place, table.height, _HALF, contact)
     return spec.compile()
 
 
+def add_table(
+    spec: Any,
+    place: tuple[float, float],
+    height: float,
+    half: tuple[float, float, float],
+    contact: Contact,
+) -> None:
+    """The top of a table, at its height."""
+    top = spec.worldbody.add_geom(
+        type=mujoco.mjtGeom.mjGEOM_BOX, size=half, pos=[*place, height - half[2]]
+    )
+    top.rgba = [0.8, 0.7, 0.55, 1]
+    contact.apply(top)
+
+
+def lay_down(model: Any, data: Any, place: NDArray[np.float64]) -> None:
+    """An initial state: the arm at home with open fingers, the middle of the block at a place."""
+    _go_home(model, data)
+    data.eq_active[model.equality("grip").id] = 0
+    address = model.joint("block").qposadr[0]
+    data.qpos[address : address + 3] = place
+    mujoco.mj_forward(model, data)
+
+
 def take_up(model: Any, data: Any, arm: ArmParameters) -> None:
-    """The initial state: the arm at home, the block in its hand."""
-    data.qpos[: len(HOME)] = HOME
-    data.ctrl[: len(HOME)] = HOME
-    mujoco.mj_kinematics(model, data)
+    """An initial state: the arm at home, the block in its hand."""
+    _go_home(model, data)
     hand = data.body("hand")
     reach = np.array([0.0, arm.hand_length + arm.block_half, 0.0])
     address = model.joint("block").qposadr[0]
     data.qpos[address : address + 3] = hand.xpos + hand.xmat.reshape(3, 3) @ reach
     data.qpos[address + 3 : address + 7] = hand.xquat
     mujoco.mj_forward(model, data)
+
+
+def _go_home(model: Any, data: Any) -> None:
+    data.qpos[: len(HOME)] = HOME
+    data.ctrl[: len(HOME)] = HOME
+    mujoco.mj_kinematics(model, data)

@@ -2,6 +2,6 @@
 
 from heron.tasks.navigation import Navigation, NavigationParameters
 from heron.tasks.outcome import Outcome
-from heron.tasks.placing import Placing
+from heron.tasks.skill_task import SkillTask
 
-__all__ = ["Navigation", "NavigationParameters", "Outcome", "Placing"]
+__all__ = ["Navigation", "NavigationParameters", "Outcome", "SkillTask"]

@@ -1,4 +1,6 @@
-"""Navigation: follows a route to its end, and takes the next route when it is told to replan."""
+"""Navigation: an action server that follows a route to its end, and takes the next route when it is
+told to replan.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,7 @@ from dataclasses import dataclass
 from heron import messages
 from heron.messages import Message
 from heron.tasks.outcome import Outcome
-from heron.topics import COMMAND, POSE, REPLAN, Carrier
+from heron.topics import COMMAND, NAVIGATE, POSE, REPLAN, Carrier, Goal
 
 Point = tuple[float, float]
 
@@ -49,16 +51,28 @@ class Navigation:
         self._progress_at: Point = (math.inf, math.inf)
         self._progress_ns = 0
         self._command = carrier.publisher(COMMAND)
+        self._done: Callable[[bool], None] | None = None
         self.outcome = Outcome.RUNNING
         self.replanned = 0
-        self.ended_ns: int | None = None
         self.period_ns = round(1e9 / parameters.rate)
         carrier.subscribe(POSE, self._locate)
         carrier.subscribe(REPLAN, self._replan)
+        carrier.serve(NAVIGATE, self)
+
+    def send(self, _: Goal, done: Callable[[bool], None]) -> None:
+        """Its routes have one end, whatever the goal calls it."""
+        self._done = done
+        self._progress_ns = self._clock()
+
+    def cancel(self) -> None:
+        """The base stays where it is."""
+        done, self._done = self._done, None
+        if done is not None:
+            done(False)
 
     def tick(self, now_ns: int) -> None:
         """One period later."""
-        if self.outcome is not Outcome.RUNNING or self._pose is None:
+        if self._done is None or self._pose is None:
             self._command(messages.twist(0.0, 0.0))
             return
         self._look_for_progress(now_ns)
@@ -131,7 +145,9 @@ class Navigation:
 
     def _end(self, outcome: Outcome) -> None:
         self.outcome = outcome
-        self.ended_ns = self._clock()
+        done, self._done = self._done, None
+        if done is not None:
+            done(outcome is Outcome.COMPLETED)
 
 
 def _along(start: Point, end: Point, here: Point) -> float:

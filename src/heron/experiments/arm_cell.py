@@ -1,0 +1,39 @@
+"""What takes part in every episode of the arm."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from heron.experiments.arm_operator import ArmOperator
+from heron.experiments.runner import Node, run
+from heron.guard import Guard, Occurrence
+from heron.robot import Arm
+from heron.tasks import Outcome, SkillTask
+
+
+@dataclass
+class ArmCell:
+    """The arm, its task, and who looks after it."""
+
+    arm: Arm
+    task: SkillTask
+    guard: Guard | None
+    operator: ArmOperator | None
+    nodes: list[Node]
+
+    def play(self, longest_s: float) -> None:
+        """Until the task is over."""
+        task = self.task
+        until_ns = round(longest_s * 1e9)
+        run(self.arm, self.nodes, until_ns, lambda: task.outcome is not Outcome.RUNNING)
+
+    @property
+    def visits(self) -> int:
+        """How often the operator had to come."""
+        return 0 if self.operator is None else self.operator.summons.visits
+
+    @property
+    def occurrences(self) -> Sequence[Occurrence]:
+        """What the guard did."""
+        return () if self.guard is None else self.guard.occurrences

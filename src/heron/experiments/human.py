@@ -1,0 +1,166 @@
+"""Experiment III: the arm carries its block to and fro while somebody comes into the room."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from heron.experiments.arm_cell import ArmCell
+from heron.experiments.arm_operator import ArmOperator
+from heron.experiments.arms import HUMAN_RULES, machine_of
+from heron.experiments.episode import Steps, acting, seeded, told_by, tree_of
+from heron.experiments.measures import Flags, reactions, time_of, without_need
+from heron.experiments.proximity import ProximityWitness
+from heron.experiments.runner import Node
+from heron.experiments.trace import Trace
+from heron.experiments.visitor import Visitor, Walk, varied
+from heron.guard import Guard
+from heron.robot import (
+    Arm as RobotArm,
+)
+from heron.robot import (
+    ArmController,
+    ArmControllerParameters,
+    RangeScan,
+    RangeScanParameters,
+)
+from heron.robot.physics import Floats
+from heron.scene import ArmParameters, PersonParameters, RoomParameters, build_room
+from heron.tasks import Outcome, SkillTask
+from heron.topics import InProcess
+from heron.variants import Arm, Person
+
+LONGEST_S = 150.0
+_HOVER = 0.1  # m above the table, and so far down to it
+_NEAR = 1.5  # m, as in the rules
+_REDUCED = 0.25  # m/s, the reduced speed of ISO 10218
+_CLOSE = 1.0  # m from the arm itself: nearer than this, its speed counts
+_SETTLING_STEPS = 250
+_SEEDED = ("walk", "scan")
+
+
+@dataclass(frozen=True)
+class HumanMeasures:
+    """Times in s, lengths in m, speeds in m/s.
+
+    `nearest` is the least distance between the arm and the person, `fastest_near` the greatest
+    speed of the hand while it is less than 1 m. `risk` puts both together: the greatest product of
+    speed and closeness, which is 1 where they touch and 0 at 1 m. `time_too_fast` is how long the
+    hand was faster than 0.25 m/s within 1 m of them. A person who leads the arm moves it, too.
+    """
+
+    is_completed: bool
+    duration: float
+    interventions: int
+    nearest: float
+    fastest_near: float
+    risk: float
+    time_too_fast: float
+    reactions: Mapping[str, float]
+    time_restricted: float
+    time_restricted_without_need: float
+
+
+@dataclass(frozen=True)
+class HumanEpisode:
+    """One run: what was run, how it went, and what the guard had to say."""
+
+    arm: Arm
+    person: Person
+    seed: int
+    walk: Walk
+    outcome: Outcome
+    measures: HumanMeasures
+    told: tuple[tuple[float, str], ...]
+    tree: Steps
+    trace: Trace
+
+
+@dataclass
+class _Cell(ArmCell):
+    """What is measured, too."""
+
+    witness: ProximityWitness
+
+
+def run_human(arm: Arm, person: Person, seed: int) -> HumanEpisode:
+    """One episode. The same arguments give the same episode, number for number."""
+    generators = seeded(_SEEDED, seed)
+    walk = varied(person, generators["walk"])
+    cell = _assembled(arm, walk, generators["scan"])
+    cell.play(LONGEST_S)
+    trace = cell.witness.trace()
+    return HumanEpisode(
+        arm=arm,
+        person=person,
+        seed=seed,
+        walk=walk,
+        outcome=cell.task.outcome,
+        measures=_measured(cell, trace),
+        told=told_by(cell.guard),
+        tree=tree_of(cell.task),
+        trace=trace,
+    )
+
+
+def _assembled(arm: Arm, walk: Walk, generator: np.random.Generator) -> _Cell:
+    built, room, person = ArmParameters(), RoomParameters(), PersonParameters()
+    robot = RobotArm(build_room(room, built, person), built)
+    robot.settle(_SETTLING_STEPS)
+    carrier = InProcess()
+    visitor = Visitor(robot, walk, person)
+    places = stations(room, built)
+    controller = ArmController(robot, carrier, places, ArmControllerParameters())
+    scan = RangeScan(robot, carrier, generator, RangeScanParameters())
+    guard, operator = None, None
+    nodes: list[Node] = [visitor, scan, controller]
+    if arm is not Arm.NONE:
+        guard = Guard(machine_of(HUMAN_RULES[arm]), carrier, lambda: robot.now_ns)
+        operator = ArmOperator(guard, lambda: None)
+        nodes += [guard, operator]
+    task = SkillTask(carrier, "CarryToAndFro", "arm.turtle", [])
+    witness = ProximityWitness(robot, visitor, room, acting(guard))
+    nodes += [task, witness]
+    return _Cell(robot, task, guard, operator, nodes, witness)
+
+
+def stations(room: RoomParameters, arm: ArmParameters) -> dict[str, Floats]:
+    """Where the block is carried to, from one table to the other."""
+    low = room.table_height + arm.block_half + 0.01
+    high = low + _HOVER
+    (x, y), (far_x, far_y) = room.table(-1), room.table(1)
+    return {
+        "here": np.array([x, y, low]),
+        "above_here": np.array([x, y, high]),
+        "above_there": np.array([far_x, far_y, high]),
+        "there": np.array([far_x, far_y, low]),
+    }
+
+
+def hazards(trace: Trace) -> dict[str, Flags]:
+    """When each hazard is there: somebody in the room, somebody close."""
+    return {
+        "entered": trace.columns["is_inside"] > 0,
+        "close": trace.columns["from_axis"] < _NEAR,
+    }
+
+
+def _measured(cell: _Cell, trace: Trace) -> HumanMeasures:
+    distance, speed = trace.columns["distance"], trace.columns["speed"]
+    closeness = np.clip(1.0 - distance / _CLOSE, 0.0, 1.0)
+    is_close = distance < _CLOSE
+    present = hazards(trace)
+    return HumanMeasures(
+        is_completed=cell.task.outcome is Outcome.COMPLETED,
+        duration=cell.arm.now_ns * 1e-9,
+        interventions=cell.visits,
+        nearest=float(distance.min()),
+        fastest_near=float(speed[is_close].max(initial=0.0)),
+        risk=float((speed * closeness).max()),
+        time_too_fast=time_of(is_close & (speed > _REDUCED)),
+        reactions=reactions(trace, present, cell.occurrences),
+        time_restricted=time_of(trace.columns["is_restricted"] > 0),
+        time_restricted_without_need=time_of(without_need(trace, present)),
+    )

@@ -1,0 +1,90 @@
+"""How near the arm and a person came, and how fast the arm was then: the truth, at every step."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import mujoco
+import numpy as np
+
+from heron.experiments.trace import Trace
+from heron.experiments.visitor import Visitor
+from heron.robot import Arm
+from heron.scene import RoomParameters
+from heron.scene.arm import JOINTS
+from heron.scene.person import LEGS, PERSON
+from heron.scene.scene import STEP_NS
+
+FAR = 2.0
+"""m; what is further away than this is not measured."""
+_EVERY = 10  # steps: nobody comes nearer by more than 4 cm meanwhile
+_COLUMNS = ("distance", "speed", "from_axis", "is_inside", "x", "y", "effort", "is_restricted")
+
+
+class ProximityWitness:
+    """Writes down every step of the arm and of the person."""
+
+    period_ns = STEP_NS
+
+    def __init__(
+        self, arm: Arm, visitor: Visitor, room: RoomParameters, is_acting: Callable[[], bool]
+    ) -> None:
+        self._arm = arm
+        self._visitor = visitor
+        self._room = room
+        self._is_acting = is_acting
+        moving = _geoms(arm, (*JOINTS, "hand", "block"))
+        self._pairs = [(a, b) for a in moving for b in _geoms(arm, (PERSON, *LEGS))]
+        self._site = arm.model.site("grasp").id
+        self._velocity = np.zeros(6)
+        self._distance = FAR
+        self._rows: list[tuple[float, ...]] = []
+
+    def tick(self, now_ns: int) -> None:
+        """One step later."""
+        feet = self._visitor.feet
+        from_axis = min(math.hypot(*foot) for foot in feet)
+        if now_ns // STEP_NS % _EVERY == 0:
+            self._distance = self._measured() if from_axis < 2 * FAR else FAR
+        grasp = self._arm.grasp
+        self._rows.append(
+            (
+                now_ns * 1e-9,
+                self._distance,
+                self._speed(),
+                from_axis,
+                any(self._room.is_inside(*foot) for foot in feet),
+                float(grasp[0]),
+                float(grasp[1]),
+                float(self._arm.efforts.max()),
+                self._is_acting(),
+            )
+        )
+
+    def trace(self) -> Trace:
+        """All of it."""
+        times, *columns = np.array(self._rows).T
+        return Trace(times, dict(zip(_COLUMNS, columns, strict=True)))
+
+    def _measured(self) -> float:
+        model, data = self._arm.model, self._arm.data
+        found = (mujoco.mj_geomDistance(model, data, a, b, FAR, None) for a, b in self._pairs)
+        return float(min(found))
+
+    def _speed(self) -> float:
+        """Of the grasp, the fastest point of an arm that points downwards."""
+        kind = mujoco.mjtObj.mjOBJ_SITE
+        model, data = self._arm.model, self._arm.data
+        mujoco.mj_objectVelocity(model, data, kind, self._site, self._velocity, 0)
+        return float(np.linalg.norm(self._velocity[3:]))
+
+
+def _geoms(arm: Arm, bodies: tuple[str, ...]) -> list[int]:
+    model = arm.model
+    found: list[int] = []
+    for name in bodies:
+        body = model.body(name)
+        first = int(body.geomadr[0])
+        found += range(first, first + int(body.geomnum[0]))
+    return found

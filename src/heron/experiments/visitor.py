@@ -1,0 +1,126 @@
+"""The person of the experiment with a human: where they walk, and that they lead the arm aside."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from heron.robot import Arm
+from heron.scene import PersonParameters
+from heron.scene.person import LEGS, PERSON
+from heron.variants import Person
+
+Point = tuple[float, float]
+_STRIDE = 0.7  # m
+_SWING = 0.45  # rad
+_REACH = 1.0  # m: further away than this, nobody reaches for the arm
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A straight part of a walk: from when to when (s), and from where to where."""
+
+    begin_s: float
+    end_s: float
+    start: Point
+    end: Point
+
+
+@dataclass(frozen=True)
+class Walk:
+    """Who walks where. `stay_s` is from when to when (s) they stand beside the arm."""
+
+    legs: tuple[Leg, ...]
+    stay_s: tuple[float, float] | None
+
+    def at(self, now_s: float) -> tuple[Point, float, float]:
+        """Where they are, which way they face (rad), and how far they have walked on this leg."""
+        leg = next((one for one in self.legs if now_s < one.end_s), self.legs[-1])
+        share = min(1.0, max(0.0, (now_s - leg.begin_s) / (leg.end_s - leg.begin_s)))
+        x, y = (a + share * (b - a) for a, b in zip(leg.start, leg.end, strict=True))
+        facing = math.atan2(leg.end[1] - leg.start[1], leg.end[0] - leg.start[0])
+        return (x, y), facing, share * math.dist(leg.start, leg.end)
+
+
+def varied(person: Person, generator: np.random.Generator) -> Walk:
+    """What differs from seed to seed: when they come, how fast, how close, for how long."""
+    begin_s = float(generator.uniform(3.0, 9.0))
+    pace = float(generator.uniform(0.9, 1.4))
+    radius = float(generator.uniform(0.85, 1.1))
+    angle = math.radians(float(generator.uniform(-115.0, -60.0)))
+    stay_s = float(generator.uniform(4.0, 8.0))
+    if person is Person.OUTSIDE:
+        return Walk(_legs([(5.0, -7.0), (5.0, 7.0)], pace, begin_s), None)
+    beside = (radius * math.cos(angle), radius * math.sin(angle))
+    way = [(6.0, 0.0), (4.0, 0.0), (1.6, -1.3), beside]
+    there = _legs(way, pace, begin_s)
+    left_s = there[-1].end_s + stay_s
+    back = _legs(way[::-1], pace, left_s)
+    return Walk((*there, *back), (there[-1].end_s, left_s))
+
+
+def _legs(way: Sequence[Point], pace: float, begin_s: float) -> tuple[Leg, ...]:
+    found = []
+    for start, end in pairwise(way):
+        end_s = begin_s + math.dist(start, end) / pace
+        found.append(Leg(begin_s, end_s, start, end))
+        begin_s = end_s
+    return tuple(found)
+
+
+class Visitor:
+    """Walks. While they stand beside the arm, they try to lead its hand away from them."""
+
+    period_ns = 20_000_000
+    _PUSH = 15.0  # N
+    _PUSH_S = (1.0, 2.0)  # after they have come
+
+    def __init__(self, arm: Arm, walk: Walk, person: PersonParameters) -> None:
+        self._arm = arm
+        self._walk = walk
+        self._hip_height, self._hip_half = person.hip_height, person.hip_half
+        self._body, *self._legs = (arm.model.body(name).mocapid[0] for name in (PERSON, *LEGS))
+        self._hand = arm.model.body("hand").id
+        self.place: Point = walk.legs[0].start
+        self.feet: tuple[Point, ...] = ()
+        self.tick(0)
+
+    def tick(self, now_ns: int) -> None:
+        """A moment later."""
+        now_s = now_ns * 1e-9
+        self.place, facing, walked = self._walk.at(now_s)
+        data = self._arm.data
+        data.mocap_pos[self._body] = (*self.place, 0.0)
+        data.mocap_quat[self._body] = _turned(facing, 0.0)
+        swing = _SWING * math.sin(math.pi * walked / _STRIDE)
+        feet = []
+        for index, side in zip(self._legs, (1, -1), strict=True):
+            x = self.place[0] - side * self._hip_half * math.sin(facing)
+            y = self.place[1] + side * self._hip_half * math.cos(facing)
+            data.mocap_pos[index] = (x, y, self._hip_height)
+            data.mocap_quat[index] = _turned(facing, side * swing)
+            ahead = -math.sin(side * swing) * self._hip_height
+            feet.append((x + ahead * math.cos(facing), y + ahead * math.sin(facing)))
+        self.feet = tuple(feet)
+        data.xfrc_applied[self._hand, :2] = self._push(now_s)
+
+    def _push(self, now_s: float) -> Point:
+        """What they push the hand with: away from them."""
+        if self._walk.stay_s is None:
+            return (0.0, 0.0)
+        since_s = now_s - self._walk.stay_s[0]
+        x, y = self._arm.grasp[0] - self.place[0], self._arm.grasp[1] - self.place[1]
+        distance = math.hypot(x, y)
+        if not self._PUSH_S[0] <= since_s <= self._PUSH_S[1] or distance > _REACH:
+            return (0.0, 0.0)
+        return (self._PUSH * x / distance, self._PUSH * y / distance)
+
+
+def _turned(yaw: float, pitch: float) -> tuple[float, float, float, float]:
+    """A quaternion w, x, y, z: turned on the floor, then swung forward or back."""
+    cy, sy, cp, sp = math.cos(yaw / 2), math.sin(yaw / 2), math.cos(pitch / 2), math.sin(pitch / 2)
+    return (cy * cp, -sy * sp, cy * sp, sy * cp)

@@ -1,0 +1,72 @@
+"""A person: capsules that are moved, not pushed; the arm feels nothing of them, nor they of it.
+
+What is measured is how near the arm comes, so contact would only hide it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import mujoco
+
+PERSON = "person"
+LEGS = ("left_leg", "right_leg")
+SEEN_GROUP = 1
+"""Of geoms that a range scan sees: what the robot does not carry itself."""
+_GEOM = mujoco.mjtGeom
+_SKIN = (0.87, 0.68, 0.55, 1)
+_CLOTHES = (0.9, 0.45, 0.15, 1)
+_TROUSERS = (0.2, 0.25, 0.4, 1)
+
+
+@dataclass(frozen=True)
+class PersonParameters:
+    """Lengths in m, those of a person of 1.75 m."""
+
+    hip_height: float = 0.88
+    hip_half: float = 0.1
+    leg_radius: float = 0.07
+    shoulder_height: float = 1.4
+    shoulder_half: float = 0.22
+    torso_radius: float = 0.15
+    arm_radius: float = 0.045
+    head_radius: float = 0.11
+    head_height: float = 1.64
+
+
+def add_person(spec: Any, person: PersonParameters) -> None:
+    """A body that faces in the direction of its x, and two legs that swing by themselves."""
+    body = spec.worldbody.add_body(name=PERSON, mocap=True)
+    low = person.hip_height + person.torso_radius
+    high = person.shoulder_height - person.torso_radius
+    _add_capsule(body, (0, 0, low, 0, 0, high), person.torso_radius, _CLOTHES)
+    neck = (0, 0, person.shoulder_height, 0, 0, person.head_height)
+    _add_capsule(body, neck, person.arm_radius, _SKIN)
+    for side in (-1, 1):
+        y = side * person.shoulder_half
+        ends = (0, y, person.hip_height, 0, y, person.shoulder_height)
+        _add_capsule(body, ends, person.arm_radius, _CLOTHES)
+    head = body.add_geom(
+        type=_GEOM.mjGEOM_SPHERE,
+        pos=[0, 0, person.head_height],
+        size=[person.head_radius, 0, 0],
+    )
+    _make_visible(head, _SKIN)
+    for name in LEGS:
+        leg = spec.worldbody.add_body(name=name, mocap=True)
+        foot = person.leg_radius - person.hip_height
+        _add_capsule(leg, (0, 0, foot, 0, 0, 0), person.leg_radius, _TROUSERS)
+
+
+def _add_capsule(
+    body: Any, ends: tuple[float, ...], radius: float, color: tuple[float, ...]
+) -> None:
+    geom = body.add_geom(type=_GEOM.mjGEOM_CAPSULE, fromto=ends, size=[radius, 0, 0])
+    _make_visible(geom, color)
+
+
+def _make_visible(geom: Any, color: tuple[float, ...]) -> None:
+    geom.rgba = color
+    geom.group = SEEN_GROUP
+    geom.contype = geom.conaffinity = 0

@@ -1,0 +1,7 @@
+"""The skills of Heron, in EzSkiROS: what its tasks are, as behavior trees that are checked."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+FOLDER = Path(__file__).parent

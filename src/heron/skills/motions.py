@@ -1,0 +1,121 @@
+"""What the robot can do: each is a goal for an action server."""
+
+from ezskiros import INFERRED, SkillDescription
+from heron.skills.servers import Sent
+from heron.skills.world import heron
+from heron.topics import ARM, NAVIGATE
+
+
+class Drive(SkillDescription):
+    """Drives the base to another place."""
+
+    def description(self, Robot: heron.Robot, Start: INFERRED[heron.Place], Target: heron.Place):
+        self.pre_conditions += Robot.at(Start)
+        self.post_conditions += Robot.at(Target)
+
+
+class drive(Drive.SkillBase):
+    def onStart(self):
+        self.sent = Sent(NAVIGATE, {"place": str(self.params.Target)})
+        return True
+
+    def execute(self):
+        if self.sent.is_reached is None:
+            return self.step(f"on the way to {self.params.Target}")
+        if not self.sent.is_reached:
+            return self.fail(f"no way to {self.params.Target}")
+        self.world.relate(self.params.Robot, heron.at, self.params.Target)
+        return self.success(f"at {self.params.Target}")
+
+    def onPreempt(self):
+        self.sent.cancel()
+        return self.fail("the base has stopped")
+
+
+class Reach(SkillDescription):
+    """Moves the hand to a pose that the arm knows by name.
+
+    Args:
+        Pose: its name.
+        Seconds: in which it has to be there; 0 leaves that to the arm.
+
+    """
+
+    def description(self, Pose: str, Seconds: float = 0.0):
+        pass
+
+
+class reach(Reach.SkillBase):
+    def onStart(self):
+        self.sent = Sent(ARM, {"pose": self.params.Pose, "seconds": self.params.Seconds})
+        return True
+
+    def execute(self):
+        if self.sent.is_reached is None:
+            return self.step(f"on the way to {self.params.Pose}")
+        if not self.sent.is_reached:
+            return self.fail(f"{self.params.Pose} was not reached")
+        return self.success(f"at {self.params.Pose}")
+
+    def onPreempt(self):
+        self.sent.cancel()
+        return self.fail("the arm has stopped")
+
+
+class Grasp(SkillDescription):
+    """Closes the fingers around a block that is between them."""
+
+    def description(
+        self, Robot: heron.Robot, Table: INFERRED[heron.Table], Block: INFERRED[heron.Block]
+    ):
+        self.pre_conditions += Robot.at(Table)
+        self.pre_conditions += Table.carries(Block)
+        self.pre_conditions += ~Robot.holds(Block)
+        self.post_conditions += Robot.holds(Block)
+        self.post_conditions += ~Table.carries(Block)
+
+
+class grasp(Grasp.SkillBase):
+    def onStart(self):
+        self.sent = Sent(ARM, {"pose": "grasp"})
+        return True
+
+    def execute(self):
+        if self.sent.is_reached is None:
+            return self.step("closing the fingers")
+        if not self.sent.is_reached:
+            return self.fail("there is nothing between the fingers")
+        self.world.relate(self.params.Robot, heron.holds, self.params.Block)
+        self.world.unrelate(self.params.Table, heron.carries, self.params.Block)
+        return self.success(f"holds {self.params.Block}")
+
+
+class PutDown(SkillDescription):
+    """Puts the block that the hand holds down on a table, compliantly."""
+
+    def description(
+        self, Robot: heron.Robot, Table: INFERRED[heron.Table], Block: INFERRED[heron.Block]
+    ):
+        self.pre_conditions += Robot.at(Table)
+        self.pre_conditions += Robot.holds(Block)
+        self.post_conditions += ~Robot.holds(Block)
+        self.post_conditions += Table.carries(Block)
+
+
+class put_down(PutDown.SkillBase):
+    def onStart(self):
+        self.sent = Sent(ARM, {"pose": "place"})
+        return True
+
+    def execute(self):
+        if self.sent.is_reached is None:
+            return self.step("on the way down")
+        if not self.sent.is_reached:
+            return self.fail("it was not put down")
+        self.world.unrelate(self.params.Robot, heron.holds, self.params.Block)
+        self.world.relate(self.params.Table, heron.carries, self.params.Block)
+        return self.success(f"{self.params.Block} is on {self.params.Table}")
+
+    def onPreempt(self):
+        self.sent.cancel()
+        return self.fail("the arm has stopped")

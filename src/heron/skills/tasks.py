@@ -1,0 +1,96 @@
+"""The tasks of the experiments, as behavior trees."""
+
+from ezskiros import INFERRED, SkillDescription
+from heron.skills.motions import Drive, Grasp, PutDown, Reach
+from heron.skills.world import heron
+
+
+class Fetch(SkillDescription):
+    """Experiment I: drives to where a block lies, and picks it up."""
+
+    def description(
+        self,
+        Robot: heron.Robot,
+        Start: INFERRED[heron.Place],
+        Target: heron.Table,
+        Block: INFERRED[heron.Block],
+    ):
+        self.pre_conditions += Robot.at(Start)
+        self.pre_conditions += Target.carries(Block)
+        self.pre_conditions += ~Robot.holds(Block)
+        self.post_conditions += Robot.at(Target)
+        self.post_conditions += Robot.holds(Block)
+
+
+class fetch(Fetch.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(
+            Drive(Target=params.Target),
+            Reach(Pose="above"),
+            Reach(Pose="down"),
+            Grasp(Table=params.Target),
+            Reach(Pose="above"),
+        )
+
+
+class Place(SkillDescription):
+    """Experiment II: puts the block down."""
+
+    def description(
+        self, Robot: heron.Robot, Table: INFERRED[heron.Table], Block: INFERRED[heron.Block]
+    ):
+        self.pre_conditions += Robot.at(Table)
+        self.pre_conditions += Robot.holds(Block)
+        self.post_conditions += ~Robot.holds(Block)
+        self.post_conditions += Table.carries(Block)
+
+
+class place(Place.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(PutDown())
+
+
+class PlaceInHaste(SkillDescription):
+    """Experiment II: the motion planner wants too much on each way back, before it is put down.
+
+    Args:
+        Seconds: in which it wants the arm back.
+
+    """
+
+    def description(
+        self,
+        Robot: heron.Robot,
+        Table: INFERRED[heron.Table],
+        Block: INFERRED[heron.Block],
+        Seconds: float,
+    ):
+        self.pre_conditions += Robot.at(Table)
+        self.pre_conditions += Robot.holds(Block)
+        self.post_conditions += ~Robot.holds(Block)
+        self.post_conditions += Table.carries(Block)
+
+
+class place_in_haste(PlaceInHaste.SkillBase):
+    def expandBT(self, params):
+        back_and_forth = (
+            self.serialstar(
+                Reach(Pose="aside", Seconds=2.0), Reach(Pose="above", Seconds=params.Seconds)
+            )
+            for _ in range(3)
+        )
+        self.serialstar(*back_and_forth, PutDown())
+
+
+class CarryToAndFro(SkillDescription):
+    """Experiment III: carries the block from one table to the other and back, four times."""
+
+    def description(self, Robot: heron.Robot, Block: INFERRED[heron.Block]):
+        self.pre_conditions += Robot.holds(Block)
+        self.hold_conditions += Robot.holds(Block)
+
+
+class carry_to_and_fro(CarryToAndFro.SkillBase):
+    def expandBT(self, params):
+        way = ("here", "above_here", "above_there", "there", "above_there", "above_here")
+        self.serialstar(*(Reach(Pose=pose) for _ in range(4) for pose in way))

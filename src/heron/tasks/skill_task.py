@@ -1,0 +1,62 @@
+"""A task: a skill of EzSkiROS, checked before it runs, and ticked as often as in SkiROS2."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from py_trees.common import Status
+
+from ezskiros.engine.events import Event
+from ezskiros.engine.expansion import Expansions
+from ezskiros.engine.setting import Setting
+from ezskiros.engine.task import Task
+from ezskiros.runner import prepare
+from heron.skills import FOLDER
+from heron.skills.servers import CARRIER
+from heron.tasks.outcome import Outcome
+from heron.topics import Carrier
+
+_OUTCOMES = {Status.SUCCESS: Outcome.COMPLETED, Status.FAILURE: Outcome.GIVEN_UP}
+
+
+class SkillTask:
+    """Begins after a second, when sensors have settled. `events` are what became of each skill of
+    the tree, with its instant (s).
+    """
+
+    period_ns = 40_000_000
+    _BEGIN_NS = 1_000_000_000
+
+    def __init__(self, carrier: Carrier, skill: str, scene: str, arguments: Iterable[str]) -> None:
+        """Raises `FaultyError` if the skills or the scene have errors."""
+        ready = prepare(skill, [FOLDER], FOLDER / scene, ["Robot=heron", *arguments])
+        self._carrier = carrier
+        self._now_ns = self._offset_ns = 0
+        self._task = Task(
+            ready.call,
+            Setting(
+                ready.library,
+                ready.world,
+                tell=lambda event: self.events.append((self._now_ns * 1e-9, event)),
+                clock=lambda: self._now_ns * 1e-9,
+                expansions=Expansions(ready.trees),
+            ),
+        )
+        self.events: list[tuple[float, Event]] = []
+        self.outcome = Outcome.RUNNING
+
+    def go_on(self, carrier: Carrier) -> None:
+        """In another scene, which has a carrier and a time of its own."""
+        self._carrier = carrier
+        self._offset_ns = self._now_ns
+
+    def tick(self, now_ns: int) -> None:
+        """One period later."""
+        self._now_ns = now_ns + self._offset_ns
+        if self._now_ns < self._BEGIN_NS or self.outcome is not Outcome.RUNNING:
+            return
+        token = CARRIER.set(self._carrier)
+        try:
+            self.outcome = _OUTCOMES.get(self._task.tick(), Outcome.RUNNING)
+        finally:
+            CARRIER.reset(token)

@@ -1,0 +1,104 @@
+"""Experiment III: what the thesis says of a human in the room, in physics."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+
+from heron.experiments import HumanEpisode, run_human
+from heron.experiments.visitor import varied
+from heron.variants import Arm, Person
+
+SEED = 3
+
+
+@cache
+def episode(arm: Arm, person: Person) -> HumanEpisode:
+    """Each is run once for all tests."""
+    return run_human(arm, person, SEED)
+
+
+def during(found: HumanEpisode, begin: str, end: str, column: str) -> np.ndarray:
+    """A column from when something was told to when something else was."""
+    instants = {words.partition(":")[0]: at_s for at_s, words in found.told}
+    times = found.trace.times
+    return found.trace.columns[column][(times > instants[begin]) & (times < instants[end])]
+
+
+def test_the_same_seed_is_the_same_episode() -> None:
+    first = episode(Arm.ROSSMARIE, Person.INSIDE)
+    again = run_human(Arm.ROSSMARIE, Person.INSIDE, SEED)
+    assert (first.measures, first.told, first.walk) == (again.measures, again.told, again.walk)
+    assert np.array_equal(first.trace.columns["x"], again.trace.columns["x"])
+
+
+def test_another_seed_is_another_walk() -> None:
+    one, other = (varied(Person.INSIDE, np.random.default_rng(seed)) for seed in (1, 2))
+    assert one != other
+    assert one == varied(Person.INSIDE, np.random.default_rng(1))
+
+
+def test_whoever_passes_the_open_door_restricts_nothing() -> None:
+    found = episode(Arm.ROSSMARIE, Person.OUTSIDE)
+    assert found.measures.is_completed
+    assert found.told == ()
+    assert found.measures.time_restricted == 0.0
+    assert not np.any(found.trace.columns["is_inside"])
+
+
+def test_without_a_monitor_it_goes_on_at_full_speed_beside_a_person() -> None:
+    found = episode(Arm.NONE, Person.INSIDE).measures
+    assert found.is_completed
+    assert found.fastest_near > 0.45
+    assert found.time_too_fast > 2.0
+
+
+def test_with_rules_that_recover_it_slows_gives_way_and_goes_on() -> None:
+    found = episode(Arm.ROSSMARIE, Person.INSIDE)
+    without = episode(Arm.NONE, Person.INSIDE).measures
+    assert found.measures.is_completed
+    assert found.measures.interventions == 0
+    assert found.measures.risk < 0.4 * without.risk
+    assert found.measures.time_too_fast == 0.0
+    assert found.measures.time_restricted_without_need == 0.0
+    slow = during(found, "slow_when_entered activated", "yield_when_close activated", "speed")
+    assert 0.05 < slow[200:].max() < 0.12
+    cleared_s = found.told[-1][0]
+    later = found.trace.columns["speed"][found.trace.times > cleared_s]
+    assert later.max() > 0.45, "with the speed that it had before"
+
+
+def test_its_task_is_a_tree_of_skills_and_what_became_of_them_is_known() -> None:
+    tree = episode(Arm.ROSSMARIE, Person.INSIDE).tree
+    assert tree[0][1:] == ("carry_to_and_fro", "started")
+    assert tree[-1][1:] == ("carry_to_and_fro", "succeeded")
+    ends = [at_s for at_s, path, what in tree if "reach" in path.lower() and what == "succeeded"]
+    assert len(ends) == 24
+    assert max(np.diff(ends)) > 8, "while somebody is close it waits"
+
+
+def test_a_gravity_free_arm_gives_way_to_who_leads_it() -> None:
+    instants = ("yield_when_close activated", "yield_when_close cleared")
+    free = during(episode(Arm.ROSSMARIE, Person.INSIDE), *instants, "y")
+    assert np.ptp(free) > 0.05
+    assert free[-1] == pytest.approx(free[-500], abs=0.01), "it stays where it was led to"
+
+
+def test_it_reacts_as_soon_as_a_scan_shows_it() -> None:
+    for arm in (Arm.DEROS, Arm.ROSSMARIE):
+        found = episode(arm, Person.INSIDE).measures.reactions
+        assert 0.1 < found["entered"] < 0.8, "the door lies 0.2 m before what counts as the room"
+    assert 0.1 < episode(Arm.ROSSMARIE, Person.INSIDE).measures.reactions["close"] < 0.3
+
+
+def test_with_rules_that_stop_it_waits_for_its_operator() -> None:
+    found = episode(Arm.DEROS, Person.INSIDE)
+    assert found.measures.is_completed
+    assert found.measures.interventions == 1
+    assert found.measures.duration > episode(Arm.ROSSMARIE, Person.INSIDE).measures.duration + 10
+    assert found.measures.time_too_fast == 0.0
+    assert found.measures.time_restricted_without_need > 10, "nobody is there any more"

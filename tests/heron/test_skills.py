@@ -1,0 +1,95 @@
+"""The tasks of the robot: skills of EzSkiROS that are checked, and what they ask of servers."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import pytest
+
+from ezskiros.driver import check_paths
+from ezskiros.runner import FaultyError
+from heron.skills import FOLDER
+from heron.tasks import Outcome, SkillTask, skill_task
+from heron.topics import ARM, NAVIGATE, Goal, InProcess
+
+PERIOD = SkillTask.period_ns
+
+
+@dataclass
+class Server:
+    """Reaches goals after a while, but for those with a value that it does not like."""
+
+    disliked: str = ""
+    goals: list[Goal] = field(default_factory=list)
+    done: Callable[[bool], None] | None = None
+
+    def send(self, goal: Goal, done: Callable[[bool], None]) -> None:
+        self.goals.append(goal)
+        self.done = done
+
+    def cancel(self) -> None:
+        self.done = None
+
+    def finish(self) -> None:
+        done, self.done = self.done, None
+        if done is not None:
+            done(self.disliked not in self.goals[-1].values())
+
+
+def played(
+    skill: str, scene: str, arguments: Iterable[str], disliked: str = ""
+) -> tuple[SkillTask, Server, Server]:
+    """A task, until it is over, and the servers of base and arm."""
+    carrier, base, arm = InProcess(), Server(disliked), Server(disliked)
+    carrier.serve(NAVIGATE, base)
+    carrier.serve(ARM, arm)
+    task = SkillTask(carrier, skill, scene, arguments)
+    for index in range(300):
+        task.tick(index * PERIOD)
+        base.finish()
+        arm.finish()
+    return task, base, arm
+
+
+def test_the_skills_have_no_findings() -> None:
+    assert not check_paths([FOLDER]).diagnostics
+
+
+def test_a_block_is_fetched() -> None:
+    task, base, arm = played("Fetch", "navigation.turtle", ["Target=room"])
+    assert task.outcome is Outcome.COMPLETED
+    assert base.goals == [{"place": "heron:Table-3"}]
+    assert [goal["pose"] for goal in arm.goals] == ["above", "down", "grasp", "above"]
+    instants = [at_s for at_s, _ in task.events]
+    assert instants[0] == pytest.approx(1.0, abs=0.05)
+    assert instants == sorted(instants)
+    assert {event.skill for _, event in task.events} == {"Fetch", "Drive", "Reach", "Grasp"}
+
+
+@pytest.mark.parametrize("disliked", ["heron:Table-3", "down", "grasp"])
+def test_what_cannot_be_reached_ends_the_task(disliked: str) -> None:
+    task, base, arm = played("Fetch", "navigation.turtle", ["Target=room"], disliked)
+    assert task.outcome is Outcome.GIVEN_UP
+    assert disliked in (*base.goals, *arm.goals)[-1].values()
+
+
+def test_a_hurried_planner_wants_it_back_too_soon_three_times() -> None:
+    task, _, arm = played("PlaceInHaste", "arm.turtle", ["Seconds=0.4"])
+    assert task.outcome is Outcome.COMPLETED
+    assert [goal["seconds"] for goal in arm.goals[:-1]] == [2.0, 0.4] * 3
+    assert arm.goals[-1] == {"pose": "place"}
+
+
+def test_skills_with_a_fault_are_not_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    folder = tmp_path / "skills_with_a_fault"
+    shutil.copytree(FOLDER, folder)
+    tasks = folder / "tasks.py"
+    written = tasks.read_text(encoding="utf-8").replace('Reach(Pose="down")', 'Reach(Poes="down")')
+    tasks.write_text(written, encoding="utf-8")
+    monkeypatch.setattr(skill_task, "FOLDER", folder)
+    with pytest.raises(FaultyError) as found:
+        SkillTask(InProcess(), "Fetch", "navigation.turtle", ["Target=room"])
+    assert any("Poes" in each.title for each in found.value.diagnostics)
