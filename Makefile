@@ -7,10 +7,11 @@ READY := .venv/.ready
 RUN := .venv/bin
 HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 
-.PHONY: help demo test check bench fmt fuzz clean browser compiler ros1 prover
+.PHONY: help demo evaluate test check bench fmt fuzz clean browser compiler drawing ros1 prover
 
 help:
-	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run"
+	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot"
+	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; goes on where it was"
 	@echo "make test    all tests"
 	@echo "make check   format, lint, types, import layers, and all tests"
 	@echo "make bench   measure, and write docs/reference/performance*.md"
@@ -39,7 +40,12 @@ ros1:
 prover: $(READY)
 	@tools/setup_prover.sh
 
-demo: $(READY) compiler
+# The simulation is drawn without a display; where that cannot be, the page is without pictures.
+drawing: $(READY)
+	@$(RUN)/python -c 'import ctypes.util, sys; sys.exit(not ctypes.util.find_library("EGL"))' || \
+	tools/setup_debian.sh libegl1 libgl1 libgl1-mesa-dri
+
+demo: $(READY) compiler drawing
 	$(RUN)/python examples/demo/record.py build/demo
 	$(RUN)/rossmarie check examples/demo/demo.ross
 	$(RUN)/rossmarie replay examples/demo/demo.ross build/demo --out build/demo/report
@@ -53,11 +59,16 @@ endif
 	$(RUN)/ezskiros run PickAndPlace examples/pick_place/skills \
 		--scene examples/pick_place/lab.turtle --save build/demo/lab_after.turtle \
 		Object=starter Gripper=gripper PlacingLocation=shelf
+	$(RUN)/heron demo --out build/demo/heron.html || [ $$? -eq 2 ]
 	@echo "mistakes that are planted, in rules and in skills:"
 	@$(RUN)/rossmarie check examples/thesis/arm_as_printed.ross || true
 	@$(RUN)/ezskiros check examples/pick_place/planted || true
 	@echo "the tree:        open $(CURDIR)/build/demo/tree.svg in a browser"
 	@echo "the timeline:    open $(CURDIR)/build/demo/report/timeline.html in a browser"
+	@[ ! -e build/demo/heron.html ] || echo "the robot:       open $(CURDIR)/build/demo/heron.html in a browser"
+
+evaluate: $(READY) compiler
+	$(RUN)/heron evaluate --out docs
 
 test: $(READY) compiler browser ros1 prover
 	$(RUN)/pytest
@@ -73,6 +84,7 @@ bench: $(READY) compiler ros1
 	@benchmarks/peers/setup.sh
 	PYTHONPATH=tests $(RUN)/python benchmarks/run.py --out docs/reference/performance.md
 	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md
+	$(RUN)/python benchmarks/heron_run.py --out docs/reference/performance-heron.md
 	$(RUN)/python benchmarks/ezskiros_run.py --out docs/reference/performance-ezskiros.md
 
 fmt: $(READY)

@@ -101,6 +101,11 @@ class InProcess:
         self._parameters: dict[str, Parameter] = {}
         self._listeners: defaultdict[str, list[Callable[[Message], None]]] = defaultdict(list)
 
+    @property
+    def topics(self) -> tuple[Topic, ...]:
+        """All that somebody publishes or listens to."""
+        return tuple(Topic(name, kind) for name, kind in self._types.items())
+
     def publisher(self, topic: Topic) -> Publish:
         """A function that sends a message on a topic."""
         self._enter(topic)

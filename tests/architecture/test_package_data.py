@@ -15,7 +15,7 @@ def test_every_data_file_is_installed() -> None:
     patterns = re.findall(r'"(\*\..+?|py\.typed)"', section)
     files = [
         path.relative_to(ROOT)
-        for package in ("dslkit", "heron", "rossmarie")
+        for package in ("campaign", "dslkit", "heron", "rossmarie")
         for path in (ROOT / "src" / package).rglob("*")
         if path.is_file() and path.suffix not in (".py", ".pyc")
     ]

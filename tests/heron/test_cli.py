@@ -13,7 +13,7 @@ def test_an_episode_is_run_and_its_measures_are_printed() -> None:
     pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
     found = CliRunner().invoke(app, ["run", "nav", "--arm", "rossmarie", "--terrain", "flat"])
     assert found.exit_code == 0
-    assert "rossmarie on flat terrain, seed 0" in found.stdout
+    assert "rossmarie, on flat terrain, seed 0" in found.stdout
     assert "completed" in found.stdout
     assert "restricted without need" in found.stdout
 
@@ -34,9 +34,22 @@ def test_somebody_comes_into_the_room() -> None:
     assert "least distance to the person" in found.stdout
 
 
-def test_without_mujoco_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["run", "nav"],
+        ["run", "place"],
+        ["run", "human"],
+        ["demo"],
+        ["evaluate"],
+        ["record", "nav", "--out", "a.mcap"],
+    ],
+)
+def test_without_mujoco_it_says_what_to_install(
+    command: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(main, "find_spec", lambda _: None)
-    found = CliRunner().invoke(app, ["run", "nav"])
+    found = CliRunner().invoke(app, command)
     assert found.exit_code == 2
     assert "pip install 'rossmarie[heron]'" in found.output
 

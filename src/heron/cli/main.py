@@ -1,19 +1,28 @@
 """The `heron` command: one function per subcommand.
 
-Exit codes: 0 the episode was run, however it went, 2 the command itself was called wrongly or
-MuJoCo is not installed, 70 a defect of this tool.
+Exit codes: 0 what was asked for was run, however it went, 1 an episode of an evaluation was not
+finished, 2 the command itself was called wrongly or MuJoCo is not installed, 70 a defect of this
+tool, 130 interrupted.
 """
 
 from __future__ import annotations
 
+import enum
+import os
+from ctypes.util import find_library
 from importlib.util import find_spec
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from dslkit.catalog import Catalog
 from dslkit.command_line import CommandLine
 from heron.variants import Arm, Person, Table, Terrain
+
+if TYPE_CHECKING:  # needs MuJoCo
+    from campaign import Workers
+    from heron.experiments import Experiment, Observer
 
 
 def _catalog() -> Catalog:
@@ -22,6 +31,7 @@ def _catalog() -> Catalog:
     return CATALOG
 
 
+_LIMIT_S = 600.0  # of one episode
 output = CommandLine(
     tool="heron",
     subject="what you called it with",
@@ -47,6 +57,7 @@ def heron(version: Annotated[bool, output.version_option()] = False) -> None:
 
 
 Guarding = Annotated[Arm, typer.Option("--arm", help="What guards the robot.")]
+View = Annotated[bool, typer.Option("--view", help="In a window, in real time.")]
 Seed = Annotated[int, typer.Option("--seed", min=0, help="Of all that is left to chance.")]
 
 
@@ -55,13 +66,10 @@ def nav(
     arm: Guarding = Arm.ROSSMARIE,
     terrain: Annotated[Terrain, typer.Option(help="What is in its way.")] = Terrain.GENTLE,
     seed: Seed = 0,
+    view: View = False,
 ) -> None:
     """Experiment I: through a corridor with a bump, up a ramp, to the block in the room."""
-    _require_simulation()
-    from heron.cli.episodes import print_navigation
-    from heron.experiments import run_navigation
-
-    print_navigation(run_navigation(arm, terrain, seed))
+    _run("nav", arm, terrain, seed, is_viewed=view)
 
 
 @runs.command()
@@ -69,15 +77,12 @@ def place(
     arm: Guarding = Arm.ROSSMARIE,
     table: Annotated[Table, typer.Option(help="Where it is, and in what haste.")] = Table.HIGH,
     seed: Seed = 0,
+    view: View = False,
 ) -> None:
     """Experiment II: place a block on a table that is higher than the arm believes, or carry it
     there in too much haste.
     """
-    _require_simulation()
-    from heron.cli.episodes import print_placing
-    from heron.experiments import run_placing
-
-    print_placing(run_placing(arm, table, seed))
+    _run("place", arm, table, seed, is_viewed=view)
 
 
 @runs.command()
@@ -85,13 +90,113 @@ def human(
     arm: Guarding = Arm.ROSSMARIE,
     person: Annotated[Person, typer.Option(help="Where somebody walks.")] = Person.INSIDE,
     seed: Seed = 0,
+    view: View = False,
 ) -> None:
     """Experiment III: carry a block to and fro while somebody comes into the room."""
-    _require_simulation()
-    from heron.cli.episodes import print_human
-    from heron.experiments import run_human
+    _run("human", arm, person, seed, is_viewed=view)
 
-    print_human(run_human(arm, person, seed))
+
+def _run(name: str, arm: Arm, variant: enum.Enum, seed: int, *, is_viewed: bool) -> None:
+    _require_simulation()
+    from heron.cli.episodes import print_episode
+    from heron.experiments import EXPERIMENTS
+
+    experiment = EXPERIMENTS[name]
+    observers = [_window()] if is_viewed else []
+    print_episode(experiment, experiment.run(arm, variant, seed, observers))
+
+
+def _window() -> Observer:
+    from heron.viewing import Window, trouble
+
+    reason = trouble()
+    if reason is not None:
+        output.fail(
+            f"--view needs a display: {reason}; `heron demo` makes pictures without one",
+            exit_code=2,
+        )
+    return Window()
+
+
+@app.command()
+def record(
+    experiment: Annotated[str, typer.Argument(help="Which one: nav, place or human.")],
+    out: Annotated[Path, typer.Option(help="The file, such as drive.mcap.")],
+    arm: Guarding = Arm.ROSSMARIE,
+    variant: Annotated[
+        str | None, typer.Option(help="Which terrain, table or person; the first one if not given.")
+    ] = None,
+    seed: Seed = 0,
+) -> None:
+    """Run one episode, and write all its topics into an MCAP file."""
+    _require_simulation()
+    from heron.cli.recording import record as record_episode
+
+    record_episode(output, _experiment(experiment), variant, arm, seed, out)
+
+
+@app.command()
+def evaluate(
+    seeds: Annotated[int, typer.Option(min=1, help="How many, from 0 on.")] = 30,
+    experiment: Annotated[
+        list[str] | None, typer.Option(help="Only this one; may be given several times.")
+    ] = None,
+    out: Annotated[
+        Path, typer.Option(help="Folder of the page; what is done already is there, too.")
+    ] = Path("build"),
+    jobs: Annotated[
+        int | None, typer.Option(min=1, help="Processes at a time; one for each core if not given.")
+    ] = None,
+    ray: Annotated[
+        str | None,
+        typer.Option(metavar="ADDRESS", help="Run on the Ray cluster at this host:port instead."),
+    ] = None,
+) -> None:
+    """Run all arms of the experiments on many seeds, and write tables and plots.
+
+    A run that was interrupted goes on where it was.
+    """
+    _require_simulation()
+    from heron.cli.evaluating import evaluate as run_all
+    from heron.experiments import EXPERIMENTS
+
+    chosen = list(map(_experiment, dict.fromkeys(experiment or EXPERIMENTS)))
+    run_all(output, chosen, seeds, out, _workers(jobs, ray))
+
+
+@app.command()
+def demo(
+    seed: Seed = 0,
+    out: Annotated[Path, typer.Option(help="The page.")] = Path("build/heron.html"),
+) -> None:
+    """Episodes with and without the monitor, side by side on one page."""
+    _require_simulation()
+    # MuJoCo looks at this when it is imported, and cannot be without what it names.
+    os.environ.setdefault("MUJOCO_GL", "egl" if find_library("EGL") else "disable")
+    from heron.cli.demonstrating import demonstrate
+
+    demonstrate(output, seed, out)
+
+
+def _workers(jobs: int | None, ray: str | None) -> Workers:
+    from campaign import Processes
+
+    if ray is None:
+        return Processes(jobs or Processes.cores(), _LIMIT_S)
+    if find_spec("ray") is None:
+        output.fail("--ray needs the extra of that name: pip install 'rossmarie[ray]'", exit_code=2)
+    from campaign.ray_cluster import RayCluster
+
+    return RayCluster(ray)
+
+
+def _experiment(name: str) -> Experiment:
+    from heron.experiments import EXPERIMENTS
+
+    if name not in EXPERIMENTS:
+        there_are = ", ".join(EXPERIMENTS)
+        output.fail(f"there is no experiment {name}; there are {there_are}", exit_code=2)
+    return EXPERIMENTS[name]
 
 
 def _require_simulation() -> None:

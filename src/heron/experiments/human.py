@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +12,7 @@ from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import HUMAN_RULES, machine_of
 from heron.experiments.episode import Steps, acting, seeded, told_by, tree_of
 from heron.experiments.measures import Flags, reactions, time_of, without_need
+from heron.experiments.observer import Observer, attended
 from heron.experiments.proximity import ProximityWitness
 from heron.experiments.runner import Node
 from heron.experiments.trace import Trace
@@ -85,11 +86,13 @@ class _Cell(ArmCell):
     witness: ProximityWitness
 
 
-def run_human(arm: Arm, person: Person, seed: int) -> HumanEpisode:
+def run_human(
+    arm: Arm, person: Person, seed: int, observers: Sequence[Observer] = ()
+) -> HumanEpisode:
     """One episode. The same arguments give the same episode, number for number."""
     generators = seeded(_SEEDED, seed)
     walk = varied(person, generators["walk"])
-    cell = _assembled(arm, walk, generators["scan"])
+    cell = _assembled(arm, walk, generators["scan"], observers)
     cell.play(LONGEST_S)
     trace = cell.witness.trace()
     return HumanEpisode(
@@ -105,7 +108,9 @@ def run_human(arm: Arm, person: Person, seed: int) -> HumanEpisode:
     )
 
 
-def _assembled(arm: Arm, walk: Walk, generator: np.random.Generator) -> _Cell:
+def _assembled(
+    arm: Arm, walk: Walk, generator: np.random.Generator, observers: Sequence[Observer]
+) -> _Cell:
     built, room, person = ArmParameters(), RoomParameters(), PersonParameters()
     robot = RobotArm(build_room(room, built, person), built)
     robot.settle(_SETTLING_STEPS)
@@ -122,7 +127,7 @@ def _assembled(arm: Arm, walk: Walk, generator: np.random.Generator) -> _Cell:
         nodes += [guard, operator]
     task = SkillTask(carrier, "CarryToAndFro", "arm.turtle", [])
     witness = ProximityWitness(robot, visitor, room, acting(guard))
-    nodes += [task, witness]
+    nodes += [task, witness, *attended(observers, robot, carrier, guard)]
     return _Cell(robot, task, guard, operator, nodes, witness)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,6 +18,7 @@ from heron.experiments.measures import (
     time_of,
     without_need,
 )
+from heron.experiments.observer import Observer, attended
 from heron.experiments.picking import Picked, pick_up
 from heron.experiments.runner import Node, run
 from heron.experiments.trace import BaseWitness, Trace
@@ -71,12 +73,14 @@ class _Robot:
     nodes: list[Node]
 
 
-def run_navigation(arm: Arm, terrain: Terrain, seed: int) -> NavigationEpisode:
+def run_navigation(
+    arm: Arm, terrain: Terrain, seed: int, observers: Sequence[Observer] = ()
+) -> NavigationEpisode:
     """One episode. The same arguments give the same episode, number for number."""
     base = BaseParameters()
     generators = seeded(_SEEDED, seed)
     built = course(terrain, varied(generators["course"]))
-    robot = _assembled(arm, built, base, generators)
+    robot = _assembled(arm, built, base, generators, observers)
     navigation = robot.navigation
     run(
         robot.physics,
@@ -113,7 +117,11 @@ def varied(generator: np.random.Generator) -> CourseParameters:
 
 
 def _assembled(
-    arm: Arm, built: Course, base: BaseParameters, generators: dict[str, np.random.Generator]
+    arm: Arm,
+    built: Course,
+    base: BaseParameters,
+    generators: dict[str, np.random.Generator],
+    observers: Sequence[Observer],
 ) -> _Robot:
     physics = Base(build_navigation(built, base))
     physics.settle(_SETTLING_STEPS)
@@ -134,7 +142,7 @@ def _assembled(
     navigation = Navigation(view, built.routes, NavigationParameters(), lambda: physics.now_ns)
     witness = BaseWitness(physics, lambda: guard is not None and guard.is_restricting)
     task = SkillTask(carrier, "Fetch", "navigation.turtle", ["Target=room"])
-    nodes += [task, navigation, witness]
+    nodes += [task, navigation, witness, *attended(observers, physics, carrier, guard)]
     return _Robot(physics, navigation, task, guard, operator, witness, nodes)
 
 

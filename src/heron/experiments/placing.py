@@ -15,6 +15,7 @@ from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import PLACING_RULES, machine_of
 from heron.experiments.episode import Steps, acting, seeded, told_by, tree_of
 from heron.experiments.measures import reactions, time_of
+from heron.experiments.observer import Observer, attended
 from heron.experiments.runner import Node
 from heron.experiments.trace import ArmWitness, Trace
 from heron.guard import Guard, unfiltered
@@ -90,12 +91,14 @@ class _Cell(ArmCell):
     witness: ArmWitness
 
 
-def run_placing(arm: Arm, table: Table, seed: int) -> PlacingEpisode:
+def run_placing(
+    arm: Arm, table: Table, seed: int, observers: Sequence[Observer] = ()
+) -> PlacingEpisode:
     """One episode. The same arguments give the same episode, number for number."""
     generators = seeded(_SEEDED, seed)
     parameters = varied(table, generators["table"])
     skill = skill_of(table, generators["table"])
-    cell = _assembled(arm, parameters, skill, generators)
+    cell = _assembled(arm, parameters, skill, generators, observers)
     cell.play(LONGEST_S)
     trace = cell.witness.trace()
     return PlacingEpisode(
@@ -133,6 +136,7 @@ def _assembled(
     table: TableParameters,
     skill: Sequence[str],
     generators: Mapping[str, np.random.Generator],
+    observers: Sequence[Observer],
 ) -> _Cell:
     built = ArmParameters()
     robot = RobotArm(build_placing(table, built), built)
@@ -154,7 +158,7 @@ def _assembled(
         view = Remapped(carrier, _remapped(guard))
     task = SkillTask(view, skill[0], "arm.turtle", skill[1:])
     witness = ArmWitness(robot, acting(guard))
-    nodes += [task, witness]
+    nodes += [task, witness, *attended(observers, robot, carrier, guard)]
     return _Cell(robot, task, guard, operator, nodes, controller, witness)
 
 

@@ -36,7 +36,8 @@ def build_placing(table: TableParameters, arm: ArmParameters) -> Any:
     spec = new_spec()
     add_arm(spec, arm)
     contact = Contact(table.friction, arm.contact_time)
-    add_table(spec, table.place, table.height, _HALF, contact)
+    top = add_table(spec, table.place, table.height, _HALF, contact)
+    top.name = "table"
     return spec.compile()
 
 
@@ -46,13 +47,14 @@ def add_table(
     height: float,
     half: tuple[float, float, float],
     contact: Contact,
-) -> None:
+) -> Any:
     """The top of a table, at its height."""
     top = spec.worldbody.add_geom(
         type=mujoco.mjtGeom.mjGEOM_BOX, size=half, pos=[*place, height - half[2]]
     )
     top.rgba = [0.8, 0.7, 0.55, 1]
     contact.apply(top)
+    return top
 
 
 def lay_down(model: Any, data: Any, place: NDArray[np.float64]) -> None:

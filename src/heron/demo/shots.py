@@ -1,0 +1,83 @@
+"""What the demo shows of one episode; episodes are run beside each other, in processes."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+
+from heron.demo.film import Film, Frames
+from heron.demo.rules_watch import RulesWatch, Spans
+from heron.experiments import EXPERIMENTS, Episode, Experiment
+from heron.variants import Arm
+from rossmarie.report.envelope import envelope
+from rossmarie.report.model import Plot
+
+_SAMPLES = 900
+Curve = list[tuple[float, float]]
+
+
+@dataclass(frozen=True)
+class Shot:
+    """Everything that leaves the process of the episode. Measures are as printed, by label."""
+
+    experiment: str
+    arm: Arm
+    title: str
+    is_completed: bool
+    duration: float
+    measures: dict[str, str]
+    told: tuple[tuple[float, str], ...]
+    rules: Spans
+    curves: dict[str, Curve]
+    frames: Frames
+
+
+def shoot(name: str, variant: str, arm: Arm, seed: int) -> Shot:
+    """Run an episode, and draw it."""
+    experiment = EXPERIMENTS[name]
+    film, rules = Film(), RulesWatch()
+    episode = experiment.run(arm, experiment.variants[variant], seed, (film, rules))
+    return Shot(
+        experiment=name,
+        arm=arm,
+        title=experiment.describe(episode),
+        is_completed=episode.measures.is_completed,
+        duration=episode.measures.duration,
+        measures=_measures(experiment, episode),
+        told=episode.told,
+        rules=rules.spans(),
+        curves=_curves(experiment, episode),
+        frames=film.develop(experiment.camera),
+    )
+
+
+def shoot_all(arms: Sequence[Arm], seed: int) -> list[Shot]:
+    """The first variant of each experiment, in each of these arms."""
+    wanted = [
+        (name, next(iter(experiment.variants)), arm, seed)
+        for name, experiment in EXPERIMENTS.items()
+        for arm in arms
+    ]
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(min(len(wanted), os.cpu_count() or 1), context) as pool:
+        return list(pool.map(shoot, *zip(*wanted, strict=True)))
+
+
+def _measures(experiment: Experiment, episode: Episode) -> dict[str, str]:
+    found = {one: one.of(episode.measures) for one in experiment.measures[1:]}
+    texts = {one.label: one.text(value) for one, value in found.items() if value is not None}
+    return {"task": "completed" if episode.measures.is_completed else "not completed", **texts}
+
+
+def _curves(experiment: Experiment, episode: Episode) -> dict[str, Curve]:
+    trace = episode.trace
+    curves = {}
+    for signal in experiment.signals:
+        values = trace.columns[signal.column] * signal.factor
+        plot = Plot(signal.label, signal.unit, trace.times, values, ())
+        times, kept = envelope(plot, _SAMPLES)
+        curves[signal.label] = list(zip(times.tolist(), kept.tolist(), strict=True))
+    return curves

@@ -1,0 +1,19 @@
+"""All arms of the experiments on many seeds, and what comes of it: rows, statistics, a page."""
+
+from heron.evaluation.episodes import keys_of, row_of, sources
+from heron.evaluation.folder import PAGE, Folder, write_page
+from heron.evaluation.page import page_of
+from heron.evaluation.rows import Row, read_rows, write_rows
+
+__all__ = [
+    "PAGE",
+    "Folder",
+    "Row",
+    "keys_of",
+    "page_of",
+    "read_rows",
+    "row_of",
+    "sources",
+    "write_page",
+    "write_rows",
+]

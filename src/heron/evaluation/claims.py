@@ -1,0 +1,177 @@
+"""What is expected of the arms, and whether it came out so.
+
+The thesis says: without a monitor the robot finishes fast, with harm; DeROS is safe and waits for
+its operator; ROSSMARie is as safe and finishes without one.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from heron.evaluation.sample import Sample
+from heron.evaluation.statistics import Estimate
+from heron.experiments.table import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
+from heron.variants import Arm
+
+_SURE = 0.05
+_MARGIN = 0.1
+
+
+class Verdict(enum.Enum):
+    """How an expectation fared."""
+
+    HOLDS = "as expected"
+    FAILS = "not as expected"
+    OPEN = "not to be told from these episodes"
+
+
+@dataclass(frozen=True)
+class Claim:
+    """An expectation, what was found about it, and the verdict. Its key does not change when its
+    words do.
+    """
+
+    key: str
+    expected: str
+    found: str
+    verdict: Verdict
+
+
+def claims_of(sample: Sample) -> Iterator[Claim]:
+    """All that is expected of a variant."""
+    if not sample.harms:
+        yield _everybody_finishes(sample)
+        yield _nobody_interferes(sample)
+        return
+    for harm in sample.harms:
+        yield _there_is_harm(sample, harm, Arm.DEROS)
+        yield _there_is_harm(sample, harm, Arm.ROSSMARIE)
+        yield _as_safe(sample, harm)
+    yield _unguarded_is_fastest(sample)
+    yield _finishes_with_operator(sample)
+    yield _finishes_alone(sample)
+    yield _sooner(sample)
+
+
+def between(estimate: Estimate, digits: int) -> str:
+    """`1.0 [0.9, 1.2]`; without the brackets where nothing is known of it, or all are the same."""
+    text, low, high = (
+        f"{round(number, digits) + 0.0:.{digits}f}"  # no zero with a sign
+        for number in (estimate.value, estimate.low, estimate.high)
+    )
+    return text if np.isnan(estimate.low) or low == high else f"{text} [{low}, {high}]"
+
+
+def _there_is_harm(sample: Sample, harm: str, guarded: Arm) -> Claim:
+    measure = sample.experiment.measure(harm)
+    compared = sample.compared(harm, Arm.NONE, guarded)
+    difference = between(compared.difference, measure.digits)
+    return Claim(
+        f"harm {guarded.value} {harm}",
+        f"{measure.label}: greater without a monitor than with {ARM_NAMES[guarded]}",
+        f"by {difference} {measure.unit}, p = {compared.chance:.2g}",
+        _greater(compared.difference.value, compared.chance),
+    )
+
+
+def _greater(difference: float, chance: float) -> Verdict:
+    if chance < _SURE:
+        return Verdict.HOLDS
+    return Verdict.OPEN if difference > 0 else Verdict.FAILS
+
+
+def _as_safe(sample: Sample, harm: str) -> Claim:
+    measure = sample.experiment.measure(harm)
+    found = sample.compared(harm, Arm.ROSSMARIE, Arm.DEROS).difference
+    margin = _MARGIN * float(np.median(sample.values(Arm.DEROS, harm)))
+    if np.isnan(found.low):
+        verdict = Verdict.OPEN
+    elif found.high <= margin:
+        verdict = Verdict.HOLDS
+    else:
+        verdict = Verdict.FAILS if found.low > margin else Verdict.OPEN
+    return Claim(
+        f"safe {harm}",
+        f"{measure.label}: with ROSSMARie at most a tenth more than with DeROS",
+        f"the difference is {between(found, measure.digits)} {measure.unit}",
+        verdict,
+    )
+
+
+def _unguarded_is_fastest(sample: Sample) -> Claim:
+    times = {arm: float(np.median(sample.values(arm, DURATION.name))) for arm in Arm}
+    completed, total = sample.completed(Arm.NONE), sample.count(Arm.NONE)
+    is_fastest = times[Arm.NONE] == min(times.values())
+    return Claim(
+        "fastest",
+        "without a monitor the robot finishes, and soonest of all",
+        f"it finishes in {completed} of {total} episodes, and takes {times[Arm.NONE]:.1f} s; "
+        f"{times[Arm.ROSSMARIE]:.1f} s with ROSSMARie",
+        Verdict.HOLDS if completed == total and is_fastest else Verdict.FAILS,
+    )
+
+
+def _finishes_with_operator(sample: Sample) -> Claim:
+    visits = sample.values(Arm.DEROS, INTERVENTIONS.name)
+    completed, total = sample.completed(Arm.DEROS), sample.count(Arm.DEROS)
+    return Claim(
+        "operator",
+        "with DeROS it finishes, after an operator has come",
+        f"it finishes in {completed} of {total} episodes; "
+        f"the operator came in {sum(count > 0 for count in visits)}, "
+        f"{sum(visits):.0f} times in all",
+        Verdict.HOLDS if completed == total and min(visits) > 0 else Verdict.FAILS,
+    )
+
+
+def _finishes_alone(sample: Sample) -> Claim:
+    visits = sample.values(Arm.ROSSMARIE, INTERVENTIONS.name)
+    completed, total = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
+    return Claim(
+        "alone",
+        "with ROSSMARie it finishes without an operator",
+        f"it finishes in {completed} of {total} episodes; "
+        f"the operator came {sum(visits):.0f} times",
+        Verdict.HOLDS if completed == total and sum(visits) == 0 else Verdict.FAILS,
+    )
+
+
+def _sooner(sample: Sample) -> Claim:
+    compared = sample.compared(DURATION.name, Arm.DEROS, Arm.ROSSMARIE)
+    return Claim(
+        "sooner",
+        "ROSSMARie is done sooner than DeROS",
+        f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
+        _greater(compared.difference.value, compared.chance),
+    )
+
+
+def _everybody_finishes(sample: Sample) -> Claim:
+    found = {ARM_NAMES[arm]: (sample.completed(arm), sample.count(arm)) for arm in Arm}
+    words = "; ".join(f"{name}: {done} of {total}" for name, (done, total) in found.items())
+    all_do = all(done == total for done, total in found.values())
+    return Claim(
+        "all finish",
+        "where there is no hazard, the task is done in every arm",
+        words,
+        Verdict.HOLDS if all_do else Verdict.FAILS,
+    )
+
+
+def _nobody_interferes(sample: Sample) -> Claim:
+    guarded = (Arm.DEROS, Arm.ROSSMARIE)
+    needless = {arm: sample.values(arm, WITHOUT_NEED.name) for arm in guarded}
+    found = {arm: (sum(time > 0 for time in times), len(times)) for arm, times in needless.items()}
+    words = "; ".join(
+        f"{ARM_NAMES[arm]}: in {some} of {all_}" for arm, (some, all_) in found.items()
+    )
+    return Claim(
+        "no interference",
+        "where there is no hazard, no rule interferes",
+        f"episodes with interference: {words}",
+        Verdict.FAILS if any(some for some, _ in found.values()) else Verdict.HOLDS,
+    )

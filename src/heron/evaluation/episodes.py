@@ -1,0 +1,58 @@
+"""The episodes of an evaluation, by keys such as `nav/steep/deros/3`."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable, Iterator
+from importlib.metadata import version
+from pathlib import Path
+
+import ezskiros
+import heron
+import rossmarie
+from campaign import Value
+from heron.experiments import EXPERIMENTS, Experiment
+from heron.variants import Arm
+
+_KINDS = (".action", ".c", ".h", ".j2", ".lark", ".py", ".ross", ".ttl", ".turtle")
+# What has no say in how an episode goes.
+_TELLING = (
+    *("heron/cli", "heron/demo", "heron/evaluation"),
+    *("ezskiros/cli", "ezskiros/drawing", "rossmarie/cli", "rossmarie/report"),
+)
+
+
+def keys_of(experiments: Iterable[Experiment], seeds: int) -> Iterator[str]:
+    """Seed by seed, so that whatever is done first has all arms."""
+    chosen = list(experiments)
+    for seed in range(seeds):
+        for experiment in chosen:
+            for variant in experiment.variants:
+                for arm in Arm:
+                    yield f"{experiment.name}/{variant}/{arm.value}/{seed}"
+
+
+def row_of(key: str) -> Value:
+    """Run an episode."""
+    name, variant, arm, seed = key.split("/")
+    experiment = EXPERIMENTS[name]
+    episode = experiment.run(Arm(arm), experiment.variants[variant], int(seed), ())
+    found = {one.name: one.of(episode.measures) for one in experiment.measures}
+    measured = {
+        measure: None if value is None else float(value) for measure, value in found.items()
+    }
+    return {"experiment": name, "variant": variant, "arm": arm, "seed": int(seed), **measured}
+
+
+def sources() -> str:
+    """All that has a say in how an episode goes, in one number: results of different programs must
+    not get into one table.
+    """
+    digest = hashlib.sha256()
+    for package in (ezskiros, heron, rossmarie):
+        folder = Path(str(package.__file__)).parent
+        for path in sorted(folder.rglob("*")):
+            place = path.relative_to(folder)
+            if path.suffix in _KINDS and f"{package.__name__}/{place.parts[0]}" not in _TELLING:
+                digest.update(f"{place}\0".encode() + path.read_bytes())
+    return f"Heron {digest.hexdigest()[:12]} on MuJoCo {version('mujoco')}"

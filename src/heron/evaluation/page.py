@@ -1,0 +1,134 @@
+"""The page of an evaluation, in Markdown: tables, plots, and what came out as expected. Every
+figure on it is computed from the rows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from heron.evaluation.claims import Claim, Verdict, between, claims_of
+from heron.evaluation.reasons import REASONS
+from heron.evaluation.rows import Row
+from heron.evaluation.sample import Sample, samples_of
+from heron.evaluation.statistics import median, share
+from heron.experiments import EXPERIMENTS, Measure
+from heron.experiments.table import ARM_NAMES, COMPLETED
+from heron.variants import Arm
+
+_HEAD = """\
+# The experiments
+
+<!-- Written by `heron evaluate`; do not edit. -->
+
+Each experiment is run in three arms on the same seeds: without a monitor; with DeROS, whose rules
+stop the robot until an operator has come, half a minute later; and with ROSSMARie, whose rules let
+it recover. [How to run the experiments](how-to/run-the-experiments.md) says what differs from seed
+to seed, and how this page is made.
+
+A cell is the median over the episodes, in brackets its 95 % interval (bootstrap), unless all are
+the same; of completed tasks, that of their share (Wilson). Where not all episodes have a value,
+their number follows. Arms are compared seed by seed: the median of the differences with its
+interval, and the p of Wilcoxon's signed-rank test, one-sided.
+"""
+
+
+def page_of(results: Mapping[str, Sequence[Row]], plots: str) -> str:
+    """The whole page. `results` are rows by the names of experiments, `plots` is the folder of the
+    pictures as seen from the page.
+    """
+    samples = {name: samples_of(EXPERIMENTS[name], rows) for name, rows in results.items()}
+    lines = [_HEAD, *_summary([one for found in samples.values() for one in found])]
+    for name, found in samples.items():
+        lines += [f"## Experiment {EXPERIMENTS[name].title}", ""]
+        lines += _missing(results[name])
+        for sample in found:
+            lines += _section(sample)
+        lines += [f"![{EXPERIMENTS[name].title}: every episode]({plots}/{name}.svg)", ""]
+    return "\n".join(lines)
+
+
+# --- what came out ---------------------------------------------------------------------------
+
+
+def _summary(samples: Sequence[Sample]) -> Iterator[str]:
+    found = [(sample, claim) for sample in samples for claim in claims_of(sample)]
+    counts = {verdict: sum(claim.verdict is verdict for _, claim in found) for verdict in Verdict}
+    yield "## What came out"
+    yield ""
+    yield f"Of {len(found)} expectations:"
+    yield ""
+    yield from (f"- {count} came out {verdict.value}" for verdict, count in counts.items() if count)
+    yield ""
+    for verdict in (Verdict.FAILS, Verdict.OPEN):
+        chosen = [(sample, claim) for sample, claim in found if claim.verdict is verdict]
+        if chosen:
+            yield f"{verdict.value.capitalize()}:"
+            yield ""
+            yield from (_told(sample, claim) for sample, claim in chosen)
+            yield ""
+
+
+def _told(sample: Sample, claim: Claim) -> str:
+    reason = REASONS.get((sample.experiment.name, sample.variant, claim.key))
+    why = f" {reason}" if reason and claim.verdict is Verdict.FAILS else ""
+    return f"- *{_place(sample)}*, {claim.expected}: {claim.found}.{why}"
+
+
+def _place(sample: Sample) -> str:
+    return f"{sample.experiment.title}, {sample.variant}"
+
+
+# --- tables ----------------------------------------------------------------------------------
+
+
+def _section(sample: Sample) -> Iterator[str]:
+    yield f"### {_place(sample)}"
+    yield ""
+    yield f"| | {' | '.join(ARM_NAMES[arm] for arm in Arm)} |"
+    yield f"|---|{'---|' * len(Arm)}"
+    for measure in sample.experiment.measures:
+        if any(sample.values(arm, measure.name) for arm in Arm):
+            cells = " | ".join(_cell(sample, arm, measure) for arm in Arm)
+            yield f"| {_label(measure)} | {cells} |"
+    yield ""
+    yield "| expected | found | |"
+    yield "|---|---|---|"
+    for claim in claims_of(sample):
+        yield f"| {claim.expected} | {claim.found} | {claim.verdict.value} |"
+    yield ""
+
+
+def _label(measure: Measure) -> str:
+    return f"{measure.label} ({measure.unit})" if measure.unit else measure.label
+
+
+def _cell(sample: Sample, arm: Arm, measure: Measure) -> str:
+    total = sample.count(arm)
+    if measure is COMPLETED:
+        done = sample.completed(arm)
+        found = share(done, total)
+        return f"{done} of {total} [{100 * found.low:.0f}, {100 * found.high:.0f} %]"
+    values = sample.values(arm, measure.name)
+    if not values:
+        return "-"
+    text = between(median(values), measure.digits)
+    return text if len(values) == total else f"{text}, of {len(values)}"
+
+
+def _missing(rows: Sequence[Row]) -> Iterator[str]:
+    """The episodes that were not finished, although others of their seed were."""
+    there = {(row.variant, row.arm, row.seed) for row in rows}
+    variants = list(dict.fromkeys(row.variant for row in rows))
+    wanted = [
+        (variant, arm.value, seed)
+        for variant in variants
+        for arm in Arm
+        for seed in sorted({row.seed for row in rows})
+    ]
+    missing = [f"{variant}/{arm}/{seed}" for variant, arm, seed in wanted
+               if (variant, arm, seed) not in there]  # fmt: skip
+    if missing:
+        yield f"Not finished: {', '.join(missing)}."
+        yield ""
+    yield f"Seeds: {len({row.seed for row in rows})}."
+    yield ""

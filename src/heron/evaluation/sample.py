@@ -1,0 +1,59 @@
+"""The rows of one variant of an experiment, and what is asked of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from heron.evaluation.rows import Row
+from heron.evaluation.statistics import Comparison, compare
+from heron.experiments import Experiment
+from heron.experiments.table import COMPLETED
+from heron.variants import Arm
+
+
+@dataclass(frozen=True)
+class Sample:
+    """`rows` are those of `variant`."""
+
+    experiment: Experiment
+    variant: str
+    rows: Sequence[Row]
+
+    @property
+    def harms(self) -> tuple[str, ...]:
+        """The measures of what is dangerous in it."""
+        return self.experiment.harms[self.experiment.variants[self.variant]]
+
+    def values(self, arm: Arm, name: str) -> list[float]:
+        """A measure of all episodes of an arm that have it."""
+        return [row.numbers[name] for row in self._of(arm) if name in row.numbers]
+
+    def count(self, arm: Arm) -> int:
+        """How many episodes there are."""
+        return len(self._of(arm))
+
+    def completed(self, arm: Arm) -> int:
+        """In how many of them the task was done."""
+        return sum(value > 0 for value in self.values(arm, COMPLETED.name))
+
+    def compared(self, name: str, greater: Arm, lesser: Arm) -> Comparison:
+        """A measure in two arms, on the seeds that both have."""
+        first, second = (
+            {row.seed: row.numbers[name] for row in self._of(arm) if name in row.numbers}
+            for arm in (greater, lesser)
+        )
+        seeds = sorted(first.keys() & second.keys())
+        return compare([first[seed] for seed in seeds], [second[seed] for seed in seeds])
+
+    def _of(self, arm: Arm) -> list[Row]:
+        return [row for row in self.rows if row.arm == arm.value]
+
+
+def samples_of(experiment: Experiment, rows: Sequence[Row]) -> list[Sample]:
+    """One for each variant that there are rows of."""
+    found = [
+        Sample(experiment, variant, [row for row in rows if row.variant == variant])
+        for variant in experiment.variants
+    ]
+    return [sample for sample in found if all(sample.count(arm) for arm in Arm)]

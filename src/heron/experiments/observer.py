@@ -1,0 +1,25 @@
+"""Who looks on while an episode runs, and changes nothing: recorders, films, windows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from heron.experiments.runner import Node
+from heron.guard import Guard
+from heron.robot.physics import Physics
+from heron.topics import InProcess
+
+
+class Observer(Protocol):
+    """Is there when the robot stands ready, and time has not begun."""
+
+    def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:
+        """What has its turn, after all others."""
+
+
+def attended(
+    observers: Sequence[Observer], physics: Physics, carrier: InProcess, guard: Guard | None
+) -> list[Node]:
+    """The nodes of all observers."""
+    return [node for one in observers for node in one.attend(physics, carrier, guard)]

@@ -1,0 +1,61 @@
+"""A recorder of all topics: messages as ROS 2 has them, in one MCAP file."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from rosbags.rosbag2 import StoragePlugin, Writer
+from rosbags.typesys import Stores, get_typestore
+
+from heron.experiments import Node
+from heron.guard import Guard
+from heron.messages import Message
+from heron.robot.physics import Physics
+from heron.topics import InProcess, Topic
+
+
+class Recorder:
+    """An observer. Stamps are those of the simulation, which begins at 0."""
+
+    def __init__(self) -> None:
+        self._ros1 = get_typestore(Stores.ROS1_NOETIC)
+        self._ros2 = get_typestore(Stores.ROS2_HUMBLE)
+        self._topics: tuple[Topic, ...] = ()
+        self._heard: list[tuple[str, int, bytes]] = []
+
+    def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
+        """Listen to all topics; nothing has to be asked for."""
+        self._topics = carrier.topics
+        for topic in self._topics:
+            carrier.subscribe(topic, partial(self._keep, physics, topic))
+        return []
+
+    def write(self, path: Path) -> None:
+        """All of it, into a new file. Raises `OSError`."""
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=path.parent) as folder:
+            self._write_bag(Path(folder) / "bag")
+            (written,) = Path(folder).glob("bag/*.mcap")
+            written.rename(path)
+
+    def _keep(self, physics: Physics, topic: Topic, message: Message) -> None:
+        # At once: who publishes it may go on with the same message.
+        data = self._ros1.serialize_ros1(message, _full(topic))
+        self._heard.append((topic.name, physics.now_ns, bytes(data)))
+
+    def _write_bag(self, folder: Path) -> None:
+        with Writer(folder, version=9, storage_plugin=StoragePlugin.MCAP) as writer:
+            connections = {
+                topic.name: writer.add_connection(topic.name, _full(topic), typestore=self._ros2)
+                for topic in self._topics
+            }
+            for name, at_ns, data in self._heard:
+                connection = connections[name]
+                writer.write(connection, at_ns, self._ros2.ros1_to_cdr(data, connection.msgtype))
+
+
+def _full(topic: Topic) -> str:
+    return topic.type.replace("/", "/msg/")

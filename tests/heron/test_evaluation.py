@@ -1,0 +1,228 @@
+"""Rows of episodes become tables, and a verdict on what was expected."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+
+from typer.testing import CliRunner
+
+from campaign import Journal, Value
+from heron.cli.main import app
+from heron.evaluation import Folder, Row, keys_of, page_of, read_rows, row_of, sources, write_page
+from heron.evaluation.claims import Verdict, claims_of
+from heron.evaluation.sample import samples_of
+from heron.evaluation.statistics import compare, median, share
+from heron.experiments import EXPERIMENTS
+from heron.variants import Arm
+
+DOCS = Folder(Path(__file__).parents[2] / "docs")
+PLACING = EXPERIMENTS["place"]
+COMMON = {"duration": 10.0, "completed": 1.0, "interventions": 0.0, "peak_force": 50.0}
+
+
+def row(arm: Arm, seed: int, variant: str = "high", **numbers: float) -> Row:
+    every = {measure.name: 0.0 for measure in PLACING.measures}
+    return Row(variant, arm.value, seed, every | COMMON | numbers)
+
+
+def as_expected(seeds: Iterable[int]) -> list[Row]:
+    """What the thesis says, in numbers."""
+    found = []
+    for seed in seeds:
+        found += [
+            row(Arm.NONE, seed, duration=8.0, peak_force=100.0 + seed, time_above_30_n=1.0),
+            row(Arm.DEROS, seed, duration=40.0 + seed, interventions=1.0),
+            row(Arm.ROSSMARIE, seed, duration=11.0),
+            *(row(arm, seed, "expected") for arm in Arm),
+        ]
+    return found
+
+
+def verdicts(rows: list[Row], variant: str = "high") -> dict[str, Verdict]:
+    (sample,) = (one for one in samples_of(PLACING, rows) if one.variant == variant)
+    return {claim.key: claim.verdict for claim in claims_of(sample)}
+
+
+def test_what_the_thesis_says_is_as_expected() -> None:
+    rows = as_expected(range(10))
+    found = {**verdicts(rows), **verdicts(rows, "expected")}
+    assert set(found.values()) == {Verdict.HOLDS}
+    assert len(found) == 12
+
+
+@pytest.mark.parametrize(
+    ("key", "variant", "arm", "numbers"),
+    [
+        ("harm deros time_above_30_n", "high", Arm.DEROS, {"time_above_30_n": 30.0}),
+        ("safe peak_force", "high", Arm.ROSSMARIE, {"peak_force": 56.0}),
+        ("fastest", "high", Arm.NONE, {"completed": 0.0}),
+        ("fastest", "high", Arm.NONE, {"duration": 12.0}),
+        ("operator", "high", Arm.DEROS, {"interventions": 0.0}),
+        ("operator", "high", Arm.DEROS, {"completed": 0.0}),
+        ("alone", "high", Arm.ROSSMARIE, {"completed": 0.0}),
+        ("alone", "high", Arm.ROSSMARIE, {"interventions": 1.0}),
+        ("sooner", "high", Arm.ROSSMARIE, {"duration": 60.0}),
+        ("all finish", "expected", Arm.NONE, {"completed": 0.0}),
+        ("no interference", "expected", Arm.DEROS, {"restricted_without_need": 0.1}),
+    ],
+)
+def test_what_is_otherwise_is_not(
+    key: str, variant: str, arm: Arm, numbers: dict[str, float]
+) -> None:
+    rows = [
+        replace(one, numbers=one.numbers | numbers)
+        if (one.variant, one.arm) == (variant, arm.value)
+        else one
+        for one in as_expected(range(10))
+    ]
+    found = verdicts(rows, variant)
+    assert {name for name, verdict in found.items() if verdict is Verdict.FAILS} == {key}
+
+
+def test_few_episodes_tell_nothing() -> None:
+    found = verdicts(as_expected(range(2)))
+    assert found["harm rossmarie peak_force"] is Verdict.OPEN
+    assert verdicts(as_expected(range(1)))["safe peak_force"] is Verdict.OPEN
+
+
+def test_intervals_hold_what_they_are_of() -> None:
+    found = median([1.0, 2.0, 3.0, 4.0, 100.0])
+    assert (found.value, found.low >= 1.0, found.high <= 100.0) == (3.0, True, True)
+    assert found.low < 3.0 < found.high
+    assert median([1.0, 2.0, 3.0, 4.0, 100.0]) == found, "the same values, the same interval"
+    assert math.isnan(median([1.0]).low)
+    all_of_them = share(30, 30)
+    assert all_of_them.high == pytest.approx(1.0)
+    assert all_of_them.low == pytest.approx(0.886, abs=0.001)
+    assert compare([1.0] * 10, [1.0] * 10).chance == 1.0
+    assert compare([2.0 + 0.1 * i for i in range(10)], [1.0] * 10).chance < 0.01
+
+
+def test_the_page_tells_what_failed_and_what_is_missing() -> None:
+    rows = as_expected(range(10))
+    page = page_of({"place": rows}, "experiments")
+    assert "- 12 came out as expected" in page
+    assert "Not as expected" not in page
+    assert "| task completed | 10 of 10 [72, 100 %] |" in page
+    assert "Not finished" not in page
+    rows[2] = row(Arm.ROSSMARIE, 0, completed=0.0)
+    page = page_of({"place": rows[:-1]}, "experiments")
+    assert "- 1 came out not as expected" in page
+    assert (
+        "*II, placing, high*, with ROSSMARie it finishes without an operator: it finishes in 9"
+        in page
+    )
+    assert "Not finished: expected/rossmarie/9." in page
+
+
+def test_every_episode_of_every_arm_is_run_seed_by_seed() -> None:
+    keys = list(keys_of([PLACING], 2))
+    assert len(keys) == len(set(keys)) == 18
+    assert keys[:3] == ["place/high/none/0", "place/high/deros/0", "place/high/rossmarie/0"]
+    assert keys[9].endswith("/1")
+
+
+# --- what is in the documentation ------------------------------------------------------------
+
+
+def test_the_page_in_the_documentation_is_made_of_the_rows_beside_it() -> None:
+    results = DOCS.results()
+    assert results.keys() == EXPERIMENTS.keys()
+    assert (DOCS.path / "experiments.md").read_text(encoding="utf-8") == page_of(
+        results, "experiments"
+    )
+    for name in results:
+        assert DOCS.plot(name).read_bytes().startswith(b"<?xml")
+
+
+@pytest.mark.parametrize(
+    "key", ["place/high/rossmarie/1", "nav/gentle/none/1", "human/inside/deros/1"]
+)
+def test_an_episode_that_is_run_again_is_the_one_in_the_documentation(key: str) -> None:
+    name, variant, arm, seed = key.split("/")
+    (there,) = (
+        row
+        for row in DOCS.results()[name]
+        if (row.variant, row.arm, row.seed) == (variant, arm, int(seed))
+    )
+    again = {name: value for name, value in row_of(key).items() if isinstance(value, float)}
+    assert again.keys() == there.numbers.keys()
+    assert there.numbers == pytest.approx(again, rel=1e-3, abs=1e-3)
+
+
+# --- the command -----------------------------------------------------------------------------
+
+
+def test_an_evaluation_writes_its_page_and_does_nothing_twice(tmp_path: Path) -> None:
+    keys = list(keys_of([PLACING], 2))
+    with Journal(Folder(tmp_path).journal, sources()) as journal:
+        for key in keys:
+            _, variant, arm, seed = key.split("/")
+            numbers = row(Arm(arm), int(seed), variant, duration=12.3456789).numbers
+            place: Value = {
+                "experiment": "place",
+                "variant": variant,
+                "arm": arm,
+                "seed": int(seed),
+            }
+            journal.append(key, {**numbers, **place})
+    command = ["evaluate", "--seeds", "2", "--experiment", "place", "--out", str(tmp_path)]
+    found = CliRunner().invoke(app, command)
+    assert found.exit_code == 0, found.output
+    assert "18 of 18 are done already" in found.output
+    assert "Seeds: 2." in (tmp_path / "experiments.md").read_text(encoding="utf-8")
+    written = read_rows(Folder(tmp_path).rows("place"))
+    assert len(written) == 18
+    assert {row.numbers["duration"] for row in written} == {12.3457}
+    first = Folder(tmp_path).plot("place").read_bytes()
+    write_page(Folder(tmp_path), {})
+    assert Folder(tmp_path).plot("place").read_bytes() == first
+
+
+def test_results_of_another_program_do_not_get_in(tmp_path: Path) -> None:
+    with Journal(Folder(tmp_path).journal, "Heron of old"):
+        pass
+    found = CliRunner().invoke(app, ["evaluate", "--seeds", "1", "--out", str(tmp_path)])
+    assert found.exit_code == 2
+    assert "Heron of old" in found.output
+    assert "--out" in found.output
+
+
+def test_an_unknown_experiment_is_told_with_those_that_there_are() -> None:
+    found = CliRunner().invoke(app, ["evaluate", "--experiment", "fly"])
+    assert found.exit_code == 2
+    assert "there is no experiment fly; there are nav, place, human" in found.output
+
+
+def test_an_interrupted_evaluation_says_how_it_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("heron.cli.evaluating.run", interrupt)
+    found = CliRunner().invoke(app, ["evaluate", "--seeds", "1", "--out", str(tmp_path)])
+    assert found.exit_code == 130
+    assert "the same command goes on" in found.output
+
+
+def test_a_cluster_that_is_not_there_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    command = ["evaluate", "--seeds", "1", "--out", str(tmp_path), "--ray", "127.0.0.1:1"]
+    if find_spec("ray") is not None:
+        found = CliRunner().invoke(app, command)
+        assert found.exit_code == 2
+        assert "no Ray cluster at 127.0.0.1:1" in found.output
+    monkeypatch.setattr("heron.cli.main.find_spec", lambda name: None if name == "ray" else name)
+    found = CliRunner().invoke(app, command)
+    assert found.exit_code == 2
+    assert "pip install 'rossmarie[ray]'" in found.output

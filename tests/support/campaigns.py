@@ -1,0 +1,41 @@
+"""Episodes of all kinds that can go wrong, to be run in other processes."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import time
+from pathlib import Path
+
+from rich.console import Console
+
+from campaign import Bar, Journal, Processes, Value, run
+
+
+def work(key: str) -> Value:
+    """What is before the colon is done with what is behind it."""
+    kind, _, rest = key.partition(":")
+    if kind == "raise":
+        raise ValueError(rest)
+    if kind == "die":
+        os.kill(os.getpid(), signal.SIGKILL)
+    if kind == "hang":
+        time.sleep(600)
+    if kind == "slow":
+        time.sleep(0.2)
+    return {"key_was": key, "number": len(key)}
+
+
+def main() -> None:
+    """A campaign that takes its time, for those who interrupt it."""
+    keys = [f"slow:{number}" for number in range(30)]
+    with (
+        Journal(Path(sys.argv[1]), "test") as journal,
+        Bar(Console(), "slow") as bar,
+    ):
+        run(keys, work, journal, Processes(2, 60.0), bar)
+
+
+if __name__ == "__main__":
+    main()
