@@ -93,8 +93,8 @@ def test_the_reactor_is_what_reactions_mean(
         ("r->stage[rule_order[i]]++;", "", "settle_passes", "unwinding assertion"),
         ("r->engaged[rule] && !goes_on", "!goes_on", "react", "an engaged rule is released"),
         ("if (starts[rule_order[i]])", "if (false)", "react_0", "what is engaged has started (R3)"),
-        ("r->reported[task] = true;", "", "report", "a reported success is kept"),
-        ("fail(r, (unsigned)task);", "", "report", "a reported failure is one"),
+        ("r->reported[task] = true;", ";", "report", "a reported success is kept"),
+        ("fail(r, (unsigned)task);", ";", "report", "a reported failure is one"),
     ],
 )
 def test_a_seeded_fault_is_refuted(
