@@ -5,8 +5,11 @@ from __future__ import annotations
 import concurrent.futures
 import multiprocessing
 import os
-from collections.abc import Generator, Sequence
+import signal
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
+from multiprocessing import resource_tracker
 
 from pebble import ProcessExpired, ProcessPool
 
@@ -15,12 +18,12 @@ from campaign.workers import Result, Value, Work
 
 @dataclass(frozen=True)
 class Processes:
-    """`count` of them; an episode may take `limit_s` at most. One that dies takes only its own
-    episode with it.
+    """`count` of them; an episode may take `limit_s` at most, if there is such a limit. One that
+    dies takes only its own episode with it.
     """
 
     count: int
-    limit_s: float
+    limit_s: float | None
 
     @staticmethod
     def cores() -> int:
@@ -33,9 +36,10 @@ class Processes:
         context = multiprocessing.get_context("spawn")
         pool = ProcessPool(min(self.count, len(keys)) or 1, context=context)
         try:
-            waiting: dict[concurrent.futures.Future[Value], str] = {
-                pool.schedule(work, args=[key], timeout=self.limit_s): key for key in keys
-            }
+            with _undisturbed():
+                waiting: dict[concurrent.futures.Future[Value], str] = {
+                    pool.schedule(work, args=[key], timeout=self.limit_s): key for key in keys
+                }
             for future in concurrent.futures.as_completed(waiting):
                 yield self._result(waiting[future], future)
         finally:
@@ -51,3 +55,16 @@ class Processes:
             return Result(key, None, f"its process ended with exit code {expired.exitcode}")
         except Exception as error:
             return Result(key, None, f"{type(error).__name__}: {error}")
+
+
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Whoever interrupts means the campaign, which ends its workers: those that are started within
+    this do not hear of it, not even before they have begun.
+    """
+    resource_tracker.ensure_running()  # it would let the signal through again when it starts
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)

@@ -93,15 +93,15 @@ class CommandLine:
             tool = self.catalog().sarif_tool(self.own_version())
             typer.echo(render_sarif(found, tool), nl=False)
 
-    def print_findings(self, found: Sequence[Diagnostic]) -> None:
-        """The findings as text, without a count."""
+    def print_findings(self, found: Sequence[Diagnostic], console: Console | None = None) -> None:
+        """The findings as text, without a count: on standard output, if nothing else is given."""
         from dslkit.diagnostics.render_text import render_text
 
-        console = Console(highlight=False)
+        console = console or Console(highlight=False)
         if console.is_terminal:
             console.print(render_text(found, width=console.width), end="", soft_wrap=True)
         else:
-            typer.echo(render_text(found).plain, nl=False)
+            typer.echo(render_text(found).plain, nl=False, file=console.file)
 
     def print_page(self, text: str) -> None:
         """A page in Markdown: laid out on a terminal, as it is elsewhere."""

@@ -23,13 +23,13 @@ class Recorder:
     def __init__(self) -> None:
         self._ros1 = get_typestore(Stores.ROS1_NOETIC)
         self._ros2 = get_typestore(Stores.ROS2_HUMBLE)
-        self._topics: tuple[Topic, ...] = ()
+        self._topics: dict[Topic, None] = {}
         self._heard: list[tuple[str, int, bytes]] = []
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
         """Listen to all topics; nothing has to be asked for."""
-        self._topics = carrier.topics
-        for topic in self._topics:
+        self._topics |= dict.fromkeys(carrier.topics)
+        for topic in carrier.topics:
             carrier.subscribe(topic, partial(self._keep, physics, topic))
         return []
 
@@ -44,7 +44,7 @@ class Recorder:
     def _keep(self, physics: Physics, topic: Topic, message: Message) -> None:
         # At once: who publishes it may go on with the same message.
         data = self._ros1.serialize_ros1(message, _full(topic))
-        self._heard.append((topic.name, physics.now_ns, bytes(data)))
+        self._heard.append((topic.name, physics.elapsed_ns, bytes(data)))
 
     def _write_bag(self, folder: Path) -> None:
         with Writer(folder, version=9, storage_plugin=StoragePlugin.MCAP) as writer:

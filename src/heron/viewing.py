@@ -34,10 +34,15 @@ class Window:
     period_ns = 16_000_000
 
     def __init__(self) -> None:
+        self._handle: Any = None
         self._began_s = 0.0
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
-        """Open the window."""
+        """Open the window; another scene gets another one."""
+        if self._handle is not None:
+            if not self._handle.is_running():
+                return []
+            self._handle.close()
         self._handle = mujoco.viewer.launch_passive(physics.model, physics.data)
         self._began_s = time.monotonic()
         return [self]

@@ -54,6 +54,13 @@ def test_an_episode_that_fails_is_told_and_the_rest_goes_on(tmp_path: Path) -> N
     assert sorted(keys_in(tmp_path / "journal.jsonl")) == ["a:", "b:", "c:"]
 
 
+def test_a_worker_never_hears_of_an_interruption_not_even_while_it_starts(tmp_path: Path) -> None:
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, ())
+    found, _ = campaign(tmp_path / "journal.jsonl", ["blocked:a", "die:", "blocked:b"])
+    assert list(found.values.values()) == [{"is": True}] * 2, "the one that is started later, too"
+    assert signal.pthread_sigmask(signal.SIG_BLOCK, ()) == before
+
+
 def test_what_is_done_is_not_done_again(tmp_path: Path) -> None:
     path = tmp_path / "journal.jsonl"
     campaign(path, ["a:", "b:"])

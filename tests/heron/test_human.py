@@ -11,6 +11,7 @@ pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs P
 
 from heron.experiments import HumanEpisode, run_human
 from heron.experiments.visitor import varied
+from heron.tasks import Status
 from heron.variants import Arm, Person
 
 SEED = 3
@@ -73,11 +74,14 @@ def test_with_rules_that_recover_it_slows_gives_way_and_goes_on() -> None:
 
 
 def test_its_task_is_a_tree_of_skills_and_what_became_of_them_is_known() -> None:
-    tree = episode(Arm.ROSSMARIE, Person.INSIDE).tree
-    assert tree[0][1:] == ("carry_to_and_fro", "started")
-    assert tree[-1][1:] == ("carry_to_and_fro", "succeeded")
-    ends = [at_s for at_s, path, what in tree if "reach" in path.lower() and what == "succeeded"]
-    assert len(ends) == 24
+    root, *skills = episode(Arm.ROSSMARIE, Person.INSIDE).tree
+    assert (root.label, root.depth) == ("carry_to_and_fro", 0)
+    assert [skill.label for skill in skills[:2]] == ["Reach(here)", "Reach(above_here)"]
+    spans = [skill.spans[0] for skill in skills]
+    assert len(spans) == 24
+    assert {span.status for span in (*root.spans, *spans)} == {Status.SUCCEEDED}
+    ends = [span.end for span in spans if span.end is not None]
+    assert root.spans[0].end == ends[-1]
     assert max(np.diff(ends)) > 8, "while somebody is close it waits"
 
 

@@ -11,10 +11,10 @@ import pytest
 pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
 
 from heron.experiments import NavigationEpisode, run_navigation
-from heron.experiments.picking import pick_up
+from heron.experiments.picking import Standing, pick_up
 from heron.robot import Base
 from heron.scene import BaseParameters, CourseParameters, build_navigation, course
-from heron.tasks import Outcome, SkillTask
+from heron.tasks import Outcome, SkillTask, Status
 from heron.topics import NAVIGATE, Goal, InProcess
 from heron.variants import Arm, Terrain
 
@@ -65,9 +65,11 @@ def test_the_block_is_picked_up_from_where_the_base_stands(aside: float, is_held
     carrier, driver = InProcess(), Driver()
     carrier.serve(NAVIGATE, driver)
     task = SkillTask(carrier, "Fetch", "navigation.turtle", ["Target=room"])
-    task.tick(1_000_000_000)
+    base.now_ns = 1_000_000_000
+    task.tick(base.now_ns)
     driver.done(True)
-    picked = pick_up(base, built, task, np.random.default_rng(1))
+    generators = {name: np.random.default_rng(1) for name in ("picking", "joints")}
+    picked = pick_up(Standing(base, [], None), built, task, generators, [])
     assert picked.is_held == is_held
     assert (task.outcome is Outcome.COMPLETED) == is_held
 
@@ -113,7 +115,14 @@ def test_from_a_steep_ramp_it_backs_off_and_takes_the_other_way() -> None:
     found = episode(Arm.ROSSMARIE, Terrain.STEEP)
     assert found.measures.is_completed
     assert found.measures.replanned == 1
-    assert found.measures.duration > found.trace.times[-1] + 3, "it has picked up the block"
+    drive, grasp = (
+        next(skill.spans[-1] for skill in found.tree if skill.label.startswith(name))
+        for name in ("Drive", "Grasp")
+    )
+    assert drive.end is not None
+    assert found.measures.duration > drive.end + 3, "it has picked up the block"
+    assert grasp.status is Status.SUCCEEDED
+    assert found.trace.times[-1] == pytest.approx(found.measures.duration, abs=0.01)
     assert found.measures.interventions == 0
     assert any("back_off_steep_ramp activated" in words for _, words in found.told)
     assert found.trace.columns["y"].min() < -2.5

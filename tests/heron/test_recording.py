@@ -14,35 +14,66 @@ from rosbags.highlevel import AnyReader
 from typer.testing import CliRunner
 
 from heron.cli.main import app
-from heron.experiments import run_human
+from heron.experiments import Episode, run_human, run_navigation
 from heron.rules import FOLDER
-from heron.variants import Arm, Person
+from heron.variants import Arm, Person, Terrain
 from rossmarie.cli.main import app as rossmarie
 
 PLACING = ["record", "place", "--seed", "3", "--out"]
 
 
-def test_a_recording_is_replayed_with_the_verdicts_of_the_episode(tmp_path: Path) -> None:
-    path = tmp_path / "new" / "room.mcap"
-    found = CliRunner().invoke(app, ["record", "human", "--seed", "3", "--out", str(path)])
+def recorded(name: str, path: Path) -> None:
+    found = CliRunner().invoke(app, ["record", name, "--seed", "3", "--out", str(path)])
     assert found.exit_code == 0, found.output
-    assert [entry.name for entry in path.parent.iterdir()] == ["room.mcap"]
-    rules, report = FOLDER / "human.ross", tmp_path / "report"
-    replay = ["replay", str(rules), str(path), "--out", str(report)]
-    replayed = CliRunner().invoke(rossmarie, replay)
-    assert replayed.exit_code == 0, replayed.output
+
+
+def replayed(rules: str, path: Path, report: Path) -> list[tuple[float, str]]:
+    """The instants and changes of the verdicts."""
+    replay = ["replay", str(FOLDER / rules), str(path), "--out", str(report)]
+    found = CliRunner().invoke(rossmarie, replay)
+    assert found.exit_code == 0, found.output
     lines = map(json.loads, (report / "verdicts.jsonl").read_text(encoding="utf-8").splitlines())
-    again = [
+    return [
         (line["at_ns"] * 1e-9, f"{line['rule']} {line['change']}")
         for line in lines
         if line["type"] == "verdict"
     ]
-    told = [
-        (at_s, words.partition(":")[0])
-        for at_s, words in run_human(Arm.ROSSMARIE, Person.INSIDE, 3).told
-    ]
+
+
+def changes(episode: Episode) -> list[tuple[float, str]]:
+    return [(at_s, words.partition(":")[0]) for at_s, words in episode.told]
+
+
+def test_a_recording_is_replayed_with_the_verdicts_of_the_episode(tmp_path: Path) -> None:
+    path = tmp_path / "new" / "room.mcap"
+    recorded("human", path)
+    assert [entry.name for entry in path.parent.iterdir()] == ["room.mcap"]
+    told = changes(run_human(Arm.ROSSMARIE, Person.INSIDE, 3))
     assert len(told) > 2
-    assert again == told
+    assert replayed("human.ross", path, tmp_path / "report") == told
+
+
+def test_a_drive_is_recorded_until_the_block_is_picked_up(tmp_path: Path) -> None:
+    path = tmp_path / "drive.mcap"
+    recorded("nav", path)
+    episode = run_navigation(Arm.ROSSMARIE, Terrain.GENTLE, 3)
+    arrived_s = next(one.spans[0].end for one in episode.tree if one.label == "Drive(Target)")
+    assert arrived_s is not None
+    instants: dict[str, list[float]] = {}
+    with AnyReader([path]) as reader:
+        for connection, at_ns, data in reader.messages():
+            instants.setdefault(connection.topic, []).append(at_ns * 1e-9)
+            if connection.topic == "/joint_states":
+                message: Any = reader.deserialize(data, connection.msgtype)
+                stamp_s = message.header.stamp.sec + message.header.stamp.nanosec * 1e-9
+                assert instants["/joint_states"][-1] == pytest.approx(stamp_s, abs=0.02)
+    over_s = episode.measures.duration
+    for topic in ("/imu/data", "/odom", "/joint_states"):
+        assert instants[topic][-1] == pytest.approx(over_s, abs=0.05)
+    assert instants["/joint_states"][0] == pytest.approx(arrived_s, abs=0.05)
+    found = replayed("navigation.ross", path, tmp_path / "report")
+    # A guard waits until all sensors have spoken for the first time, a replay does not.
+    assert [one for one in found if one[0] > 2.0] == changes(episode)
 
 
 def test_all_topics_are_in_it_with_the_definitions_of_their_types(tmp_path: Path) -> None:

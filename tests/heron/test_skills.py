@@ -12,7 +12,7 @@ import pytest
 from ezskiros.driver import check_paths
 from ezskiros.runner import FaultyError
 from heron.skills import FOLDER
-from heron.tasks import Outcome, SkillTask, skill_task
+from heron.tasks import Outcome, SkillTask, Status, skill_task
 from heron.topics import ARM, NAVIGATE, Goal, InProcess
 
 PERIOD = SkillTask.period_ns
@@ -63,10 +63,33 @@ def test_a_block_is_fetched() -> None:
     assert task.outcome is Outcome.COMPLETED
     assert base.goals == [{"place": "heron:Table-3"}]
     assert [goal["pose"] for goal in arm.goals] == ["above", "down", "grasp", "above"]
-    instants = [at_s for at_s, _ in task.events]
+    labels = ["Drive(Target)", "Reach(above)", "Reach(down)", "Grasp(Target)", "Reach(above)"]
+    assert [skill.label for skill in task.tree] == ["fetch", *labels]
+    assert [skill.depth for skill in task.tree] == [0, 1, 1, 1, 1, 1]
+    instants = [skill.spans[0].start for skill in task.tree]
     assert instants[0] == pytest.approx(1.0, abs=0.05)
     assert instants == sorted(instants)
-    assert {event.skill for _, event in task.events} == {"Fetch", "Drive", "Reach", "Grasp"}
+    assert {span.status for skill in task.tree for span in skill.spans} == {Status.SUCCEEDED}
+
+
+def test_the_tree_knows_what_failed_and_what_never_started() -> None:
+    task, _, _ = played("Fetch", "navigation.turtle", ["Target=room"], "down")
+    states = [[span.status for span in skill.spans] for skill in task.tree]
+    done, failed = [Status.SUCCEEDED], [Status.FAILED]
+    assert states == [failed, done, done, failed, [], []]
+
+
+def test_the_tree_knows_what_still_runs() -> None:
+    task = SkillTask(InProcess(), "Fetch", "navigation.turtle", ["Target=room"])
+    assert [skill.spans for skill in task.tree] == [()], "only the root is known before it starts"
+    carrier = InProcess()
+    carrier.serve(NAVIGATE, Server())
+    task = SkillTask(carrier, "Fetch", "navigation.turtle", ["Target=room"])
+    task.tick(1_000_000_000)
+    root, drive, *later = task.tree
+    assert drive.spans == root.spans
+    assert [(span.end, span.status) for span in drive.spans] == [(None, Status.RUNNING)]
+    assert not any(skill.spans for skill in later)
 
 
 @pytest.mark.parametrize("disliked", ["heron:Table-3", "down", "grasp"])

@@ -52,6 +52,9 @@ class Handle:
     def sync(self) -> None:
         self.left -= 1
 
+    def close(self) -> None:
+        self.left = 0
+
 
 def test_a_window_goes_with_the_clock_until_it_is_closed(monkeypatch: pytest.MonkeyPatch) -> None:
     handle = Handle(20)
@@ -66,6 +69,24 @@ def test_a_window_goes_with_the_clock_until_it_is_closed(monkeypatch: pytest.Mon
     assert handle.left == 0
     assert took >= 19 * node.period_ns * 1e-9
     assert took < 60 * node.period_ns * 1e-9
+
+
+@pytest.mark.parametrize(("shown", "windows"), [(3, 2), (0, 1)])
+def test_another_scene_gets_another_window_if_somebody_still_looks(
+    shown: int, windows: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    handles: list[Handle] = []
+
+    def launch(*_: object) -> Handle:
+        handles.append(Handle(shown))
+        return handles[-1]
+
+    monkeypatch.setattr("mujoco.viewer.launch_passive", launch)
+    physics = Physics(build_placing(TableParameters(), ArmParameters()))
+    window = Window()
+    nodes = [window.attend(physics, InProcess(), None) for _ in range(2)]
+    assert [len(node) for node in nodes] == [1, windows - 1]
+    assert [handle.left for handle in handles] == [0, shown][:windows]
 
 
 def test_an_episode_in_a_window_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -24,6 +24,8 @@ def work(key: str) -> Value:
         time.sleep(600)
     if kind == "slow":
         time.sleep(0.2)
+    if kind == "blocked":
+        return {"is": signal.SIGINT in signal.pthread_sigmask(signal.SIG_BLOCK, ())}
     return {"key_was": key, "number": len(key)}
 
 

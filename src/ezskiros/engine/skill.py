@@ -64,6 +64,11 @@ class RunningSkill(Behaviour):
         return self._path
 
     @property
+    def call(self) -> SkillCall:
+        """What it is in the tree above it."""
+        return self._call
+
+    @property
     def tree(self) -> Behaviour | None:
         """What a compound ticks, once it has started."""
         return self._tree

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import mujoco
 import numpy as np
@@ -34,39 +35,51 @@ class Frames:
     trouble: str = ""
 
 
+class _Reel(NamedTuple):
+    """What was kept of one scene."""
+
+    physics: Physics
+    states: list[NDArray[np.float64]]
+
+
 class Film:
     """An observer that keeps a state every `PERIOD_NS`."""
 
     period_ns = PERIOD_NS
 
     def __init__(self) -> None:
-        self._physics: Physics | None = None
-        self._states: list[NDArray[np.float64]] = []
+        self._reels: list[_Reel] = []
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
         """Look on."""
-        self._physics = physics
+        self._reels.append(_Reel(physics, []))
         return [self]
 
     def tick(self, now_ns: int) -> None:  # noqa: ARG002
         """Keep the state."""
-        assert self._physics is not None
-        state = np.empty(mujoco.mj_stateSize(self._physics.model, _STATE))
-        mujoco.mj_getState(self._physics.model, self._physics.data, state, _STATE)
-        self._states.append(state)
+        physics, states = self._reels[-1]
+        state = np.empty(mujoco.mj_stateSize(physics.model, _STATE))
+        mujoco.mj_getState(physics.model, physics.data, state, _STATE)
+        states.append(state)
 
-    def develop(self, camera: Camera) -> Frames:
-        """Draw it."""
-        assert self._physics is not None
-        stride = -(-len(self._states) // _MOST)
+    def develop(self, cameras: Sequence[Camera]) -> Frames:
+        """Draw it, each scene as its camera sees it."""
+        stride = -(-sum(len(reel.states) for reel in self._reels) // _MOST)
         period = stride * PERIOD_NS * 1e-9
         if not hasattr(mujoco, "GLContext"):
             return Frames((), period, "there is no EGL")
         try:
-            pictures = _draw(self._physics.model, self._states[::stride], camera)
+            pictures = list(self._drawn(cameras, stride))
         except Exception as error:  # OpenGL fails in many ways, and a demo goes on without pictures
             return Frames((), period, f"{type(error).__name__}: {error}")
         return Frames(tuple(pictures), period)
+
+    def _drawn(self, cameras: Sequence[Camera], stride: int) -> Iterator[bytes]:
+        """Of all states together, each `stride`-th."""
+        skipped = 0
+        for (physics, states), camera in zip(self._reels, cameras, strict=False):
+            yield from _draw(physics.model, states[skipped::stride], camera)
+            skipped = (skipped - len(states)) % stride
 
 
 def _draw(
@@ -76,6 +89,8 @@ def _draw(
     data = mujoco.MjData(model)
     view = mujoco.MjvCamera()
     view.distance, view.azimuth, view.elevation = camera.distance, camera.azimuth, camera.elevation
+    shown = mujoco.MjvOption()
+    shown.sitegroup[:] = 0  # marks that only sensors need
     with mujoco.Renderer(model, _HEIGHT, _WIDTH) as renderer:
         renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = False  # slow in software
         renderer.scene.flags[mujoco.mjtRndFlag.mjRND_REFLECTION] = False
@@ -84,7 +99,7 @@ def _draw(
             mujoco.mj_setState(model, data, state, _STATE)
             mujoco.mj_forward(model, data)
             view.lookat[:] = _middle(model, data, camera.body)
-            renderer.update_scene(data, view)
+            renderer.update_scene(data, view, shown)
             pictures.append(_encoded(renderer.render()))
     return pictures
 

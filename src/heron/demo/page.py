@@ -10,7 +10,8 @@ from importlib.resources import files
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
-from heron.demo.charts import LEFT, RIGHT, WIDTH, Chart, Strip, Text, chart_of, strip_of, ticks
+from heron.demo.charts import RIGHT, WIDTH, Axis, Chart, chart_of
+from heron.demo.lanes import SIGNS, Lanes, axis_of, rules_of, running_of, tree_of
 from heron.demo.shots import Shot
 from heron.experiments import EXPERIMENTS
 from heron.experiments.table import ARM_NAMES
@@ -26,10 +27,10 @@ class Section:
     title: str
     variant: str
     shots: Sequence[Shot]
-    duration: float
+    axis: Axis
     charts: Sequence[Chart]
-    strip: Strip
-    ticks: Sequence[Text]
+    rules: Sequence[Lanes]
+    trees: Sequence[Lanes]
     rows: Sequence[tuple[str, Sequence[str]]]
     data: str
 
@@ -54,26 +55,26 @@ def page_of(shots: Sequence[Shot]) -> str:
         names=ARM_NAMES,
         style=palette + own.joinpath("demo.css").read_text("utf-8"),
         script=own.joinpath("demo.js").read_text("utf-8"),
+        signs=[(status.value, sign) for status, sign in SIGNS.items()],
         width=WIDTH,
-        left=LEFT,
         right=WIDTH - RIGHT,
     )
 
 
 def _section(name: str, shots: Sequence[Shot]) -> Section:
     experiment = EXPERIMENTS[name]
-    duration = max(shot.duration for shot in shots)
+    axis = axis_of(shots)
     return Section(
         name=name,
         title=f"Experiment {experiment.title}",
         variant=shots[0].title,
         shots=shots,
-        duration=duration,
-        charts=[chart_of(signal, shots, duration) for signal in experiment.signals],
-        strip=strip_of(shots, duration),
-        ticks=ticks(duration),
+        axis=axis,
+        charts=[chart_of(signal, shots, axis) for signal in experiment.signals],
+        rules=[rules_of(shot, axis) for shot in shots if shot.rules],
+        trees=[tree_of(shot, axis) for shot in shots],
         rows=_rows(shots),
-        data=_data(shots, duration),
+        data=_data(shots, axis.duration),
     )
 
 
@@ -93,6 +94,7 @@ def _data(shots: Sequence[Shot], duration: float) -> str:
                 "period": shot.frames.period,
                 "duration": shot.duration,
                 "rules": [[rule, *span] for rule, spans in shot.rules.items() for span in spans],
+                "skills": running_of(shot.tree, shot.duration),
                 "pictures": [base64.b64encode(one).decode() for one in shot.frames.pictures],
             }
             for shot in shots

@@ -20,24 +20,26 @@ class RulesWatch:
 
     def __init__(self) -> None:
         self._guard: Guard | None = None
+        self._physics: Physics | None = None
         self._since: dict[str, int] = {}
         self._now_ns = 0
         self._spans: Spans = {}
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
         """Look on, if there is something to be seen."""
-        self._guard = guard
+        self._physics, self._guard = physics, guard
         return [] if guard is None else [self]
 
-    def tick(self, now_ns: int) -> None:
+    def tick(self, now_ns: int) -> None:  # noqa: ARG002
         """Ask."""
         assert self._guard is not None
-        self._now_ns = now_ns
+        assert self._physics is not None
+        self._now_ns = self._physics.elapsed_ns
         active = set(self._guard.active)
         for rule in [rule for rule in self._since if rule not in active]:
             self._end(rule)
         for rule in self._guard.active:
-            self._since.setdefault(rule, now_ns)
+            self._since.setdefault(rule, self._now_ns)
 
     def spans(self) -> Spans:
         """Now that the episode is over."""

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from heron.demo.film import Film, Frames
 from heron.demo.rules_watch import RulesWatch, Spans
 from heron.experiments import EXPERIMENTS, Episode, Experiment
+from heron.tasks import TreeSkill
 from heron.variants import Arm
 from rossmarie.report.envelope import envelope
 from rossmarie.report.model import Plot
@@ -31,6 +32,7 @@ class Shot:
     measures: dict[str, str]
     told: tuple[tuple[float, str], ...]
     rules: Spans
+    tree: tuple[TreeSkill, ...]
     curves: dict[str, Curve]
     frames: Frames
 
@@ -49,8 +51,9 @@ def shoot(name: str, variant: str, arm: Arm, seed: int) -> Shot:
         measures=_measures(experiment, episode),
         told=episode.told,
         rules=rules.spans(),
+        tree=episode.tree,
         curves=_curves(experiment, episode),
-        frames=film.develop(experiment.camera),
+        frames=film.develop(experiment.cameras),
     )
 
 

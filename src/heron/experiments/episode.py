@@ -7,10 +7,6 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from heron.guard import Guard
-from heron.tasks import SkillTask
-
-Steps = tuple[tuple[float, str, str], ...]
-"""Of a behavior tree: an instant (s), a skill by its path in the tree, and what happened to it."""
 
 
 def seeded(names: Sequence[str], seed: int) -> dict[str, np.random.Generator]:
@@ -22,11 +18,6 @@ def seeded(names: Sequence[str], seed: int) -> dict[str, np.random.Generator]:
 def acting(guard: Guard | None) -> Callable[[], bool]:
     """Whether a guard, if there is one, does anything at the moment."""
     return lambda: guard is not None and guard.is_acting
-
-
-def tree_of(task: SkillTask) -> Steps:
-    """What became of the skills of a task."""
-    return tuple((at_s, "/".join(event.path), event.happened.value) for at_s, event in task.events)
 
 
 def told_by(guard: Guard | None) -> tuple[tuple[float, str], ...]:

@@ -10,7 +10,7 @@ import numpy as np
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import HUMAN_RULES, machine_of
-from heron.experiments.episode import Steps, acting, seeded, told_by, tree_of
+from heron.experiments.episode import acting, seeded, told_by
 from heron.experiments.measures import Flags, reactions, time_of, without_need
 from heron.experiments.observer import Observer, attended
 from heron.experiments.proximity import ProximityWitness
@@ -29,7 +29,7 @@ from heron.robot import (
 )
 from heron.robot.physics import Floats
 from heron.scene import ArmParameters, PersonParameters, RoomParameters, build_room
-from heron.tasks import Outcome, SkillTask
+from heron.tasks import Outcome, SkillTask, TreeSkill
 from heron.topics import InProcess
 from heron.variants import Arm, Person
 
@@ -75,7 +75,7 @@ class HumanEpisode:
     outcome: Outcome
     measures: HumanMeasures
     told: tuple[tuple[float, str], ...]
-    tree: Steps
+    tree: tuple[TreeSkill, ...]
     trace: Trace
 
 
@@ -103,7 +103,7 @@ def run_human(
         outcome=cell.task.outcome,
         measures=_measured(cell, trace),
         told=told_by(cell.guard),
-        tree=tree_of(cell.task),
+        tree=cell.task.tree,
         trace=trace,
     )
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from heron.experiments.arms import NAVIGATION_RULES, machine_of
 from heron.experiments.base_operator import BaseOperator, BaseOperatorParameters
-from heron.experiments.episode import Steps, seeded, told_by, tree_of
+from heron.experiments.episode import seeded, told_by
 from heron.experiments.measures import (
     NavigationMeasures,
     hazards,
@@ -19,7 +19,7 @@ from heron.experiments.measures import (
     without_need,
 )
 from heron.experiments.observer import Observer, attended
-from heron.experiments.picking import Picked, pick_up
+from heron.experiments.picking import Standing, pick_up
 from heron.experiments.runner import Node, run
 from heron.experiments.trace import BaseWitness, Trace
 from heron.guard import Guard, unfiltered
@@ -35,14 +35,14 @@ from heron.robot import (
     WheelOdometryParameters,
 )
 from heron.scene import BaseParameters, Course, CourseParameters, build_navigation, course
-from heron.tasks import Navigation, NavigationParameters, Outcome, SkillTask
+from heron.tasks import Navigation, NavigationParameters, Outcome, SkillTask, TreeSkill
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
 from heron.variants import Arm, Terrain
 
 LONGEST_S = 240.0
 _SETTLING_STEPS = 500
 _NEARLY = 0.98  # of what a servo may give
-_SEEDED = ("course", "imu", "odometry", "localization", "picking")
+_SEEDED = ("course", "imu", "odometry", "localization", "picking", "joints")
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class NavigationEpisode:
     outcome: Outcome
     measures: NavigationMeasures
     told: tuple[tuple[float, str], ...]
-    tree: Steps
+    tree: tuple[TreeSkill, ...]
     trace: Trace
 
 
@@ -65,12 +65,19 @@ class _Robot:
     """All that takes part in an episode."""
 
     physics: Base
+    carrier: InProcess
     navigation: Navigation
     task: SkillTask
     guard: Guard | None
     operator: BaseOperator | None
     witness: BaseWitness
     nodes: list[Node]
+
+    def standing(self) -> Standing:
+        """What of it goes on when the base has arrived."""
+        over = (self.task, self.operator)
+        nodes = [node for node in self.nodes if node not in over]
+        return Standing(self.physics, nodes, self.guard)
 
 
 def run_navigation(
@@ -80,29 +87,23 @@ def run_navigation(
     base = BaseParameters()
     generators = seeded(_SEEDED, seed)
     built = course(terrain, varied(generators["course"]))
-    robot = _assembled(arm, built, base, generators, observers)
-    navigation = robot.navigation
-    run(
-        robot.physics,
-        robot.nodes,
-        round(LONGEST_S * 1e9),
-        lambda: navigation.outcome is Outcome.COMPLETED or robot.task.outcome is Outcome.GIVEN_UP,
-    )
-    has_arrived = navigation.outcome is Outcome.COMPLETED
-    picked = None
-    if has_arrived:
-        picked = pick_up(robot.physics, built, robot.task, generators["picking"])
-    trace = robot.witness.trace()
+    robot = _assembled(arm, built, base, generators)
+    _drive(robot, observers)
+    measures = _measured(robot, built, base)
+    if robot.navigation.outcome is Outcome.COMPLETED:
+        picked = pick_up(robot.standing(), built, robot.task, generators, observers)
+        duration = measures.duration + picked.seconds
+        measures = replace(measures, is_completed=picked.is_held, duration=duration)
     return NavigationEpisode(
         arm=arm,
         terrain=terrain,
         seed=seed,
         course=built,
-        outcome=navigation.outcome,
-        measures=_measured(robot, trace, built, base, picked),
+        outcome=robot.navigation.outcome,
+        measures=measures,
         told=told_by(robot.guard),
-        tree=tree_of(robot.task),
-        trace=trace,
+        tree=robot.task.tree,
+        trace=robot.witness.trace(),
     )
 
 
@@ -121,7 +122,6 @@ def _assembled(
     built: Course,
     base: BaseParameters,
     generators: dict[str, np.random.Generator],
-    observers: Sequence[Observer],
 ) -> _Robot:
     physics = Base(build_navigation(built, base))
     physics.settle(_SETTLING_STEPS)
@@ -142,18 +142,31 @@ def _assembled(
     navigation = Navigation(view, built.routes, NavigationParameters(), lambda: physics.now_ns)
     witness = BaseWitness(physics, lambda: guard is not None and guard.is_restricting)
     task = SkillTask(carrier, "Fetch", "navigation.turtle", ["Target=room"])
-    nodes += [task, navigation, witness, *attended(observers, physics, carrier, guard)]
-    return _Robot(physics, navigation, task, guard, operator, witness, nodes)
+    nodes += [task, navigation, witness]
+    return _Robot(physics, carrier, navigation, task, guard, operator, witness, nodes)
 
 
-def _measured(
-    robot: _Robot, trace: Trace, built: Course, base: BaseParameters, picked: Picked | None
-) -> NavigationMeasures:
+def _drive(robot: _Robot, observers: Sequence[Observer]) -> None:
+    """Until it has arrived, or gives up."""
+    looking_on = attended(observers, robot.physics, robot.carrier, robot.guard)
+    run(
+        robot.physics,
+        [*robot.nodes, *looking_on],
+        round(LONGEST_S * 1e9),
+        lambda: (
+            robot.navigation.outcome is Outcome.COMPLETED or robot.task.outcome is Outcome.GIVEN_UP
+        ),
+    )
+
+
+def _measured(robot: _Robot, built: Course, base: BaseParameters) -> NavigationMeasures:
+    """Of the way, on which nothing has been picked up yet."""
+    trace = robot.witness.trace()
     present = hazards(trace, built, base)
     guard, operator = robot.guard, robot.operator
     return NavigationMeasures(
-        is_completed=picked is not None and picked.is_held,
-        duration=robot.physics.now_ns * 1e-9 + (0.0 if picked is None else picked.seconds),
+        is_completed=False,
+        duration=robot.physics.now_ns * 1e-9,
         interventions=0 if operator is None else operator.summons.visits,
         replanned=robot.navigation.replanned,
         peaks=peaks(trace),

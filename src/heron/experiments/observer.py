@@ -12,7 +12,9 @@ from heron.topics import InProcess
 
 
 class Observer(Protocol):
-    """Is there when the robot stands ready, and time has not begun."""
+    """Is there when the robot stands ready, and time has not begun; and again where the episode
+    goes on in another scene.
+    """
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:
         """What has its turn, after all others."""

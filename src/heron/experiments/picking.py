@@ -1,20 +1,32 @@
 """The end of experiment I: the base has arrived, and the arm picks up the block.
 
 The base stands, with its brakes on, so the arm has a scene of its own, with the table where it
-really is from there. On the way the arm is but a mass on the base.
+really is from there. On the way the arm is but a mass on the base. Both scenes have one time.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from heron.experiments.arm_cell import ArmCell
-from heron.robot import Arm, ArmController, ArmControllerParameters, Base
+from heron.experiments.observer import Observer, attended
+from heron.experiments.runner import Node, run
+from heron.guard import Guard
+from heron.robot import (
+    Arm,
+    ArmController,
+    ArmControllerParameters,
+    Base,
+    JointStates,
+    JointStatesParameters,
+)
 from heron.robot.physics import attitude
 from heron.scene import ArmParameters, Course, TableParameters, build_placing
+from heron.scene.scene import STEP_NS
 from heron.tasks import SkillTask
 from heron.topics import InProcess
 
@@ -34,22 +46,48 @@ class Picked:
     seconds: float
 
 
-def pick_up(base: Base, course: Course, task: SkillTask, generator: np.random.Generator) -> Picked:
+@dataclass(frozen=True)
+class Standing:
+    """A base that has arrived: its nodes, the guard among them, have their turns while the arm
+    works.
+    """
+
+    base: Base
+    nodes: Sequence[Node]
+    guard: Guard | None
+    period_ns = STEP_NS
+
+    def tick(self, now_ns: int) -> None:  # noqa: ARG002
+        """One step later."""
+        run(self.base, self.nodes, self.base.now_ns + STEP_NS, lambda: False)
+
+
+def pick_up(
+    standing: Standing,
+    course: Course,
+    task: SkillTask,
+    generators: Mapping[str, np.random.Generator],
+    observers: Sequence[Observer],
+) -> Picked:
     """From where the base stands, as the rest of the task."""
-    built = ArmParameters()
+    base, built = standing.base, ArmParameters()
     x, y = _as_seen_from(base, course.block)
     table = TableParameters(believed_height=_TABLE_HEIGHT, too_high=0.0, place=(x, y))
     block = np.array([x, y, _TABLE_HEIGHT + built.block_half])
     arm = Arm(build_placing(table, built), built, block)
     arm.settle(_SETTLING_STEPS)
+    arm.began_ns = base.elapsed_ns
     carrier = InProcess()
-    seen = block + generator.normal(0.0, _SEEN, 3)
+    seen = block + generators["picking"].normal(0.0, _SEEN, 3)
     above = seen + np.array([0.0, 0.0, _HOVER])
     controller = ArmController(
         arm, carrier, {"above": above, "down": seen}, ArmControllerParameters()
     )
-    task.go_on(carrier)
-    ArmCell(arm, task, None, None, [controller, task]).play(LONGEST_S)
+    joints = JointStates(arm, carrier, generators["joints"], JointStatesParameters())
+    task.go_on(carrier, arm.began_ns)
+    looking_on = attended(observers, arm, carrier, standing.guard)
+    nodes: list[Node] = [standing, joints, controller, task, *looking_on]
+    ArmCell(arm, task, None, None, nodes).play(LONGEST_S)
     return Picked(bool(arm.block[2] > block[2] + _LIFTED), arm.now_ns * 1e-9)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import PLACING_RULES, machine_of
-from heron.experiments.episode import Steps, acting, seeded, told_by, tree_of
+from heron.experiments.episode import acting, seeded, told_by
 from heron.experiments.measures import reactions, time_of
 from heron.experiments.observer import Observer, attended
 from heron.experiments.runner import Node
@@ -33,7 +33,7 @@ from heron.robot import (
 from heron.robot.arm_controller import PLACE
 from heron.robot.physics import Floats
 from heron.scene import ArmParameters, TableParameters, build_placing
-from heron.tasks import Outcome, SkillTask
+from heron.tasks import Outcome, SkillTask, TreeSkill
 from heron.topics import ARM, Carrier, InProcess, Remapped
 from heron.variants import Arm, Table
 
@@ -79,7 +79,7 @@ class PlacingEpisode:
     outcome: Outcome
     measures: PlacingMeasures
     told: tuple[tuple[float, str], ...]
-    tree: Steps
+    tree: tuple[TreeSkill, ...]
     trace: Trace
 
 
@@ -110,7 +110,7 @@ def run_placing(
         outcome=cell.task.outcome,
         measures=_measured(cell, trace, table, parameters),
         told=told_by(cell.guard),
-        tree=tree_of(cell.task),
+        tree=cell.task.tree,
         trace=trace,
     )
 

@@ -17,7 +17,7 @@ from heron.experiments.navigation import NavigationEpisode, run_navigation
 from heron.experiments.observer import Observer
 from heron.experiments.placing import PlacingEpisode, run_placing
 from heron.experiments.trace import Trace
-from heron.tasks import Outcome
+from heron.tasks import Outcome, TreeSkill
 from heron.variants import Arm, Person, Table, Terrain
 
 
@@ -73,6 +73,10 @@ class Episode(Protocol):
         """What the guard said, with its instants (s)."""
 
     @property
+    def tree(self) -> tuple[TreeSkill, ...]:
+        """What became of the skills of the task."""
+
+    @property
     def trace(self) -> Trace:
         """What really happened."""
 
@@ -121,7 +125,8 @@ class Camera:
 @dataclass(frozen=True)
 class Experiment:
     """`harms` names for each variant the measures of what is dangerous there: none, and whatever a
-    monitor restricts there is without need. The first variant is shown in the demo.
+    monitor restricts there is without need. The first variant is shown in the demo, by a camera for
+    each scene.
     """
 
     name: str
@@ -131,7 +136,7 @@ class Experiment:
     own_measures: tuple[Measure, ...]
     harms: Mapping[enum.Enum, tuple[str, ...]]
     signals: tuple[Signal, ...]
-    camera: Camera
+    cameras: tuple[Camera, ...]
 
     @property
     def variants(self) -> Mapping[str, enum.Enum]:
@@ -228,7 +233,10 @@ NAVIGATION = Experiment(
         Signal("pitch", "tilt", "°", -math.degrees(1), 10.0),
         Signal("effort", "torque, of its limit", "%", 100.0, 100.0),
     ),
-    camera=Camera("base", distance=3.6, azimuth=75.0, elevation=-16.0),
+    cameras=(
+        Camera("base", distance=3.6, azimuth=75.0, elevation=-16.0),
+        Camera("shoulder", distance=1.9, azimuth=130.0, elevation=-12.0),
+    ),
 )
 
 PLACING = Experiment(
@@ -267,7 +275,7 @@ PLACING = Experiment(
         Signal("height", "height of the hand", "cm", 100.0),
         Signal("effort", "torque, of its limit", "%", 100.0, 60.0),
     ),
-    camera=Camera("table", distance=1.3, azimuth=130.0, elevation=-10.0),
+    cameras=(Camera("table", distance=1.3, azimuth=130.0, elevation=-10.0),),
 )
 
 HUMAN = Experiment(
@@ -296,7 +304,7 @@ HUMAN = Experiment(
         Signal("speed", "speed of the hand", "m/s", 1.0, 0.25),
         Signal("x", "hand, to and fro", "m"),
     ),
-    camera=Camera("pedestal", distance=4.0, azimuth=15.0, elevation=-22.0),
+    cameras=(Camera("shoulder", distance=3.2, azimuth=25.0, elevation=-16.0),),
 )
 
 EXPERIMENTS: Mapping[str, Experiment] = {one.name: one for one in (NAVIGATION, PLACING, HUMAN)}

@@ -43,6 +43,6 @@ class JointStates:
         """One period later."""
         arm = self._arm
         efforts = arm.torques + self._generator.normal(0.0, self._noise, len(self._names))
-        state = messages.joint_state(now_ns, self._names, arm.angles, arm.speeds, efforts)
+        state = messages.joint_state(arm.elapsed_ns, self._names, arm.angles, arm.speeds, efforts)
         self._late.send(now_ns, state)
         self._late.deliver(now_ns)

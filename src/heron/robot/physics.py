@@ -25,12 +25,15 @@ class Attitude:
 
 
 class Physics:
-    """A compiled scene and its state. Time is in ns since the beginning."""
+    """A compiled scene and its state. `now_ns` is the time in this scene: where an episode goes on
+    in another scene, that one begins at `began_ns` of the episode.
+    """
 
     def __init__(self, model: Any) -> None:
         self.model = model
         self.data = mujoco.MjData(model)
         self.now_ns = 0
+        self.began_ns = 0
         self._slices = {
             model.sensor(index).name: slice(
                 model.sensor_adr[index], model.sensor_adr[index] + model.sensor_dim[index]
@@ -47,6 +50,11 @@ class Physics:
         """One step of the physics."""
         mujoco.mj_step(self.model, self.data)
         self.now_ns += STEP_NS
+
+    @property
+    def elapsed_ns(self) -> int:
+        """The time in the episode."""
+        return self.began_ns + self.now_ns
 
     def sensor(self, name: str) -> Floats:
         """The present reading of an ideal sensor; a view that changes with the state."""

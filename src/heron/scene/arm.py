@@ -73,6 +73,13 @@ def add_arm(spec: Any, arm: ArmParameters) -> None:
     body = spec.worldbody.add_body(name="pedestal", pos=[0, 0, arm.pedestal])
     half = arm.pedestal / 2
     body.add_geom(type=_GEOM.mjGEOM_BOX, size=[0.1, 0.1, half], pos=[0, 0, -half])
+    body.add_geom(  # what the shoulder turns on; to be looked at only
+        type=_GEOM.mjGEOM_CYLINDER,
+        fromto=[0, 0, 0, *LINKS[0].place],
+        size=[LINKS[0].radius, 0, 0],
+        contype=0,
+        conaffinity=0,
+    )
     for link, armature in zip(LINKS, arm.armature, strict=True):
         body = _add_link(spec, body, link, armature, arm.damping)
     _add_hand(spec, body, arm)

@@ -3,5 +3,14 @@
 from heron.tasks.navigation import Navigation, NavigationParameters
 from heron.tasks.outcome import Outcome
 from heron.tasks.skill_task import SkillTask
+from heron.tasks.tree import Span, Status, TreeSkill
 
-__all__ = ["Navigation", "NavigationParameters", "Outcome", "SkillTask"]
+__all__ = [
+    "Navigation",
+    "NavigationParameters",
+    "Outcome",
+    "SkillTask",
+    "Span",
+    "Status",
+    "TreeSkill",
+]

@@ -14,15 +14,14 @@ from ezskiros.runner import prepare
 from heron.skills import FOLDER
 from heron.skills.servers import CARRIER
 from heron.tasks.outcome import Outcome
+from heron.tasks.tree import TreeSkill, tree_over_time
 from heron.topics import Carrier
 
 _OUTCOMES = {Status.SUCCESS: Outcome.COMPLETED, Status.FAILURE: Outcome.GIVEN_UP}
 
 
 class SkillTask:
-    """Begins after a second, when sensors have settled. `events` are what became of each skill of
-    the tree, with its instant (s).
-    """
+    """Begins after a second, when sensors have settled."""
 
     period_ns = 40_000_000
     _BEGIN_NS = 1_000_000_000
@@ -37,18 +36,23 @@ class SkillTask:
             Setting(
                 ready.library,
                 ready.world,
-                tell=lambda event: self.events.append((self._now_ns * 1e-9, event)),
+                tell=lambda event: self._events.append((self._now_ns * 1e-9, event)),
                 clock=lambda: self._now_ns * 1e-9,
                 expansions=Expansions(ready.trees),
             ),
         )
-        self.events: list[tuple[float, Event]] = []
+        self._events: list[tuple[float, Event]] = []
         self.outcome = Outcome.RUNNING
 
-    def go_on(self, carrier: Carrier) -> None:
+    @property
+    def tree(self) -> tuple[TreeSkill, ...]:
+        """What has become of its skills."""
+        return tree_over_time(self._task.root, self._events)
+
+    def go_on(self, carrier: Carrier, began_ns: int) -> None:
         """In another scene, which has a carrier and a time of its own."""
         self._carrier = carrier
-        self._offset_ns = self._now_ns
+        self._offset_ns = began_ns
 
     def tick(self, now_ns: int) -> None:
         """One period later."""

@@ -16,6 +16,7 @@ import typer
 from dslkit.command_line import Format
 from rossmarie.cli.options import (
     MessageFolders,
+    Recordings,
     Rules,
     RulesFiles,
     Systems,
@@ -245,12 +246,7 @@ def report(
 @app.command()
 def replay(
     rules: Rules,
-    recording: Annotated[
-        Path,
-        typer.Argument(
-            metavar="RECORDING", help=".bag, .db3, .mcap, a bag folder, or .csv.", readable=False
-        ),
-    ],
+    recordings: Recordings,
     topic_map: TopicMap = None,
     out: Annotated[
         Path | None,
@@ -258,17 +254,24 @@ def replay(
             "--out",
             "-o",
             metavar="DIR",
-            help="Write timeline.html and verdicts.jsonl here.",
+            help="Write timeline.html and verdicts.jsonl here; of several recordings, each into a"
+            " folder of its name.",
             parser=written,
         ),
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
-    """Run the monitor of a rules file over a recording."""
-    from rossmarie.cli.replay import run_replay
+    """Run the monitor of a rules file over a recording, or over many at the same time."""
+    chosen = list(dict.fromkeys(recordings))
+    if len(chosen) == 1:
+        from rossmarie.cli.replay import run_replay
 
-    run_replay(rules, recording, topic_map or [], out, system or [], messages or [])
+        run_replay(rules, chosen[0], topic_map or [], out, system or [], messages or [])
+    else:
+        from rossmarie.cli.replays import run_replays
+
+        run_replays(rules, chosen, topic_map or [], out, system or [], messages or [])
 
 
 @app.command("test")
@@ -305,12 +308,7 @@ def run_tests(
 @app.command()
 def coverage(
     rules: Rules,
-    recordings: Annotated[
-        list[Path],
-        typer.Argument(
-            metavar="RECORDINGS...", help=".bag, .db3, .mcap, bag folders, or .csv.", readable=False
-        ),
-    ],
+    recordings: Recordings,
     topic_map: TopicMap = None,
     report: Annotated[
         Path | None,

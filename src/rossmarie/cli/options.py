@@ -35,6 +35,12 @@ Rules = Annotated[Path, typer.Argument(metavar="RULES", help="A .ross file.", re
 RulesFiles = Annotated[
     list[Path], typer.Argument(metavar="RULES...", help=".ross files.", readable=False)
 ]
+Recordings = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="RECORDINGS...", help=".bag, .db3, .mcap, bag folders, or .csv.", readable=False
+    ),
+]
 Systems = Annotated[
     list[Path] | None,
     typer.Option(

@@ -36,7 +36,7 @@ def run_replay(
     """Replay, print the findings and the table, and write the reports into `out`."""
     pairs = topic_pairs(topic_map)
     if out is not None:
-        _check_folder(out)
+        check_folder(out)
     with refusing(), told_progress("replaying") as on_progress:
         replay, found = replay_file(
             rules,
@@ -51,7 +51,7 @@ def run_replay(
         typer.echo(replay.notes[0], err=True)
     write_table(replay, sys.stdout)
     if out is not None:
-        _write_reports(replay, out)
+        _save_reports(replay, out)
 
 
 @contextmanager
@@ -95,7 +95,7 @@ def topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:
     return pairs
 
 
-def _check_folder(out: Path) -> None:
+def check_folder(out: Path) -> None:
     """End the run unless reports can be written to `out`: a replay may take long."""
     place = Path(os.path.realpath(out))
     while not os.path.lexists(place):
@@ -113,15 +113,22 @@ def _pair(text: str) -> tuple[str, str]:
     return wanted, recorded
 
 
-def _write_reports(replay: Replay, out: Path) -> None:
+def _save_reports(replay: Replay, out: Path) -> None:
     try:
-        out.mkdir(parents=True, exist_ok=True)
-        write_whole(out / TIMELINE, render_timeline(replay))
-        with (out / VERDICTS).open("w", encoding="utf-8") as stream:
-            stream.writelines(f"{line}\n" for line in verdict_lines(replay))
+        timeline, verdicts = write_reports(replay, out)
     except OSError as error:
         output.fail(f"cannot write to {out}: {reason(error)}", exit_code=2)
-    typer.echo(f"wrote {out / TIMELINE} and {out / VERDICTS}")
+    typer.echo(f"wrote {timeline} and {verdicts}")
+
+
+def write_reports(replay: Replay, out: Path) -> tuple[Path, Path]:
+    """Write timeline and verdicts. Raises `OSError`."""
+    timeline, verdicts = out / TIMELINE, out / VERDICTS
+    out.mkdir(parents=True, exist_ok=True)
+    write_whole(timeline, render_timeline(replay))
+    with verdicts.open("w", encoding="utf-8") as stream:
+        stream.writelines(f"{line}\n" for line in verdict_lines(replay))
+    return timeline, verdicts
 
 
 def write_model_of(recording: Path, out: Path | None) -> None:

@@ -18,11 +18,13 @@ _UNBROKEN = 1_000_000
 """A width, in columns, in which no plain line has to be broken."""
 
 
-def write_table(replay: Replay, out: TextIO) -> None:
+def write_table(replay: Replay, out: TextIO, *, width: int | None = None) -> None:
     """Write one row for each rule, and if the rules would have done anything, one for each task:
-    fitted to the width of a terminal, one line each elsewhere.
+    fitted to the width of a terminal, one line each elsewhere. With a `width`, `out` gets to a
+    terminal later.
     """
-    console = Console(file=out, highlight=False)
+    terminal = None if width is None else True
+    console = Console(file=out, width=width, force_terminal=terminal, highlight=False)
     tables = [_table(summarize(replay), styled=console.is_terminal)]
     if replay.rehearsed:
         tasks = summarize_tasks(replay.machine, replay.rehearsed)

@@ -15,14 +15,19 @@ for (const section of document.querySelectorAll("section[data-experiment]")) {
     film.pictures.map((picture) => "data:image/webp;base64," + picture));
   let before = null;
 
+  // The names of those spans that an instant is in.
+  function at(spans, time) {
+    return spans.filter(([, from, to]) => from <= time && time < to).map(([name]) => name).join(", ");
+  }
+
   function show(time) {
     data.films.forEach((film, index) => {
       const last = sources[index].length - 1;
       const image = figures[index].querySelector("img");
       if (image) image.src = sources[index][Math.min(last, Math.floor(time / film.period))];
-      const active = film.rules.filter(([, from, to]) => from <= time && time <= to);
-      const words = time >= film.duration ? "over" : active.map(([rule]) => rule).join(", ");
-      figures[index].querySelector(".now").textContent = words || "\u00a0";
+      const isOver = time >= film.duration;
+      figures[index].querySelector(".skill").textContent = isOver ? "over" : at(film.skills, time);
+      figures[index].querySelector(".rules").textContent = isOver ? "" : at(film.rules, time);
     });
     const x = left + (right - left) * time / data.duration;
     for (const cursor of cursors) {

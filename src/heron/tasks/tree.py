@@ -1,0 +1,96 @@
+"""A behavior tree over time: what became of each of its skills."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from py_trees.behaviour import Behaviour
+
+from ezskiros.engine.events import Event, Happened
+from ezskiros.engine.skill import RunningSkill
+from ezskiros.skills.nodes import SkillCall
+from ezskiros.trees.tree import ThingReference, ValueReference
+
+
+class Status(enum.Enum):
+    """How it stands with a skill that has started."""
+
+    RUNNING = "running"
+    SUCCEEDED = "succeeded"
+    FAILED = "failed"
+    PREEMPTED = "preempted"
+
+
+class Span(NamedTuple):
+    """A skill ran from when to when (s), and what came of it; no end if it still runs."""
+
+    start: float
+    end: float | None
+    status: Status
+
+
+@dataclass(frozen=True)
+class TreeSkill:
+    """A skill of a tree, so many levels below the root; without spans, it never started."""
+
+    label: str
+    depth: int
+    spans: tuple[Span, ...]
+
+
+_ENDS = {
+    Happened.SUCCEEDED: Status.SUCCEEDED,
+    Happened.FAILED: Status.FAILED,
+    Happened.PREEMPTED: Status.PREEMPTED,
+}
+
+
+def tree_over_time(
+    root: RunningSkill, events: Iterable[tuple[float, Event]]
+) -> tuple[TreeSkill, ...]:
+    """All skills of a tree that has run, each before those below it."""
+    skills = list(_skills(root))
+    spans: dict[tuple[str, ...], list[Span]] = {skill.path: [] for skill in skills}
+    for at_s, event in events:
+        _note(spans[event.path], at_s, event.happened)
+    return tuple(
+        TreeSkill(_label(skill), len(skill.path) - 1, tuple(spans[skill.path])) for skill in skills
+    )
+
+
+def _skills(node: Behaviour) -> Iterator[RunningSkill]:
+    """A skill, and those below it; what ticks them in between has no name."""
+    if isinstance(node, RunningSkill):
+        yield node
+        below = [] if node.tree is None else [node.tree]
+    else:
+        below = node.children
+    for child in below:
+        yield from _skills(child)
+
+
+def _note(spans: list[Span], at_s: float, happened: Happened) -> None:
+    if happened is Happened.STARTED:
+        spans.append(Span(at_s, None, Status.RUNNING))
+    elif happened in _ENDS:
+        is_running = bool(spans) and spans[-1].end is None
+        start = spans.pop().start if is_running else at_s  # one that fails before it starts
+        spans.append(Span(start, at_s, _ENDS[happened]))
+
+
+def _label(skill: RunningSkill) -> str:
+    """`Reach(above)`: its name, and what it gets in the tree that it is in."""
+    name = skill.name.partition("#")[0]
+    arguments = [] if skill.above is None else list(_arguments(skill.call))
+    return f"{name}({', '.join(arguments)})" if arguments else name
+
+
+def _arguments(call: SkillCall) -> Iterator[str]:
+    for given in call.arguments.values():
+        if isinstance(given, (ThingReference, ValueReference)):
+            yield given.parameter.name
+        else:
+            yield str(given)

@@ -1,0 +1,191 @@
+"""`rossmarie replay` over many recordings: each is an episode of a campaign, in a process of its
+own, and what cannot be read does not keep the others.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import typer
+from rich.console import Console
+
+from campaign import Campaign, Journal, Processes, Result, Value, run
+from dslkit.command_line import INTERNAL_ERROR
+from rossmarie.cli.output import output
+from rossmarie.cli.replay import check_folder, refusing, topic_pairs, write_reports
+from rossmarie.driver import compile_file
+from rossmarie.driver.monitor import start_engine
+from rossmarie.driver.replay import replay_file
+from rossmarie.driver.writing import reason
+from rossmarie.recordings import RecordingError
+from rossmarie.report import Replay, write_table
+from rossmarie.report.spans import summarize
+from rossmarie.report.wording import format_length
+
+_INTERRUPTED = 130
+
+
+@dataclass(frozen=True)
+class Job:
+    """What is the same for all recordings. `warnings` are so many of the rules, which were told
+    already; `width` is that of the terminal, if there is one.
+    """
+
+    rules: Path
+    topic_map: Mapping[str, str]
+    systems: Sequence[Path]
+    message_folders: Sequence[Path]
+    folders: Mapping[str, Path]
+    warnings: int
+    width: int | None
+
+
+def run_replays(
+    rules: Path,
+    recordings: Sequence[Path],
+    topic_map: Sequence[str],
+    out: Path | None,
+    systems: Sequence[Path],
+    message_folders: Sequence[Path],
+) -> None:
+    """Replay all, and print what came of each in their order; write reports into folders of `out`
+    that are called as the recordings.
+    """
+    pairs = topic_pairs(topic_map)
+    if out is not None:
+        check_folder(out)
+    with refusing():
+        compiled = compile_file(rules, systems=systems, message_folders=message_folders)
+    output.print_findings(compiled.warnings)
+    started = start_engine(compiled.machine)  # built once, for all processes
+    if started.reason:
+        typer.echo(started.reason, err=True)
+    keys = list(map(str, recordings))
+    folders = {} if out is None else _folders(out, keys)
+    console = Console()
+    width = console.width if console.is_terminal else None
+    warnings = len(compiled.warnings)
+    job = Job(rules, pairs, systems, message_folders, folders, warnings, width)
+    found = _campaign(keys, job)
+    _tell(keys, found)
+    raise typer.Exit(_exit_code(found))
+
+
+def _folders(out: Path, keys: Sequence[str]) -> dict[str, Path]:
+    """A folder for each recording; those of one name in different places get numbers."""
+    folders: dict[str, Path] = {}
+    for key in keys:
+        name, number = Path(key).resolve().name, 1
+        folder = out / name
+        while folder in folders.values():
+            number += 1
+            folder = out / f"{name}-{number}"
+        folders[key] = folder
+    return folders
+
+
+class _Told:
+    """A line on standard error for each recording that is done."""
+
+    def __init__(self) -> None:
+        self._count = self._done = 0
+
+    def begin(self, count: int, done: int) -> None:
+        """Of `count` recordings."""
+        self._count, self._done = count, done
+
+    def hear(self, result: Result) -> None:
+        """One more."""
+        self._done += 1
+        words = result.failure if result.value is None else result.value["summary"]
+        typer.echo(f"{self._done} of {self._count}: {result.key}: {words}", err=True)
+
+
+def _campaign(keys: Sequence[str], job: Job) -> Campaign:
+    workers = Processes(Processes.cores(), limit_s=None)
+    told = _Told()
+    try:
+        with (
+            TemporaryDirectory() as folder,
+            Journal(Path(folder) / "journal.jsonl", "replays") as journal,
+        ):
+            return run(keys, partial(replay_one, job), journal, workers, told)
+    except KeyboardInterrupt:
+        output.fail("interrupted", exit_code=_INTERRUPTED)
+
+
+def replay_one(job: Job, key: str) -> Value:
+    """What is to be said of a recording."""
+    text = io.StringIO()
+    console = Console(
+        file=text, width=job.width, force_terminal=job.width is not None, highlight=False
+    )
+    try:
+        replay, found = replay_file(
+            job.rules,
+            Path(key),
+            topic_map=job.topic_map,
+            systems=job.systems,
+            message_folders=job.message_folders,
+        )
+    except RecordingError as error:
+        output.print_findings([error.diagnostic], console)
+        code = output.exit_code([error.diagnostic])
+        return {"text": text.getvalue(), "summary": "cannot be used", "exit_code": code}
+    output.print_findings(found[job.warnings :], console)
+    write_table(replay, text, width=job.width)
+    code = _write(replay, job.folders[key], text) if key in job.folders else 0
+    activations = sum(summary.activations for summary in summarize(replay))
+    length_ns = replay.end_ns - replay.start_ns
+    summary = f"{format_length(length_ns)}, {_counted(activations, 'activation')}"
+    counts: Value = {"length_ns": length_ns, "activations": activations}
+    return {"text": text.getvalue(), "summary": summary, "exit_code": code, **counts}
+
+
+def _write(replay: Replay, folder: Path, text: io.StringIO) -> int:
+    """Write the reports; gives the exit code."""
+    try:
+        timeline, verdicts = write_reports(replay, folder)
+    except OSError as error:
+        text.write(f"cannot write to {folder}: {reason(error)}\n")
+        return 2
+    text.write(f"wrote {timeline} and {verdicts}\n")
+    return 0
+
+
+def _tell(keys: Sequence[str], found: Campaign) -> None:
+    reasons = {failure.key: failure.reason for failure in found.failures}
+    for key in keys:
+        typer.echo(f"{key}:")
+        value = found.values.get(key)
+        if value is None:
+            typer.echo(f"not finished: {reasons[key]}")
+        else:
+            typer.echo(str(value["text"]).rstrip())
+        typer.echo()
+    typer.echo(_totals(found, len(keys)))
+
+
+def _totals(found: Campaign, count: int) -> str:
+    """The last line."""
+    used = [value for value in found.values.values() if "length_ns" in value]
+    length_ns = sum(int(value["length_ns"] or 0) for value in used)
+    activations = sum(int(value["activations"] or 0) for value in used)
+    words = f"{len(used)} of {_counted(count, 'recording')} replayed, {format_length(length_ns)}"
+    return f"{words}: {_counted(activations, 'activation')}"
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}{'' if count == 1 else 's'}"
+
+
+def _exit_code(found: Campaign) -> int:
+    """That of the worst; a replay that does not come to its end is a defect."""
+    if found.failures:
+        return INTERNAL_ERROR
+    return max(int(value["exit_code"] or 0) for value in found.values.values())
