@@ -28,6 +28,7 @@ __all__ = [
     "Time",
     "Twist",
     "WrenchStamped",
+    "full_name",
     "imu",
     "joint_state",
     "laser_scan",
@@ -36,6 +37,7 @@ __all__ = [
     "odometry",
     "quaternion_about_z",
     "stamped_pose",
+    "store",
     "twist",
     "type_name",
     "wrench",
@@ -77,15 +79,15 @@ def type_name(message_class: type) -> str:
 
 def message_class(name: str) -> type:
     """The class of messages of a type such as `std_msgs/Bool`. Raises `KeyError`."""
-    found: type = _store().types[_full(name)]
+    found: type = store().types[full_name(name)]
     return found
 
 
 def new_message(name: str) -> Message:
     """A message with all fields zero, false or empty."""
-    store = _store()
-    _, fields = store.fielddefs[_full(name)]
-    return store.types[_full(name)](*(_new_field(kind) for _, kind in fields))
+    known = store()
+    _, fields = known.fielddefs[full_name(name)]
+    return known.types[full_name(name)](*(_new_field(kind) for _, kind in fields))
 
 
 def _new_field(description: Any) -> Any:
@@ -100,12 +102,14 @@ def _new_field(description: Any) -> Any:
     return [_new_field(detail[0]) for _ in range(count)]
 
 
-def _full(name: str) -> str:
+def full_name(name: str) -> str:
+    """`sensor_msgs/msg/Imu`, as rosbags has it."""
     return name if "/msg/" in name else name.replace("/", "/msg/")
 
 
 @cache
-def _store() -> Typestore:
+def store() -> Typestore:
+    """All types that are known."""
     return get_typestore(Stores.ROS1_NOETIC)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from heron import messages
-from heron.guard import Guard, UnsupportedEffectError
+from heron.guard import InProcessGuard, UnsupportedEffectError
 from heron.topics import Topic
 from rossmarie.ir import OrderKind
 from support.guarding import UNFILTERED, Guarded
@@ -28,7 +28,7 @@ action stop { block /cmd_vel; } latched until reset;
 """
 
 
-def started(tmp_path: Path, rules: str) -> tuple[Guarded, Guard]:
+def started(tmp_path: Path, rules: str) -> tuple[Guarded, InProcessGuard]:
     path = tmp_path / "rules.ross"
     path.write_text(HEAD + rules, encoding="utf-8")
     guarded = Guarded()

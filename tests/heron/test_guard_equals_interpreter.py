@@ -14,7 +14,7 @@ from rosbags.typesys import Stores, get_typestore
 
 from heron import messages
 from heron.experiments.runner import Node, run
-from heron.guard import Guard
+from heron.guard import InProcessGuard
 from heron.messages import Message
 from heron.robot import (
     Base,
@@ -80,7 +80,7 @@ def test_verdicts_are_those_of_the_interpreter(rules: str) -> None:
     for topic in (IMU, ODOMETRY):
         carrier.subscribe(topic, partial(carry, topic.name))
     generator = np.random.default_rng(7)
-    guard = Guard(machine, carrier, lambda: physics.now_ns)
+    guard = InProcessGuard(machine, carrier, lambda: physics.now_ns)
     nodes: list[Node] = [
         Imu(physics, carrier, generator, ImuParameters()),
         WheelOdometry(physics, carrier, generator, base, WheelOdometryParameters()),

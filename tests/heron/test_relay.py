@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from heron.guard import Guard
+from heron.guard import InProcessGuard
 from heron.topics import Goal, Parameter
 from support.guarding import Guarded
 
@@ -55,7 +55,7 @@ class Scene:
         self.guarded.carrier.serve("/arm", self.arm)
         parameter = Parameter(lambda: self.stiffness, self._set)
         self.guarded.carrier.declare("/arm_controller.stiffness", parameter)
-        self.guard: Guard = self.guarded.start(path)
+        self.guard: InProcessGuard = self.guarded.start(path)
         self.guarded.speed(0.0)
 
     def send(self, goal: Goal) -> None:

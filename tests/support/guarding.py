@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from heron import messages
-from heron.guard import Guard
+from heron.guard import InProcessGuard
 from heron.messages import Message
 from heron.topics import BOOST, COMMAND, ODOMETRY, InProcess, Topic
 from rossmarie.driver import compile_file
@@ -24,11 +24,11 @@ class Guarded:
     sent: list[tuple[int, float]] = field(default_factory=list)
     boosts: list[int] = field(default_factory=list)
 
-    def start(self, rules: Path) -> Guard:
+    def start(self, rules: Path) -> InProcessGuard:
         """The guard of a rules file."""
         self.carrier.subscribe(COMMAND, lambda one: self.sent.append((self.now_ns, one.linear.x)))
         self.carrier.subscribe(BOOST, lambda _: self.boosts.append(self.now_ns))
-        return Guard(compile_file(rules).machine, self.carrier, lambda: self.now_ns)
+        return InProcessGuard(compile_file(rules).machine, self.carrier, lambda: self.now_ns)
 
     def publish(self, topic: Topic, message: Message) -> None:
         """Send a message, now."""
@@ -43,7 +43,7 @@ class Guarded:
         """A program commands a speed."""
         self.publish(UNFILTERED, messages.twist(value, 0.0))
 
-    def pass_time(self, guard: Guard, until_ns: int, each: Callable[[], None]) -> None:
+    def pass_time(self, guard: InProcessGuard, until_ns: int, each: Callable[[], None]) -> None:
         """Time passes; every tenth of a second something happens."""
         while self.now_ns < until_ns:
             self.now_ns += guard.period_ns

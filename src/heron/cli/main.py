@@ -1,8 +1,8 @@
 """The `heron` command: one function per subcommand.
 
-Exit codes: 0 what was asked for was run, however it went, 1 an episode of an evaluation was not
-finished, 2 the command itself was called wrongly or MuJoCo is not installed, 70 a defect of this
-tool, 130 interrupted.
+Exit codes: 0 what was asked for was run, however it went, 1 an episode was not finished, 2 the
+command itself was called wrongly or MuJoCo is not installed, 70 a defect of this tool, 130
+interrupted.
 """
 
 from __future__ import annotations
@@ -67,9 +67,20 @@ def nav(
     terrain: Annotated[Terrain, typer.Option(help="What is in its way.")] = Terrain.GENTLE,
     seed: Seed = 0,
     view: View = False,
+    ros1: Annotated[
+        bool, typer.Option("--ros1", help="With the generated node on guard, by ROS_MASTER_URI.")
+    ] = False,
 ) -> None:
     """Experiment I: through a corridor with a bump, up a ramp, to the block in the room."""
-    _run("nav", arm, terrain, seed, is_viewed=view)
+    if not ros1:
+        _run("nav", arm, terrain, seed, is_viewed=view)
+        return
+    if arm is Arm.NONE:
+        output.fail("--ros1 is about the node on guard, and --arm none has none", exit_code=2)
+    _require_simulation()
+    from heron.cli.live import run_live
+
+    run_live(output, arm, terrain, seed, [_window()] if view else [])
 
 
 @runs.command()

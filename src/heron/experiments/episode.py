@@ -24,4 +24,4 @@ def told_by(guard: Guard | None) -> tuple[tuple[float, str], ...]:
     """The verdicts in words, with their instants (s)."""
     if guard is None:
         return ()
-    return tuple((verdict.at_ns * 1e-9, guard.explain(verdict)) for verdict in guard.verdicts)
+    return tuple((at_ns * 1e-9, words) for at_ns, words in guard.told)

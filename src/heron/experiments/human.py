@@ -17,7 +17,7 @@ from heron.experiments.proximity import ProximityWitness
 from heron.experiments.runner import Node
 from heron.experiments.trace import Trace
 from heron.experiments.visitor import Visitor, Walk, varied
-from heron.guard import Guard
+from heron.guard import InProcessGuard
 from heron.robot import (
     Arm as RobotArm,
 )
@@ -122,7 +122,7 @@ def _assembled(
     guard, operator = None, None
     nodes: list[Node] = [visitor, scan, controller]
     if arm is not Arm.NONE:
-        guard = Guard(machine_of(HUMAN_RULES[arm]), carrier, lambda: robot.now_ns)
+        guard = InProcessGuard(machine_of(HUMAN_RULES[arm]), carrier, lambda: robot.now_ns)
         operator = ArmOperator(guard, lambda: None)
         nodes += [guard, operator]
     task = SkillTask(carrier, "CarryToAndFro", "arm.turtle", [])

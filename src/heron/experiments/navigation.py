@@ -22,7 +22,7 @@ from heron.experiments.observer import Observer, attended
 from heron.experiments.picking import Standing, pick_up
 from heron.experiments.runner import Node, run
 from heron.experiments.trace import BaseWitness, Trace
-from heron.guard import Guard, unfiltered
+from heron.guard import Guard, InProcessLink, Link, unfiltered
 from heron.robot import (
     Base,
     Drive,
@@ -81,13 +81,19 @@ class _Robot:
 
 
 def run_navigation(
-    arm: Arm, terrain: Terrain, seed: int, observers: Sequence[Observer] = ()
+    arm: Arm,
+    terrain: Terrain,
+    seed: int,
+    observers: Sequence[Observer] = (),
+    link: Link | None = None,
 ) -> NavigationEpisode:
-    """One episode. The same arguments give the same episode, number for number."""
+    """One episode, in this process if no other link is given. The same arguments give the same
+    episode, number for number.
+    """
     base = BaseParameters()
     generators = seeded(_SEEDED, seed)
     built = course(terrain, varied(generators["course"]))
-    robot = _assembled(arm, built, base, generators)
+    robot = _assembled(arm, built, base, generators, link or InProcessLink())
     _drive(robot, observers)
     measures = _measured(robot, built, base)
     if robot.navigation.outcome is Outcome.COMPLETED:
@@ -122,10 +128,15 @@ def _assembled(
     built: Course,
     base: BaseParameters,
     generators: dict[str, np.random.Generator],
+    link: Link,
 ) -> _Robot:
     physics = Base(build_navigation(built, base))
     physics.settle(_SETTLING_STEPS)
-    carrier = InProcess()
+
+    def clock() -> int:
+        return physics.now_ns
+
+    carrier = link.carrier(clock)
     nodes: list[Node] = [
         Imu(physics, carrier, generators["imu"], ImuParameters()),
         WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
@@ -135,14 +146,14 @@ def _assembled(
     guard, operator = None, None
     view: Carrier = carrier
     if arm is not Arm.NONE:
-        guard = Guard(machine_of(NAVIGATION_RULES[arm]), carrier, lambda: physics.now_ns)
+        guard = link.guard(machine_of(NAVIGATION_RULES[arm]), carrier, clock)
         operator = BaseOperator(physics, carrier, guard, built, BaseOperatorParameters())
         nodes += [guard, operator]
         view = Remapped(carrier, {COMMAND.name: unfiltered(COMMAND.name)})
-    navigation = Navigation(view, built.routes, NavigationParameters(), lambda: physics.now_ns)
+    navigation = Navigation(view, built.routes, NavigationParameters(), clock)
     witness = BaseWitness(physics, lambda: guard is not None and guard.is_restricting)
     task = SkillTask(carrier, "Fetch", "navigation.turtle", ["Target=room"])
-    nodes += [task, navigation, witness]
+    nodes += [task, navigation, link, witness]
     return _Robot(physics, carrier, navigation, task, guard, operator, witness, nodes)
 
 

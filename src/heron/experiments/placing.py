@@ -18,7 +18,7 @@ from heron.experiments.measures import reactions, time_of
 from heron.experiments.observer import Observer, attended
 from heron.experiments.runner import Node
 from heron.experiments.trace import ArmWitness, Trace
-from heron.guard import Guard, unfiltered
+from heron.guard import InProcessGuard, unfiltered
 from heron.robot import (
     Arm as RobotArm,
 )
@@ -152,7 +152,7 @@ def _assembled(
     guard, operator = None, None
     view: Carrier = carrier
     if arm is not Arm.NONE:
-        guard = Guard(machine_of(PLACING_RULES[arm]), carrier, lambda: robot.now_ns)
+        guard = InProcessGuard(machine_of(PLACING_RULES[arm]), carrier, lambda: robot.now_ns)
         operator = ArmOperator(guard, _remedy(guard, controller, table, built))
         nodes += [guard, operator]
         view = Remapped(carrier, _remapped(guard))
@@ -170,7 +170,7 @@ def _places(home: Floats, believed: float) -> dict[str, Floats]:
 
 
 def _remedy(
-    guard: Guard, controller: ArmController, table: TableParameters, arm: ArmParameters
+    guard: InProcessGuard, controller: ArmController, table: TableParameters, arm: ArmParameters
 ) -> Callable[[], None]:
     """What the operator does: he turns an arm down that was too fast, and leads one up that
     hammered, and tells it where the table is.
@@ -185,7 +185,7 @@ def _remedy(
     return mend
 
 
-def _remapped(guard: Guard) -> dict[str, str]:
+def _remapped(guard: InProcessGuard) -> dict[str, str]:
     """Where programs send goals for the arm: to the guard, if its rules have a say in them."""
     return {ARM: unfiltered(ARM)} if ARM in guard.servers else {}
 

@@ -3,7 +3,17 @@
 It performs what the nodes that ROSSMARie generates for ROS perform, in the same order.
 """
 
-from heron.guard.guard import Guard, Occurrence, unfiltered
+from heron.guard.guard import InProcessGuard, InProcessLink
+from heron.guard.model import Guard, Link, Occurrence, unfiltered, waiting
 from heron.guard.performing import UnsupportedEffectError
 
-__all__ = ["Guard", "Occurrence", "UnsupportedEffectError", "unfiltered"]
+__all__ = [
+    "Guard",
+    "InProcessGuard",
+    "InProcessLink",
+    "Link",
+    "Occurrence",
+    "UnsupportedEffectError",
+    "unfiltered",
+    "waiting",
+]

@@ -8,15 +8,15 @@ As in the generated nodes, rules are looked at once all inputs with a timeout ha
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence, Set
-from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 
 from heron.guard.commands import CommandFilter
 from heron.guard.intake import Intake, Take
+from heron.guard.model import Guard, Occurrence, unfiltered, waiting
 from heron.guard.performing import NEVER, Workshop, require_scalar_fields, servers
 from heron.guard.relay import Relay
 from heron.messages import Message
-from heron.topics import Carrier, Topic
+from heron.topics import Carrier, InProcess, Topic
 from rossmarie.driver.monitor import Monitor
 from rossmarie.interpreter import Reactor
 from rossmarie.interpreter.reactor import State
@@ -25,21 +25,10 @@ from rossmarie.ir import Event, FieldBounds, Machine, Order, OrderKind, Verdict
 PERIOD_NS = 2_000_000  # what is due by itself is done so late at most
 PATIENCE_NS = 5_000_000_000
 _FILTER_PERIOD_NS = 50_000_000
-_UNFILTERED = "unfil_"
 _IN_FORCE = (State.RUNNING, State.HOLDING)
 
 
-@dataclass(frozen=True)
-class Occurrence:
-    """Something that the guard did: an order for a task, and the rule behind it."""
-
-    at_ns: int
-    rule: str
-    action: str
-    kind: OrderKind
-
-
-class Guard:
+class InProcessGuard:
     """A rules file on guard. `clock` is the time of the robot, in ns."""
 
     period_ns = PERIOD_NS
@@ -47,7 +36,7 @@ class Guard:
     def __init__(self, machine: Machine, carrier: Carrier, clock: Callable[[], int]) -> None:
         self._machine = machine
         self._clock = clock
-        self._monitor = Monitor(machine)
+        self._monitor = _monitor_of(machine).fresh()
         self._intake = Intake(self._monitor)
         self._reactor = Reactor(machine.reactions)
         self.is_acting = False
@@ -84,13 +73,17 @@ class Guard:
     @property
     def latched(self) -> tuple[str, ...]:
         """Those of them that wait for an operator."""
-        waiting = {rule.name for rule in self._machine.rules if rule.release is None}
-        return tuple(name for name in self.active if name in waiting)
+        return waiting(self._machine, self.active)
 
     @property
     def is_restricting(self) -> bool:
         """Whether any command topic is bounded, or taken over by a rule."""
         return any(each.is_restricting for each in self._filters.values())
+
+    @property
+    def told(self) -> Sequence[tuple[int, str]]:
+        """Its verdicts in words, with their instants (ns)."""
+        return [(verdict.at_ns, self.explain(verdict)) for verdict in self.verdicts]
 
     def explain(self, verdict: Verdict) -> str:
         """A verdict in words."""
@@ -255,9 +248,24 @@ def _make_relays(machine: Machine, carrier: Carrier) -> dict[str, Relay]:
     return relays
 
 
-def unfiltered(topic: str) -> str:
-    """Where programs publish the commands that the guard lets through on a topic, as the generated
-    nodes have it.
-    """
-    head, slash, tail = topic.rpartition("/")
-    return f"{head}{slash}{_UNFILTERED}{tail}"
+@lru_cache(maxsize=16)
+def _monitor_of(machine: Machine) -> Monitor:
+    """Built and loaded once for all episodes."""
+    return Monitor(machine)
+
+
+class InProcessLink:
+    """Everything in this process."""
+
+    period_ns = 1_000_000_000
+
+    def carrier(self, clock: Callable[[], int]) -> InProcess:  # noqa: ARG002
+        """What the robot and its programs speak by."""
+        return InProcess()
+
+    def guard(self, machine: Machine, carrier: InProcess, clock: Callable[[], int]) -> Guard:
+        """What guards the robot by rules."""
+        return InProcessGuard(machine, carrier, clock)
+
+    def tick(self, now_ns: int) -> None:
+        """Everybody has heard it already."""

@@ -6,6 +6,7 @@ Takes the machine and the text that the Python target wrote for it.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from copy import copy
 from typing import Any
 
 from rossmarie import ir
@@ -25,9 +26,19 @@ class PythonMonitor:
         module: dict[str, Any] = {"__name__": "monitor"}
         exec(compile(source, "<generated monitor>", "exec"), module)
         self._jump = module["TimeJump"]
-        self._generated: Any = module["start"]()
+        self._make: Callable[[], Any] = module["start"]
+        self._begin()
+
+    def _begin(self) -> None:
+        self._generated = self._make()
         self._waiting: list[Event] = []
         self.next_wake: Callable[[], int | None] = self._generated.next_wake
+
+    def fresh(self) -> PythonMonitor:
+        """Another monitor of the same machine, that has seen nothing."""
+        another = copy(self)
+        another._begin()  # noqa: SLF001 - of this class
+        return another
 
     @property
     def active(self) -> tuple[bool, ...]:

@@ -49,6 +49,17 @@ def test_updates_go_by_name(monitor: Monitor) -> None:
     assert monitor.explain(event).startswith("fast cleared: ")
 
 
+def test_a_fresh_one_has_seen_nothing(monitor: Monitor) -> None:
+    moving: dict[str, float | str] = {"speed": 2.0, "mode": "auto"}
+    moving |= {"at.x": 0.0, "at.y": 0.0, "at.z": 1.0}
+    monitor.update(0, moving)
+    monitor.advance(SECOND // 2)
+    fresh = monitor.fresh()
+    assert (monitor.active, fresh.active) == (("fast",), ())
+    assert fresh.update(SECOND // 2, moving) == []
+    assert (monitor.active, fresh.active) == (("fast",), ())
+
+
 def test_silence_is_told(monitor: Monitor) -> None:
     monitor.update(0, {"speed": 0.0, "mode": "auto", "at.x": 0.0, "at.y": 0.0, "at.z": 1.0})
     assert told(monitor, monitor.advance(2 * SECOND)) == [

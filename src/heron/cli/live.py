@@ -1,0 +1,29 @@
+"""Experiment I with a node of ROS 1 on guard."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+from dslkit.command_line import CommandLine
+from heron.cli.episodes import print_episode
+from heron.experiments import Observer, run_navigation
+from heron.experiments.table import NAVIGATION
+from heron.ros1 import Ros1Error, Ros1Link
+from heron.variants import Arm, Terrain
+
+_MASTER = "http://localhost:11311"
+
+
+def run_live(
+    output: CommandLine, arm: Arm, terrain: Terrain, seed: int, observers: Sequence[Observer]
+) -> None:
+    """Master and address of this machine are where ROS has them: in the environment."""
+    master = os.environ.get("ROS_MASTER_URI") or _MASTER
+    host = os.environ.get("ROS_IP") or os.environ.get("ROS_HOSTNAME") or "localhost"
+    try:
+        with Ros1Link(master, host) as link:
+            episode = run_navigation(arm, terrain, seed, observers, link)
+    except Ros1Error as error:
+        output.fail(str(error), exit_code=1)
+    print_episode(NAVIGATION, episode)

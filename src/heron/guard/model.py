@@ -1,0 +1,91 @@
+"""What everybody else knows of a guard, wherever it is: in this process, or a node of ROS."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from heron.topics import InProcess
+from rossmarie.ir import Machine, OrderKind
+
+_UNFILTERED = "unfil_"
+
+
+@dataclass(frozen=True)
+class Occurrence:
+    """Something that the guard did: an order for a task, and the rule behind it."""
+
+    at_ns: int
+    rule: str
+    action: str
+    kind: OrderKind
+
+
+class Guard(Protocol):
+    """Rules on guard. It has its turn again and again."""
+
+    @property
+    def period_ns(self) -> int:
+        """How often."""
+
+    @property
+    def is_acting(self) -> bool:
+        """Whether any task of a rule is in force."""
+
+    @property
+    def is_restricting(self) -> bool:
+        """Whether any command topic is bounded, or taken over by a rule."""
+
+    @property
+    def active(self) -> tuple[str, ...]:
+        """The rules that are active."""
+
+    @property
+    def latched(self) -> tuple[str, ...]:
+        """Those of them that wait for an operator."""
+
+    @property
+    def occurrences(self) -> Sequence[Occurrence]:
+        """All that it did."""
+
+    @property
+    def told(self) -> Sequence[tuple[int, str]]:
+        """Its verdicts in words, with their instants (ns)."""
+
+    def reset(self) -> None:
+        """An operator resets all latched rules."""
+
+    def tick(self, now_ns: int) -> None:
+        """Its turn."""
+
+
+class Link(Protocol):
+    """What carries messages in an episode, and where the guard is."""
+
+    def carrier(self, clock: Callable[[], int]) -> InProcess:
+        """What the robot and its programs speak by. `clock` is the time of the robot, in ns."""
+
+    def guard(self, machine: Machine, carrier: InProcess, clock: Callable[[], int]) -> Guard:
+        """What guards the robot by rules."""
+
+    @property
+    def period_ns(self) -> int:
+        """How often it has its turn, after all who speak."""
+
+    def tick(self, now_ns: int) -> None:
+        """All that there was to say at this instant has been said."""
+
+
+def unfiltered(topic: str) -> str:
+    """Where programs publish the commands that the guard lets through on a topic, as the generated
+    nodes have it.
+    """
+    head, slash, tail = topic.rpartition("/")
+    return f"{head}{slash}{_UNFILTERED}{tail}"
+
+
+def waiting(machine: Machine, active: Sequence[str]) -> tuple[str, ...]:
+    """Of active rules those that wait for an operator."""
+    latching = {rule.name for rule in machine.rules if rule.release is None}
+    return tuple(name for name in active if name in latching)

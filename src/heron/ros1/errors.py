@@ -1,0 +1,7 @@
+"""What goes wrong with others."""
+
+from __future__ import annotations
+
+
+class Ros1Error(Exception):
+    """The master, or the node on guard, is not there, or does not answer."""
