@@ -11,7 +11,7 @@ from machine import processor
 from heron.experiments import EXPERIMENTS, Experiment
 from heron.variants import Arm
 
-ROUNDS = 3
+ROUNDS = 9
 
 
 def seconds(experiment: Experiment, variant: str, arm: Arm) -> tuple[float, float]:
