@@ -54,6 +54,8 @@ _INFIX = {
     Function.DIVIDE: "/",
 }
 
+_ANGLES = (Function.ROLL, Function.PITCH, Function.YAW)
+
 
 class Definitions:
     """Writes the definitions of one machine."""
@@ -86,6 +88,11 @@ class Definitions:
             is_computed = isinstance(signal.node, ir.Apply | ir.Rate | ir.Previous)
             if is_computed and self._layout.elements.signals[index] is None:
                 yield index
+
+    def is_angle(self, signal: int) -> bool:
+        """Whether a signal is finite or unknown by itself."""
+        node = self._machine.signals[signal].node
+        return isinstance(node, ir.Apply) and node.function in _ANGLES
 
     def _signals(self) -> Iterator[str]:
         for index in self.computed():
@@ -248,8 +255,9 @@ def converted(raw: str, scale: float, offset: float) -> str:
 
 
 def applied(function: Function, operands: list[str]) -> str:
-    """S3 to S6: a function of numbers, unknown if the result is not finite."""
-    return f"spec_finite({_plain(function, operands)})"
+    """S3 to S6: a function of numbers, unknown if the result is not finite; an angle always is."""
+    found = _plain(function, operands)
+    return f"({found})" if function in _ANGLES else f"spec_finite({found})"
 
 
 def _plain(function: Function, operands: list[str]) -> str:

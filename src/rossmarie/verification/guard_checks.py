@@ -58,7 +58,7 @@ class GuardChecks:
         parts.append(predicate("static void suppose_finite", assumptions(finite)))
         parts.append(predicate("static void must_be_finite", assertions(finite)))
         for number, guard in enumerate(self._layout.guards):
-            kept = [self._kept(number, guard)]
+            kept = [self._kept(number, guard), *self._invariants.tests(guard)]
             parts.append(self._probe(number, guard))
             parts.append(predicate(f"static void suppose_kept_{number}", assumptions(kept)))
             parts.append(predicate(f"static void must_be_kept_{number}", assertions(kept)))
@@ -84,9 +84,11 @@ class GuardChecks:
 
     def _probe(self, number: int, guard: Guard) -> str:
         """Whether truths are right for the largest number that a guard lets pass."""
+        meant = {truth: f"spec_truth_{truth}(&probe, t_ns)" for truth in guard.leaves}
+        if guard.value in self._layout.value_of_test.values():
+            meant = dict.fromkeys(guard.leaves, f"(m->high[{number}] > 0.5 ? TRUE : FALSE)")
         right = " && ".join(
-            f"{self._definitions.truth(truth)} == spec_truth_{truth}(&probe, t_ns)"
-            for truth in guard.leaves
+            f"{self._definitions.truth(truth)} == {meant[truth]}" for truth in guard.leaves
         )
         return (
             f"static bool is_kept_{number}(const monitor *m, int64_t t_ns)\n{{\n"

@@ -133,6 +133,7 @@ class Invariants:
         """A guard lies around its number, and its truths are what that is now."""
         for truth in guard.leaves:
             yield self._is_right(truth)
+        yield from self.tests(guard)
         x, low, high = f"m->value[{guard.value}]", f"m->low[{number}]", f"m->high[{number}]"
         place = f"m->place[{number}]"
         first, last = self.places(number)
@@ -147,6 +148,19 @@ class Invariants:
         )
         about = self._layout.values[guard.value].remark.split("  ", 1)[-1]
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")
+
+    def tests(self, guard: Guard) -> Iterator[Sentence]:
+        """What a guard watches may be a comparison, kept as a number: 0, 1 or unknown."""
+        x = f"m->value[{guard.value}]"
+        for truth in guard.leaves:
+            if self._layout.value_of_test.get(truth) != guard.value:
+                continue
+            holds = f"isnan({x}) || {x} == 0.0 || {x} == 1.0"
+            if not isinstance(self._machine.truths[truth].node, ir.Quantified):
+                meant = f"spec_truth_{truth}(m, t_ns)"
+                known = f"{x} == ({meant} == TRUE ? 1.0 : 0.0)"
+                holds = f"{meant} >= UNKNOWN ? isnan({x}) : {known}"
+            yield Sentence(f"`{self._machine.truths[truth].text}` as a number", holds)
 
     def places(self, number: int) -> tuple[int, int]:
         """The first and the last place that a guard can have."""
@@ -246,6 +260,8 @@ class Invariants:
             text = self._machine.truths[truth].text
             seen = f"m->swinging[{k}] == {self.seen(k)}"
             yield Sentence(f"what is seen of `{text}`", seen)
+            waited = f"m->swinging[{k}] != TRUE || {self._window_end(k)} >= m->wake_ns"
+            yield Sentence(f"the end of the window of `{text}` is waited for", waited)
             marked = self.marked(self._layout.node_of_truth[truth])
             yield Sentence(f"`{text}` is what it means", f"{marked} || {self.told(k)}")
 
@@ -253,11 +269,16 @@ class Invariants:
         """Whether enough turning points lie within the window now."""
         truth = self._layout.oscillations[k]
         node = self._oscillates(truth)
-        first = sum(self._oscillates(t).count for t in self._layout.oscillations[:k])
         x = self._definitions.number(node.signal)
-        oldest = f"m->turn_ns[{first} + m->turn_next[{k}]]"
-        within = f"(m->turns[{k}] == {node.count} && t_ns - {oldest} < INT64_C({node.window_ns}))"
+        within = f"(m->turns[{k}] == {node.count} && t_ns < {self._window_end(k)})"
         return f"(!isfinite({x}) ? spec_unknown_{truth}(m) : {within} ? TRUE : FALSE)"
+
+    def _window_end(self, k: int) -> str:
+        """When the oldest turning point leaves the window."""
+        oscillations = list(map(self._oscillates, self._layout.oscillations))
+        first = sum(node.count for node in oscillations[:k])
+        oldest = f"m->turn_ns[{first} + m->turn_next[{k}]]"
+        return f"{oldest} + INT64_C({oscillations[k].window_ns})"
 
     def told(self, k: int) -> str:
         """What is told of what is seen: nothing until a gap is a window ago."""
@@ -271,18 +292,15 @@ class Invariants:
         return f"({seen} >= UNKNOWN ? ({lost}) : ({known}))"
 
     def _swing_timers(self, least: str) -> Iterator[Sentence]:
-        first = 0
         for k, truth in enumerate(self._layout.oscillations):
-            node = self._oscillates(truth)
+            window_ns = self._oscillates(truth).window_ns
             value, end = self._definitions.truth(truth), f"m->gap_end_ns[{k}]"
             marked = self.marked(self._layout.node_of_truth[truth])
-            oldest = f"m->turn_ns[{first} + m->turn_next[{k}]]"
-            window = f"INT64_C({node.window_ns})"
-            true = f"({value} != TRUE || {oldest} + {window} >= {least})"
-            gap = f"({value} < UNKNOWN || {end} == NEVER || {end} + {window} >= {least})"
+            true = f"({value} != TRUE || {self._window_end(k)} >= {least})"
+            after = f"{end} + INT64_C({window_ns})"
+            gap = f"({value} < UNKNOWN || {end} == NEVER || {after} >= {least})"
             about = f"the window of `{self._machine.truths[truth].text}` ends ahead"
             yield Sentence(about, f"{marked} || ({true} && {gap})")
-            first += node.count
 
     def _oscillates(self, truth: int) -> ir.Oscillates:
         node = self._machine.truths[truth].node

@@ -161,7 +161,8 @@ class MessageChecks:
             if channel in self._layout.supports.signals[index].channels:
                 value = self._layout.value_of_signal[index]
                 kept = f"m->value[{value}]"
-                kept = f"spec_finite({kept})" if value in covered else kept
+                if value in covered and not self._definitions.is_angle(index):
+                    kept = f"spec_finite({kept})"
                 about = f"`{self._machine.signals[index].text}` is what it means"
                 yield claim(f"spec_same({kept}, spec_signal_{index}(m))", about)
 

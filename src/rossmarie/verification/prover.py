@@ -24,14 +24,16 @@ from rossmarie.cache import cache_folder
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 
-_SOLVERS = ((), ("--smt2",))
-"""CBMC's own SAT solver, and z3."""
+_SOLVERS = ((), ("--smt2", "--fpa"))
+"""CBMC's own SAT solver, and z3, which sees floating-point arithmetic as such: two sums of the same
+numbers are the same to it without a look at their bits.
+"""
 
-_SHORT = 10
+_SHORT = 30
 """For how many seconds several claims are asked together."""
 
-_FEW = 4
-"""How many claims of a function are few."""
+_FEW = 5
+"""How many claims are few."""
 
 _MOST = 600
 """How many seconds anything that answers no question may take."""
@@ -119,16 +121,29 @@ class Prover:
         return program
 
     def _answers(self, question: _Question, names: Sequence[str]) -> Iterator[_Answer]:
-        """Ask for some claims at a time, as many easy questions together can be a hard one; each
-        question includes that loops end.
+        """Ask for many claims at a time, each kind of the solver that is good at many of it, and
+        for fewer where that is too hard; each question includes that loops end.
         """
-        short = replace(question, seconds=min(question.seconds, _SHORT))
-        for group in _grouped(names) or [[]]:
-            answer = self._ask(short, group)
-            if answer[0] is not Verdict.UNDECIDED:
-                yield answer
-            else:
-                yield from (self._ask(question, [name]) for name in group)
+        forbidden = [name for name in names if not _is_ours(name)]
+        ours = [name for name in names if _is_ours(name)]
+        if forbidden or not ours:
+            yield from self._narrowed(question, forbidden, _SOLVERS[:1])
+        if ours:
+            yield from self._narrowed(question, ours, _SOLVERS[1:])
+
+    def _narrowed(
+        self, question: _Question, group: Sequence[str], solvers: Sequence[Sequence[str]]
+    ) -> Iterator[_Answer]:
+        is_one = len(group) <= 1
+        seconds = question.seconds if is_one else min(question.seconds, _SHORT)
+        answer = self._ask(
+            replace(question, seconds=seconds), group, _SOLVERS if is_one else solvers
+        )
+        if is_one or answer[0] is not Verdict.UNDECIDED:
+            yield answer
+            return
+        for part in _split(group):
+            yield from self._narrowed(question, part, _SOLVERS)
 
     def _ask(
         self,
@@ -254,19 +269,21 @@ def _named(names: Sequence[str]) -> list[str]:
     return [word for name in names for word in ("--property", name)]
 
 
-def _grouped(names: Sequence[str]) -> list[list[str]]:
-    """What C itself forbids; the claims of small functions together; those of each other one."""
-    ours: dict[str, list[str]] = {}
-    forbidden = []
-    for name in names:
-        function, kind = name.split(".", 1)
-        if kind.startswith("assertion"):
-            ours.setdefault(function, []).append(name)
-        else:
-            forbidden.append(name)
-    small = [name for group in ours.values() if len(group) <= _FEW for name in group]
-    large = [group for group in ours.values() if len(group) > _FEW]
-    return [group for group in (forbidden, small, *large) if group]
+def _is_ours(name: str) -> bool:
+    return name.split(".", 1)[1].startswith("assertion")
+
+
+def _split(group: Sequence[str]) -> list[list[str]]:
+    """Fewer claims at a time: those of small functions, those of each other one; then a few."""
+    functions: dict[str, list[str]] = {}
+    for name in group:
+        functions.setdefault(name.split(".", 1)[0], []).append(name)
+    small = [name for claims in functions.values() if len(claims) <= _FEW for name in claims]
+    large = [claims for claims in functions.values() if len(claims) > _FEW]
+    if 0 < len(small) < len(group) or len(large) > 1:
+        return [part for part in (small, *large) if part]
+    size = _FEW if len(group) > _FEW else 1
+    return [list(group[first : first + size]) for first in range(0, len(group), size)]
 
 
 def _weight(verdict: Verdict) -> int:

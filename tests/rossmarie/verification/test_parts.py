@@ -21,6 +21,18 @@ rule gone: if speed > 3 then { stop; } latched until reset;
 """
 
 
+MORE_RULES = """\
+input turning = topic /spin : std_msgs/Float64 .data timeout 0.2 sec;
+input orientation = topic /imu : sensor_msgs/Imu .orientation timeout 0.2 sec;
+input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 0.2 sec;
+action stop;
+rule rocking: if oscillates(turning, 2 times, within 2.0 sec, by 0.2) then { stop; };
+rule steep: if orientation.pitch() > 10 deg then { stop; };
+rule near: if any(ranges < 0.5 m) then { stop; };
+"""
+"""What counts, angles, and elements of arrays."""
+
+
 @pytest.fixture(scope="module")
 def prover() -> Prover:
     found = find_prover()
@@ -31,8 +43,17 @@ def prover() -> Prover:
 
 @pytest.fixture(scope="module")
 def machine(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
-    path = tmp_path_factory.mktemp("rules") / "small.ross"
-    path.write_text(RULES)
+    return compiled(RULES, tmp_path_factory)
+
+
+@pytest.fixture(scope="module")
+def counting(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
+    return compiled(MORE_RULES, tmp_path_factory)
+
+
+def compiled(rules: str, folders: pytest.TempPathFactory) -> ir.Machine:
+    path = folders.mktemp("rules") / "small.ross"
+    path.write_text(rules)
     return compile_file(path).machine
 
 
@@ -83,3 +104,31 @@ def test_a_seeded_fault_is_refuted(
     prover: Prover, machine: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert any(expected in wrong for wrong in outcomes(prover, machine, change, part))
+
+
+@pytest.mark.parametrize(
+    "parts", ["visit", "cross", "tick", "numbers", "update_spin_calm_between"], ids=str
+)
+def test_what_counts_and_elements_are_what_they_mean(
+    prover: Prover, counting: ir.Machine, parts: str
+) -> None:
+    assert outcomes(prover, counting, NO_CHANGE, parts) == set()
+
+
+@pytest.mark.parametrize(
+    ("change", "part", "expected"),
+    [
+        (("    if (value == TRUE)\n        wake_by(m, oldest_turn(m, k) + turn_windows[k]);\n", ""),
+         "tick", "is waited for"),
+        (("(2.0 * (w * y - z * x)) / n", "(2.0 * (w * y + z * x)) / n"), "numbers_imu",
+         "`orientation.pitch()` is what it means"),
+        (("sine > 1.0 ? 1.0", "sine > 1.0 ? 0.0"), "numbers_imu",
+         "`orientation.pitch()` is what it means"),
+        (("unknowns != 0 || count == 0", "count == 0"), "numbers_scan",
+         "`any(ranges < 0.5 m)` is what it means"),
+    ],
+)  # fmt: skip
+def test_a_seeded_fault_in_them_is_refuted(
+    prover: Prover, counting: ir.Machine, change: tuple[str, str], part: str, expected: str
+) -> None:
+    assert any(expected in wrong for wrong in outcomes(prover, counting, change, part))
