@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from contextlib import closing
 
 from dslkit.command_line import CommandLine
 from heron.cli.episodes import print_episode
@@ -22,7 +23,7 @@ def run_live(
     master = os.environ.get("ROS_MASTER_URI") or _MASTER
     host = os.environ.get("ROS_IP") or os.environ.get("ROS_HOSTNAME") or "localhost"
     try:
-        with Ros1Link(master, host) as link:
+        with closing(Ros1Link(master, host)) as link:
             episode = run_navigation(arm, terrain, seed, observers, link)
     except Ros1Error as error:
         output.fail(str(error), exit_code=1)

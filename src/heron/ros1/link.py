@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from types import TracebackType
 
 from heron import messages
 from heron.guard import Guard, unfiltered
@@ -41,15 +40,8 @@ class Ros1Link:
         self._guard: Ros1Guard | None = None
         self._lockstep: Lockstep | None = None
 
-    def __enter__(self) -> Ros1Link:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def close(self) -> None:
+        """The end of it: nobody hears of it any more."""
         for one in (self._lockstep, self._guard):
             if one is not None:
                 one.close()

@@ -191,7 +191,8 @@ class Node:
                 answer = cast("Any", getattr(master, question)(self._name, *arguments))
         except (OSError, XmlRpcError) as error:
             where = self._master_address
-            raise Ros1Error(f"there is no ROS master at {where}: {error}") from error
+            advice = "start roscore, or set ROS_MASTER_URI"
+            raise Ros1Error(f"there is no ROS master at {where}: {error}; {advice}") from error
         code, text, value = answer
         if code != _SUCCESS:
             raise Ros1Error(str(text))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -38,7 +39,7 @@ def test_an_experiment_has_the_same_outcome(
     """The steep ramp: rules limit, command in the place of the program, boost, and replan."""
     here = run_navigation(Arm.ROSSMARIE, Terrain.STEEP, SEED)
     begin(ros1, program, started, tmp_path)
-    with Ros1Link(ros1.variables["ROS_MASTER_URI"], "127.0.0.1") as link:
+    with closing(Ros1Link(ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as link:
         there = run_navigation(Arm.ROSSMARIE, Terrain.STEEP, SEED, link=link)
     assert verdicts(there.told) == [
         (words, pytest.approx(at_s, abs=NEAR)) for words, at_s in verdicts(here.told)
@@ -79,7 +80,7 @@ def test_a_node_that_has_been_on_guard_is_refused(
     started.append(ros1.publish(10, "/clock", "rosgraph_msgs/Clock", "{clock: {secs: 5}}"))
     until(lambda: ears.last(state) is not None, "the node has begun", 30)
     with (
-        Ros1Link(ros1.variables["ROS_MASTER_URI"], "127.0.0.1") as link,
+        closing(Ros1Link(ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as link,
         pytest.raises(Ros1Error, match="on guard before: start it anew"),
     ):
         run_navigation(Arm.ROSSMARIE, Terrain.FLAT, SEED, link=link)
