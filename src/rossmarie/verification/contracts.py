@@ -102,13 +102,21 @@ static void suppose_ticked(const monitor *m, const monitor *old, int64_t t_ns)
     suppose_looked(m, t_ns);
 }}
 
+/* What a restart leaves behind, the same wherever it is called: two ways that meet again are one. */
+static monitor anew;
+
+void suppose_anew(const monitor *m, int64_t t_ns)
+{{
+    forget(&anew, m);
+    suppose_restarted(&anew, t_ns);
+    suppose_unlooked(&anew, t_ns);
+}}
+
 void contract_restart(monitor *m, int64_t t_ns)
 {{
-    const monitor old = *m;
     __CPROVER_assert(!m->started || t_ns < m->now_ns, "time begins, or goes backwards");
-    forget(m, &old);
-    suppose_restarted(m, t_ns);
-    suppose_unlooked(m, t_ns);
+    __CPROVER_assert(t_ns == anew.now_ns, "it begins at this instant");
+    *m = anew;
 }}
 
 /* A function that takes an instant is looked at in stages, each with no more than it rests on:

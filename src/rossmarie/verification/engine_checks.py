@@ -191,7 +191,7 @@ class EngineChecks:
         once = (("catch_up.0", 1),)
         anew = (("restart", "contract_restart"), ("tick", "never_tick"))
         check = Check("catch_up_anew", f"{about}: time begins, or begins again", anew, (), once)
-        yield Written(check, f"{begin(self._layout)}\n{_CATCH_UP_ANEW}")
+        yield Written(check, f"{ANY}\n{_CATCH_UP_ANEW}")
         passes = (("restart", "never_restart"), ("tick", "tick_and_end"))
         check = Check("catch_up_passes", f"{about}: one of them", passes, (), once)
         yield Written(check, f"{_CATCHES_UP}\n    (void)catch_up(m, t_ns);")
@@ -247,6 +247,7 @@ _TICK = """\
 _CATCH_UP_ANEW = """\
     __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);
     __CPROVER_assume(!m->started || t_ns < m->now_ns);
+    suppose_anew(m, t_ns);
     (void)catch_up(m, t_ns);
     __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
     must_be_unlooked(m, t_ns);"""
