@@ -58,3 +58,31 @@ def test_a_wrong_arm_is_told_with_those_that_there_are() -> None:
     found = CliRunner().invoke(app, ["run", "nav", "--arm", "none_at_all"])
     assert found.exit_code == 2
     assert "rossmarie" in found.output
+
+
+@pytest.mark.parametrize(
+    ("variables", "told"),
+    [
+        ({"ROS_MASTER_URI": "http://127.0.0.1:1"}, "no ROS master at http://127.0.0.1:1"),
+        ({"ROS_MASTER_URI": "nonsense"}, "no ROS master at nonsense"),
+        ({"ROS_IP": "192.0.2.1"}, "192.0.2.1 is no address of this machine"),
+        ({"ROS_HOSTNAME": "no host"}, "no host is no address of this machine"),
+    ],
+)
+def test_what_hinders_a_link_to_ros_is_told(
+    variables: dict[str, str], told: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+    for name in ("ROS_MASTER_URI", "ROS_IP", "ROS_HOSTNAME"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    found = CliRunner().invoke(app, ["run", "nav", "--ros1"])
+    assert found.exit_code == 1
+    assert told in found.stderr
+
+
+def test_without_a_guard_there_is_nothing_to_link() -> None:
+    found = CliRunner().invoke(app, ["run", "nav", "--ros1", "--arm", "none"])
+    assert found.exit_code == 2
+    assert "--arm none has none" in found.stderr

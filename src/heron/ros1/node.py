@@ -53,13 +53,17 @@ class Node:
     """`host` is the address by which others reach this machine. To be closed."""
 
     def __init__(self, name: str, master: str, host: str) -> None:
-        """Raises `Ros1Error` if there is no master."""
+        """Raises `Ros1Error` if there is no master, or the address is not of this machine."""
         self._name, self._host = name, host
         self._master_address = master
         self._published: dict[str, _Published] = {}
         self._heard: dict[str, _Heard] = {}
-        self._door = socket.create_server((host, 0))
-        self._slave = SimpleXMLRPCServer((host, 0), _Quiet, logRequests=False)
+        try:
+            self._door = socket.create_server((host, 0))
+            self._slave = SimpleXMLRPCServer((host, 0), _Quiet, logRequests=False)
+        except OSError as error:
+            advice = "correct ROS_IP or ROS_HOSTNAME, or unset both"
+            raise Ros1Error(f"{host} is no address of this machine; {advice}") from error
         self._slave.register_function(self._request_topic, "requestTopic")
         self._slave.register_function(self._update_publishers, "publisherUpdate")
         self._address = f"http://{host}:{self._slave.server_address[1]}/"
