@@ -119,6 +119,29 @@ void contract_restart(monitor *m, int64_t t_ns)
     *m = anew;
 }}
 
+/* The earlier of two instants, as two that are chosen beforehand see it. To put many in order is
+ * hard; which of them lie before one that is given is known of each.
+ */
+static int64_t before_ns, after_ns;
+
+int64_t contract_earlier(int64_t a, int64_t b)
+{{
+    const int64_t found_ns = nondet_instant();
+    __CPROVER_assume((found_ns < before_ns) == (a < before_ns || b < before_ns));
+    __CPROVER_assume((found_ns > after_ns) == (a > after_ns && b > after_ns));
+    return found_ns;
+}}
+
+/* An instant that no timer lies before; what is measured from it lies ahead. */
+int64_t contract_earliest_timer(const monitor *m)
+{{
+    const int64_t wake_ns = nondet_instant();
+    must_be_at_rest(m, m->now_ns);
+    __CPROVER_assume(wake_ns > m->now_ns);
+    suppose_ahead(m, wake_ns);
+    return wake_ns;
+}}
+
 /* A function that takes an instant is looked at in stages, each with no more than it rests on:
  * until timers are looked at, from there until truths are evaluated, and after that.
  */

@@ -8,10 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
+from rossmarie.targets.c99 import state
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.program import ANY, claim
+
+_EARLIEST = ("earliest_timer", "contract_earliest_timer")
 
 COUNTED_PARTS = (
     ("evaluate", "count_evaluated"),
@@ -70,7 +73,7 @@ def after(name: str, about: str, body: str, parts: Parts) -> Written:
     ignored = tuple((part, f"ignore_{part}") for part, _ in parts if part == "cross")
     kept = tuple(pair for pair in parts if pair[0] != "cross")
     always = ("is_pending", "always_pending")
-    replaced = (*kept, *ignored, *somehow, always, ("evaluate", "evaluated"))
+    replaced = (*kept, *ignored, *somehow, always, _EARLIEST, ("evaluate", "evaluated"))
     check = Check(f"{name}_after", f"{about}, after truths are evaluated", replaced)
     return Written(check, f"{body}\n    __CPROVER_assume(is_evaluated);\n{RESTS}")
 
@@ -104,6 +107,7 @@ class EngineChecks:
         yield Written(tick, f"{ANY}\n{_TICK}")
         restart = Check("restart", "time begins, or begins again", self._parts)
         yield Written(restart, self._restart())
+        yield from self._earliest()
         yield from self._catch_up()
         yield from self._public()
 
@@ -183,6 +187,18 @@ class EngineChecks:
     must_be_unlooked(m, t_ns);
     must_not_act(m, &old);"""
 
+    def _earliest(self) -> Iterator[Written]:
+        parts: Parts = ()
+        if "earlier" in state.parts(self._layout):
+            parts = (("earlier", "contract_earlier"),)
+            yield Written(Check("earlier", "the earlier of two instants"), _EARLIER)
+        check = Check("resting", "no timer is due while a monitor is at rest")
+        yield Written(check, f"{ANY}\n{_RESTING}")
+        check = Check(
+            "earliest_timer", "no timer lies before the earliest", parts, is_discrete=True
+        )
+        yield Written(check, f"{ANY}\n{_EARLIEST_TIMER}")
+
     def _catch_up(self) -> Iterator[Written]:
         """One pass of its loop stands for all: it begins with a monitor at rest, and evaluation
         leaves one behind.
@@ -192,10 +208,10 @@ class EngineChecks:
         anew = (("restart", "contract_restart"), ("tick", "never_tick"))
         check = Check("catch_up_anew", f"{about}: time begins, or begins again", anew, (), once)
         yield Written(check, f"{ANY}\n{_CATCH_UP_ANEW}")
-        passes = (("restart", "never_restart"), ("tick", "tick_and_end"))
+        passes = (_EARLIEST, ("restart", "never_restart"), ("tick", "tick_and_end"))
         check = Check("catch_up_passes", f"{about}: one of them", passes, (), once)
         yield Written(check, f"{_CATCHES_UP}\n    (void)catch_up(m, t_ns);")
-        ends = (("restart", "never_restart"), ("tick", "never_tick"))
+        ends = (_EARLIEST, ("restart", "never_restart"), ("tick", "never_tick"))
         check = Check("catch_up_ends", f"{about}: none is left", ends, (), once)
         yield Written(check, f"{_CATCHES_UP}\n{_CATCH_UP_ENDS}")
 
@@ -243,6 +259,29 @@ _TICK = """\
     tick(m, t_ns);
     must_be_looked(m, t_ns);
     must_not_act(m, &old);"""
+
+_EARLIER = """\
+    const int64_t a = nondet_instant(), b = nondet_instant(), t_ns = nondet_instant();
+    const int64_t found_ns = earlier(a, b);
+    __CPROVER_assert((found_ns < t_ns) == (a < t_ns || b < t_ns), "it is not later than either");
+    __CPROVER_assert((found_ns > t_ns) == (a > t_ns && b > t_ns), "it is not before both");"""
+
+_RESTING = """\
+    __CPROVER_assume(t_ns == m->now_ns);
+    suppose_at_rest(m, t_ns);
+    must_be_ahead(m, t_ns + 1);"""
+
+_EARLIEST_TIMER = """\
+    suppose_unmarked(m, t_ns);
+    suppose_clock(m, t_ns);
+    suppose_swings(m, t_ns);
+    suppose_ahead(m, m->now_ns + 1);
+    before_ns = nondet_instant();
+    after_ns = m->now_ns;
+    const int64_t wake_ns = earliest_timer(m);
+    __CPROVER_assert(wake_ns > m->now_ns, "it lies ahead");
+    __CPROVER_assume(wake_ns >= before_ns);
+    must_be_ahead(m, before_ns);"""
 
 _CATCH_UP_ANEW = """\
     __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);

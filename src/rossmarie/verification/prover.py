@@ -29,7 +29,7 @@ _SOLVERS = ((), ("--smt2", "--fpa"))
 numbers are the same to it without a look at their bits.
 """
 
-_SHORT = 30
+_SHORT = 15
 """For how many seconds several claims are asked together."""
 
 _FEW = 5
@@ -121,8 +121,8 @@ class Prover:
         return program
 
     def _answers(self, question: _Question, names: Sequence[str]) -> Iterator[_Answer]:
-        """Ask for many claims at a time, each kind of the solver that is good at many of it, and
-        for fewer where that is too hard; each question includes that loops end.
+        """Ask for all that C forbids, and for all sentences, each time the kind of solver that is
+        good at many of it; each question includes that loops end.
         """
         forbidden = [name for name in names if not _is_ours(name)]
         ours = [name for name in names if _is_ours(name)]
@@ -134,16 +134,20 @@ class Prover:
     def _narrowed(
         self, question: _Question, group: Sequence[str], solvers: Sequence[Sequence[str]]
     ) -> Iterator[_Answer]:
-        is_one = len(group) <= 1
-        seconds = question.seconds if is_one else min(question.seconds, _SHORT)
-        answer = self._ask(
-            replace(question, seconds=seconds), group, _SOLVERS if is_one else solvers
-        )
-        if is_one or answer[0] is not Verdict.UNDECIDED:
+        """Ask for several claims for a short time, where that is too hard for a few at a time, and
+        for single ones all solvers.
+        """
+        if len(group) <= 1:
+            yield self._ask(question, group)
+            return
+        short = replace(question, seconds=min(question.seconds, _SHORT))
+        answer = self._ask(short, group, solvers)
+        if answer[0] is not Verdict.UNDECIDED:
             yield answer
             return
-        for part in _split(group):
-            yield from self._narrowed(question, part, _SOLVERS)
+        size = _FEW if len(group) > _FEW else 1
+        for first in range(0, len(group), size):
+            yield from self._narrowed(question, group[first : first + size], solvers)
 
     def _ask(
         self,
@@ -271,19 +275,6 @@ def _named(names: Sequence[str]) -> list[str]:
 
 def _is_ours(name: str) -> bool:
     return name.split(".", 1)[1].startswith("assertion")
-
-
-def _split(group: Sequence[str]) -> list[list[str]]:
-    """Fewer claims at a time: those of small functions, those of each other one; then a few."""
-    functions: dict[str, list[str]] = {}
-    for name in group:
-        functions.setdefault(name.split(".", 1)[0], []).append(name)
-    small = [name for claims in functions.values() if len(claims) <= _FEW for name in claims]
-    large = [claims for claims in functions.values() if len(claims) > _FEW]
-    if 0 < len(small) < len(group) or len(large) > 1:
-        return [part for part in (small, *large) if part]
-    size = _FEW if len(group) > _FEW else 1
-    return [list(group[first : first + size]) for first in range(0, len(group), size)]
 
 
 def _weight(verdict: Verdict) -> int:
