@@ -119,6 +119,15 @@ void contract_restart(monitor *m, int64_t t_ns)
     *m = anew;
 }}
 
+/* An angle of an orientation, where it does not matter which. */
+double any_angle(double x, double y, double z, double w)
+{{
+    const double found = nondet_double();
+    const bool is_known = !isnan(x) && !isnan(y) && !isnan(z) && !isnan(w);
+    __CPROVER_assume(!isinf(found) && (is_known || isnan(found)));
+    return found;
+}}
+
 /* The earlier of two instants, as two that are chosen beforehand see it. To put many in order is
  * hard; which of them lie before one that is given is known of each.
  */
@@ -240,6 +249,13 @@ int count_evaluated(monitor *m, int64_t t_ns)
     (void)m;
     (void)t_ns;
     return any_count(RULES);
+}}
+
+int ignore_catch_up(monitor *m, int64_t t_ns)
+{{
+    (void)m;
+    (void)t_ns;
+    return 0;
 }}
 
 void ignore_tick(monitor *m, int64_t t_ns)

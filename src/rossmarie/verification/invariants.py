@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.targets.c99.layout import Guard, Layout
+from rossmarie.targets.c99.layout import Guard, Layout, Value
 from rossmarie.targets.c99.state import is_small
 from rossmarie.verification.definitions import Definitions
 
@@ -39,6 +39,11 @@ def users_of(layout: Layout, truth: int) -> list[int]:
         if truth in (rule.condition, rule.release):
             found.append(layout.truth_count + number)
     return found
+
+
+def _remark(value: Value) -> str:
+    """What a value is, without the place that says so."""
+    return value.remark.split("  ", 1)[-1]
 
 
 class Invariants:
@@ -113,6 +118,16 @@ class Invariants:
             path = ".".join(map(str, declared.path))
             held = f"!isinf({value}) && (m->state[{declared.input}] == FRESH || isnan({value}))"
             yield Sentence(f"`{path}` is a number or unknown, and forgotten with its input", held)
+        yield from self._computed()
+
+    def _computed(self) -> Iterator[Sentence]:
+        """S9: a number that is computed is unknown without what it is computed from."""
+        for index, value in enumerate(self._layout.values):
+            used = sorted(value.support.inputs)
+            if value.slot is None and used:
+                fresh = " && ".join(f"m->state[{each}] == FRESH" for each in used)
+                about = f"`{_remark(value)}` is forgotten with what it is computed from"
+                yield Sentence(about, f"isnan(m->value[{index}]) || ({fresh})")
 
     def quiet(self) -> Iterator[Sentence]:
         """A message on a quiet channel changes no age that somebody looks at."""
@@ -146,7 +161,7 @@ class Invariants:
             f"{high} == limits[{place} + 1] && ({place} == {first} || {x} > {low}) && "
             f"({place} == {last} || {x} <= {high}))"
         )
-        about = self._layout.values[guard.value].remark.split("  ", 1)[-1]
+        about = _remark(self._layout.values[guard.value])
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")
 
     def tests(self, guard: Guard) -> Iterator[Sentence]:

@@ -6,7 +6,7 @@ its numbers are what they mean, and that the monitor is right about them once th
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from rossmarie import ir
 from rossmarie.targets.c99 import types
@@ -34,14 +34,23 @@ class MessageChecks:
 
     def __init__(self, layout: Layout, definitions: Definitions, parts: Parts) -> None:
         self._layout = layout
-        self._parts = parts
         ignored = tuple((part, f"ignore_{part}") for part, _ in parts)
         self._counted = (*ignored, *COUNTED_PARTS)
         self._machine = layout.machine
         self._definitions = definitions
+        used = {layout.machine.signals[signal].node for signal in layout.value_of_signal}
+        self._angles = [
+            f"{function.value}_of"
+            for function in (ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
+            if any(isinstance(node, ir.Apply) and node.function is function for node in used)
+        ]
+        self._parts = (*parts, *((angle, "any_angle") for angle in self._angles))
 
     def written(self) -> Iterator[Written]:
         """All of them."""
+        for angle in self._angles:
+            about = f"{angle.removesuffix('_of')} is unknown of what is not known"
+            yield Written(Check(angle, about), _ANGLE.format(angle=angle))
         for channel, name in enumerate(self._layout.channel_names):
             topic = self._machine.channels[channel].topic
             numbers = Check(f"numbers_{name}", f"the numbers of a message on {topic}")
@@ -50,6 +59,12 @@ class MessageChecks:
             call = f"take_{name}({arguments})"
             yield from self._ways(f"update_{name}", f"a message on {topic}", lines, call)
         call = f"{self._layout.name}_step(m, t_ns, &v)"
+        for channel, name in enumerate(self._layout.channel_names):
+            about = f"the numbers of messages on {self._machine.channels[channel].topic} and others"
+            alone = tuple(pair for pair in self._counted if pair[0] != "catch_up")
+            parts = (*alone, ("catch_up", "ignore_catch_up"))
+            numbers = Check(f"step_numbers_{name}", about, parts)
+            yield Written(numbers, self._step_numbers(channel, name, call))
         yield from self._ways("step", "messages on several topics", list(self._values()), call)
 
     def _ways(self, name: str, about: str, lines: list[str], call: str) -> Iterator[Written]:
@@ -71,7 +86,7 @@ class MessageChecks:
     def _message(self, channel: int) -> tuple[list[str], str]:
         """Declarations of any message, and the arguments that hand it over."""
         lines, arguments = [], ["m", "t_ns"]
-        for number, field in enumerate(types.fields_of(self._machine, channel)):
+        for number, field in enumerate(self._fields(channel)):
             if field.slot is not None:
                 lines.append(f"    const double field_{number} = nondet_double();")
                 arguments.append(f"field_{number}")
@@ -86,7 +101,7 @@ class MessageChecks:
         yield f"    {self._layout.name}_values v;"
         for channel, topic in enumerate(self._layout.channel_names):
             yield f"    v.has_{topic} = nondet_number() % 2 != 0;"
-            for number, field in enumerate(types.fields_of(self._machine, channel)):
+            for number, field in enumerate(self._fields(channel)):
                 member = f"v.{topic}.{field.name}"
                 if field.slot is not None:
                     yield f"    {member} = nondet_double();"
@@ -99,34 +114,42 @@ class MessageChecks:
 
     def _numbers(self, channel: int, name: str) -> str:
         lines, arguments = self._message(channel)
-        return "\n".join(
-            [
-                "    monitor s = any();",
-                "    monitor *const m = &s;",
-                "    const int64_t t_ns = nondet_instant();",
-                "    __CPROVER_assume(t_ns > EARLIEST && m->now_ns <= t_ns);",
-                "    suppose_clock(m, t_ns);",
-                "    suppose_swings(m, t_ns);",
-                *lines,
-                "    const monitor old = s;",
-                f"    receive_{name}({arguments});",
-                *self._arrived(channel),
-                *self._computed(channel),
-                *self._tests(channel),
-                *self._samples(channel),
-            ]
-        )
+        names = [f"field_{number}" for number in range(len(self._fields(channel)))]
+        counts = [name.replace("field", "count") for name in names]
+        call = f"receive_{name}({arguments})"
+        return self._called(lines, call, self._meant(channel, names, counts))
 
-    def _arrived(self, channel: int) -> Iterator[str]:
+    def _step_numbers(self, channel: int, name: str, call: str) -> str:
+        names = [f"v.{name}.{field.name}" for field in self._fields(channel)]
+        counts = [f"{name}_count" for name in names]
+        lines = [*self._values(), f"    v.has_{name} = true;", _IN_RANGE]
+        return self._called(lines, f"(void){call}", self._meant(channel, names, counts))
+
+    def _called(self, lines: Iterable[str], call: str, claims: Iterable[str]) -> str:
+        return "\n".join([_ANY_NUMBERS, *lines, _KEPT, f"    {call};", *claims])
+
+    def _meant(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> list[str]:
+        """What a message on a channel makes of numbers; its fields have these names."""
+        return [
+            *self._arrived(channel, names, counts),
+            *self._computed(channel),
+            *self._tests(channel),
+            *self._samples(channel),
+        ]
+
+    def _fields(self, channel: int) -> tuple[types.Field, ...]:
+        return types.fields_of(self._machine, channel)
+
+    def _arrived(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> Iterator[str]:
         """S7; numbers that are watched may be kept as they arrive until somebody looks (S4)."""
-        for number, field in enumerate(types.fields_of(self._machine, channel)):
+        for field, name, count in zip(self._fields(channel), names, counts, strict=True):
             if field.slot is None:
                 assert field.array is not None, "a field is a slot or an array"
-                yield from self._folded(field.array, f"field_{number}", f"count_{number}")
+                yield from self._folded(field.array, name, count)
                 continue
             slot = self._machine.slots[field.slot]
             kept = f"spec_finite(m->value[{self._layout.value_of_slot[field.slot]}])"
-            meant = f"spec_finite({converted(f'field_{number}', slot.scale, slot.offset)})"
+            meant = f"spec_finite({converted(name, slot.scale, slot.offset)})"
             path = ".".join(map(str, slot.path))
             yield claim(f"spec_same({kept}, {meant})", f"{path} is kept as it arrived, in SI")
 
@@ -187,6 +210,25 @@ class MessageChecks:
                     f"spec_same(m->before[{k}], {before})"
                 )
                 yield claim(taken, f"the samples of `{self._machine.signals[signal].text}`")
+
+
+_ANY_NUMBERS = f"""\
+{ANY}
+    __CPROVER_assume(t_ns > EARLIEST && m->now_ns <= t_ns);
+    suppose_clock(m, t_ns);
+    suppose_swings(m, t_ns);"""
+
+_IN_RANGE = "    __CPROVER_assume(t_ns < LATEST);"
+
+_KEPT = "    const monitor old = s;"
+
+_ANGLE = """\
+    const double x = nondet_double(), y = nondet_double();
+    const double z = nondet_double(), w = nondet_double();
+    const double found = {angle}(x, y, z, w);
+    __CPROVER_assert(!isinf(found), "no angle is infinite");
+    const bool is_known = !isnan(x) && !isnan(y) && !isnan(z) && !isnan(w);
+    __CPROVER_assert(is_known || isnan(found), "nothing is known of what is not");"""
 
 
 def _array(name: str) -> list[str]:

@@ -29,7 +29,7 @@ _SOLVERS = ((), ("--smt2", "--fpa"))
 numbers are the same to it without a look at their bits.
 """
 
-_SHORT = 15
+_SHORT = 10
 """For how many seconds several claims are asked together."""
 
 _FEW = 5

@@ -91,8 +91,11 @@ def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) 
     assert outcomes(prover, machine, NO_CHANGE, "visit", "evaluate") == set()
 
 
-def test_numbers_are_what_they_mean(prover: Prover, machine: ir.Machine) -> None:
-    assert outcomes(prover, machine, NO_CHANGE, "numbers") == set()
+@pytest.mark.parametrize("parts", ["numbers", "step_numbers", "earl", "resting"], ids=str)
+def test_numbers_and_timers_are_what_they_mean(
+    prover: Prover, machine: ir.Machine, parts: str
+) -> None:
+    assert outcomes(prover, machine, NO_CHANGE, parts) == set()
 
 
 @pytest.mark.parametrize(
@@ -103,6 +106,12 @@ def test_numbers_are_what_they_mean(prover: Prover, machine: ir.Machine) -> None
         (("return TRUE;\n    return a == TRUE", "return FALSE;\n    return a == TRUE"), "visit",
          "is what it means"),
         (("fabs(", "-("), "numbers", "`abs(tilt)` is what it means"),
+        (("fabs(", "-("), "step_numbers_tilt", "`abs(tilt)` is what it means"),
+        (("a < b ? a : b", "a < b ? b : a"), "earlier", "it is not later than either"),
+        (("m->held_due_ns[k] > m->now_ns)", "m->held_due_ns[k] > m->now_ns + 1)"),
+         "earliest_timer", "for 2 sec` lies ahead"),
+        (("m->value[lost_values[i]] = NAN;", "m->value[lost_values[input]] = NAN;"), "tick",
+         "`abs(tilt)` is forgotten with what it is computed from"),
     ],
 )  # fmt: skip
 def test_a_seeded_fault_is_refuted(
