@@ -103,9 +103,10 @@ class Robot(Ears):
         return self.last("/vehicle_safety/state")
 
     def states(self, action: str) -> list[str]:
-        """What has become of the tasks of an action."""
+        """What has become of the tasks of an action, as far as the node has told."""
         told = self.state()
-        return [task["state"] for task in told["tasks"] if task["action"] == action]
+        tasks = told["tasks"] if told else ()
+        return [task["state"] for task in tasks if task["action"] == action]
 
     def diagnoses(self) -> dict[str, str]:
         """The last diagnostics that the node told: their messages, by name."""

@@ -271,6 +271,20 @@ void ignore_arrive(monitor *m, unsigned channel, int64_t t_ns)
     (void)t_ns;
 }}
 
+void ignore_follow(monitor *m, unsigned k, int64_t t_ns)
+{{
+    (void)m;
+    (void)k;
+    (void)t_ns;
+}}
+
+double any_rate(const monitor *m, unsigned k)
+{{
+    (void)m;
+    (void)k;
+    return nondet_double();
+}}
+
 void ignore_wake(monitor *m) {{ (void)m; }}
 
 int contract_advance(monitor *m, int64_t t_ns)

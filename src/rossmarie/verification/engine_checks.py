@@ -50,15 +50,19 @@ RESTS = """\
     must_be_at_rest(m, t_ns);"""
 
 
-def stages(name: str, about: str, call: str, parts: Parts, lines: str = "") -> Iterator[Written]:
-    """A call at an instant in range leaves a monitor at rest behind."""
+def stages(
+    name: str, about: str, call: str, parts: Parts, lines: str = "", idle: Parts = ()
+) -> Iterator[Written]:
+    """A call at an instant in range leaves a monitor at rest behind; `idle` replaces what matters
+    only until truths are evaluated.
+    """
     body = f"{ANY}\n{lines}\n{_RANGE}\n    (void){call};"
     replaced = (("catch_up", "caught_up"), ("tick", "end_at_tick"))
     check = Check(f"{name}_before", f"{about}, until timers are looked at", (*parts, *replaced))
     yield Written(check, body)
     replaced = (("catch_up", "caught_up_somehow"), ("tick", "ticked"))
     yield between(name, about, f"{body}\n{RESTS}", (*parts, *replaced))
-    yield after(name, about, body, parts)
+    yield after(name, about, body, (*parts, *idle))
 
 
 def between(name: str, about: str, body: str, parts: Parts) -> Written:

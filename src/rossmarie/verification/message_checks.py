@@ -35,7 +35,7 @@ class MessageChecks:
     def __init__(self, layout: Layout, definitions: Definitions, parts: Parts) -> None:
         self._layout = layout
         ignored = tuple((part, f"ignore_{part}") for part, _ in parts)
-        self._counted = (*ignored, *COUNTED_PARTS)
+        self._nothing_else = (*ignored, *COUNTED_PARTS)
         self._machine = layout.machine
         self._definitions = definitions
         used = {layout.machine.signals[signal].node for signal in layout.value_of_signal}
@@ -44,6 +44,9 @@ class MessageChecks:
             for function in (ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
             if any(isinstance(node, ir.Apply) and node.function is function for node in used)
         ]
+        rates = [node for node in used if isinstance(node, ir.Rate)]
+        follow: Parts = (("follow", "ignore_follow"),) if layout.oscillations else ()
+        self._idle: Parts = (*follow, ("rate_of", "any_rate")) if rates else follow
         self._parts = (*parts, *((angle, "any_angle") for angle in self._angles))
 
     def written(self) -> Iterator[Written]:
@@ -61,7 +64,7 @@ class MessageChecks:
         call = f"{self._layout.name}_step(m, t_ns, &v)"
         for channel, name in enumerate(self._layout.channel_names):
             about = f"the numbers of messages on {self._machine.channels[channel].topic} and others"
-            alone = tuple(pair for pair in self._counted if pair[0] != "catch_up")
+            alone = tuple(pair for pair in self._nothing_else if pair[0] != "catch_up")
             parts = (*alone, ("catch_up", "ignore_catch_up"))
             numbers = Check(f"step_numbers_{name}", about, parts)
             yield Written(numbers, self._step_numbers(channel, name, call))
@@ -71,14 +74,17 @@ class MessageChecks:
         """A message before any timer is due may take a short way; the long one is always right."""
         declared = "\n".join(lines)
         late = (*self._parts, ("is_calm", "never_calm"))
-        yield from stages(f"{name}_late", f"{about}, the long way", call, late, declared)
+        yield from stages(
+            f"{name}_late", f"{about}, the long way", call, late, declared, self._idle
+        )
         calm = (*self._parts, ("is_calm", "assume_calm"))
         body = f"{ANY}\n{declared}\n    suppose_at_rest(m, m->now_ns);\n    (void){call};"
         short = f"{about}, the short way"
         yield between(f"{name}_calm", short, f"{body}\n{RESTS}", calm)
         body = f"{ANY}\n{declared}\n{IN_RANGE}\n    (void){call};"
-        yield after(f"{name}_calm", short, body, calm)
-        check = Check(f"{name}_counts", f"{about}: changes are counted", self._counted)
+        yield after(f"{name}_calm", short, body, (*calm, *self._idle))
+        counted = (*self._nothing_else, *self._idle)
+        check = Check(f"{name}_counts", f"{about}: changes are counted", counted)
         yield Written(check, f"{declared}\n{counts(call)}")
 
     # --- any message -------------------------------------------------------------------------

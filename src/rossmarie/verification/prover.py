@@ -134,8 +134,8 @@ class Prover:
     def _narrowed(
         self, question: _Question, group: Sequence[str], solvers: Sequence[Sequence[str]]
     ) -> Iterator[_Answer]:
-        """Ask for several claims for a short time, where that is too hard for a few at a time, and
-        for single ones all solvers.
+        """Ask for several claims for a short time; where that is too hard, all solvers for a few
+        at a time, then for single ones.
         """
         if len(group) <= 1:
             yield self._ask(question, group)
@@ -147,7 +147,7 @@ class Prover:
             return
         size = _FEW if len(group) > _FEW else 1
         for first in range(0, len(group), size):
-            yield from self._narrowed(question, group[first : first + size], solvers)
+            yield from self._narrowed(question, group[first : first + size], _SOLVERS)
 
     def _ask(
         self,

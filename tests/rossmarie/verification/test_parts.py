@@ -120,7 +120,11 @@ def test_a_seeded_fault_is_refuted(
     assert any(expected in wrong for wrong in outcomes(prover, machine, change, part))
 
 
-@pytest.mark.parametrize("parts", ["visit", "cross", "tick", "numbers"], ids=str)
+@pytest.mark.parametrize(
+    "parts",
+    ["visit", "cross", "tick", "numbers", "update_spin_late_after", "update_spin_counts"],
+    ids=str,
+)
 def test_what_counts_and_elements_are_what_they_mean(
     prover: Prover, counting: ir.Machine, parts: str
 ) -> None:
