@@ -7,7 +7,7 @@ READY := .venv/.ready
 RUN := .venv/bin
 HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 
-.PHONY: help demo evaluate test check bench fmt fuzz clean browser compiler drawing ros1 prover
+.PHONY: help demo evaluate test check bench fmt fuzz clean browser compiler display drawing ros1 prover
 
 help:
 	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot"
@@ -30,6 +30,10 @@ compiler:
 browser:
 	@command -v chromium >/dev/null || command -v chromium-browser >/dev/null || \
 	command -v google-chrome >/dev/null || tools/setup_debian.sh chromium
+
+# A window is opened; without a display to open it on that test is skipped, and says so.
+display: $(READY)
+	@command -v Xvfb >/dev/null || tools/setup_debian.sh xvfb libgl1 libgl1-mesa-dri
 
 # Generated nodes are run; without ROS 1 these tests are skipped, and say so. Only Debian has it.
 ros1:
@@ -70,10 +74,10 @@ endif
 evaluate: $(READY) compiler
 	$(RUN)/heron evaluate --out docs
 
-test: $(READY) compiler browser ros1 prover
+test: $(READY) compiler browser display ros1 prover
 	$(RUN)/pytest
 
-check: $(READY) compiler browser ros1 prover
+check: $(READY) compiler browser display ros1 prover
 	$(RUN)/ruff format --check
 	$(RUN)/ruff check
 	$(RUN)/mypy

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import threading
 import time
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import glfw
+import mujoco
 import mujoco.viewer
 
 from heron.experiments import Node
+from heron.experiments.table import Camera
 from heron.guard import Guard
 from heron.robot.physics import Physics
 from heron.topics import InProcess
+
+_PATIENCE_S = 5.0
+"""How long a window may take to close."""
 
 
 def trouble() -> str | None:
@@ -28,24 +34,55 @@ def trouble() -> str | None:
 
 class Window:
     """An observer that shows what there is 60 times a second. Whoever closes the window lets the
-    episode go on without it, as fast as it can.
+    episode go on without it, as fast as it can. Each scene is seen by the next of the cameras.
     """
 
     period_ns = 16_000_000
 
-    def __init__(self) -> None:
+    def __init__(self, cameras: Iterable[Camera]) -> None:
+        self._cameras = iter(cameras)
         self._handle: Any = None
+        self._drawing: list[threading.Thread] = []
         self._began_s = 0.0
+
+    def __enter__(self) -> Window:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Close it, and wait for that: the display fails whoever draws in a window that is gone."""
+        if self._handle is not None:
+            self._handle.close()
+        for thread in self._drawing:
+            thread.join(_PATIENCE_S)
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
         """Open the window; another scene gets another one."""
         if self._handle is not None:
             if not self._handle.is_running():
                 return []
-            self._handle.close()
-        self._handle = mujoco.viewer.launch_passive(physics.model, physics.data)
+            self.__exit__()
+        others = threading.enumerate()
+        self._handle = mujoco.viewer.launch_passive(
+            physics.model, physics.data, show_left_ui=False, show_right_ui=False
+        )
+        self._drawing = [each for each in threading.enumerate() if each not in others]
+        camera = next(self._cameras, None)
+        if camera is not None:
+            self._look(physics, camera)
         self._began_s = time.monotonic()
         return [self]
+
+    def _look(self, physics: Physics, camera: Camera) -> None:
+        """Follow a body, or look at a thing that stands still."""
+        with self._handle.lock():
+            view = self._handle.cam
+            body = mujoco.mj_name2id(physics.model, mujoco.mjtObj.mjOBJ_BODY, camera.body)
+            if body >= 0:
+                view.type, view.trackbodyid = mujoco.mjtCamera.mjCAMERA_TRACKING, body
+            else:
+                view.lookat[:] = physics.data.geom(camera.body).xpos
+            view.distance, view.azimuth = camera.distance, camera.azimuth
+            view.elevation = camera.elevation
 
     def tick(self, now_ns: int) -> None:
         """Show it, and wait for the time to come."""

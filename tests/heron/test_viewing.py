@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
 
-from heron.experiments import run_placing
+from heron.experiments import EXPERIMENTS, run_placing
 from heron.robot.physics import Physics
 from heron.scene import ArmParameters, TableParameters, build_placing
 from heron.topics import InProcess
@@ -40,11 +44,41 @@ def test_without_a_display_it_says_so_at_once(display: str | None) -> None:
     assert len(done.stderr.splitlines()) == 1
 
 
+@pytest.fixture
+def display() -> Iterator[str]:
+    """A display that nobody sees."""
+    program = shutil.which("Xvfb")
+    if program is None:
+        pytest.skip("no display to open a window on: Debian's xvfb makes one")
+    reading, writing = os.pipe()
+    arguments = [program, "-displayfd", str(writing), "-screen", "0", "640x480x24"]
+    running = subprocess.Popen(arguments, pass_fds=[writing], stderr=subprocess.DEVNULL)
+    os.close(writing)
+    try:
+        with os.fdopen(reading) as told:
+            yield f":{told.readline().strip()}"
+    finally:
+        running.terminate()
+        running.wait()
+
+
+def test_a_window_is_opened_and_closed(display: str) -> None:
+    program = Path(sys.executable).with_name("heron")
+    done = subprocess.run(
+        [program, "run", "place", "--view"], env={**os.environ, "DISPLAY": display}, timeout=120,
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "completed" in done.stdout
+
+
 class Handle:
     """A window that is closed after a while."""
 
     def __init__(self, shown: int) -> None:
         self.left = shown
+        self.cam = SimpleNamespace(lookat=[0.0, 0.0, 0.0])
+        self.lock = contextlib.nullcontext
 
     def is_running(self) -> bool:
         return self.left > 0
@@ -58,9 +92,9 @@ class Handle:
 
 def test_a_window_goes_with_the_clock_until_it_is_closed(monkeypatch: pytest.MonkeyPatch) -> None:
     handle = Handle(20)
-    monkeypatch.setattr("mujoco.viewer.launch_passive", lambda *_: handle)
+    monkeypatch.setattr("mujoco.viewer.launch_passive", lambda *_, **__: handle)
     physics = Physics(build_placing(TableParameters(), ArmParameters()))
-    window = Window()
+    window = Window(EXPERIMENTS["place"].cameras * 2)
     (node,) = window.attend(physics, InProcess(), None)
     began = time.monotonic()
     for turn in range(100):
@@ -77,19 +111,19 @@ def test_another_scene_gets_another_window_if_somebody_still_looks(
 ) -> None:
     handles: list[Handle] = []
 
-    def launch(*_: object) -> Handle:
+    def launch(*_: object, **__: object) -> Handle:
         handles.append(Handle(shown))
         return handles[-1]
 
     monkeypatch.setattr("mujoco.viewer.launch_passive", launch)
     physics = Physics(build_placing(TableParameters(), ArmParameters()))
-    window = Window()
+    window = Window(EXPERIMENTS["place"].cameras * 2)
     nodes = [window.attend(physics, InProcess(), None) for _ in range(2)]
     assert [len(node) for node in nodes] == [1, windows - 1]
     assert [handle.left for handle in handles] == [0, shown][:windows]
 
 
 def test_an_episode_in_a_window_is_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("mujoco.viewer.launch_passive", lambda *_: Handle(3))
-    seen = run_placing(Arm.ROSSMARIE, Table.EXPECTED, 0, [Window()])
+    monkeypatch.setattr("mujoco.viewer.launch_passive", lambda *_, **__: Handle(3))
+    seen = run_placing(Arm.ROSSMARIE, Table.EXPECTED, 0, [Window(EXPERIMENTS["place"].cameras * 2)])
     assert seen.measures == run_placing(Arm.ROSSMARIE, Table.EXPECTED, 0).measures

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import enum
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from ctypes.util import find_library
 from importlib.util import find_spec
 from pathlib import Path
@@ -80,7 +82,8 @@ def nav(
     _require_simulation()
     from heron.cli.live import run_live
 
-    run_live(output, arm, terrain, seed, [_window()] if view else [])
+    with _observers("nav", is_viewed=view) as observers:
+        run_live(output, arm, terrain, seed, observers)
 
 
 @runs.command()
@@ -113,11 +116,17 @@ def _run(name: str, arm: Arm, variant: enum.Enum, seed: int, *, is_viewed: bool)
     from heron.experiments import EXPERIMENTS
 
     experiment = EXPERIMENTS[name]
-    observers = [_window()] if is_viewed else []
-    print_episode(experiment, experiment.run(arm, variant, seed, observers))
+    with _observers(name, is_viewed=is_viewed) as observers:
+        print_episode(experiment, experiment.run(arm, variant, seed, observers))
 
 
-def _window() -> Observer:
+@contextmanager
+def _observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
+    """A window on an experiment for as long as it is needed, if one is wanted."""
+    if not is_viewed:
+        yield []
+        return
+    from heron.experiments import EXPERIMENTS
     from heron.viewing import Window, trouble
 
     reason = trouble()
@@ -126,7 +135,8 @@ def _window() -> Observer:
             f"--view needs a display: {reason}; `heron demo` makes pictures without one",
             exit_code=2,
         )
-    return Window()
+    with Window(EXPERIMENTS[name].cameras) as window:
+        yield [window]
 
 
 @app.command()
