@@ -9,9 +9,10 @@ has_package() { # whether this Debian is one that has it
         [ "$(. /etc/os-release && echo "${VERSION_ID:-0}")" -ge 13 ]
 }
 
-if ! cbmc --version 2>/dev/null | grep -q '^6\.'; then
+if ! cbmc --version 2>/dev/null | grep -q '^6\.' || ! command -v cadical >/dev/null ||
+    ! command -v z3 >/dev/null; then
     if has_package 2>/dev/null; then
-        tools/setup_debian.sh cbmc z3 gcc libc6-dev
+        tools/setup_debian.sh cbmc cadical z3 gcc libc6-dev
     elif ! command -v debootstrap >/dev/null && command -v apt-get >/dev/null; then
         tools/setup_debian.sh debootstrap
     fi

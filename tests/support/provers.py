@@ -14,14 +14,21 @@ import pytest
 
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
-from rossmarie.verification.prover import Outcome, Prover, ProverError, Verdict, find_prover
+from rossmarie.verification.prover import (
+    PROGRAMS,
+    Outcome,
+    Prover,
+    ProverError,
+    Verdict,
+    find_prover,
+)
 
 
 def real_prover() -> Prover:
     """CBMC; without it the test is skipped."""
     found = find_prover()
     if found is None:
-        pytest.skip("no CBMC 6 here: it is a package of Debian 13")
+        pytest.skip("no CBMC 6 with its solvers here: they are packages of Debian 13")
     return found
 
 
@@ -43,7 +50,7 @@ class StandIn(Prover):
     refuses: str = ""
 
     def version(self, program: str = "cbmc") -> str:
-        return {"cbmc": "6.6.0", "z3": "4.13.3"}[program]
+        return {"cbmc": "6.6.0", "cadical": "1.7.3", "z3": "4.13.3"}[program]
 
     def compile(self, folder: Path, harness: Harness) -> None:
         del folder, harness
@@ -78,7 +85,7 @@ class StandIn(Prover):
 
 _SCRIPT = """\
 #!/bin/sh
-# debootstrap, but quick: a folder in which sh runs, and cbmc answers.
+# debootstrap, but quick: a folder in which sh runs, and provers answer.
 for folder; do :; done
 echo called >> {calls}
 {before}
@@ -87,8 +94,10 @@ for file in /bin/sh $(ldd /bin/sh | grep -o '/[^ ]*'); do
     cp "$file" "$folder$file"
 done
 mkdir -p "$folder/usr/bin" "$folder/tmp"
-printf '#!/bin/sh\\necho 6.6.0\\n' > "$folder/usr/bin/cbmc"
-chmod +x "$folder/usr/bin/cbmc"
+for program in cbmc cadical z3; do
+    printf '#!/bin/sh\\necho 6.6.0\\n' > "$folder/usr/bin/$program"
+    chmod +x "$folder/usr/bin/$program"
+done
 """
 
 
@@ -116,7 +125,7 @@ def quick_debian(folder: Path, monkeypatch: pytest.MonkeyPatch) -> QuickDebian:
     made = QuickDebian(folder / "bin", folder / "cache" / "rossmarie", folder / "calls")
     made.programs.mkdir()
     made.write()
-    for name in ("cbmc", "z3"):  # those of the system do not answer
+    for name in PROGRAMS:  # those of the system do not answer
         (made.programs / name).write_text("#!/bin/sh\nexit 1\n")
         (made.programs / name).chmod(0o755)
     monkeypatch.setenv("XDG_CACHE_HOME", str(folder / "cache"))

@@ -20,7 +20,7 @@ from rossmarie.report.safety.proved import bound_of, verification_results
 from rossmarie.targets import c99
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness, harness
-from rossmarie.verification.prover import Outcome, Prover, ProverError, Verdict
+from rossmarie.verification.prover import PROGRAMS, Outcome, Prover, ProverError, Verdict
 from rossmarie.verification.reactor_harness import reactor_harness
 
 
@@ -87,7 +87,7 @@ def prove(
         machine=questions.compiled.machine,
         outcomes=tuple(outcome or _ended(check) for (_, check), outcome in pairs),
         unasked=tuple(_unasked(questions)),
-        tools={tool: its for tool in ("cbmc", "z3") if (its := prover.version(tool))},
+        tools={tool: its for tool in PROGRAMS if (its := prover.version(tool))},
     )
 
 

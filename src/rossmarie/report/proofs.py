@@ -155,6 +155,6 @@ def _conclusion(proofs: Proofs) -> Iterator[str]:
         f"{len(found)} {verdict.value}" for verdict in Verdict if (found := proofs.having(verdict))
     ]
     counts += [f"{len(proofs.unasked)} not asked about"] if proofs.unasked else []
-    with_what = " and ".join(f"{tool} {its}" for tool, its in proofs.tools.items())
+    with_what = ", ".join(f"{tool} {its}" for tool, its in proofs.tools.items())
     verdict = "Proved" if proofs.is_complete else "NOT proved"
     yield f"{verdict}: the generated C is what the rules mean ({', '.join(counts)}; {with_what})"

@@ -17,8 +17,7 @@ class Check:
 
     Calls go where `replaced` says. No loop is passed through more often than `loops` says of it, or
     else the program; that is shown as well, but for those in `unwound`, of which so many passes
-    stand for all. What `is_discrete` is about states and orders of instants: a SAT solver is asked
-    about all of it at once; arithmetic is asked about piece by piece.
+    stand for all. About what `is_arithmetic` no SAT solver is asked as a whole: it would not end.
     """
 
     name: str
@@ -26,7 +25,7 @@ class Check:
     replaced: Parts = ()
     loops: Passes = ()
     unwound: Passes = ()
-    is_discrete: bool = False
+    is_arithmetic: bool = False
 
 
 @dataclass(frozen=True)

@@ -12,8 +12,10 @@ from rossmarie.targets.c99 import state
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.guard_checks import unlooked
 from rossmarie.verification.program import ANY, claim
 
+_SOMEHOW = (("catch_up", "caught_up_somehow"), ("tick", "ticked_somehow"))
 _EARLIEST = ("earliest_timer", "contract_earliest_timer")
 
 COUNTED_PARTS = (
@@ -49,6 +51,9 @@ RESTS = """\
     __CPROVER_assert(m->now_ns == t_ns, "the clock is set");
     must_be_at_rest(m, t_ns);"""
 
+WAITS = "    __CPROVER_assume(t_ns >= m->now_ns && t_ns < m->wake_ns);"
+"""No timer is due at an instant."""
+
 
 def stages(
     name: str, about: str, call: str, parts: Parts, lines: str = "", idle: Parts = ()
@@ -73,11 +78,10 @@ def between(name: str, about: str, body: str, parts: Parts) -> Written:
 
 def after(name: str, about: str, body: str, parts: Parts) -> Written:
     """The same, from then on."""
-    somehow = (("catch_up", "caught_up_somehow"), ("tick", "ticked_somehow"))
-    ignored = tuple((part, f"ignore_{part}") for part, _ in parts if part == "cross")
-    kept = tuple(pair for pair in parts if pair[0] != "cross")
+    given = dict(parts)
+    somehow = tuple(pair for pair in _SOMEHOW if pair[0] not in given)
     always = ("is_pending", "always_pending")
-    replaced = (*kept, *ignored, *somehow, always, _EARLIEST, ("evaluate", "evaluated"))
+    replaced = (*unlooked(parts), *somehow, always, _EARLIEST, ("evaluate", "evaluated"))
     check = Check(f"{name}_after", f"{about}, after truths are evaluated", replaced)
     return Written(check, f"{body}\n    __CPROVER_assume(is_evaluated);\n{RESTS}")
 
@@ -196,11 +200,11 @@ class EngineChecks:
         if "earlier" in state.parts(self._layout):
             parts = (("earlier", "contract_earlier"),)
             yield Written(Check("earlier", "the earlier of two instants"), _EARLIER)
+        check = Check("waiting", "what is right stays so until a timer is due")
+        yield Written(check, f"{ANY}\n{WAITS}\n{_WAITING}")
         check = Check("resting", "no timer is due while a monitor is at rest")
         yield Written(check, f"{ANY}\n{_RESTING}")
-        check = Check(
-            "earliest_timer", "no timer lies before the earliest", parts, is_discrete=True
-        )
+        check = Check("earliest_timer", "no timer lies before the earliest", parts)
         yield Written(check, f"{ANY}\n{_EARLIEST_TIMER}")
 
     def _catch_up(self) -> Iterator[Written]:
@@ -274,6 +278,10 @@ _RESTING = """\
     __CPROVER_assume(t_ns == m->now_ns);
     suppose_at_rest(m, t_ns);
     must_be_ahead(m, t_ns + 1);"""
+
+_WAITING = """\
+    suppose_at_rest(m, m->now_ns);
+    must_be_at_rest(m, t_ns);"""
 
 _EARLIEST_TIMER = """\
     suppose_unmarked(m, t_ns);

@@ -27,9 +27,12 @@ class PartRefuted(Error, code="ROSS790", name="part-refuted"):
 class NoProver(Error, code="ROSS791", name="no-prover"):
     """A system on which nothing can be proved."""
 
-    title = "nothing can be proved here: there is no CBMC 6, and it cannot be set up"
+    title = "nothing can be proved here: CBMC 6 or a solver of it is missing, and cannot be set up"
     label = "{reason}"
-    note = "CBMC 6 is a package of Debian 13; elsewhere a Debian 13 in the cache folder runs it"
+    note = (
+        "cbmc, cadical and z3 are packages of Debian 13; elsewhere a Debian 13 in the cache folder "
+        "runs them"
+    )
     help = "{advice}"
     reason: str
     advice: str

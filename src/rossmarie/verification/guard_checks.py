@@ -1,8 +1,9 @@
-"""What is to be shown of a number that leaves its guard, and what stands in for that elsewhere.
+"""What is to be shown of a look at a number that is watched, and what stands in for that elsewhere.
 
-Takes the invariants of a machine; gives for each guard a check of `cross` on it, and the contract
-that all other checks call instead. What a guard and its truths remember of the number before is
-called *kept*: they are those of some number, though not of the one that is there now.
+Takes the invariants of a machine; gives for each guard a check of `cross` and one of `is_inside`,
+and the contract that all other checks call instead, which covers both. What a guard and its truths
+remember of the number before is called *kept*: they are those of some number, though not of the one
+that is there now.
 """
 
 from __future__ import annotations
@@ -13,14 +14,23 @@ from collections.abc import Iterator, Sequence
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Guard, Layout
 from rossmarie.targets.c99.state import members
-from rossmarie.verification.check import Check, Written
+from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
-from rossmarie.verification.invariants import Invariants, Sentence, users_of
+from rossmarie.verification.invariants import Invariants, Sentence, remark_of, users_of
 from rossmarie.verification.program import ANY, assertions, assumptions, claim, predicate
 
 _LOOPS_OVER_LIMITS = ("cross_far.0", "cross_far.1", "flip.0", "gain_sight.1")
 
+_LOOKS: Parts = (("is_inside", "always_outside"), ("cross", "contract_look"))
+"""What stands in for a look at a guard."""
+
 _MEMBER = re.compile(r"(?P<kind>.*?) ?\*?(?P<name>\w+)(\[(?P<count>\d+)\])?;")
+
+
+def unlooked(parts: Parts) -> Parts:
+    """The same parts where it does not matter what becomes of guards."""
+    kept = tuple(pair for pair in parts if pair not in _LOOKS)
+    return (*kept, ("cross", "ignore_cross")) if kept != parts else parts
 
 
 class GuardChecks:
@@ -31,20 +41,22 @@ class GuardChecks:
         self._definitions = definitions
         self._invariants = invariants
 
-    def parts(self) -> tuple[tuple[str, str], ...]:
+    def parts(self) -> Parts:
         """What other checks call instead."""
-        return (("cross", "contract_cross"),) if self._layout.guards else ()
+        return _LOOKS if self._layout.guards else ()
 
     def written(self) -> Iterator[Written]:
-        """One check for each guard."""
+        """Two checks for each guard."""
         for number, guard in enumerate(self._layout.guards):
-            remark = self._layout.values[guard.value].remark.split("  ", 1)[-1]
+            remark = remark_of(self._layout.values[guard.value])
             about = f"a new `{remark}` is compared with its limits"
             parts = (("set_truth", f"contract_set_{number}"),)
             most = len(guard.limits) + 2
             loops = tuple((loop, most) for loop in _LOOPS_OVER_LIMITS)
             check = Check(f"cross_{number}", about, parts, loops)
             yield Written(check, self._check(number, guard))
+            about = f"a new `{remark}` inside its guard changes nothing"
+            yield Written(Check(f"inside_{number}", about), self._inside(number, guard))
         if self._layout.guards:
             about = "a truth has a value, and what depends on it is marked"
             yield Written(Check("set_truth", about), self._check_set_truth())
@@ -65,12 +77,23 @@ class GuardChecks:
             parts.append(self._change(number, guard))
             parts.append(self._set(f"contract_set_{number}", guard.leaves))
         parts.append(self._set("spec_set_truth", [*self._layout.node_of_truth]))
-        cases = "".join(
-            f"    case {number}: contract_cross_{number}(m, x, t_ns); break;\n"
-            for number in range(len(self._layout.guards))
+        parts.append(
+            _CONTRACTS.format(
+                numbers=self._cases("return m->value[{value}];"),
+                stays=self._cases(
+                    "must_be_kept_{number}(m, t_ns); suppose_guard_{number}(m, t_ns); break;"
+                ),
+                changes=self._cases("look_{number}(m, x, t_ns); break;"),
+            )
         )
-        parts.append(_CONTRACT.format(cases=cases))
         return "\n".join(parts)
+
+    def _cases(self, text: str) -> str:
+        """The same for each guard."""
+        return "".join(
+            f"    case {number}: {text.format(number=number, value=guard.value)}\n"
+            for number, guard in enumerate(self._layout.guards)
+        )
 
     # --- what is kept ------------------------------------------------------------------------
 
@@ -79,7 +102,7 @@ class GuardChecks:
         covered = covered_values(self._layout)
         for value in self._layout.value_of_slot:
             if value not in covered:
-                remark = self._layout.values[value].remark.split("  ", 1)[-1]
+                remark = remark_of(self._layout.values[value])
                 yield Sentence(f"`{remark}` is finite or unknown", f"!isinf(m->value[{value}])")
 
     def _probe(self, number: int, guard: Guard) -> str:
@@ -117,16 +140,16 @@ class GuardChecks:
     # --- what changes ------------------------------------------------------------------------
 
     def _change(self, number: int, guard: Guard) -> str:
-        """The contract: truths change, and what depends on them is marked; nothing else."""
+        """Looking at a number that may have left its guard: truths change, and what depends on them
+        is marked; nothing else. A number inside it changes nothing, which is one case of that.
+        """
         nodes = [self._layout.node_of_truth[truth] for truth in guard.leaves]
         return "\n".join(
             [
-                f"static void contract_cross_{number}(monitor *m, double x, int64_t t_ns)\n{{",
+                f"static void look_{number}(monitor *m, double x, int64_t t_ns)\n{{",
                 f"    must_be_kept_{number}(m, t_ns);",
                 "    must_be_finite(m, t_ns);",
                 "    must_be_marks(m, t_ns);",
-                claim(f"spec_same(x, m->value[{guard.value}])", "it is its number"),
-                claim(f"!is_inside(m, {number}, x)", "it is outside its guard"),
                 "    const monitor old = *m;",
                 self._numbers(),
                 f"    m->place[{number}] = nondet_integer();",
@@ -213,6 +236,21 @@ class GuardChecks:
             ]
         )
 
+    def _inside(self, number: int, guard: Guard) -> str:
+        """Memory as it is fits what `look` leaves behind."""
+        return "\n".join(
+            [
+                ANY,
+                *self._each_place(number),
+                f"    suppose_kept_{number}(m, t_ns);",
+                f"    const double x = m->value[{guard.value}];",
+                f"    __CPROVER_assume(is_inside(m, {number}, x));",
+                claim("isfinite(x)", "what is inside is a number"),
+                claim(f"x > m->low[{number}] && x <= m->high[{number}]", "it is inside"),
+                f"    must_be_guard_{number}(m, t_ns);",
+            ]
+        )
+
     def _each_place(self, number: int) -> Iterator[str]:
         """Each place that a guard can have is looked at on its own."""
         first, last = self._invariants.places(number)
@@ -248,7 +286,7 @@ void {name}(monitor *m, unsigned node, unsigned value, int64_t t_ns)
 }}
 """
 
-_CONTRACT = """\
+_CONTRACTS = """\
 void ignore_cross(monitor *m, unsigned g, double x, int64_t t_ns)
 {{
     (void)m;
@@ -257,11 +295,56 @@ void ignore_cross(monitor *m, unsigned g, double x, int64_t t_ns)
     (void)t_ns;
 }}
 
-void contract_cross(monitor *m, unsigned g, double x, int64_t t_ns)
+static double number_of(const monitor *m, unsigned g)
 {{
     switch (g) {{
-{cases}    default:
+{numbers}    default:
+        __CPROVER_assert(false, "there is such a guard");
+        return NAN;
+    }}
+}}
+
+/* The guard that was asked for last. */
+static unsigned asked = GUARDS;
+
+/* To look at a number covers both: it has left its guard, or not. So no two ways meet again. */
+bool always_outside(const monitor *m, unsigned g, double x)
+{{
+    __CPROVER_assert(spec_same(x, number_of(m, g)), "a guard is asked for its number");
+    asked = g;
+    return false;
+}}
+
+void contract_look(monitor *m, unsigned g, double x, int64_t t_ns)
+{{
+    __CPROVER_assert(g == asked, "it is asked before whether a number has left its guard");
+    __CPROVER_assert(spec_same(x, number_of(m, g)), "a number crosses the limits of its guard");
+    asked = GUARDS;
+    switch (g) {{
+{changes}    default:
         __CPROVER_assert(false, "there is such a guard");
     }}
+}}
+
+/* Guards that are asked for in the short way, and the first whose number is outside. */
+static bool is_here[GUARDS];
+static unsigned first_left = GUARDS;
+static bool is_left = false;
+
+bool inside_until_left(const monitor *m, unsigned g, double x)
+{{
+    const int64_t t_ns = m->now_ns;
+    if (is_left || g == first_left) {{
+        is_left = true;
+        return always_outside(m, g, x);
+    }}
+    __CPROVER_assert(spec_same(x, number_of(m, g)), "a guard is asked for its number");
+    __CPROVER_assert(g < GUARDS && is_here[g], "a guard is asked for that the message is about");
+    switch (g) {{
+{stays}    default:
+        __CPROVER_assert(false, "there is such a guard");
+    }}
+    __CPROVER_assume(x > m->low[g] && x <= m->high[g]);
+    return true;
 }}
 """

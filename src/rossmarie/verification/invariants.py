@@ -41,7 +41,7 @@ def users_of(layout: Layout, truth: int) -> list[int]:
     return found
 
 
-def _remark(value: Value) -> str:
+def remark_of(value: Value) -> str:
     """What a value is, without the place that says so."""
     return value.remark.split("  ", 1)[-1]
 
@@ -126,7 +126,7 @@ class Invariants:
             used = sorted(value.support.inputs)
             if value.slot is None and used:
                 fresh = " && ".join(f"m->state[{each}] == FRESH" for each in used)
-                about = f"`{_remark(value)}` is forgotten with what it is computed from"
+                about = f"`{remark_of(value)}` is forgotten with what it is computed from"
                 yield Sentence(about, f"isnan(m->value[{index}]) || ({fresh})")
 
     def quiet(self) -> Iterator[Sentence]:
@@ -161,7 +161,7 @@ class Invariants:
             f"{high} == limits[{place} + 1] && ({place} == {first} || {x} > {low}) && "
             f"({place} == {last} || {x} <= {high}))"
         )
-        about = _remark(self._layout.values[guard.value])
+        about = remark_of(self._layout.values[guard.value])
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")
 
     def tests(self, guard: Guard) -> Iterator[Sentence]:

@@ -18,11 +18,14 @@ from rossmarie.verification.engine_checks import (
     COUNTED_PARTS,
     IN_RANGE,
     RESTS,
+    WAITS,
     after,
     between,
     counts,
     stages,
 )
+from rossmarie.verification.guard_checks import unlooked
+from rossmarie.verification.invariants import remark_of
 from rossmarie.verification.program import ANY, claim
 
 ELEMENTS = 3
@@ -34,8 +37,7 @@ class MessageChecks:
 
     def __init__(self, layout: Layout, definitions: Definitions, parts: Parts) -> None:
         self._layout = layout
-        ignored = tuple((part, f"ignore_{part}") for part, _ in parts)
-        self._nothing_else = (*ignored, *COUNTED_PARTS)
+        self._nothing_else = (*unlooked(parts), *COUNTED_PARTS)
         self._machine = layout.machine
         self._definitions = definitions
         used = {layout.machine.signals[signal].node for signal in layout.value_of_signal}
@@ -56,36 +58,59 @@ class MessageChecks:
             yield Written(Check(angle, about), _ANGLE.format(angle=angle))
         for channel, name in enumerate(self._layout.channel_names):
             topic = self._machine.channels[channel].topic
-            numbers = Check(f"numbers_{name}", f"the numbers of a message on {topic}")
+            about = f"the numbers of a message on {topic}"
+            numbers = Check(f"numbers_{name}", about, is_arithmetic=True)
             yield Written(numbers, self._numbers(channel, name))
             lines, arguments = self._message(channel)
             call = f"take_{name}({arguments})"
-            yield from self._ways(f"update_{name}", f"a message on {topic}", lines, call)
+            guards = [self._layout.guards.index(g) for g in self._layout.guards_of(channel)]
+            yield from self._ways(f"update_{name}", f"a message on {topic}", lines, call, guards)
         call = f"{self._layout.name}_step(m, t_ns, &v)"
         for channel, name in enumerate(self._layout.channel_names):
             about = f"the numbers of messages on {self._machine.channels[channel].topic} and others"
             alone = tuple(pair for pair in self._nothing_else if pair[0] != "catch_up")
             parts = (*alone, ("catch_up", "ignore_catch_up"))
-            numbers = Check(f"step_numbers_{name}", about, parts)
+            numbers = Check(f"step_numbers_{name}", about, parts, is_arithmetic=True)
             yield Written(numbers, self._step_numbers(channel, name, call))
         yield from self._ways("step", "messages on several topics", list(self._values()), call)
 
-    def _ways(self, name: str, about: str, lines: list[str], call: str) -> Iterator[Written]:
-        """A message before any timer is due may take a short way; the long one is always right."""
+    def _ways(
+        self, name: str, about: str, lines: list[str], call: str, guards: Sequence[int] = ()
+    ) -> Iterator[Written]:
+        """A message before any timer is due may take a short way; the long one is always right.
+        The short way ends at the first of its guards that is left.
+        """
         declared = "\n".join(lines)
         late = (*self._parts, ("is_calm", "never_calm"))
         yield from stages(
             f"{name}_late", f"{about}, the long way", call, late, declared, self._idle
         )
-        calm = (*self._parts, ("is_calm", "assume_calm"))
-        body = f"{ANY}\n{declared}\n    suppose_at_rest(m, m->now_ns);\n    (void){call};"
+        calm = (*self._parts, ("is_calm", "assume_calm"), ("catch_up", "never_catch_up"))
+        body = f"{ANY}\n{declared}\n{WAITS}\n    suppose_at_rest(m, t_ns);\n    (void){call};"
         short = f"{about}, the short way"
-        yield between(f"{name}_calm", short, f"{body}\n{RESTS}", calm)
+        if guards:
+            yield from self._calm(f"{name}_calm", short, f"{body}\n{RESTS}", calm, guards)
+        else:
+            yield between(f"{name}_calm", short, f"{body}\n{RESTS}", calm)
         body = f"{ANY}\n{declared}\n{IN_RANGE}\n    (void){call};"
         yield after(f"{name}_calm", short, body, (*calm, *self._idle))
         counted = (*self._nothing_else, *self._idle)
         check = Check(f"{name}_counts", f"{about}: changes are counted", counted)
         yield Written(check, f"{declared}\n{counts(call)}")
+
+    def _calm(
+        self, name: str, about: str, body: str, parts: Parts, guards: Sequence[int]
+    ) -> Iterator[Written]:
+        """One check for each guard that may be left first, and one where all are kept."""
+        kept = tuple(pair for pair in parts if pair[0] != "is_inside")
+        parts = (*kept, ("is_inside", "inside_until_left"))
+        here = "\n".join(f"    is_here[{number}] = true;" for number in guards)
+        yield between(f"{name}_inside", f"{about}, inside all guards", f"{here}\n{body}", parts)
+        for number in guards:
+            left = f"    first_left = {number};"
+            remark = remark_of(self._layout.values[self._layout.guards[number].value])
+            outside = f"{about}, `{remark}` leaves its guard first"
+            yield between(f"{name}_left_{number}", outside, f"{here}\n{left}\n{body}", parts)
 
     # --- any message -------------------------------------------------------------------------
 

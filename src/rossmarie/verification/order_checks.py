@@ -176,7 +176,7 @@ class OrderChecks:
         return STAGES.format(counts=counts, cases="\n".join(cases))
 
     def _check(self, name: str, about: str, parts: Parts, body: str) -> Written:
-        return Written(Check(name, about, parts, self._loops(), is_discrete=True), body)
+        return Written(Check(name, about, parts, self._loops()), body)
 
     def _loops(self) -> Passes:
         """No rule has more tasks, stages, or others that claim what it needs."""

@@ -24,16 +24,35 @@ from rossmarie.cache import cache_folder
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 
-_SOLVERS = ((), ("--smt2", "--fpa"))
-"""CBMC's own SAT solver, and z3, which sees floating-point arithmetic as such: two sums of the same
-numbers are the same to it without a look at their bits.
+PROGRAMS = ("cbmc", "cadical", "z3")
+"""What has to be there: CBMC and the solvers that it asks."""
+
+_SAT = ("--external-sat-solver", "cadical")
+"""A SAT solver, which decides hundreds of claims about states and instants at once."""
+
+_OWN_SAT: tuple[str, ...] = ()
+"""CBMC's own SAT solver, which goes on from one claim that does not hold to the next."""
+
+_SMT = ("--smt2", "--fpa")
+"""z3, which sees floating-point arithmetic as such: two sums of the same numbers are the same to it
+without a look at their bits.
 """
 
-_SHORT = 10
+_SHORT = 15
 """For how many seconds several claims are asked together."""
 
-_FEW = 5
-"""How many claims are few."""
+_LISTING = 30
+"""For how many seconds claims that do not hold are looked for, once it is known that some do."""
+
+_SIZES = (40, 5, 1)
+"""How many claims several are; then few; then one."""
+
+_PLAIN_Z3 = """\
+#!/bin/sh
+# By its own choice z3 puts equations into each other first, which for many claims has no end.
+PATH=${PATH#*:}
+exec z3 tactic.default_tactic=smt "$@"
+"""
 
 _MOST = 600
 """How many seconds anything that answers no question may take."""
@@ -79,11 +98,19 @@ class Prover:
         found = re.search(r"\d+(\.\d+)+", done)
         return found[0] if found else ""
 
+    def is_complete(self) -> bool:
+        """Whether CBMC 6 and its solvers run."""
+        versions = [self.version(program) for program in PROGRAMS]
+        return all(versions) and versions[0].startswith("6.")
+
     @contextmanager
     def workshop(self) -> Iterator[Path]:
         """A folder that the prover can see, for as long as it is needed."""
         inside = None if self.root is None else self.root / "tmp"
         with tempfile.TemporaryDirectory(prefix="rossmarie_", dir=inside) as folder:
+            z3 = Path(folder) / "z3"
+            z3.write_text(_PLAIN_Z3, encoding="utf-8")
+            z3.chmod(0o755)
             yield Path(folder)
 
     def compile(self, folder: Path, harness: Harness) -> None:
@@ -100,9 +127,7 @@ class Prover:
         listed = _messages(self._must([*command, "--show-properties"], folder))
         names = [each["name"] for message in listed for each in message.get("properties", ())]
         question = _Question([*command, "--slice-formula"], folder, seconds)
-        whole = self._ask(question, [], _SOLVERS[:1]) if check.is_discrete else None
-        is_decided = whole is not None and whole[0] is not Verdict.UNDECIDED
-        answers = [whole] if whole and is_decided else list(self._answers(question, names))
+        answers = list(self._answers(question, names, is_arithmetic=check.is_arithmetic))
         reasons = tuple(reason for answer in answers for reason in answer[1])
         return Outcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
 
@@ -120,40 +145,53 @@ class Prover:
         self._must(["goto-instrument", "--drop-unused-functions", program, program], folder)
         return program
 
-    def _answers(self, question: _Question, names: Sequence[str]) -> Iterator[_Answer]:
-        """Ask for all that C forbids, and for all sentences, each time the kind of solver that is
-        good at many of it; each question includes that loops end.
+    def _answers(
+        self, question: _Question, names: Sequence[str], *, is_arithmetic: bool
+    ) -> Iterator[_Answer]:
+        """Ask for everything at once; where that is too hard, for all that C forbids, and for
+        sentences, fewer and fewer at a time. Each question includes that loops end.
         """
+        if not is_arithmetic:
+            whole = self._ask(question, [], [(*_SAT, "--stop-on-fail")])
+            if whole[0] is Verdict.REFUTED:
+                yield whole  # whatever other solvers say: where they disagree, nothing is proved
+                whole = self._ask(question.within(_LISTING), [], [_OWN_SAT])
+            if whole[0] is not Verdict.UNDECIDED:
+                yield whole
+                return
         forbidden = [name for name in names if not _is_ours(name)]
         ours = [name for name in names if _is_ours(name)]
         if forbidden or not ours:
-            yield from self._narrowed(question, forbidden, _SOLVERS[:1])
-        if ours:
-            yield from self._narrowed(question, ours, _SOLVERS[1:])
+            yield self._ask(question, forbidden, [_SAT])
+        yield from self._narrowed(question, ours, _SIZES, [_SMT])
 
     def _narrowed(
-        self, question: _Question, group: Sequence[str], solvers: Sequence[Sequence[str]]
+        self,
+        question: _Question,
+        names: Sequence[str],
+        sizes: Sequence[int],
+        solvers: Sequence[Sequence[str]],
     ) -> Iterator[_Answer]:
-        """Ask for several claims for a short time; where that is too hard, all solvers for a few
-        at a time, then for single ones.
+        """Ask for so many claims at a time, for a short time; where that is too hard, all solvers
+        for fewer.
         """
-        if len(group) <= 1:
-            yield self._ask(question, group)
-            return
-        short = replace(question, seconds=min(question.seconds, _SHORT))
-        answer = self._ask(short, group, solvers)
-        if answer[0] is not Verdict.UNDECIDED:
-            yield answer
-            return
-        size = _FEW if len(group) > _FEW else 1
-        for first in range(0, len(group), size):
-            yield from self._narrowed(question, group[first : first + size], _SOLVERS)
+        size, *smaller = sizes
+        for first in range(0, len(names), size):
+            group = names[first : first + size]
+            if len(group) == 1:
+                yield self._ask(question, group, [_SAT, _SMT])
+                continue
+            answer = self._ask(question.within(_SHORT), group, solvers)
+            if answer[0] is not Verdict.UNDECIDED:
+                yield answer
+            else:
+                yield from self._narrowed(question, group, smaller, [_SAT, _SMT])
 
     def _ask(
         self,
         question: _Question,
         names: Sequence[str],
-        solvers: Sequence[Sequence[str]] = _SOLVERS,
+        solvers: Sequence[Sequence[str]],
     ) -> _Answer:
         """Ask for some claims, or for all if none is named, all solvers at once; the first answer
         counts.
@@ -183,8 +221,9 @@ class Prover:
             return started.text()
 
     def _start(self, command: Sequence[str], folder: Path, seconds: int) -> _Started:
-        # Seconds of a processor, so that a busy machine does not change the answer.
-        script = f'ulimit -t {seconds} && cd "$0" && exec "$@"'
+        # Seconds of a processor, so that a busy machine does not change the answer. The workshop's
+        # own z3 comes first.
+        script = f'ulimit -t {seconds} && cd "$0" && PATH=.:$PATH exec "$@"'
         shell, inside = ["/bin/sh", "-c", script], folder
         if self.root is not None:
             shell, inside = (
@@ -201,6 +240,10 @@ class _Question:
     command: Sequence[str]
     folder: Path
     seconds: int
+
+    def within(self, seconds: int) -> _Question:
+        """The same for no longer than this."""
+        return replace(self, seconds=min(self.seconds, seconds))
 
 
 class _Started:
@@ -252,11 +295,11 @@ def own_root() -> Path:
 
 
 def find_prover() -> Prover | None:
-    """CBMC 6 of the system, or in the cache of ROSSMARie; None if there is neither."""
+    """CBMC 6 with its solvers, of the system or in the cache of ROSSMARie; None if neither is."""
     known = [Prover(None)] if shutil.which("cbmc") else []
     with suppress(OSError):
         known += [Prover(own_root())] if _can_enter(own_root()) else []
-    return next((prover for prover in known if prover.version().startswith("6.")), None)
+    return next((prover for prover in known if prover.is_complete()), None)
 
 
 def _can_enter(root: Path) -> bool:
@@ -306,8 +349,11 @@ def _read(text: str) -> _Answer | None:
     """The answer in CBMC's messages; None if there is none."""
     messages = _messages(text)
     results = [result for message in messages for result in message.get("result", ())]
-    is_done = any("cProverStatus" in message for message in messages)
-    if not is_done or any(each["status"] not in ("SUCCESS", "FAILURE") for each in results):
+    status = {message["cProverStatus"] for message in messages if "cProverStatus" in message}
+    if status not in ({"success"}, {"failure"}):
+        return None
+    if any(each["status"] not in ("SUCCESS", "FAILURE") for each in results):
         return None
     failed = tuple(each["description"] for each in results if each["status"] == "FAILURE")
-    return (Verdict.REFUTED if failed else Verdict.PROVED), failed
+    is_proved = status == {"success"} and not failed
+    return (Verdict.PROVED if is_proved else Verdict.REFUTED), failed

@@ -86,7 +86,7 @@ class _Writer:
     def _parts(self) -> Iterator[Written]:
         yield Written(Check("set_clock", "the clock of the reactor is set"), self._set_clock())
         about = "which rules are engaged before their tasks start"
-        yield Written(Check("engaged", about, _ENGAGING, is_discrete=True), self._engaged())
+        yield Written(Check("engaged", about, _ENGAGING), self._engaged())
 
     def _engaged(self) -> str:
         """R1. What follows is no part of this: only `release` writes what it is about."""

@@ -20,11 +20,13 @@ from rossmarie.verification.prover import Prover, find_prover, own_root
 
 _DEBOOTSTRAP = (
     "debootstrap", "--variant=minbase", "--force-check-gpg",
-    "--include=cbmc,z3,gcc,libc6-dev", "trixie",
+    "--include=cbmc,cadical,z3,gcc,libc6-dev", "trixie",
 )  # fmt: skip
 _MOST_SECONDS = 900.0
 _TO_END_S = 10.0
-_OTHERWISE = "install the packages cbmc and z3 of Debian 13, or use the Docker image debian:trixie"
+_OTHERWISE = (
+    "install the packages cbmc, cadical and z3 of Debian 13, or use the Docker image debian:trixie"
+)
 
 
 class NoProverError(Exception):
@@ -85,7 +87,7 @@ def _made(root: Path, lock: int, tell: Callable[[str], None]) -> Prover:
     try:
         aside.chmod(0o755)
         _bootstrap(aside, lock)
-        if not Prover(aside).version():
+        if not Prover(aside).is_complete():
             raise NoProverError("what debootstrap made does not run")
         _remove(root)
         aside.rename(root)

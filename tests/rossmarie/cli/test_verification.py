@@ -173,7 +173,7 @@ def test_without_a_prover_it_says_how_to_get_one(
     code, printed = verify(*arguments)
     assert code == 1
     assert "error[ROSS791]: nothing can be proved here" in printed
-    assert "install the packages cbmc and z3 of Debian 13" in printed
+    assert "install the packages cbmc, cadical and z3 of Debian 13" in printed
 
 
 @pytest.mark.parametrize("read", ["fast.ross", "other.ross"])
@@ -193,7 +193,7 @@ def test_what_is_read_is_not_written_over(rules: Path, prove_by: Any, read: str)
 def test_the_report_goes_into_the_safety_file(rules: Path, prove_by: Any) -> None:
     assert verify(rules, "--json", "v.json", "--keep", "kept")[0] == 0
     whole = json.loads(Path("v.json").read_text())
-    assert whole["tools"].keys() == {"rossmarie", "cbmc", "z3"}
+    assert whole["tools"].keys() == {"rossmarie", "cbmc", "cadical", "z3"}
     assert whole["sources"][0]["path"] == "fast.ross"
     kept = {
         path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in Path("kept").iterdir()

@@ -39,7 +39,7 @@ rule near: if any(ranges < 0.5 m) then { stop; };
 def prover() -> Prover:
     found = find_prover()
     if found is None:
-        pytest.skip("no CBMC 6 here: it is a package of Debian 13")
+        pytest.skip("no CBMC 6 with its solvers here: they are packages of Debian 13")
     return found
 
 
@@ -91,7 +91,11 @@ def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) 
     assert outcomes(prover, machine, NO_CHANGE, "visit", "evaluate") == set()
 
 
-@pytest.mark.parametrize("parts", ["numbers", "step_numbers", "earl", "resting"], ids=str)
+@pytest.mark.parametrize(
+    "parts",
+    ["numbers", "step_numbers", "earl", "resting", "waiting", "inside", "update_tilt"],
+    ids=str,
+)
 def test_numbers_and_timers_are_what_they_mean(
     prover: Prover, machine: ir.Machine, parts: str
 ) -> None:
@@ -112,6 +116,18 @@ def test_numbers_and_timers_are_what_they_mean(
          "earliest_timer", "for 2 sec` lies ahead"),
         (("m->value[lost_values[i]] = NAN;", "m->value[lost_values[input]] = NAN;"), "tick",
          "`abs(tilt)` is forgotten with what it is computed from"),
+        ((" && !UNLIKELY(x > m->high[g])", ""), "inside_0", "it is inside"),
+        (("        cross(m, GUARD_ABS_TILT, m->value[VALUE_ABS_TILT], t_ns);", "        ;"),
+         "update_tilt_late_between", "the guard of `abs(tilt)`"),
+        (("        cross(m, GUARD_ABS_TILT,", "        cross(m, GUARD_SPEED,"),
+         "update_tilt_late_between", "it is asked before whether a number has left its guard"),
+        (("return settle_tilt(m, t_ns, GUARD_ABS_TILT);",
+          "return settle_tilt(m, t_ns, GUARD_SPEED);"),
+         "update_tilt_calm_left", "it is asked before whether a number has left its guard"),
+        (("        return settle_tilt(m, t_ns, GUARD_ABS_TILT);", "        return 0;"),
+         "update_tilt_calm_left", "the guard of `abs(tilt)`"),
+        (("!is_inside(m, GUARD_ABS_TILT, m->value[VALUE_ABS_TILT])))", "false))"),
+         "update_tilt_calm_inside", "the guard of `abs(tilt)`"),
     ],
 )  # fmt: skip
 def test_a_seeded_fault_is_refuted(

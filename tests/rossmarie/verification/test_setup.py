@@ -46,7 +46,7 @@ def test_who_is_not_root_is_told(debian: QuickDebian, monkeypatch: pytest.Monkey
     monkeypatch.setattr(os, "geteuid", lambda: 65534)
     found = refusal()
     assert str(found) == "only root may run another Debian by chroot"
-    assert "install the packages cbmc and z3 of Debian 13" in found.advice
+    assert "install the packages cbmc, cadical and z3 of Debian 13" in found.advice
     assert "as root" in found.advice
     assert debian.count() == 0
 

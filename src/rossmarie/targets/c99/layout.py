@@ -94,6 +94,10 @@ class Layout:
         """Where a signal is kept; None for a constant."""
         return self.value_of_signal.get(signal)
 
+    def guards_of(self, channel: int) -> list[Guard]:
+        """The guards that a message on a channel can leave."""
+        return [g for g in self.guards if channel in self.values[g.value].support.channels]
+
     def blamed(self, support: ir.Support) -> list[int]:
         """The values whose NaN means: unknown for lack of an input with a timeout (S30)."""
         slots = [

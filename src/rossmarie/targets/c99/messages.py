@@ -12,7 +12,7 @@ from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.coverage import covered_values, is_seen_by_guards
 from rossmarie.targets.c99.elements import Elements
 from rossmarie.targets.c99.expressions import Expressions, Piece
-from rossmarie.targets.c99.layout import Guard, Layout
+from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.text import call, indented
 
 
@@ -113,7 +113,7 @@ class Messages:
         """A number left its guard, maybe others too: the first is known, so that the processor
         guesses right about the rest.
         """
-        if not self.guards_of(channel):
+        if not self._layout.guards_of(channel):
             return ""
         lines = [line for piece in self._guards() if channel in piece.channels
                  for line in piece.lines]  # fmt: skip
@@ -129,7 +129,7 @@ class Messages:
 
     def _late(self, channel: int, name: str) -> str:
         """A timer may be due, or time begins, or goes backwards."""
-        guards = self.guards_of(channel)
+        guards = self._layout.guards_of(channel)
         settle = f"settle_{name}(m, t_ns, GUARDS)" if guards else "evaluate(m, t_ns)"
         return (
             f"{self._head(f'RARE int late_{name}', channel)}\n{{\n"
@@ -149,7 +149,7 @@ class Messages:
         if not is_seen_by_guards(self._layout, channel):
             calm = f"({calm} && m->quiet[{channel}])"
         checks = []
-        for guard in self.guards_of(channel):
+        for guard in self._layout.guards_of(channel):
             value = self.expressions.kept(guard.value)
             checks.append(f"if (UNLIKELY(!is_inside(m, {guard.name}, {value})))")
             checks.append(f"    return settle_{name}(m, t_ns, {guard.name});")
@@ -162,11 +162,6 @@ class Messages:
             f"    {self._call(f'receive_{name}', channel)};\n"
             f"{indented([*checks, 'return 0;'])}\n}}\n"
         )
-
-    def guards_of(self, channel: int) -> list[Guard]:
-        """The guards that a message on a channel can leave."""
-        values = self._layout.values
-        return [g for g in self._layout.guards if channel in values[g.value].support.channels]
 
     def _update(self, channel: int, name: str) -> str:
         return (

@@ -1,0 +1,86 @@
+"""What is made of the answers of CBMC, here a script that answers as it is told."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+from rossmarie.verification.check import Check
+from rossmarie.verification.harness import Harness
+from rossmarie.verification.prover import Outcome, Prover, Verdict
+
+LISTED = [{"properties": [{"name": "check_it.assertion.1"}, {"name": "check_it.overflow.1"}]}]
+SUCCESS = [{"cProverStatus": "success"}]
+FAILURE = [{"cProverStatus": "failure"}]
+ERROR = [{"cProverStatus": "error"}]
+FAILED = [
+    {"result": [{"status": "FAILURE", "description": "it is right"}]},
+    {"cProverStatus": "failure"},
+]
+UNKNOWN = [
+    {"result": [{"status": "UNKNOWN", "description": "it is right"}]},
+    {"cProverStatus": "success"},
+]
+
+CBMC = """\
+#!/bin/sh
+case "$*" in
+*--show-properties*) echo '{listed}' ;;
+*--stop-on-fail*) echo '{whole}' ;;
+*--property*) echo '{single}' ;;
+*) echo '{own}' ;;
+esac
+"""
+
+
+@pytest.mark.parametrize(
+    ("whole", "own", "single", "expected"),
+    [
+        (SUCCESS, ERROR, ERROR, Verdict.PROVED),
+        (FAILURE, FAILED, SUCCESS, Verdict.REFUTED),
+        (FAILURE, SUCCESS, SUCCESS, Verdict.REFUTED),
+        (FAILURE, ERROR, SUCCESS, Verdict.REFUTED),
+        (ERROR, SUCCESS, SUCCESS, Verdict.PROVED),
+        (ERROR, SUCCESS, ERROR, Verdict.UNDECIDED),
+        (ERROR, SUCCESS, FAILED, Verdict.REFUTED),
+        (UNKNOWN, SUCCESS, ERROR, Verdict.UNDECIDED),
+        ([], SUCCESS, [], Verdict.UNDECIDED),
+        ([*SUCCESS, *ERROR], SUCCESS, ERROR, Verdict.UNDECIDED),
+    ],
+)
+def test_only_a_plain_success_is_a_proof(
+    whole: Sequence[object],
+    own: Sequence[object],
+    single: Sequence[object],
+    expected: Verdict,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    outcome = answered(tmp_path, monkeypatch, whole=whole, own=own, single=single)
+    assert outcome.verdict is expected
+
+
+def test_what_does_not_hold_is_listed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    outcome = answered(tmp_path, monkeypatch, whole=FAILURE, own=FAILED, single=ERROR)
+    assert outcome.reasons == ("it is right",)
+
+
+def answered(folder: Path, monkeypatch: pytest.MonkeyPatch, **answers: Sequence[object]) -> Outcome:
+    """What comes of one check if CBMC gives these answers."""
+    programs = folder / "bin"
+    programs.mkdir()
+    texts = {name: json.dumps(answer) for name, answer in answers.items()}
+    for name in ("goto-cc", "goto-instrument"):
+        (programs / name).write_text("#!/bin/sh\n")
+    (programs / "cbmc").write_text(CBMC.format(listed=json.dumps(LISTED), **texts))
+    for script in programs.iterdir():
+        script.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{programs}:/usr/bin:/bin")
+    prover = Prover(None)
+    with prover.workshop() as workshop:
+        program = Harness("", (), passes=1)
+        prover.compile(workshop, program)
+        return prover.run(program, Check("it", "it is asked"), workshop, 10)
