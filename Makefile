@@ -74,15 +74,17 @@ endif
 evaluate: $(READY) compiler
 	$(RUN)/heron evaluate --out docs
 
+# Tests with nodes that run want the machine for themselves.
 test: $(READY) compiler browser display ros1 prover
-	$(RUN)/pytest
+	$(RUN)/pytest -n auto --dist worksteal --ignore tests/live
+	$(RUN)/pytest tests/live
 
-check: $(READY) compiler browser display ros1 prover
+check: $(READY)
 	$(RUN)/ruff format --check
 	$(RUN)/ruff check
 	$(RUN)/mypy
 	$(RUN)/lint-imports
-	$(RUN)/pytest
+	$(MAKE) test
 
 bench: $(READY) compiler ros1
 	@benchmarks/peers/setup.sh

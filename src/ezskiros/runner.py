@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,8 +13,8 @@ from ezskiros.driver import Checked, UnknownSkillError, check_paths
 from ezskiros.engine.arguments import read_arguments
 from ezskiros.engine.scenes import load_world
 from ezskiros.engine.world import World
-from ezskiros.ontology import Ontology, load
-from ezskiros.ontology.load import VARIABLE
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.load import load_named
 from ezskiros.session import NOWHERE
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.nodes import SkillCall
@@ -54,8 +53,11 @@ def prepare(skill: str, paths: Iterable[Path], scene: Path | None, texts: Iterab
     _refuse_errors(checked, checked.diagnostics)
     library = checked.library
     description, implementation = _found(skill, library)
-    world, wrong = load_world(_ontology(library), scene)
-    found = [*checked.diagnostics, *wrong]
+    ontology, unread = _ontology(library)
+    found = [*checked.diagnostics, *unread]
+    _refuse_errors(checked, found)
+    world, wrong = load_world(ontology, scene)
+    found += wrong
     _refuse_errors(checked, found)
     interface = library.skill(description)
     assert interface is not None, "a description without errors says something"
@@ -64,12 +66,15 @@ def prepare(skill: str, paths: Iterable[Path], scene: Path | None, texts: Iterab
     return Ready(library, checked.trees, call, world, found)
 
 
-def _ontology(library: Library) -> Ontology:
-    """That of the skills; if they are about no things, what `load()` loads, if it is told what."""
+def _ontology(library: Library) -> tuple[Ontology, Sequence[Diagnostic]]:
+    """That of the skills; if they are about no things, what `load()` loads, if it is told what; and
+    what is wrong with that.
+    """
     known = library.ontology()
     if known is not None:
-        return known
-    return load() if os.environ.get(VARIABLE) else Ontology(())
+        return known, ()
+    named, wrong = load_named()
+    return named or Ontology(()), wrong
 
 
 def _refuse_errors(checked: Checked, found: Sequence[Diagnostic]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
@@ -11,7 +11,7 @@ from pathlib import Path
 import pyoxigraph
 
 from dslkit.diagnostics import Diagnostic, Severity
-from dslkit.source import Span
+from dslkit.source import SourceFile, Span
 from ezskiros import session
 from ezskiros.ontology import errors
 from ezskiros.ontology.iris import OWL, RDF
@@ -33,6 +33,7 @@ _PROPERTIES = (
 )
 _DECLARED = {OWL + kind for kind in ("Class", "ObjectProperty", "DatatypeProperty")}
 _DECLARED |= {f"{OWL}{kind}Property" for kind in _PROPERTIES}
+_NOTHING = Ontology((), is_whole=False)
 
 
 def load(*paths: str | os.PathLike[str], relations: bool = True) -> Ontology:
@@ -42,25 +43,42 @@ def load(*paths: str | os.PathLike[str], relations: bool = True) -> Ontology:
     no domain and no range for them. The same files are loaded once. Raises `SkillError` for files
     that cannot be read, unless findings are collected: then it goes on without them.
     """
-    named = tuple(Path(path) for path in paths) or tuple(
-        Path(part) for part in os.environ.get(VARIABLE, "").split(os.pathsep) if part
+    ontology, wrong = _read(
+        tuple(Path(path) for path in paths) or _named(), session.here, relations
     )
+    for diagnostic in wrong:
+        session.report(diagnostic)
+    return ontology
+
+
+def load_named() -> tuple[Ontology | None, Sequence[Diagnostic]]:
+    """The ontology that the variable EZSKIROS_ONTOLOGY names, or None if it names none, and what
+    is wrong with it.
+    """
+    named = _named()
+    return _read(named, lambda: Span(SourceFile(VARIABLE, ""), 0, 0)) if named else (None, ())
+
+
+def _named() -> tuple[Path, ...]:
+    return tuple(Path(part) for part in os.environ.get(VARIABLE, "").split(os.pathsep) if part)
+
+
+def _read(
+    named: tuple[Path, ...], here: Callable[[], Span], relations: bool = True
+) -> tuple[Ontology, Sequence[Diagnostic]]:
+    """The ontology of files and folders that were named `here`, and what is wrong with it."""
     try:
         found = find(named)
         states = tuple((path, path.stat().st_mtime_ns, path.stat().st_size) for path in found)
         ontology, wrong = _loaded(states, relations)
     except OSError as problem:
         path, reason = str(problem.filename), (problem.strerror or "it is not there").lower()
-        session.report(errors.NoSuchFile(path=path, reason=reason).at(session.here()))
-        return Ontology((), is_whole=False)
+        return _NOTHING, [errors.NoSuchFile(path=path, reason=reason).at(here())]
     if not found:
         shown = ", ".join(map(str, named))
         reason = f"there is no file of one in {shown}" if named else "no path is given"
-        session.report(errors.NothingLoaded(reason=reason).at(session.here()))
-        return Ontology((), is_whole=False)
-    for diagnostic in wrong:
-        session.report(diagnostic)
-    return ontology
+        return _NOTHING, [errors.NothingLoaded(reason=reason).at(here())]
+    return ontology, wrong
 
 
 @cache

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import os
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.diagnostics import Diagnostic, Severity, listed
 from dslkit.source import SourceFile, Span, is_file
-from ezskiros import session
 from ezskiros.check.scene_errors import NoOntologyForScene
-from ezskiros.ontology import Ontology, load
 from ezskiros.ontology.iris import THING
-from ezskiros.ontology.load import VARIABLE
+from ezskiros.ontology.load import load_named
 from ezskiros.planning import errors
 from ezskiros.planning.actions import Action, actions
 from ezskiros.planning.facts import Literal, is_so, spelled
@@ -44,13 +41,17 @@ def find_plan(
     Raises `NoPlannerError` if the planner is not installed.
     """
     nowhere = Span(SourceFile(str(scene_path), ""), 0, 0)
-    ontology = library.ontology() or _named_ontology()
+    own = library.ontology()  # skills that say nothing of things know none
+    ontology, found = (own, []) if own else load_named()
     if not is_file(scene_path):
         return None, [NoFile(path=str(scene_path)).at(nowhere)]
     if ontology is None:
         return None, [NoOntologyForScene().at(nowhere)]
-    scene, found = read_scene(scene_path, ontology)
-    if scene is None or any(each.severity is Severity.ERROR for each in found):
+    if _has_error(found):
+        return None, found
+    scene, wrong = read_scene(scene_path, ontology)
+    found = [*found, *wrong]
+    if scene is None or _has_error(found):
         return None, found
     try:
         wanted = goals(goal, ontology.model, scene.names())
@@ -63,10 +64,8 @@ def find_plan(
     return plan, [*found, *(left_out if steps is None else ()), *more]
 
 
-def _named_ontology() -> Ontology | None:
-    """The one that `load()` loads, if any: skills that say nothing of things know none."""
-    with session.trying():
-        return load() if os.environ.get(VARIABLE) else None
+def _has_error(found: Iterable[Diagnostic]) -> bool:
+    return any(each.severity is Severity.ERROR for each in found)
 
 
 @dataclass(frozen=True)

@@ -122,6 +122,12 @@ def test_a_scene_with_errors_is_not_run(skills: Path) -> None:
     assert "lab.turtle:2:6" in done.stdout
 
 
+def test_an_ontology_that_is_not_there_is_told(skills: Path) -> None:
+    done = run("work", folder=skills, **{VARIABLE: "nowhere"})
+    assert done.returncode == 2
+    assert "the ontology nowhere cannot be read: there is no such file" in done.stdout
+
+
 def test_a_timeout_preempts(skills: Path) -> None:
     done = run("work", "--timeout", "0.1", "--period", "0.01", folder=skills)
     assert done.returncode == 1

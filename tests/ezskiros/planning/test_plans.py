@@ -274,7 +274,7 @@ def test_a_plan_as_a_skill(gripping: Checked, bless: bool) -> None:
 
 def run(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
     command = [str(Path(sys.executable).with_name("ezskiros")), *arguments]
-    command += ["--ontology", str(HALL)]
+    command += [] if "--ontology" in arguments else ["--ontology", str(HALL)]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True)
 
 
@@ -295,6 +295,13 @@ def test_what_is_written_is_checked(lab: Path) -> None:
     assert done.stdout.endswith("\n3 warnings in 2 files\n")
     shown = run("show", "tidy_up", folder=lab)
     assert re.search(r"serialstar\n.*Fetch", shown.stdout)
+
+
+def test_an_ontology_that_is_not_there_is_told(tmp_path: Path) -> None:
+    (tmp_path / "lab.turtle").write_text((TREES / "lab.turtle").read_text("utf-8"), "utf-8")
+    done = run("plan", *GOAL, "--ontology", "nowhere", folder=tmp_path)
+    assert done.returncode == 2
+    assert "the ontology nowhere cannot be read: there is no such file" in done.stdout
 
 
 def test_a_file_from_which_the_skills_cannot_be_imported(lab: Path) -> None:
