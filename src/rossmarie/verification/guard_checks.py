@@ -107,11 +107,14 @@ class GuardChecks:
 
     def _probe(self, number: int, guard: Guard) -> str:
         """Whether truths are right for the largest number that a guard lets pass."""
-        meant = {truth: f"spec_truth_{truth}(&probe, t_ns)" for truth in guard.leaves}
-        if guard.value in self._layout.value_of_test.values():
-            meant = dict.fromkeys(guard.leaves, f"(m->high[{number}] > 0.5 ? TRUE : FALSE)")
         right = " && ".join(
-            f"{self._definitions.truth(truth)} == {meant[truth]}" for truth in guard.leaves
+            f"{self._definitions.truth(truth)} == "
+            + (
+                f"(m->high[{number}] > 0.5 ? TRUE : FALSE)"
+                if self._invariants.is_test(truth)
+                else f"spec_truth_{truth}(&probe, t_ns)"
+            )
+            for truth in guard.leaves
         )
         return (
             f"static bool is_kept_{number}(const monitor *m, int64_t t_ns)\n{{\n"

@@ -165,17 +165,22 @@ class Invariants:
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")
 
     def tests(self, guard: Guard) -> Iterator[Sentence]:
-        """What a guard watches may be a comparison, kept as a number: 0, 1 or unknown."""
+        """What a guard watches may be a flag or a comparison, kept as a number: 0, 1 or unknown."""
         x = f"m->value[{guard.value}]"
         for truth in guard.leaves:
-            if self._layout.value_of_test.get(truth) != guard.value:
+            if not self.is_test(truth):
                 continue
             holds = f"isnan({x}) || {x} == 0.0 || {x} == 1.0"
-            if not isinstance(self._machine.truths[truth].node, ir.Quantified):
+            if not isinstance(self._machine.truths[truth].node, ir.Quantified | ir.Flag):
                 meant = f"spec_truth_{truth}(m, t_ns)"
                 known = f"{x} == ({meant} == TRUE ? 1.0 : 0.0)"
                 holds = f"{meant} >= UNKNOWN ? isnan({x}) : {known}"
             yield Sentence(f"`{self._machine.truths[truth].text}` as a number", holds)
+
+    def is_test(self, truth: int) -> bool:
+        """Whether the number from which a truth is told is only 0, 1 or unknown."""
+        is_flag = isinstance(self._machine.truths[truth].node, ir.Flag)
+        return is_flag or truth in self._layout.value_of_test
 
     def places(self, number: int) -> tuple[int, int]:
         """The first and the last place that a guard can have."""

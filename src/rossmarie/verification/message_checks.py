@@ -31,6 +31,13 @@ from rossmarie.verification.program import ANY, claim
 ELEMENTS = 3
 """Up to how many elements of an array are looked at."""
 
+_ANY_OF_KIND = {
+    ir.Kind.REAL: "nondet_double()",
+    ir.Kind.FLAG: "nondet_number() % 2 != 0",
+    ir.Kind.TEXT: "nondet_integer()",
+}
+"""What a field may hold."""
+
 
 class MessageChecks:
     """Writes these checks for one machine."""
@@ -119,7 +126,7 @@ class MessageChecks:
         lines, arguments = [], ["m", "t_ns"]
         for number, field in enumerate(self._fields(channel)):
             if field.slot is not None:
-                lines.append(f"    const double field_{number} = nondet_double();")
+                lines.append(f"    const double field_{number} = {self._any(field.slot)};")
                 arguments.append(f"field_{number}")
             else:
                 lines += _array(f"field_{number}")
@@ -135,11 +142,14 @@ class MessageChecks:
             for number, field in enumerate(self._fields(channel)):
                 member = f"v.{topic}.{field.name}"
                 if field.slot is not None:
-                    yield f"    {member} = nondet_double();"
+                    yield f"    {member} = {self._any(field.slot)};"
                     continue
                 yield from _array(f"field_{channel}_{number}")
                 yield f"    {member} = field_{channel}_{number};"
                 yield f"    {member}_count = nondet_number() % {ELEMENTS + 1};"
+
+    def _any(self, slot: int) -> str:
+        return _ANY_OF_KIND[self._machine.slots[slot].kind]
 
     # --- numbers -----------------------------------------------------------------------------
 

@@ -41,7 +41,7 @@ without a look at their bits.
 _SHORT = 15
 """For how many seconds several claims are asked together."""
 
-_LISTING = 30
+_LISTING = 10
 """For how many seconds claims that do not hold are looked for, once it is known that some do."""
 
 _SIZES = (40, 5, 1)

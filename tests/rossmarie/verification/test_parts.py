@@ -34,6 +34,13 @@ rule near: if any(ranges < 0.5 m) then { stop; };
 """
 """What counts, angles, and elements of arrays."""
 
+FLAGS = """\
+input ready = topic /ready : std_msgs/Bool .data timeout 1 sec;
+input mode = topic /mode : std_msgs/String .data timeout 1 sec;
+action stop;
+rule waits: if not ready or mode == "manual" then { stop; };
+"""
+
 
 @pytest.fixture(scope="module")
 def prover() -> Prover:
@@ -51,6 +58,11 @@ def machine(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
 @pytest.fixture(scope="module")
 def counting(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
     return compiled(MORE_RULES, tmp_path_factory)
+
+
+@pytest.fixture(scope="module")
+def flagged(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
+    return compiled(FLAGS, tmp_path_factory)
 
 
 def compiled(rules: str, folders: pytest.TempPathFactory) -> ir.Machine:
@@ -82,6 +94,22 @@ def asked(
         for check in program.checks:
             if check.name.startswith(tuple(parts)):
                 yield prover.run(program, check, folder, seconds)
+
+
+@pytest.mark.parametrize(
+    "parts",
+    ["visit", "tick", "numbers", "cross", "inside", "update_ready", "update_mode"],
+    ids=str,
+)
+def test_flags_and_texts_are_what_they_mean(
+    prover: Prover, flagged: ir.Machine, parts: str
+) -> None:
+    assert outcomes(prover, flagged, NO_CHANGE, parts) == set()
+
+
+def test_a_fault_about_a_flag_is_refuted(prover: Prover, flagged: ir.Machine) -> None:
+    change = ("    0.5, /*", "    1.5, /*")
+    assert outcomes(prover, flagged, change, "inside_0") == {"`ready` is what it means"}
 
 
 NO_CHANGE = ("Generated", "Generated")
