@@ -86,10 +86,11 @@ check: $(READY)
 	$(RUN)/lint-imports
 	$(MAKE) test
 
-bench: $(READY) compiler ros1
+bench: $(READY) compiler ros1 prover
 	@benchmarks/peers/setup.sh
 	PYTHONPATH=tests $(RUN)/python benchmarks/run.py --out docs/reference/performance.md
 	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md
+	$(RUN)/python benchmarks/proofs.py --out docs/reference/performance-proofs.md
 	$(RUN)/python benchmarks/heron_run.py --out docs/reference/performance-heron.md
 	$(RUN)/python benchmarks/ezskiros_run.py --out docs/reference/performance-ezskiros.md
 

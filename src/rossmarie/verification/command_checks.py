@@ -69,7 +69,7 @@ class CommandChecks:
         about = "a number of a command stays in its bounds"
         yield Written(Check("bounded", about), text + _STAYS)
         about = "a number of a command is scaled, then bounded"
-        yield Written(Check("scaled", about), text + _IS_SCALED)
+        yield Written(Check("scaled", about, is_arithmetic=True), text + _IS_SCALED)
         for task, ramp in sorted(self._ramps()):
             about = f"how far a limit has moved: {self._said(task)}"
             name = f"moved_{task}_{_word(ramp)}"

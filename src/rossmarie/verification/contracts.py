@@ -13,6 +13,8 @@ unsigned nondet_number(void);
 int nondet_integer(void);
 double nondet_double(void);
 
+static int64_t asked_ns; /* the instant at which a function is called */
+
 static void observe(void *user, const {name}_event *event) {{ (void)user; (void)event; }}
 
 static bool is_marked(const monitor *m, unsigned node)
@@ -137,6 +139,13 @@ double any_angle(double x, double y, double z, double w)
     return found;
 }}
 
+/* A square root, where it does not matter of what. */
+double any_root(double x)
+{{
+    (void)x;
+    return nondet_double();
+}}
+
 /* The earlier of two instants, as two that are chosen beforehand see it. To put many in order is
  * hard; which of them lie before one that is given is known of each.
  */
@@ -161,7 +170,8 @@ int64_t contract_earliest_timer(const monitor *m)
 }}
 
 /* A function that takes an instant is looked at in stages, each with no more than it rests on:
- * until timers are looked at, from there until truths are evaluated, and after that.
+ * until timers are looked at, from there until truths are evaluated, and after that; it ends with
+ * setting the instant of the next timer.
  */
 static bool is_evaluated = false;
 
@@ -260,7 +270,7 @@ int count_evaluated(monitor *m, int64_t t_ns)
     return any_count(RULES);
 }}
 
-int ignore_catch_up(monitor *m, int64_t t_ns)
+int change_nothing(monitor *m, int64_t t_ns)
 {{
     (void)m;
     (void)t_ns;
@@ -292,6 +302,13 @@ double any_rate(const monitor *m, unsigned k)
     (void)m;
     (void)k;
     return nondet_double();
+}}
+
+void end_at_set_wake(monitor *m)
+{{
+    __CPROVER_assert(m->now_ns == asked_ns, "the clock is set");
+    must_be_at_rest(m, asked_ns);
+    __CPROVER_assume(false);
 }}
 
 void ignore_wake(monitor *m) {{ (void)m; }}

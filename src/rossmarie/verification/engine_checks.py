@@ -17,6 +17,7 @@ from rossmarie.verification.program import ANY, claim
 
 _SOMEHOW = (("catch_up", "caught_up_somehow"), ("tick", "ticked_somehow"))
 _EARLIEST = ("earliest_timer", "contract_earliest_timer")
+_ENDS = ("set_wake", "end_at_set_wake")
 
 COUNTED_PARTS = (
     ("evaluate", "count_evaluated"),
@@ -72,7 +73,7 @@ def stages(
 
 def between(name: str, about: str, body: str, parts: Parts) -> Written:
     """The same, until truths are evaluated."""
-    replaced = (*parts, ("evaluate", "end_at_evaluate"))
+    replaced = (*parts, ("evaluate", "end_at_evaluate"), _ENDS)
     return Written(Check(f"{name}_between", f"{about}, until truths are evaluated", replaced), body)
 
 
@@ -81,7 +82,7 @@ def after(name: str, about: str, body: str, parts: Parts) -> Written:
     given = dict(parts)
     somehow = tuple(pair for pair in _SOMEHOW if pair[0] not in given)
     always = ("is_pending", "always_pending")
-    replaced = (*unlooked(parts), *somehow, always, _EARLIEST, ("evaluate", "evaluated"))
+    replaced = (*unlooked(parts), *somehow, always, ("evaluate", "evaluated"), _ENDS)
     check = Check(f"{name}_after", f"{about}, after truths are evaluated", replaced)
     return Written(check, f"{body}\n    __CPROVER_assume(is_evaluated);\n{RESTS}")
 
@@ -206,6 +207,8 @@ class EngineChecks:
         yield Written(check, f"{ANY}\n{_RESTING}")
         check = Check("earliest_timer", "no timer lies before the earliest", parts)
         yield Written(check, f"{ANY}\n{_EARLIEST_TIMER}")
+        check = Check("set_wake", "the instant of the next timer is set", (_EARLIEST,))
+        yield Written(check, f"{ANY}\n{_SET_WAKE}")
 
     def _catch_up(self) -> Iterator[Written]:
         """One pass of its loop stands for all: it begins with a monitor at rest, and evaluation
@@ -294,6 +297,12 @@ _EARLIEST_TIMER = """\
     __CPROVER_assert(wake_ns > m->now_ns, "it lies ahead");
     __CPROVER_assume(wake_ns >= before_ns);
     must_be_ahead(m, before_ns);"""
+
+_SET_WAKE = f"""\
+    __CPROVER_assume(t_ns == m->now_ns);
+    suppose_at_rest(m, t_ns);
+    set_wake(m);
+{RESTS}"""
 
 _CATCH_UP_ANEW = """\
     __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);

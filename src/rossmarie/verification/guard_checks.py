@@ -98,9 +98,10 @@ class GuardChecks:
     # --- what is kept ------------------------------------------------------------------------
 
     def _finite(self) -> Iterator[Sentence]:
-        """Numbers that somebody else looks at are kept as finite or unknown."""
+        """Numbers that no guard makes so are kept as finite or unknown."""
+        watched = [guard.value for guard in self._layout.guards]
         covered = covered_values(self._layout)
-        for value in self._layout.value_of_slot:
+        for value in dict.fromkeys([*self._layout.value_of_slot, *watched]):
             if value not in covered:
                 remark = remark_of(self._layout.values[value])
                 yield Sentence(f"`{remark}` is finite or unknown", f"!isinf(m->value[{value}])")

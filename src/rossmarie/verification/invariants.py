@@ -158,8 +158,7 @@ class Invariants:
         )
         around = (
             f"({place} >= {first} && {place} <= {last} && {low} == limits[{place}] && "
-            f"{high} == limits[{place} + 1] && ({place} == {first} || {x} > {low}) && "
-            f"({place} == {last} || {x} <= {high}))"
+            f"{high} == limits[{place} + 1] && {x} > {low} && {x} <= {high})"
         )
         about = remark_of(self._layout.values[guard.value])
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")

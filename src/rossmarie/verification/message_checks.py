@@ -53,10 +53,12 @@ class MessageChecks:
             for function in (ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
             if any(isinstance(node, ir.Apply) and node.function is function for node in used)
         ]
+        norms = [n for n in used if isinstance(n, ir.Apply) and n.function is ir.Function.NORM]
+        roots: Parts = (("sqrt", "any_root"),) if norms else ()
         rates = [node for node in used if isinstance(node, ir.Rate)]
         follow: Parts = (("follow", "ignore_follow"),) if layout.oscillations else ()
         self._idle: Parts = (*follow, ("rate_of", "any_rate")) if rates else follow
-        self._parts = (*parts, *((angle, "any_angle") for angle in self._angles))
+        self._parts = (*parts, *((angle, "any_angle") for angle in self._angles), *roots)
 
     def written(self) -> Iterator[Written]:
         """All of them."""
@@ -75,8 +77,10 @@ class MessageChecks:
         call = f"{self._layout.name}_step(m, t_ns, &v)"
         for channel, name in enumerate(self._layout.channel_names):
             about = f"the numbers of messages on {self._machine.channels[channel].topic} and others"
-            alone = tuple(pair for pair in self._nothing_else if pair[0] != "catch_up")
-            parts = (*alone, ("catch_up", "ignore_catch_up"))
+            parts = tuple(
+                (part, "change_nothing" if part in ("catch_up", "evaluate") else contract)
+                for part, contract in self._nothing_else
+            )
             numbers = Check(f"step_numbers_{name}", about, parts, is_arithmetic=True)
             yield Written(numbers, self._step_numbers(channel, name, call))
         yield from self._ways("step", "messages on several topics", list(self._values()), call)

@@ -22,7 +22,8 @@ PRELUDE = """\
 ANY = """\
     monitor s = any();
     monitor *const m = &s;
-    const int64_t t_ns = nondet_instant();"""
+    const int64_t t_ns = nondet_instant();
+    asked_ns = t_ns;"""
 """Any memory, at any instant."""
 
 

@@ -13,12 +13,13 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from rossmarie.cache import cache_folder
 from rossmarie.verification.check import Check
@@ -38,14 +39,11 @@ _SMT = ("--smt2", "--fpa")
 without a look at their bits.
 """
 
-_SHORT = 15
-"""For how many seconds several claims are asked together."""
+_ENDING = (*_SMT, "--no-unwinding-assertions")
+"""The same where loops end, on which it would spend its time: that is asked apart."""
 
 _LISTING = 10
 """For how many seconds claims that do not hold are looked for, once it is known that some do."""
-
-_SIZES = (40, 5, 1)
-"""How many claims several are; then few; then one."""
 
 _PLAIN_Z3 = """\
 #!/bin/sh
@@ -56,6 +54,23 @@ exec z3 tactic.default_tactic=smt "$@"
 
 _MOST = 600
 """How many seconds anything that answers no question may take."""
+
+
+class _Step(NamedTuple):
+    """Solvers that are asked about so many claims together, each for so many seconds at most."""
+
+    size: int
+    seconds: int
+    solvers: Sequence[Sequence[str]]
+
+
+_ALL = _UNTIL_THE_END = sys.maxsize
+_FIRST = ((*_SAT, "--stop-on-fail"),)
+_WHOLE = _Step(_ALL, _UNTIL_THE_END, _FIRST)
+_LAST = (_Step(5, 15, (_SAT, _ENDING)), _Step(1, _UNTIL_THE_END, (_SAT, _ENDING)))
+_STATES = (_Step(100, _UNTIL_THE_END, _FIRST), *_LAST)
+_FORBIDDEN = (_Step(_ALL, _UNTIL_THE_END, (_SAT,)), *_LAST)
+_SENTENCES = (_Step(40, 15, (_ENDING,)), *_LAST)
 
 
 class Verdict(enum.Enum):
@@ -127,7 +142,7 @@ class Prover:
         listed = _messages(self._must([*command, "--show-properties"], folder))
         names = [each["name"] for message in listed for each in message.get("properties", ())]
         question = _Question([*command, "--slice-formula"], folder, seconds)
-        answers = list(self._answers(question, names, is_arithmetic=check.is_arithmetic))
+        answers = self._answers(question, names, is_arithmetic=check.is_arithmetic)
         reasons = tuple(reason for answer in answers for reason in answer[1])
         return Outcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
 
@@ -147,45 +162,41 @@ class Prover:
 
     def _answers(
         self, question: _Question, names: Sequence[str], *, is_arithmetic: bool
-    ) -> Iterator[_Answer]:
-        """Ask for everything at once; where that is too hard, for all that C forbids, and for
-        sentences, fewer and fewer at a time. Each question includes that loops end.
+    ) -> Sequence[_Answer]:
+        """Ask for everything at once; where that is too hard, for fewer and fewer claims, and once
+        whether loops end.
         """
-        if not is_arithmetic:
-            whole = self._ask(question, [], [(*_SAT, "--stop-on-fail")])
-            if whole[0] is Verdict.REFUTED:
-                yield whole  # whatever other solvers say: where they disagree, nothing is proved
-                whole = self._ask(question.within(_LISTING), [], [_OWN_SAT])
-            if whole[0] is not Verdict.UNDECIDED:
-                yield whole
-                return
         forbidden = [name for name in names if not _is_ours(name)]
         ours = [name for name in names if _is_ours(name)]
-        if forbidden or not ours:
-            yield self._ask(question, forbidden, [_SAT])
-        yield from self._narrowed(question, ours, _SIZES, [_SMT])
+        found: list[_Answer] = []
+        if is_arithmetic:
+            found += self._narrowed(question, forbidden, _FORBIDDEN) if forbidden else ()
+            found += self._narrowed(question, ours, _SENTENCES) if ours else ()
+        else:
+            found += self._narrowed(question, names, [_WHOLE])
+            if found[-1][0] is not Verdict.UNDECIDED:
+                return found
+            found.pop()
+            steps = _STATES if len(names) > _STATES[0].size else _LAST
+            found += self._narrowed(question, names, steps)
+        return [*found, self._ask(question, (forbidden or names)[:1], [_SAT, _SMT])]
 
     def _narrowed(
-        self,
-        question: _Question,
-        names: Sequence[str],
-        sizes: Sequence[int],
-        solvers: Sequence[Sequence[str]],
+        self, question: _Question, names: Sequence[str], steps: Sequence[_Step]
     ) -> Iterator[_Answer]:
-        """Ask for so many claims at a time, for a short time; where that is too hard, all solvers
-        for fewer.
-        """
-        size, *smaller = sizes
-        for first in range(0, len(names), size):
-            group = names[first : first + size]
-            if len(group) == 1:
-                yield self._ask(question, group, [_SAT, _SMT])
-                continue
-            answer = self._ask(question.within(_SHORT), group, solvers)
-            if answer[0] is not Verdict.UNDECIDED:
-                yield answer
+        """Ask for so many claims at a time; what is too hard is left to finer steps."""
+        step, *finer = steps
+        for first in range(0, max(len(names), 1), step.size):
+            group = names[first : first + step.size]
+            answer = self._ask(question.within(step.seconds), group, step.solvers)
+            if answer[0] is Verdict.REFUTED and not answer[1]:
+                yield answer  # whatever other solvers say: where they disagree, nothing is proved
+                answer = self._ask(question.within(_LISTING), group, [_OWN_SAT])
+            others = [each for each in finer if each.size < len(group) or each[1:] != step[1:]]
+            if answer[0] is Verdict.UNDECIDED and others:
+                yield from self._narrowed(question, group, others)
             else:
-                yield from self._narrowed(question, group, smaller, [_SAT, _SMT])
+                yield answer
 
     def _ask(
         self,

@@ -121,7 +121,16 @@ def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) 
 
 @pytest.mark.parametrize(
     "parts",
-    ["numbers", "step_numbers", "earl", "resting", "waiting", "inside", "update_tilt"],
+    [
+        "numbers",
+        "step",
+        "earl",
+        "resting",
+        "waiting",
+        "set_wake",
+        "inside",
+        "update_tilt",
+    ],
     ids=str,
 )
 def test_numbers_and_timers_are_what_they_mean(
@@ -144,6 +153,10 @@ def test_numbers_and_timers_are_what_they_mean(
          "earliest_timer", "for 2 sec` lies ahead"),
         (("m->value[lost_values[i]] = NAN;", "m->value[lost_values[input]] = NAN;"), "tick",
          "`abs(tilt)` is forgotten with what it is computed from"),
+        (("wake_ns < LATEST ? wake_ns : LATEST", "wake_ns"), "set_wake",
+         "nothing beyond the range passes for calm"),
+        (("    if (!calm)\n        set_wake(m);", "    if (!calm)\n        m->wake_ns++;"),
+         "step_late_after", "for 2 sec` lies ahead"),
         ((" && !UNLIKELY(x > m->high[g])", ""), "inside_0", "it is inside"),
         (("        cross(m, GUARD_ABS_TILT, m->value[VALUE_ABS_TILT], t_ns);", "        ;"),
          "update_tilt_late_between", "the guard of `abs(tilt)`"),

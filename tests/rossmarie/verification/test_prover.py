@@ -12,7 +12,7 @@ from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.prover import Outcome, Prover, Verdict
 
-LISTED = [{"properties": [{"name": "check_it.assertion.1"}, {"name": "check_it.overflow.1"}]}]
+CLAIMS = ("check_it.assertion.1", "check_it.overflow.1")
 SUCCESS = [{"cProverStatus": "success"}]
 FAILURE = [{"cProverStatus": "failure"}]
 ERROR = [{"cProverStatus": "error"}]
@@ -30,7 +30,8 @@ CBMC = """\
 case "$*" in
 *--show-properties*) echo '{listed}' ;;
 *--stop-on-fail*) echo '{whole}' ;;
-*--property*) echo '{single}' ;;
+*--no-unwinding-assertions*) echo '{smt}' ;;
+*--external-sat-solver* | *--smt2*) echo '{single}' ;;
 *) echo '{own}' ;;
 esac
 """
@@ -59,23 +60,40 @@ def test_only_a_plain_success_is_a_proof(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    outcome = answered(tmp_path, monkeypatch, whole=whole, own=own, single=single)
+    outcome = answered(tmp_path, monkeypatch, whole=whole, own=own, single=single, smt=single)
     assert outcome.verdict is expected
 
 
+def test_that_loops_end_is_shown_as_well(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    outcome = answered(tmp_path, monkeypatch, whole=ERROR, own=ERROR, single=ERROR, smt=SUCCESS)
+    assert outcome.verdict is Verdict.UNDECIDED
+
+
+def test_a_single_claim_is_left_to_z3(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    answers = {"whole": ERROR, "own": ERROR, "single": ERROR, "smt": SUCCESS}
+    outcome = answered(tmp_path, monkeypatch, CLAIMS[:1], **answers)
+    assert outcome.reasons == ("no answer within 10 s: check_it.assertion.1",)  # that loops end
+
+
 def test_what_does_not_hold_is_listed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    outcome = answered(tmp_path, monkeypatch, whole=FAILURE, own=FAILED, single=ERROR)
+    outcome = answered(tmp_path, monkeypatch, whole=FAILURE, own=FAILED, single=ERROR, smt=ERROR)
     assert outcome.reasons == ("it is right",)
 
 
-def answered(folder: Path, monkeypatch: pytest.MonkeyPatch, **answers: Sequence[object]) -> Outcome:
+def answered(
+    folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    claims: Sequence[str] = CLAIMS,
+    **answers: Sequence[object],
+) -> Outcome:
     """What comes of one check if CBMC gives these answers."""
     programs = folder / "bin"
     programs.mkdir()
     texts = {name: json.dumps(answer) for name, answer in answers.items()}
     for name in ("goto-cc", "goto-instrument"):
         (programs / name).write_text("#!/bin/sh\n")
-    (programs / "cbmc").write_text(CBMC.format(listed=json.dumps(LISTED), **texts))
+    listed = json.dumps([{"properties": [{"name": name} for name in claims]}])
+    (programs / "cbmc").write_text(CBMC.format(listed=listed, **texts))
     for script in programs.iterdir():
         script.chmod(0o755)
     monkeypatch.setenv("PATH", f"{programs}:/usr/bin:/bin")
