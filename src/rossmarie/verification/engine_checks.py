@@ -17,7 +17,6 @@ from rossmarie.verification.program import ANY, claim
 
 _SOMEHOW = (("catch_up", "caught_up_somehow"), ("tick", "ticked_somehow"))
 _EARLIEST = ("earliest_timer", "contract_earliest_timer")
-_ENDS = ("set_wake", "end_at_set_wake")
 
 COUNTED_PARTS = (
     ("evaluate", "count_evaluated"),
@@ -73,7 +72,7 @@ def stages(
 
 def between(name: str, about: str, body: str, parts: Parts) -> Written:
     """The same, until truths are evaluated."""
-    replaced = (*parts, ("evaluate", "end_at_evaluate"), _ENDS)
+    replaced = (*parts, ("evaluate", "end_at_evaluate"), ("set_wake", "end_at_set_wake"))
     return Written(Check(f"{name}_between", f"{about}, until truths are evaluated", replaced), body)
 
 
@@ -81,10 +80,14 @@ def after(name: str, about: str, body: str, parts: Parts) -> Written:
     """The same, from then on."""
     given = dict(parts)
     somehow = tuple(pair for pair in _SOMEHOW if pair[0] not in given)
-    always = ("is_pending", "always_pending")
-    replaced = (*unlooked(parts), *somehow, always, ("evaluate", "evaluated"), _ENDS)
-    check = Check(f"{name}_after", f"{about}, after truths are evaluated", replaced)
-    return Written(check, f"{body}\n    __CPROVER_assume(is_evaluated);\n{RESTS}")
+    late = (
+        ("is_pending", "maybe_pending"),
+        ("evaluate", "evaluated"),
+        ("set_wake", "set_wake_somehow"),
+    )
+    about = f"{about}, after truths are evaluated"
+    check = Check(f"{name}_after", about, (*unlooked(parts), *somehow, *late))
+    return Written(check, f"{body}\n    __CPROVER_assume(is_late);\n{RESTS}")
 
 
 def counts(call: str) -> str:

@@ -157,6 +157,13 @@ def test_numbers_and_timers_are_what_they_mean(
          "nothing beyond the range passes for calm"),
         (("    if (!calm)\n        set_wake(m);", "    if (!calm)\n        m->wake_ns++;"),
          "step_late_after", "for 2 sec` lies ahead"),
+        (("    set_wake(m);\n", "    set_wake(m);\n    m->now_ns--;\n"),
+         "update_tilt_late_after", "the clock is set"),
+        (("    if (is_pending(m))\n        events += evaluate(m, t_ns);\n    m->now_ns = t_ns;\n"
+          "    set_wake(m);\n",
+          "    const bool idle = !is_pending(m);\n    if (!idle)\n        evaluate(m, t_ns);"
+          "\n    m->now_ns = t_ns;\n    set_wake(m);\n    m->now_ns -= idle;\n"),
+         "advance_after", "the clock is set"),
         ((" && !UNLIKELY(x > m->high[g])", ""), "inside_0", "it is inside"),
         (("        cross(m, GUARD_ABS_TILT, m->value[VALUE_ABS_TILT], t_ns);", "        ;"),
          "update_tilt_late_between", "the guard of `abs(tilt)`"),
