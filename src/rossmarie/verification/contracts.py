@@ -52,6 +52,13 @@ static void forget(monitor *m, const monitor *old)
     m->user = old->user;
 }}
 
+static bool is_same(const monitor *a, const monitor *b)
+{{
+    const unsigned byte = nondet_number();
+    __CPROVER_assume(byte < sizeof *a);
+    return ((const unsigned char *)a)[byte] == ((const unsigned char *)b)[byte];
+}}
+
 static int any_count(int most)
 {{
     const int count = nondet_integer();
@@ -159,6 +166,20 @@ int64_t contract_earlier(int64_t a, int64_t b)
     return found_ns;
 }}
 
+int64_t any_timer(const monitor *m)
+{{
+    (void)m;
+    return nondet_instant();
+}}
+
+int64_t never_timer(const monitor *m)
+{{
+    (void)m;
+    __CPROVER_assert(false, "no timer is looked for");
+    __CPROVER_assume(false);
+    return 0;
+}}
+
 /* An instant that no timer lies before; what is measured from it lies ahead. */
 int64_t contract_earliest_timer(const monitor *m)
 {{
@@ -211,19 +232,25 @@ void never_tick(monitor *m, int64_t t_ns)
     __CPROVER_assume(false);
 }}
 
+void ticked(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    forget(m, &old);
+    suppose_ticked(m, &old, t_ns);
+}}
+
+void tick_once(monitor *m, int64_t t_ns)
+{{
+    __CPROVER_assume(!is_late);
+    ticked(m, t_ns);
+}}
+
 void never_restart(monitor *m, int64_t t_ns)
 {{
     (void)m;
     (void)t_ns;
     __CPROVER_assert(false, "time does not begin again");
     __CPROVER_assume(false);
-}}
-
-void ticked(monitor *m, int64_t t_ns)
-{{
-    const monitor old = *m;
-    forget(m, &old);
-    suppose_ticked(m, &old, t_ns);
 }}
 
 void ticked_somehow(monitor *m, int64_t t_ns)

@@ -95,9 +95,11 @@ def counts(call: str) -> str:
     return f"""\
 {ANY}
 {IN_RANGE}
+    const monitor old = s;
     const int events = {call};
     const bool is_in_range = t_ns > EARLIEST && t_ns < LATEST;
-    __CPROVER_assert((events >= 0) == is_in_range, "what is out of range is refused");"""
+    __CPROVER_assert((events >= 0) == is_in_range, "what is out of range is refused");
+    __CPROVER_assert(is_in_range || is_same(m, &old), "what is refused changes nothing");"""
 
 
 class EngineChecks:
@@ -214,20 +216,23 @@ class EngineChecks:
         yield Written(check, f"{ANY}\n{_SET_WAKE}")
 
     def _catch_up(self) -> Iterator[Written]:
-        """One pass of its loop stands for all: it begins with a monitor at rest, and evaluation
-        leaves one behind.
+        """One pass of its loop stands for all: it begins with a monitor at rest, and leaves one
+        behind.
         """
-        about = "timers that are due before an instant run one after the other"
-        once = (("catch_up.0", 1),)
-        anew = (("restart", "contract_restart"), ("tick", "never_tick"))
-        check = Check("catch_up_anew", f"{about}: time begins, or begins again", anew, (), once)
-        yield Written(check, f"{ANY}\n{_CATCH_UP_ANEW}")
-        passes = (_EARLIEST, ("restart", "never_restart"), ("tick", "tick_and_end"))
-        check = Check("catch_up_passes", f"{about}: one of them", passes, (), once)
-        yield Written(check, f"{_CATCHES_UP}\n    (void)catch_up(m, t_ns);")
-        ends = (_EARLIEST, ("restart", "never_restart"), ("tick", "never_tick"))
-        check = Check("catch_up_ends", f"{about}: none is left", ends, (), once)
-        yield Written(check, f"{_CATCHES_UP}\n{_CATCH_UP_ENDS}")
+        about = "an instant out of range is refused"
+        yield Written(Check("catch_up_refused", about, _NOTHING), f"{ANY}\n{_REFUSED}")
+        forward: Parts = (_EARLIEST, ("restart", "never_restart"))
+        timer = ("earliest_timer", "any_timer")
+        for name, about, passes, parts, body in (
+            ("anew", "time begins, or begins again", 1, _ANEW, f"{ANY}\n{_CATCH_UP_ANEW}"),
+            ("ends", "none is left", 1, (*forward, ("tick", "never_tick")), _CATCH_UP_ENDS),
+            ("tick", "one of them", 1, (*forward, ("tick", "tick_and_end")), _CATCHES_UP),
+            ("ticked", "truths are evaluated then", 1, (timer, *_TICKED), _CATCHES_UP),
+            ("pass", "one after the other", 2, (*forward, *_PASS), _CATCH_UP_PASS),
+        ):
+            said = f"timers that are due before an instant run: {about}"
+            loops = (("catch_up.0", passes),)
+            yield Written(Check(f"catch_up_{name}", said, parts, (), loops), body)
 
     # --- the interface -----------------------------------------------------------------------
 
@@ -239,8 +244,10 @@ class EngineChecks:
         )
         yield from stages("advance", "time passes", advance, self._parts)
         parts = ((f"{name}_advance", "contract_advance"),)
+        about = "an operator resets"
         body = f"{ANY}\n{_RANGE}\n    (void){reset};\n{RESTS}"
-        yield Written(Check("reset", "an operator resets", parts), body)
+        yield Written(Check("reset", about, parts), body)
+        yield Written(Check("reset_counts", f"{about}: changes are counted", parts), counts(reset))
         about = "the changes are counted when time passes"
         yield Written(Check("advance_counts", about, COUNTED_PARTS), counts(advance))
         questions = f"""\
@@ -315,12 +322,30 @@ _CATCH_UP_ANEW = """\
     __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
     must_be_unlooked(m, t_ns);"""
 
+_NOTHING = (("restart", "never_restart"), ("earliest_timer", "never_timer"))
+_ANEW = (("restart", "contract_restart"), ("tick", "never_tick"))
+_TICKED = (("restart", "never_restart"), ("tick", "ticked"), ("evaluate", "end_at_evaluate"))
+_PASS = (("tick", "tick_once"), ("evaluate", "evaluated"))
+
 _CATCHES_UP = f"""\
 {ANY}
     __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST && m->now_ns <= t_ns);
-    suppose_at_rest(m, m->now_ns);"""
+    suppose_at_rest(m, m->now_ns);
+    (void)catch_up(m, t_ns);"""
 
-_CATCH_UP_ENDS = """\
-    (void)catch_up(m, t_ns);
+_CATCH_UP_ENDS = f"""\
+{_CATCHES_UP}
     __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
     must_be_unlooked(m, t_ns);"""
+
+_CATCH_UP_PASS = f"""\
+{_CATCHES_UP}
+    __CPROVER_assume(is_late);
+    __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
+    must_be_unlooked(m, t_ns);"""
+
+_REFUSED = """\
+    __CPROVER_assume(t_ns <= EARLIEST || t_ns >= LATEST);
+    const monitor old = s;
+    __CPROVER_assert(catch_up(m, t_ns) < 0, "what is out of range is refused");
+    __CPROVER_assert(is_same(m, &old), "what is refused changes nothing");"""

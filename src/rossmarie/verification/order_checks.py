@@ -133,6 +133,7 @@ class OrderChecks:
             yield self._release(rule)
             for stage in range(len(self._found.plans[rule].stages) + 1):
                 yield self._start(rule, stage)
+        yield self._check("stage_over", "whether a stage is over", (), _STAGE_OVER)
         yield self._check("escalate", "what follows from failures", (_DECIDE,), self._escalate())
         about = "resources change hands"
         yield self._check("pass_on", about, (_DECIDE, _ESCALATE), _PASS_ON)
@@ -267,6 +268,13 @@ _CALL = """\
 _STARTED = """\
     must_be_owned(r);
     must_be_stage_started(r, &old, &was, rule);"""
+
+_STAGE_OVER = f"""\
+{_WITHIN}
+    const unsigned rule = nondet_number();
+    __CPROVER_assume(rule < RULES);
+    __CPROVER_assert(is_stage_over(r, rule) == spec_is_over(r, rule),
+        "a stage is over if all of it has begun and nothing of it runs (R5)");"""
 
 _ESCALATED = """\
     must_be_escalated(r, &old, &was);"""
