@@ -82,10 +82,11 @@ class _Writer:
 
     def harness(self) -> Harness:
         guards = GuardChecks(self._layout, self._definitions, self._invariants)
+        messages = MessageChecks(self._layout, self._definitions, guards.parts())
         written = [
             *EngineChecks(self._layout, self._definitions, guards.parts()).written(),
             *guards.written(),
-            *MessageChecks(self._layout, self._definitions, guards.parts()).written(),
+            *messages.written(),
         ]
         most_events = (ir.most_evaluations(self._machine) + 1) * (len(self._machine.rules) + 1)
         parts = [
@@ -98,6 +99,7 @@ class _Writer:
             *self._predicates(),
             guards.text(),
             CONTRACTS.format(most_events=most_events),
+            messages.text(),
             *(each.text() for each in written),
         ]
         return Harness("\n".join(parts), tuple(each.check for each in written), self._passes())

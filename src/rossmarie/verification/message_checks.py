@@ -60,6 +60,10 @@ class MessageChecks:
         self._idle: Parts = (*follow, ("rate_of", "any_rate")) if rates else follow
         self._parts = (*parts, *((angle, "any_angle") for angle in self._angles), *roots)
 
+    def text(self) -> str:
+        """What takes in a message where it matters only that it is handed on as it is."""
+        return "\n".join(map(self._received, range(len(self._layout.channel_names))))
+
     def written(self) -> Iterator[Written]:
         """All of them."""
         for angle in self._angles:
@@ -71,7 +75,10 @@ class MessageChecks:
             numbers = Check(f"numbers_{name}", about, is_arithmetic=True)
             yield Written(numbers, self._numbers(channel, name))
             lines, arguments = self._message(channel)
-            call = f"take_{name}({arguments})"
+            call = f"{self._layout.name}_update_{name}({arguments})"
+            parts = (*self._nothing_else, (f"receive_{name}", f"received_{name}"))
+            handed = Check(f"handed_{name}", f"a message on {topic} is handed on as it is", parts)
+            yield Written(handed, self._handed(channel, lines, call))
             guards = [self._layout.guards.index(g) for g in self._layout.guards_of(channel)]
             yield from self._ways(f"update_{name}", f"a message on {topic}", lines, call, guards)
         call = f"{self._layout.name}_step(m, t_ns, &v)"
@@ -130,7 +137,9 @@ class MessageChecks:
         lines, arguments = [], ["m", "t_ns"]
         for number, field in enumerate(self._fields(channel)):
             if field.slot is not None:
-                lines.append(f"    const double field_{number} = {self._any(field.slot)};")
+                kind = self._machine.slots[field.slot].kind
+                declared = f"const {types.SLOT_TYPES[kind]} field_{number}"
+                lines.append(f"    {declared} = {self._any(field.slot)};")
                 arguments.append(f"field_{number}")
             else:
                 lines += _array(f"field_{number}")
@@ -154,6 +163,39 @@ class MessageChecks:
 
     def _any(self, slot: int) -> str:
         return _ANY_OF_KIND[self._machine.slots[slot].kind]
+
+    def _received(self, channel: int) -> str:
+        """It remembers how often it was called, and is given what it is to be called with."""
+        name = self._layout.channel_names[channel]
+        parameters = ["monitor *m", "int64_t t_ns"]
+        given, claims = [], []
+        for number, field in enumerate(self._fields(channel)):
+            for declared, word in zip(
+                types.plain_parameters(field), types.arguments(field), strict=True
+            ):
+                kept = f"given_{channel}_{number}{word.removeprefix(field.name)}"
+                kind = declared.removesuffix(word)
+                parameters.append(f"{kind}{word}")
+                given.append(f"static {kind}{kept};")
+                same = f"spec_same({word}, {kept})" if kind == "double " else f"{word} == {kept}"
+                claims.append(claim(same, f"{word} is handed on"))
+        return _RECEIVED.format(
+            name=name,
+            channel=channel,
+            given="\n".join(given),
+            parameters=", ".join(parameters),
+            claims="\n".join(claims),
+        )
+
+    def _handed(self, channel: int, lines: list[str], call: str) -> str:
+        given = []
+        for number, field in enumerate(self._fields(channel)):
+            given.append(f"    given_{channel}_{number} = field_{number};")
+            if field.slot is None:
+                given.append(f"    given_{channel}_{number}_count = count_{number};")
+        return "\n".join(
+            [ANY, *lines, IN_RANGE, *given, _HANDED.format(channel=channel, call=call)]
+        )
 
     # --- numbers -----------------------------------------------------------------------------
 
@@ -264,6 +306,25 @@ _ANY_NUMBERS = f"""\
     suppose_swings(m, t_ns);"""
 
 _IN_RANGE = "    __CPROVER_assume(t_ns < LATEST);"
+
+_RECEIVED = """\
+static unsigned received_{channel};
+{given}
+
+void received_{name}({parameters})
+{{
+    (void)m;
+    __CPROVER_assert(t_ns == asked_ns, "it is handed on at its instant");
+{claims}
+    received_{channel}++;
+}}
+"""
+
+_HANDED = """\
+    received_{channel} = 0;
+    const int events = {call};
+    __CPROVER_assert(received_{channel} == (events < 0 ? 0u : 1u),
+        "what is not refused is handed on once");"""
 
 _KEPT = "    const monitor old = s;"
 

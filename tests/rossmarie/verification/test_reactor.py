@@ -56,8 +56,8 @@ def proofs(prover: Prover, questions: Questions, old: str, new: str, *names: str
 @pytest.mark.parametrize(
     "name",
     ["bounded", "scaled", "moved", "bounds_0_0", "bounds_0_5", "shut", "set_clock", "release",
-     "engaged", "next_wake", "init", "decide", "give_orders", "start", "escalate", "pass_on",
-     "settle", "react", "report"],
+     "engaged", "next_wake", "stage_over", "init", "decide", "give_orders", "start", "escalate",
+     "pass_on", "settle", "react", "report"],
 )  # fmt: skip
 def test_the_reactor_is_what_reactions_mean(
     prover: Prover, questions: Questions, name: str
@@ -89,6 +89,7 @@ def test_the_reactor_is_what_reactions_mean(
         ("give_up(r, task);", "", "pass_on", "what is in force was told to start"),
         ("r->failed_count++;", "", "settle_ends", "no longer in force was told so"),
         ("now_ns >= due_ns)", "now_ns > due_ns)", "settle_ends", "fails when its time is up (R4)"),
+        ("HOLDING && state != WAITING", "HOLDING", "stage_over", "a stage is over if all of it"),
         ("r->stage[rule_order[i]]++;", "", "settle_0", "a stage starts once"),
         ("r->stage[rule_order[i]]++;", "", "settle_passes", "unwinding assertion"),
         ("r->engaged[rule] && !goes_on", "!goes_on", "react", "an engaged rule is released"),

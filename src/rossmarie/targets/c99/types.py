@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from rossmarie import ir
 from rossmarie.targets.c99 import names
 
-_SLOT_TYPES = {ir.Kind.REAL: "double", ir.Kind.FLAG: "bool", ir.Kind.TEXT: "int32_t"}
+SLOT_TYPES = {ir.Kind.REAL: "double", ir.Kind.FLAG: "bool", ir.Kind.TEXT: "int32_t"}
+"""What a slot is in a public function."""
 
 
 def number(value: float) -> str:
@@ -66,7 +67,7 @@ def public_parameters(machine: ir.Machine, field: Field) -> list[str]:
     """The parameters of a field in the public function."""
     if field.slot is None:
         return _array_parameters(field)
-    return [f"{_SLOT_TYPES[machine.slots[field.slot].kind]} {field.name}"]
+    return [f"{SLOT_TYPES[machine.slots[field.slot].kind]} {field.name}"]
 
 
 def plain_parameters(field: Field) -> list[str]:

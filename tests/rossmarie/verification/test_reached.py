@@ -1,0 +1,117 @@
+"""What is not looked at is not proved: every line of the generated C is reached by a check."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from rossmarie.driver.verifying import questions_of
+from rossmarie.verification.check import Check
+from rossmarie.verification.harness import Harness
+from rossmarie.verification.prover import Prover, _unwound
+from support.provers import real_prover
+
+MONITOR = """\
+input tilt = topic /tilt : std_msgs/Float64 .data timeout 0.2 sec;
+input speed = topic /speed : std_msgs/Float64 .data;
+action stop;
+rule tilted: if (abs(tilt) > 10 and not speed == 0) for 2 sec then { stop; };
+rule gone: if speed > 3 then { stop; } latched until reset;
+"""
+
+BOUNDED = """\
+input speed = topic /speed : std_msgs/Float64 .data;
+action slow {
+    limit /cmd_vel : geometry_msgs/Twist { linear.x in [-0.2, 0.5] m/s; } ramp 0.3 m/s^2;
+}
+action half { scale /cmd_vel : geometry_msgs/Twist by 50 %; }
+action ask { call /ask : std_srvs/Trigger within 1 sec else beep; }
+action beep { publish /horn : std_msgs/Bool { data = true; } at 5 Hz; }
+rule fast: if speed > 3 then { slow; ask; };
+rule wild: if speed > 5 unless fast then { half; };
+"""
+
+SHARED = """\
+input speed = topic /speed : std_msgs/Float64 .data;
+action beep { publish /horn : std_msgs/Bool { data = true; } at 5 Hz; }
+action mute { publish /horn : std_msgs/Bool { data = false; } at 5 Hz; }
+action forward { send actionlib/Test { goal = 1; } to /arm within 1 sec then resend; }
+action home { send actionlib/Test { goal = 2; } to /arm within 1 sec; }
+rule loud: if speed > 4 then { beep; forward; };
+rule quiet: if speed > 6 then { mute; home; };
+priority quiet over loud;
+"""
+
+NEVER = {("derive", "return UNKNOWN;")}
+"""What no state leads to."""
+
+
+_FUNCTION = re.compile(r"^\w[^;{}=#]*?\b(\w+)\([^;{}]*\)\s*\{", re.MULTILINE)
+
+
+class Line(NamedTuple):
+    """Of the generated C; without a text it is the function as a whole."""
+
+    function: str
+    text: str
+
+
+@pytest.fixture(scope="module")
+def prover() -> Prover:
+    return real_prover()
+
+
+def blocks(
+    prover: Prover, program: Harness, check: Check, folder: Path
+) -> Iterator[tuple[str, int, str, bool]]:
+    """File, line and function of all that a check is about, and whether it is reached."""
+    command = ["cbmc", prover._compile(program, check, folder), "--json-ui"]
+    command += ["--unwind", str(program.passes), *_unwound(check)]
+    command += ["--cover", "location", "--no-standard-checks", "--slice-formula"]
+    for message in json.loads(prover._must(command, folder)):
+        for goal in message.get("goals", ()):
+            at, is_reached = goal["sourceLocation"], goal["status"] == "satisfied"
+            if "line" in at:
+                yield at["file"], int(at["line"]), at["function"], is_reached
+
+
+def looked_at(prover: Prover, folder: Path, rules: str, part: str) -> tuple[set[Line], set[Line]]:
+    """The lines of one generated file at which something begins, and those that a check reaches."""
+    path = folder / "small.ross"
+    path.write_text(rules)
+    questions = questions_of(path)
+    name = f"small_{part}.c"
+    lines = questions.files[name].splitlines()
+    (program,) = (each for each in questions.programs if f'#include "{name}"' in each.text)
+    found = {Line(function, "") for function in _FUNCTION.findall(questions.files[name])}
+    reached: set[Line] = set()
+    with prover.workshop() as workshop:
+        for file, text in questions.texts().items():
+            (workshop / file).write_text(text)
+        prover.compile(workshop, program)
+        for check in program.checks:
+            for file, number, function, is_reached in blocks(prover, program, check, workshop):
+                if file == name:
+                    line = Line(function, lines[number - 1].strip())
+                    found.add(line)
+                    reached |= {line, Line(function, "")} if is_reached else set()
+    return found, reached
+
+
+def test_every_line_of_a_monitor_is_looked_at(prover: Prover, tmp_path: Path) -> None:
+    found, reached = looked_at(prover, tmp_path, MONITOR, "monitor")
+    assert len(reached) > 150
+    assert found - reached == NEVER
+
+
+def test_every_line_of_a_reactor_is_looked_at(prover: Prover, tmp_path: Path) -> None:
+    """What one machine has no use for, the other has."""
+    found, reached = looked_at(prover, tmp_path, BOUNDED, "reactor")
+    others, reached_too = looked_at(prover, tmp_path, SHARED, "reactor")
+    assert len(reached) > 100
+    assert (found | others) - (reached | reached_too) == set()
