@@ -11,7 +11,7 @@ import typer
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
 from rossmarie.cli.replay import refusing, told_progress, topic_pairs
-from rossmarie.cli.saving import refuse_read, save
+from rossmarie.cli.saving import refuse_report, save
 from rossmarie.driver import RulesError
 from rossmarie.driver.coverage import Exercised, cover_recordings, coverage_report
 from rossmarie.driver.generating import generate_tests
@@ -88,7 +88,7 @@ def run_coverage(
     """
     pairs = topic_pairs(topic_map)
     if report is not None:
-        refuse_read(report, (rules, *recordings))
+        refuse_report(report, (rules, *recordings))
     with refusing(), told_progress("moving thresholds") as on_progress:
         found = cover_recordings(
             rules,

@@ -13,7 +13,7 @@ from dslkit.diagnostics import Template
 from dslkit.source import Span
 from rossmarie.cli.output import output
 from rossmarie.cli.replay import told_progress
-from rossmarie.cli.saving import refuse_read, save
+from rossmarie.cli.saving import refuse_report, save
 from rossmarie.driver import RulesError
 from rossmarie.driver.build import ForeignFileError
 from rossmarie.driver.verifying import (
@@ -50,7 +50,7 @@ def run_verify(
         output.reject(error.diagnostics)
     output.print_findings(questions.compiled.warnings)
     if report is not None:
-        refuse_read(report, [Path(each.path) for each in questions.compiled.sources])
+        refuse_report(report, [Path(each.path) for each in questions.compiled.sources])
     if kept is not None:
         _keep(questions, kept, rules)
     proofs = _proofs(questions, seconds)

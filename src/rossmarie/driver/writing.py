@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 from pathlib import Path
@@ -12,13 +13,11 @@ def write_whole(path: Path, text: str) -> None:
     held before. Its permissions stay. Raises `OSError`.
     """
     target = Path(os.path.realpath(path))  # a link stays one
-    if target.exists() and not target.is_file():  # a terminal or a pipe, which has no contents
+    if _is_stream(target):
         target.write_text(text, encoding="utf-8", newline="")
         return
     is_there = target.exists()
-    if is_there:
-        target.open("r+b").close()  # replacing it would get around its write protection
-    temporary = target.with_name(f".rossmarie-{os.getpid()}.tmp")
+    temporary = _begin(target)
     try:
         with temporary.open("w", encoding="utf-8", newline="") as stream:
             stream.write(text)
@@ -29,6 +28,29 @@ def write_whole(path: Path, text: str) -> None:
         temporary.replace(target)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def try_writing(path: Path) -> None:
+    """Begin to write a file, and leave all as it is. Raises `OSError` as `write_whole` would."""
+    target = Path(os.path.realpath(path))
+    if target.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+    if not _is_stream(target):
+        _begin(target).unlink()
+
+
+def _is_stream(target: Path) -> bool:
+    """A terminal or a pipe, which has no contents."""
+    return target.exists() and not target.is_file()
+
+
+def _begin(target: Path) -> Path:
+    """The file beside it that is to replace it."""
+    if target.exists():
+        target.open("r+b").close()  # replacing it would get around its write protection
+    temporary = target.with_name(f".rossmarie-{os.getpid()}.tmp")
+    temporary.touch()
+    return temporary
 
 
 def reason(error: OSError) -> str:

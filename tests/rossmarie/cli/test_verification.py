@@ -187,6 +187,18 @@ def test_what_is_read_is_not_written_over(rules: Path, prove_by: Any, read: str)
     assert Path(read).read_text() == before
 
 
+def test_what_cannot_be_written_is_told_before_it_takes_its_time(rules: Path) -> None:
+    code, printed = verify(rules, "--json", "missing/v.json")
+    assert code == 2
+    assert "cannot write missing/v.json: no such file or directory" in printed
+    assert "Of the generated C" not in printed
+    Path("folder").mkdir()
+    code, printed = verify(rules, "--json", "folder")
+    assert code == 2
+    assert "cannot write folder: is a directory" in printed
+    assert sorted(path.name for path in Path().iterdir()) == ["fast.ross", "folder"]
+
+
 # --- what is written -------------------------------------------------------------------------
 
 
