@@ -14,6 +14,7 @@ int nondet_integer(void);
 double nondet_double(void);
 
 static int64_t asked_ns; /* the instant at which a function is called */
+static monitor base; /* what it began with, or what was last made of that */
 
 static void observe(void *user, const {name}_event *event) {{ (void)user; (void)event; }}
 
@@ -52,25 +53,11 @@ static void forget(monitor *m, const monitor *old)
     m->user = old->user;
 }}
 
-static bool is_same(const monitor *a, const monitor *b)
-{{
-    const unsigned byte = nondet_number();
-    __CPROVER_assume(byte < sizeof *a);
-    return ((const unsigned char *)a)[byte] == ((const unsigned char *)b)[byte];
-}}
-
 static int any_count(int most)
 {{
     const int count = nondet_integer();
     __CPROVER_assume(count >= 0 && count <= most);
     return count;
-}}
-
-/* Rules change where they are judged, and by a reset. */
-static void must_not_act(const monitor *m, const monitor *old)
-{{
-    for (unsigned i = 0; i != sizeof m->active; i++)
-        __CPROVER_assert(m->active[i] == old->active[i], "no rule changes");
 }}
 
 /* Where there is a short way: the case in which it is taken, and the other in any case. */
@@ -202,6 +189,7 @@ int caught_up(monitor *m, int64_t t_ns)
     forget(m, &old);
     __CPROVER_assume(m->now_ns <= t_ns);
     suppose_unlooked(m, t_ns);
+    base = *m;
     return 0;
 }}
 
@@ -215,6 +203,7 @@ int caught_up_somehow(monitor *m, int64_t t_ns)
 
 void end_at_tick(monitor *m, int64_t t_ns)
 {{
+    must_be_told(m, &base);
     must_be_unlooked(m, t_ns);
     __CPROVER_assume(false);
 }}
@@ -237,6 +226,7 @@ void ticked(monitor *m, int64_t t_ns)
     const monitor old = *m;
     forget(m, &old);
     suppose_ticked(m, &old, t_ns);
+    base = *m;
 }}
 
 void tick_once(monitor *m, int64_t t_ns)
@@ -269,6 +259,7 @@ bool maybe_pending(const monitor *m)
 int end_at_evaluate(monitor *m, int64_t t_ns)
 {{
     must_be_looked(m, t_ns);
+    must_be_told(m, &base);
     __CPROVER_assume(false);
     return 0;
 }}
@@ -279,6 +270,7 @@ int evaluated(monitor *m, int64_t t_ns)
     forget(m, &old);
     __CPROVER_assume(m->now_ns == t_ns);
     suppose_at_rest(m, t_ns);
+    base = *m;
     is_late = true;
     return any_count(RULES);
 }}
@@ -335,6 +327,7 @@ void end_at_set_wake(monitor *m)
 {{
     __CPROVER_assert(m->now_ns == asked_ns, "the clock is set");
     must_be_at_rest(m, asked_ns);
+    must_be_told(m, &base);
     __CPROVER_assume(false);
 }}
 
@@ -344,10 +337,12 @@ void set_wake_somehow(monitor *m)
     if (is_late) {{
         __CPROVER_assert(m->now_ns == asked_ns, "the clock is set");
         must_be_at_rest(m, asked_ns);
+        must_be_same(m, &base);
     }}
     forget(m, &old);
     __CPROVER_assume(m->now_ns == asked_ns);
     suppose_at_rest(m, asked_ns);
+    base = *m;
     is_late = true;
 }}
 
@@ -361,6 +356,7 @@ int contract_advance(monitor *m, int64_t t_ns)
     forget(m, &old);
     __CPROVER_assume(m->now_ns == t_ns);
     suppose_at_rest(m, t_ns);
+    base = *m;
     return any_count({most_events});
 }}
 """

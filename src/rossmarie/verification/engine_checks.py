@@ -12,6 +12,7 @@ from rossmarie.targets.c99 import state
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.frames import Frames
 from rossmarie.verification.guard_checks import unlooked
 from rossmarie.verification.program import ANY, claim
 
@@ -51,6 +52,9 @@ RESTS = """\
     __CPROVER_assert(m->now_ns == t_ns, "the clock is set");
     must_be_at_rest(m, t_ns);"""
 
+_TOLD = "    must_be_told(m, &base);"
+_AS_IT_WAS = "    must_be_same(m, &base);"
+
 WAITS = "    __CPROVER_assume(t_ns >= m->now_ns && t_ns < m->wake_ns);"
 """No timer is due at an instant."""
 
@@ -71,9 +75,12 @@ def stages(
 
 
 def between(name: str, about: str, body: str, parts: Parts) -> Written:
-    """The same, until truths are evaluated."""
+    """The same, until truths are evaluated: of inputs it is known what the message says."""
     replaced = (*parts, ("evaluate", "end_at_evaluate"), ("set_wake", "end_at_set_wake"))
-    return Written(Check(f"{name}_between", f"{about}, until truths are evaluated", replaced), body)
+    return Written(
+        Check(f"{name}_between", f"{about}, until truths are evaluated", replaced),
+        f"{body}\n{_TOLD}",
+    )
 
 
 def after(name: str, about: str, body: str, parts: Parts) -> Written:
@@ -87,7 +94,7 @@ def after(name: str, about: str, body: str, parts: Parts) -> Written:
     )
     about = f"{about}, after truths are evaluated"
     check = Check(f"{name}_after", about, (*unlooked(parts), *somehow, *late))
-    return Written(check, f"{body}\n    __CPROVER_assume(is_late);\n{RESTS}")
+    return Written(check, f"{body}\n    __CPROVER_assume(is_late);\n{RESTS}\n{_AS_IT_WAS}")
 
 
 def counts(call: str) -> str:
@@ -99,14 +106,18 @@ def counts(call: str) -> str:
     const int events = {call};
     const bool is_in_range = t_ns > EARLIEST && t_ns < LATEST;
     __CPROVER_assert((events >= 0) == is_in_range, "what is out of range is refused");
-    __CPROVER_assert(is_in_range || is_same(m, &old), "what is refused changes nothing");"""
+    if (!is_in_range)
+        must_be_same(m, &old);"""
 
 
 class EngineChecks:
     """Writes these checks for one machine."""
 
-    def __init__(self, layout: Layout, definitions: Definitions, parts: Parts) -> None:
+    def __init__(
+        self, layout: Layout, definitions: Definitions, frames: Frames, parts: Parts
+    ) -> None:
         self._layout = layout
+        self._frames = frames
         self._parts = parts
         self._machine = layout.machine
         self._definitions = definitions
@@ -116,9 +127,9 @@ class EngineChecks:
         yield from self._visits()
         parts = (("visit", "contract_visit"),)
         about = "everything that is marked is evaluated, in order, and that ends"
-        yield Written(Check("evaluate", about, parts), _EVALUATE)
+        yield Written(Check("evaluate", about, parts), f"{_EVALUATE}\n{self._frames.evaluated()}")
         tick = Check("tick", "timers are looked at", self._parts)
-        yield Written(tick, f"{ANY}\n{_TICK}")
+        yield Written(tick, f"{ANY}\n{_TICK}\n{self._frames.ticked()}")
         restart = Check("restart", "time begins, or begins again", self._parts)
         yield Written(restart, self._restart())
         yield from self._earliest()
@@ -144,6 +155,7 @@ class EngineChecks:
             claim("!is_marked_up_to(m, node)", "what depends on a truth stands behind it"),
             *(self._rule(index, node) for index in range(len(self._machine.rules))),
             *(self._before(k, node) for k in range(len(self._layout.held))),
+            self._frames.visited(node),
         ]
         return f"""\
 {ANY}
@@ -199,7 +211,7 @@ class EngineChecks:
     restart(m, t_ns);
     must_be_restarted(m, t_ns);
     must_be_unlooked(m, t_ns);
-    must_not_act(m, &old);"""
+{self._frames.restarted()}"""
 
     def _earliest(self) -> Iterator[Written]:
         parts: Parts = ()
@@ -213,7 +225,7 @@ class EngineChecks:
         check = Check("earliest_timer", "no timer lies before the earliest", parts)
         yield Written(check, f"{ANY}\n{_EARLIEST_TIMER}")
         check = Check("set_wake", "the instant of the next timer is set", (_EARLIEST,))
-        yield Written(check, f"{ANY}\n{_SET_WAKE}")
+        yield Written(check, f"{ANY}\n{_SET_WAKE}\n{self._frames.woken()}")
 
     def _catch_up(self) -> Iterator[Written]:
         """One pass of its loop stands for all: it begins with a monitor at rest, and leaves one
@@ -240,14 +252,19 @@ class EngineChecks:
         name = self._layout.name
         advance, reset = (
             f"{name}_advance(m, t_ns)",
-            f"{name}_reset(m, t_ns, nondet_integer())",
+            f"{name}_reset(m, t_ns, rule)",
         )
         yield from stages("advance", "time passes", advance, self._parts)
         parts = ((f"{name}_advance", "contract_advance"),)
         about = "an operator resets"
-        body = f"{ANY}\n{_RANGE}\n    (void){reset};\n{RESTS}"
-        yield Written(Check("reset", about, parts), body)
-        yield Written(Check("reset_counts", f"{about}: changes are counted", parts), counts(reset))
+        lines = [f"{ANY}\n{_RANGE}\n    const int rule = nondet_integer();\n    (void){reset};"]
+        becomes = "({was} && {condition} != FALSE)"
+        cleared = self._frames.latched("(rule < 0 || rule == {index})", becomes)
+        lines += [RESTS, "    const monitor old = base;", cleared]
+        yield Written(Check("reset", about, parts), "\n".join(lines))
+        body = f"    const int rule = nondet_integer();\n{counts(reset)}"
+        yield Written(Check("reset_counts", f"{about}: changes are counted", parts), body)
+        yield Written(Check("latch", "a rule is told to be latched"), self._latch())
         about = "the changes are counted when time passes"
         yield Written(Check("advance_counts", about, COUNTED_PARTS), counts(advance))
         questions = f"""\
@@ -259,27 +276,33 @@ class EngineChecks:
     (void){name}_has_all_inputs(m);
     __CPROVER_assert(!is_calm(m, t_ns) || (t_ns >= m->now_ns && t_ns < m->wake_ns),
         "where the short way is taken, time goes forward and nothing is due");
-    __CPROVER_assert(old.now_ns == m->now_ns, "to ask changes nothing");"""
+    must_be_same(m, &old);"""
         about = "questions that change nothing"
         yield Written(Check("questions", about), f"{begin(self._layout)}\n{questions}")
+
+    def _latch(self) -> str:
+        told = self._frames.latched("(!old.started && rule == {index})", "true")
+        call = f"{self._layout.name}_latch(m, rule);"
+        any_rule = "    const int rule = nondet_integer();\n    const monitor old = s;"
+        return f"{ANY}\n    (void)t_ns;\n{any_rule}\n    {call}\n{told}"
 
 
 _EVALUATE = """\
     monitor s = any();
+    monitor *const m = &s;
     const int64_t t_ns = nondet_instant();
-    suppose_marks(&s, t_ns);
-    const int events = evaluate(&s, t_ns);
+    suppose_marks(m, t_ns);
+    const monitor old = s;
+    const int events = evaluate(m, t_ns);
     __CPROVER_assert(events >= 0 && events <= TRUTHS + RULES, "changes are counted");
-    __CPROVER_assert(s.now_ns == t_ns, "the clock is set");
-    must_be_unmarked(&s, t_ns);"""
+    must_be_unmarked(m, t_ns);"""
 
 _TICK = """\
     __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);
     suppose_unlooked(m, t_ns);
     const monitor old = s;
     tick(m, t_ns);
-    must_be_looked(m, t_ns);
-    must_not_act(m, &old);"""
+    must_be_looked(m, t_ns);"""
 
 _EARLIER = """\
     const int64_t a = nondet_instant(), b = nondet_instant(), t_ns = nondet_instant();
@@ -311,6 +334,7 @@ _EARLIEST_TIMER = """\
 _SET_WAKE = f"""\
     __CPROVER_assume(t_ns == m->now_ns);
     suppose_at_rest(m, t_ns);
+    const monitor old = s;
     set_wake(m);
 {RESTS}"""
 
@@ -320,7 +344,8 @@ _CATCH_UP_ANEW = """\
     suppose_anew(m, t_ns);
     (void)catch_up(m, t_ns);
     __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
-    must_be_unlooked(m, t_ns);"""
+    must_be_unlooked(m, t_ns);
+    must_be_same(m, &anew);"""
 
 _NOTHING = (("restart", "never_restart"), ("earliest_timer", "never_timer"))
 _ANEW = (("restart", "contract_restart"), ("tick", "never_tick"))
@@ -336,16 +361,18 @@ _CATCHES_UP = f"""\
 _CATCH_UP_ENDS = f"""\
 {_CATCHES_UP}
     __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
-    must_be_unlooked(m, t_ns);"""
+    must_be_unlooked(m, t_ns);
+{_AS_IT_WAS}"""
 
 _CATCH_UP_PASS = f"""\
 {_CATCHES_UP}
     __CPROVER_assume(is_late);
     __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
-    must_be_unlooked(m, t_ns);"""
+    must_be_unlooked(m, t_ns);
+{_AS_IT_WAS}"""
 
 _REFUSED = """\
     __CPROVER_assume(t_ns <= EARLIEST || t_ns >= LATEST);
     const monitor old = s;
     __CPROVER_assert(catch_up(m, t_ns) < 0, "what is out of range is refused");
-    __CPROVER_assert(is_same(m, &old), "what is refused changes nothing");"""
+    must_be_same(m, &old);"""

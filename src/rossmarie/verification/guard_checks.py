@@ -8,12 +8,10 @@ that is there now.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Guard, Layout
-from rossmarie.targets.c99.state import members
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import Invariants, Sentence, remark_of, users_of
@@ -23,8 +21,6 @@ _LOOPS_OVER_LIMITS = ("cross_far.0", "cross_far.1", "flip.0", "gain_sight.1")
 
 _LOOKS: Parts = (("is_inside", "always_outside"), ("cross", "contract_look"))
 """What stands in for a look at a guard."""
-
-_MEMBER = re.compile(r"(?P<kind>.*?) ?\*?(?P<name>\w+)(\[(?P<count>\d+)\])?;")
 
 
 def unlooked(parts: Parts) -> Parts:
@@ -66,7 +62,7 @@ class GuardChecks:
         if not self._layout.guards:
             return ""
         finite = list(self._finite())
-        parts = [self._is_same()]
+        parts: list[str] = []
         parts.append(predicate("static void suppose_finite", assumptions(finite)))
         parts.append(predicate("static void must_be_finite", assertions(finite)))
         for number, guard in enumerate(self._layout.guards):
@@ -263,21 +259,6 @@ class GuardChecks:
             yield f"    case {place}: m->place[{number}] = {place}; break;"
         yield "    default: __CPROVER_assume(false);"
         yield "    }"
-
-    def _is_same(self) -> str:
-        lines = []
-        for member in members(self._layout):
-            found = _MEMBER.fullmatch(member)
-            assert found is not None, f"{member} is no member"
-            name, count = found["name"], found["count"]
-            places = [f"{name}[{place}]" for place in range(int(count))] if count else [name]
-            for place in places:
-                is_double = found["kind"] == "double"
-                pair = f"m->{place}", f"other->{place}"
-                same = f"spec_same({pair[0]}, {pair[1]})" if is_double else " == ".join(pair)
-                lines.append(claim(same, f"`{name}` is as it has to be"))
-        body = "\n".join(lines)
-        return f"static void must_be_same(const monitor *m, const monitor *other)\n{{\n{body}\n}}\n"
 
 
 _SET = """\

@@ -18,6 +18,7 @@ from rossmarie.verification.check import Check
 from rossmarie.verification.contracts import CONTRACTS, NONDETERMINISM
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.engine_checks import EngineChecks
+from rossmarie.verification.frames import Frames
 from rossmarie.verification.guard_checks import GuardChecks
 from rossmarie.verification.invariants import Invariants, Sentence
 from rossmarie.verification.message_checks import ELEMENTS, MessageChecks
@@ -81,10 +82,11 @@ class _Writer:
         self._groups = self._invariants.groups()
 
     def harness(self) -> Harness:
+        frames = Frames(self._layout)
         guards = GuardChecks(self._layout, self._definitions, self._invariants)
-        messages = MessageChecks(self._layout, self._definitions, guards.parts())
+        messages = MessageChecks(self._layout, self._definitions, frames, guards.parts())
         written = [
-            *EngineChecks(self._layout, self._definitions, guards.parts()).written(),
+            *EngineChecks(self._layout, self._definitions, frames, guards.parts()).written(),
             *guards.written(),
             *messages.written(),
         ]
@@ -96,6 +98,7 @@ class _Writer:
             _UNCHECKED,
             self._nondeterminism(),
             self._definitions.text(),
+            frames.text(),
             *self._predicates(),
             guards.text(),
             CONTRACTS.format(most_events=most_events),

@@ -24,6 +24,7 @@ from rossmarie.verification.engine_checks import (
     counts,
     stages,
 )
+from rossmarie.verification.frames import Frames
 from rossmarie.verification.guard_checks import unlooked
 from rossmarie.verification.invariants import remark_of
 from rossmarie.verification.program import ANY, claim
@@ -42,8 +43,11 @@ _ANY_OF_KIND = {
 class MessageChecks:
     """Writes these checks for one machine."""
 
-    def __init__(self, layout: Layout, definitions: Definitions, parts: Parts) -> None:
+    def __init__(
+        self, layout: Layout, definitions: Definitions, frames: Frames, parts: Parts
+    ) -> None:
         self._layout = layout
+        self._frames = frames
         self._nothing_else = (*unlooked(parts), *COUNTED_PARTS)
         self._machine = layout.machine
         self._definitions = definitions
@@ -75,6 +79,7 @@ class MessageChecks:
             numbers = Check(f"numbers_{name}", about, is_arithmetic=True)
             yield Written(numbers, self._numbers(channel, name))
             lines, arguments = self._message(channel)
+            lines.append(f"    is_told[{channel}] = true;")
             call = f"{self._layout.name}_update_{name}({arguments})"
             parts = (*self._nothing_else, (f"receive_{name}", f"received_{name}"))
             handed = Check(f"handed_{name}", f"a message on {topic} is handed on as it is", parts)
@@ -152,6 +157,7 @@ class MessageChecks:
         yield f"    {self._layout.name}_values v;"
         for channel, topic in enumerate(self._layout.channel_names):
             yield f"    v.has_{topic} = nondet_number() % 2 != 0;"
+            yield f"    is_told[{channel}] = v.has_{topic};"
             for number, field in enumerate(self._fields(channel)):
                 member = f"v.{topic}.{field.name}"
                 if field.slot is not None:
@@ -204,7 +210,8 @@ class MessageChecks:
         names = [f"field_{number}" for number in range(len(self._fields(channel)))]
         counts = [name.replace("field", "count") for name in names]
         call = f"receive_{name}({arguments})"
-        return self._called(lines, call, self._meant(channel, names, counts))
+        claims = [*self._meant(channel, names, counts), self._frames.received(channel)]
+        return self._called(lines, call, claims)
 
     def _step_numbers(self, channel: int, name: str, call: str) -> str:
         names = [f"v.{name}.{field.name}" for field in self._fields(channel)]

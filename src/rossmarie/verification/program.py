@@ -23,7 +23,8 @@ ANY = """\
     monitor s = any();
     monitor *const m = &s;
     const int64_t t_ns = nondet_instant();
-    asked_ns = t_ns;"""
+    asked_ns = t_ns;
+    base = s;"""
 """Any memory, at any instant."""
 
 

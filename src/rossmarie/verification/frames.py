@@ -1,0 +1,252 @@
+"""What a function leaves alone, and what a message makes of inputs.
+
+Takes a layout; gives C that compares a monitor with what it has to be, member by member.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+
+from rossmarie import ir
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.state import members
+from rossmarie.verification.invariants import remark_of
+from rossmarie.verification.program import claim
+
+_MEMBER = re.compile(r"(?P<kind>.*?) ?\*?(?P<name>\w+)(\[(?P<count>\d+)\])?;")
+
+_SAMPLES = ("latest", "before", "latest_ns", "before_ns")
+_TURNS = ("extreme", "heading", "turns")
+_GUARDS = ("low", "high", "place")
+_MARKS = ("dirty", "pending")
+
+
+class Frames:
+    """Writes these comparisons for one machine."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+        self._machine = layout.machine
+        self._doubles: set[str] = set()
+        self._places: dict[str, list[str]] = {}
+        for member in members(layout):
+            found = _MEMBER.fullmatch(member)
+            assert found is not None, f"{member} is no member"
+            name, count = found["name"], found["count"]
+            places = [f"{name}[{place}]" for place in range(int(count))] if count else [name]
+            self._places[name] = places
+            if found["kind"] == "double":
+                self._doubles.add(name)
+
+    def text(self) -> str:
+        """The functions that compare."""
+        return f"{self._same()}\n{self._told()}"
+
+    def _same(self) -> str:
+        lines = []
+        for name, places in self._places.items():
+            for place in places:
+                pair = f"m->{place}", f"other->{place}"
+                is_double = name in self._doubles
+                same = f"spec_same({pair[0]}, {pair[1]})" if is_double else " == ".join(pair)
+                lines.append(claim(same, f"`{name}` is as it has to be"))
+        body = "\n".join(lines)
+        return f"static void must_be_same(const monitor *m, const monitor *other)\n{{\n{body}\n}}\n"
+
+    # --- messages ----------------------------------------------------------------------------
+
+    def _told(self) -> str:
+        """S7, S9: a message makes its inputs fresh, and nothing else."""
+        lines = []
+        for index, used in enumerate(self._machine.inputs):
+            is_told = f"is_told[{used.channel}]"
+            stamp = f"m->stamp_ns[{index}] == ({is_told} ? asked_ns : old->stamp_ns[{index}])"
+            if self._is_stamped(index):
+                lines.append(claim(stamp, f"the stamp of {used.name} is that of its last message"))
+            state = f"m->state[{index}] == ({is_told} ? FRESH : old->state[{index}])"
+            lines.append(claim(state, f"{used.name} is fresh by a message, else as it was"))
+        for index, value in enumerate(self._layout.values):
+            told = [f"is_told[{channel}]" for channel in sorted(value.support.channels)]
+            same = f"spec_same(spec_finite(m->value[{index}]), spec_finite(old->value[{index}]))"
+            about = f"no other message changes `{remark_of(value)}`"
+            lines.append(claim(" || ".join([*told, same]), about))
+        lines += [
+            claim(f"m->{place} == old->{place}", "no rule changes")
+            for place in self._places["active"]
+        ]
+        channels = max(1, len(self._machine.channels))
+        return _TOLD.format(channels=channels, lines="\n".join(lines))
+
+    def _is_stamped(self, index: int) -> bool:
+        """Whether somebody looks at the age of an input."""
+        has_timeout = self._machine.inputs[index].timeout_ns is not None
+        return has_timeout or index in self._layout.aged_inputs()
+
+    # --- functions ---------------------------------------------------------------------------
+
+    def kept(self, lines: Iterable[str] = ()) -> str:
+        """Nothing has changed since `old`, but for what the lines make of `expected`."""
+        inside = ["monitor expected = old;", *lines, "must_be_same(m, &expected);"]
+        return "\n".join(["    {", *(f"        {line}" for line in inside), "    }"])
+
+    def any_marks(self) -> Iterator[str]:
+        """Whatever is marked."""
+        yield from self._any(*_MARKS)
+
+    def _any(self, *names: str) -> Iterator[str]:
+        """Whatever members hold, where there are such."""
+        for name in names:
+            yield from (f"expected.{place} = m->{place};" for place in self._places.get(name, ()))
+
+    def _some(self, name: str, places: Iterable[int]) -> Iterator[str]:
+        yield from (f"expected.{name}[{place}] = m->{name}[{place}];" for place in places)
+
+    def _truths(self, nodes: Iterable[int]) -> Iterator[str]:
+        """Truths with any values, known since they changed."""
+        for node in nodes:
+            yield f"if (m->truth[{node}] != old.truth[{node}])"
+            yield f"    expected.since_ns[{node}] = t_ns;"
+            yield f"expected.truth[{node}] = m->truth[{node}];"
+
+    def _values(self, changed: Iterable[tuple[int, str]]) -> Iterator[str]:
+        """Numbers that change where something is the case; all are kept as they arrive until
+        somebody looks (S4).
+        """
+        for value, where in changed:
+            yield f"if (({where}) || spec_same(spec_finite(old.value[{value}]), m->value[{value}]))"
+            yield f"    expected.value[{value}] = m->value[{value}];"
+
+    def evaluated(self) -> str:
+        """Of `evaluate`, where visits do nothing but mark."""
+        return self.kept(["expected.now_ns = t_ns;", *self.any_marks()])
+
+    def visited(self, node: int) -> str:
+        """Of `visit`; what becomes of rules is claimed apart."""
+        held = [k for k, t in enumerate(self._layout.held) if self._layout.node_of_truth[t] == node]
+        swings = [
+            k
+            for k, truth in enumerate(self._layout.oscillations)
+            if self._layout.node_of_truth[truth] == node
+        ]
+        lines = [
+            *self.any_marks(),
+            *self._any("wake_ns", "active"),
+            *self._truths([node] if node < self._layout.truth_count else []),
+            *(line for name in ("held_due_ns", "held_before") for line in self._some(name, held)),
+            *(line for name in ("gap", "gap_end_ns") for line in self._some(name, swings)),
+        ]
+        return self.kept(lines)
+
+    def ticked(self) -> str:
+        """Of `tick`: what expired is forgotten (S9)."""
+        expired: dict[int, str] = {}
+        lines: list[str] = []
+        for index, used in enumerate(self._machine.inputs):
+            if used.timeout_ns is not None:
+                over = f"t_ns - old.stamp_ns[{index}] >= INT64_C({used.timeout_ns})"
+                expired[index] = f"(old.state[{index}] == FRESH && {over})"
+                lines += [f"if ({expired[index]})", f"    expected.state[{index}] = EXPIRED;"]
+        lost = [
+            (value, " || ".join([expired[i] for i in sorted(found.support.inputs) if i in expired]))
+            for value, found in enumerate(self._layout.values)
+        ]
+        lines += [
+            *self._values((value, where or "false") for value, where in lost),
+            *self._truths(range(self._layout.leaf_count)),
+            *self.any_marks(),
+            *self._any("wake_ns", "quiet", "swinging", *_GUARDS, *_SAMPLES, *_TURNS),
+        ]
+        return self.kept(lines)
+
+    def restarted(self) -> str:
+        """Of `restart`: inputs stay as old as they are, what was before is forgotten (S17)."""
+        lines: list[str] = []
+        for index in range(len(self._machine.inputs)):
+            age = f"old.now_ns - old.stamp_ns[{index}]"
+            longest = f"{age} < LONGEST ? {age} : LONGEST"
+            lines.append(f"expected.stamp_ns[{index}] = t_ns - ({longest});")
+        for name in ("held_before", "gap"):
+            was = "old.started ? UNKNOWN : FALSE"
+            lines += [f"expected.{place} = {was};" for place in self._places.get(name, ())]
+        rates = [v for v, found in enumerate(self._layout.values) if self._is_sampled(v)]
+        others = [v for v in range(len(self._layout.values)) if v not in rates]
+        lines += [
+            *(f"expected.value[{value}] = NAN;" for value in rates),
+            *self._values((value, "false") for value in others),
+            *self._any("now_ns", "wake_ns", "started", "quiet", "truth", "since_ns"),
+            *self._any("held_due_ns", "gap_end_ns", "swinging"),
+            *self.any_marks(),
+            *self._any(*_GUARDS, *_SAMPLES, *_TURNS),
+        ]
+        return self.kept(lines)
+
+    def _is_sampled(self, value: int) -> bool:
+        """Whether a number rests on what another one was before."""
+        found = self._layout.values[value]
+        if found.test is not None:
+            compared = ir.compared_signals(self._machine.truths[found.test].node)
+            return any(map(self._rests, compared))
+        return found.signal is not None and self._rests(found.signal)
+
+    def _rests(self, signal: int) -> bool:
+        node = self._machine.signals[signal].node
+        if isinstance(node, ir.Rate | ir.Previous):
+            return True
+        return any(map(self._rests, ir.signal_operands(node)))
+
+    def received(self, channel: int) -> str:
+        """Of `receive_X`: numbers of a message, and what is computed from them."""
+        stamped = [
+            index
+            for index, used in enumerate(self._machine.inputs)
+            if used.channel == channel and self._is_stamped(index)
+        ]
+        values = [
+            value
+            for value, found in enumerate(self._layout.values)
+            if channel in found.support.channels
+        ]
+        return self.kept(
+            [
+                "expected.now_ns = t_ns;",
+                *(f"expected.stamp_ns[{index}] = t_ns;" for index in stamped),
+                *self._some("value", values),
+                *self.any_marks(),
+                *self._any("wake_ns", "swinging", "turn_ns", "turn_next", *_SAMPLES, *_TURNS),
+            ]
+        )
+
+    def woken(self) -> str:
+        """Of `set_wake`."""
+        return self.kept(self._any("wake_ns"))
+
+    # --- rules that are latched --------------------------------------------------------------
+
+    def latched(self, which: str, becomes: str) -> str:
+        """Of what latches or resets the rules for which `which` is -1 or their number; `becomes`
+        is what becomes of them, given what a rule `was` and its `condition`.
+        """
+        lines = []
+        for index, rule in enumerate(self._machine.rules):
+            was, now = (
+                f"(({m}active[{index // 8}] >> {index % 8} & 1) != 0)" for m in ("old.", "m->")
+            )
+            node = self._layout.node_of_truth[rule.condition]
+            expected = was
+            if rule.release is None:
+                then = becomes.format(was=was, condition=f"m->truth[{node}]", index=index)
+                expected = f"({which.format(index=index)} ? {then} : {was})"
+            about = f"rule {rule.name} is active as S38 says"
+            lines.append(claim(f"{now} == {expected}", about))
+        return "\n".join([*lines, self.kept(self._any("active"))])
+
+
+_TOLD = """\
+static bool is_told[{channels}];
+
+static void must_be_told(const monitor *m, const monitor *old)
+{{
+{lines}
+}}
+"""
