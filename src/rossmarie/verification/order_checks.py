@@ -263,7 +263,9 @@ _CALL = """\
     must_be_within(r);
     must_be_kept(r, &old, &was);
     __CPROVER_assert(r->failed_count == 0, "everything follows from failures (R6)");
-    __CPROVER_assert(r->now_ns == old.now_ns && r->opened == old.opened, "no time passes");"""
+    __CPROVER_assert(r->now_ns == old.now_ns && r->opened == old.opened, "no time passes");
+    __CPROVER_assert(r->perform == old.perform && r->user == old.user,
+        "orders go where they went");"""
 
 _STARTED = """\
     must_be_owned(r);
@@ -338,7 +340,8 @@ _RELEASED = """\
     const orders wanted = told;
     told = was;
     release(&s, {rule});
-    must_be_within(r);"""
+    must_be_within(r);
+    __CPROVER_assert(is_same(r, &expected), "nothing else changes (R9)");"""
 
 _ALIKE_TASK = (
     "r->state[{index}] == expected.state[{index}]",
@@ -371,15 +374,22 @@ _DECIDED = """\
     __CPROVER_assert(r->decisions[other].task == old.decisions[other].task
         && r->decisions[other].order == old.decisions[other].order
         && r->decisions[other].by_rule == old.decisions[other].by_rule,
-        "those before are kept");"""
+        "those before are kept");
+    reactor expected = old;
+    expected.decided = r->decided;
+    expected.decisions[old.decided] = *made;
+    __CPROVER_assert(is_same(r, &expected), "nothing else changes");"""
 
 _GIVE = """\
     performing = any();
     reactor *const r = &performing;
     r->perform = perform_next;
     __CPROVER_assume(r->decided <= 2 * TASKS);
+    reactor expected = performing;
     const unsigned decided = r->decided;
     performed = 0;
     give_orders(r);
     __CPROVER_assert(performed == decided, "each is given");
-    __CPROVER_assert(r->decided == 0, "none is left");"""
+    __CPROVER_assert(r->decided == 0, "none is left");
+    expected.decided = 0;
+    __CPROVER_assert(is_same(r, &expected), "nothing else changes");"""
