@@ -16,7 +16,22 @@ double nondet_double(void);
 static int64_t asked_ns; /* the instant at which a function is called */
 static monitor base; /* what it began with, or what was last made of that */
 
-static void observe(void *user, const {name}_event *event) {{ (void)user; (void)event; }}
+/* What is reported, to whoever listens: of each rule the last event, and how many. */
+static {name}_event reported[{rules}], jump;
+static unsigned reports[{rules}], jumps;
+
+static void observe(void *user, const {name}_event *event)
+{{
+    __CPROVER_assert(user == &base, "a listener is given back what it gave");
+    if (event->change == {name}_TIME_JUMP) {{
+        jump = *event;
+        jumps++;
+    }} else {{
+        __CPROVER_assert(event->rule >= 0 && event->rule < {rules}, "what changes exists");
+        reported[event->rule] = *event;
+        reports[event->rule]++;
+    }}
+}}
 
 static bool is_marked(const monitor *m, unsigned node)
 {{
@@ -39,7 +54,7 @@ static monitor any(void)
 {pending}    for (unsigned i = 0; i != sizeof m.quiet / sizeof m.quiet[0]; i++)
         m.quiet[i] = nondet_number() % 2 != 0;
     m.on_event = nondet_number() % 2 != 0 ? observe : NULL;
-    m.user = NULL;
+    m.user = &base;
     return m;
 }}
 """
@@ -53,10 +68,14 @@ static void forget(monitor *m, const monitor *old)
     m->user = old->user;
 }}
 
+/* How many changes the parts of a function have told of. */
+static int changes;
+
 static int any_count(int most)
 {{
     const int count = nondet_integer();
     __CPROVER_assume(count >= 0 && count <= most);
+    changes += count;
     return count;
 }}
 
@@ -83,14 +102,26 @@ int never_catch_up(monitor *m, int64_t t_ns)
     return 0;
 }}
 
+/* What was marked when a function began, or when it last visited a node. */
+static monitor due;
+
+static void must_be_due(const monitor *m, unsigned node)
+{{
+    for (unsigned n = LEAVES; n != TRUTHS + RULES; n++)
+        __CPROVER_assert(is_marked(&due, n) == (n == node || is_marked(m, n)),
+            "what is marked is visited once, and nothing else");
+}}
+
 int contract_visit(monitor *m, unsigned node, int64_t t_ns)
 {{
-    (void)t_ns;
+    __CPROVER_assert(t_ns == asked_ns, "it is evaluated at its instant");
+    must_be_due(m, node);
     __CPROVER_assert(node >= LEAVES && node < TRUTHS + RULES, "what is evaluated exists");
     __CPROVER_assert(!is_marked_up_to(m, node), "what is evaluated is the first that is marked");
     for (unsigned n = LEAVES; n != TRUTHS + RULES; n++)
         if (n > node && nondet_number() % 2 != 0)
             mark(m, n);
+    due = *m;
     return any_count(1);
 }}
 

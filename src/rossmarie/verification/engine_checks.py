@@ -1,4 +1,4 @@
-"""What is to be shown of evaluation, of time and of rules: the parts that no message is in.
+"""What is to be shown of evaluation, of rules, and of the functions that no message is in.
 
 Takes the invariants of a machine; gives C functions that begin in any state that fits them.
 """
@@ -8,106 +8,21 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
-from rossmarie.targets.c99 import state
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.events import Events
 from rossmarie.verification.frames import Frames
-from rossmarie.verification.guard_checks import unlooked
 from rossmarie.verification.program import ANY, claim
-
-_SOMEHOW = (("catch_up", "caught_up_somehow"), ("tick", "ticked_somehow"))
-_EARLIEST = ("earliest_timer", "contract_earliest_timer")
-
-COUNTED_PARTS = (
-    ("evaluate", "count_evaluated"),
-    ("tick", "ignore_tick"),
-    ("catch_up", "count_caught_up"),
-    ("arrive", "ignore_arrive"),
-    ("set_wake", "ignore_wake"),
+from rossmarie.verification.stages import (
+    COUNTED_PARTS,
+    RANGE,
+    REFUSED,
+    RESTS,
+    begin,
+    counts,
+    stages,
 )
-"""What stands in for the parts of a function that takes an instant, where only what it returns
-matters.
-"""
-
-
-def begin(layout: Layout) -> str:
-    """A monitor that has not started, or one at rest."""
-    return f"""\
-{ANY}
-    if (nondet_number() % 2) {{
-        {layout.name}_init(m, observe, NULL);
-        {layout.name}_latch(m, nondet_integer());
-    }} else {{
-        suppose_at_rest(m, m->now_ns);
-    }}
-    const monitor old = s;"""
-
-
-_RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
-IN_RANGE = "    __CPROVER_assume(m->now_ns > EARLIEST && m->wake_ns <= LATEST);"
-"""What is known of the instants of any monitor at rest."""
-
-RESTS = """\
-    __CPROVER_assert(m->now_ns == t_ns, "the clock is set");
-    must_be_at_rest(m, t_ns);"""
-
-_TOLD = "    must_be_told(m, &base);"
-_AS_IT_WAS = "    must_be_same(m, &base);"
-
-WAITS = "    __CPROVER_assume(t_ns >= m->now_ns && t_ns < m->wake_ns);"
-"""No timer is due at an instant."""
-
-
-def stages(
-    name: str, about: str, call: str, parts: Parts, lines: str = "", idle: Parts = ()
-) -> Iterator[Written]:
-    """A call at an instant in range leaves a monitor at rest behind; `idle` replaces what matters
-    only until truths are evaluated.
-    """
-    body = f"{ANY}\n{lines}\n{_RANGE}\n    (void){call};"
-    replaced = (("catch_up", "caught_up"), ("tick", "end_at_tick"))
-    check = Check(f"{name}_before", f"{about}, until timers are looked at", (*parts, *replaced))
-    yield Written(check, body)
-    replaced = (("catch_up", "caught_up_somehow"), ("tick", "ticked"))
-    yield between(name, about, f"{body}\n{RESTS}", (*parts, *replaced))
-    yield after(name, about, body, (*parts, *idle))
-
-
-def between(name: str, about: str, body: str, parts: Parts) -> Written:
-    """The same, until truths are evaluated: of inputs it is known what the message says."""
-    replaced = (*parts, ("evaluate", "end_at_evaluate"), ("set_wake", "end_at_set_wake"))
-    return Written(
-        Check(f"{name}_between", f"{about}, until truths are evaluated", replaced),
-        f"{body}\n{_TOLD}",
-    )
-
-
-def after(name: str, about: str, body: str, parts: Parts) -> Written:
-    """The same, from then on."""
-    given = dict(parts)
-    somehow = tuple(pair for pair in _SOMEHOW if pair[0] not in given)
-    late = (
-        ("is_pending", "maybe_pending"),
-        ("evaluate", "evaluated"),
-        ("set_wake", "set_wake_somehow"),
-    )
-    about = f"{about}, after truths are evaluated"
-    check = Check(f"{name}_after", about, (*unlooked(parts), *somehow, *late))
-    return Written(check, f"{body}\n    __CPROVER_assume(is_late);\n{RESTS}\n{_AS_IT_WAS}")
-
-
-def counts(call: str) -> str:
-    """A call tells how much has changed, and refuses an instant out of range."""
-    return f"""\
-{ANY}
-{IN_RANGE}
-    const monitor old = s;
-    const int events = {call};
-    const bool is_in_range = t_ns > EARLIEST && t_ns < LATEST;
-    __CPROVER_assert((events >= 0) == is_in_range, "what is out of range is refused");
-    if (!is_in_range)
-        must_be_same(m, &old);"""
 
 
 class EngineChecks:
@@ -118,6 +33,7 @@ class EngineChecks:
     ) -> None:
         self._layout = layout
         self._frames = frames
+        self._events = Events(layout, definitions)
         self._parts = parts
         self._machine = layout.machine
         self._definitions = definitions
@@ -128,12 +44,6 @@ class EngineChecks:
         parts = (("visit", "contract_visit"),)
         about = "everything that is marked is evaluated, in order, and that ends"
         yield Written(Check("evaluate", about, parts), f"{_EVALUATE}\n{self._frames.evaluated()}")
-        tick = Check("tick", "timers are looked at", self._parts)
-        yield Written(tick, f"{ANY}\n{_TICK}\n{self._frames.ticked()}")
-        restart = Check("restart", "time begins, or begins again", self._parts)
-        yield Written(restart, self._restart())
-        yield from self._earliest()
-        yield from self._catch_up()
         yield from self._public()
 
     # --- evaluation --------------------------------------------------------------------------
@@ -149,8 +59,11 @@ class EngineChecks:
             yield Written(Check(f"visit_{node}", about), self._visit(node))
 
     def _visit(self, node: int) -> str:
+        rule = node - self._layout.truth_count
+        change = self._events.changed(rule) if rule >= 0 else "0"
         claims = [
-            claim("events == 0 || events == 1", "at most one change"),
+            claim(f"events == {change}", "a change of the rule, and nothing else, is counted"),
+            *self._events.reported({rule}),
             "    must_be_looked(m, t_ns);",
             claim("!is_marked_up_to(m, node)", "what depends on a truth stands behind it"),
             *(self._rule(index, node) for index in range(len(self._machine.rules))),
@@ -193,59 +106,6 @@ class EngineChecks:
             was = f"({operand} != TRUE ? {operand} : {was})"
         return claim(f"m->held_before[{k}] == {was}", f"what `{declared.text}` was before")
 
-    # --- time --------------------------------------------------------------------------------
-
-    def _restart(self) -> str:
-        name = self._layout.name
-        return f"""\
-{ANY}
-    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);
-    if (nondet_number() % 2) {{
-        {name}_init(m, observe, NULL);
-        {name}_latch(m, nondet_integer());
-    }} else {{
-        __CPROVER_assume(t_ns < m->now_ns);
-        suppose_at_rest(m, m->now_ns);
-    }}
-    const monitor old = s;
-    restart(m, t_ns);
-    must_be_restarted(m, t_ns);
-    must_be_unlooked(m, t_ns);
-{self._frames.restarted()}"""
-
-    def _earliest(self) -> Iterator[Written]:
-        parts: Parts = ()
-        if "earlier" in state.parts(self._layout):
-            parts = (("earlier", "contract_earlier"),)
-            yield Written(Check("earlier", "the earlier of two instants"), _EARLIER)
-        check = Check("waiting", "what is right stays so until a timer is due")
-        yield Written(check, f"{ANY}\n{WAITS}\n{_WAITING}")
-        check = Check("resting", "no timer is due while a monitor is at rest")
-        yield Written(check, f"{ANY}\n{_RESTING}")
-        check = Check("earliest_timer", "no timer lies before the earliest", parts)
-        yield Written(check, f"{ANY}\n{_EARLIEST_TIMER}")
-        check = Check("set_wake", "the instant of the next timer is set", (_EARLIEST,))
-        yield Written(check, f"{ANY}\n{_SET_WAKE}\n{self._frames.woken()}")
-
-    def _catch_up(self) -> Iterator[Written]:
-        """One pass of its loop stands for all: it begins with a monitor at rest, and leaves one
-        behind.
-        """
-        about = "an instant out of range is refused"
-        yield Written(Check("catch_up_refused", about, _NOTHING), f"{ANY}\n{_REFUSED}")
-        forward: Parts = (_EARLIEST, ("restart", "never_restart"))
-        timer = ("earliest_timer", "any_timer")
-        for name, about, passes, parts, body in (
-            ("anew", "time begins, or begins again", 1, _ANEW, f"{ANY}\n{_CATCH_UP_ANEW}"),
-            ("ends", "none is left", 1, (*forward, ("tick", "never_tick")), _CATCH_UP_ENDS),
-            ("tick", "one of them", 1, (*forward, ("tick", "tick_and_end")), _CATCHES_UP),
-            ("ticked", "truths are evaluated then", 1, (timer, *_TICKED), _CATCHES_UP),
-            ("pass", "one after the other", 2, (*forward, *_PASS), _CATCH_UP_PASS),
-        ):
-            said = f"timers that are due before an instant run: {about}"
-            loops = (("catch_up.0", passes),)
-            yield Written(Check(f"catch_up_{name}", said, parts, (), loops), body)
-
     # --- the interface -----------------------------------------------------------------------
 
     def _public(self) -> Iterator[Written]:
@@ -257,13 +117,20 @@ class EngineChecks:
         yield from stages("advance", "time passes", advance, self._parts)
         parts = ((f"{name}_advance", "contract_advance"),)
         about = "an operator resets"
-        lines = [f"{ANY}\n{_RANGE}\n    const int rule = nondet_integer();\n    (void){reset};"]
+        call = f"    const int rule = nondet_integer();\n    const int events = {reset};"
         becomes = "({was} && {condition} != FALSE)"
         cleared = self._frames.latched("(rule < 0 || rule == {index})", becomes)
-        lines += [RESTS, "    const monitor old = base;", cleared]
+        lines = [f"{ANY}\n{RANGE}\n{call}", RESTS, "    const monitor old = base;", cleared]
+        rules = range(len(self._machine.rules))
+        count = " + ".join(["changes", *(f"(int){self._events.changed(rule)}" for rule in rules)])
+        lines.append(claim(f"events == {count}", "what is cleared is counted"))
+        lines += self._events.reported(set(rules))
         yield Written(Check("reset", about, parts), "\n".join(lines))
-        body = f"    const int rule = nondet_integer();\n{counts(reset)}"
-        yield Written(Check("reset_counts", f"{about}: changes are counted", parts), body)
+        refused = Check("reset_refused", "an instant out of range is refused by a reset", parts)
+        yield Written(
+            refused, f"{ANY}\n    const int rule = nondet_integer();\n{REFUSED.format(call=reset)}"
+        )
+        yield Written(Check("init", "a monitor that has not started"), self._init())
         yield Written(Check("latch", "a rule is told to be latched"), self._latch())
         about = "the changes are counted when time passes"
         yield Written(Check("advance_counts", about, COUNTED_PARTS), counts(advance))
@@ -280,6 +147,17 @@ class EngineChecks:
         about = "questions that change nothing"
         yield Written(Check("questions", about), f"{begin(self._layout)}\n{questions}")
 
+    def _init(self) -> str:
+        name = self._layout.name
+        return f"""\
+{ANY}
+    (void)t_ns;
+    {name}_init(m, base.on_event, base.user);
+    __CPROVER_assert(m->on_event == base.on_event && m->user == base.user, "it has its listener");
+    __CPROVER_assert(!m->started && {name}_next_wake(m) == NEVER, "it waits for nothing");
+    for (int rule = 0; rule != RULES; rule++)
+        __CPROVER_assert(!{name}_is_active(m, rule), "no rule is active");"""
+
     def _latch(self) -> str:
         told = self._frames.latched("(!old.started && rule == {index})", "true")
         call = f"{self._layout.name}_latch(m, rule);"
@@ -291,88 +169,11 @@ _EVALUATE = """\
     monitor s = any();
     monitor *const m = &s;
     const int64_t t_ns = nondet_instant();
+    asked_ns = t_ns;
     suppose_marks(m, t_ns);
     const monitor old = s;
+    due = s;
     const int events = evaluate(m, t_ns);
-    __CPROVER_assert(events >= 0 && events <= TRUTHS + RULES, "changes are counted");
+    __CPROVER_assert(events == changes, "changes are counted");
+    must_be_due(m, TRUTHS + RULES);
     must_be_unmarked(m, t_ns);"""
-
-_TICK = """\
-    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);
-    suppose_unlooked(m, t_ns);
-    const monitor old = s;
-    tick(m, t_ns);
-    must_be_looked(m, t_ns);"""
-
-_EARLIER = """\
-    const int64_t a = nondet_instant(), b = nondet_instant(), t_ns = nondet_instant();
-    const int64_t found_ns = earlier(a, b);
-    __CPROVER_assert((found_ns < t_ns) == (a < t_ns || b < t_ns), "it is not later than either");
-    __CPROVER_assert((found_ns > t_ns) == (a > t_ns && b > t_ns), "it is not before both");"""
-
-_RESTING = """\
-    __CPROVER_assume(t_ns == m->now_ns);
-    suppose_at_rest(m, t_ns);
-    must_be_ahead(m, t_ns + 1);"""
-
-_WAITING = """\
-    suppose_at_rest(m, m->now_ns);
-    must_be_at_rest(m, t_ns);"""
-
-_EARLIEST_TIMER = """\
-    suppose_unmarked(m, t_ns);
-    suppose_clock(m, t_ns);
-    suppose_swings(m, t_ns);
-    suppose_ahead(m, m->now_ns + 1);
-    before_ns = nondet_instant();
-    after_ns = m->now_ns;
-    const int64_t wake_ns = earliest_timer(m);
-    __CPROVER_assert(wake_ns > m->now_ns, "it lies ahead");
-    __CPROVER_assume(wake_ns >= before_ns);
-    must_be_ahead(m, before_ns);"""
-
-_SET_WAKE = f"""\
-    __CPROVER_assume(t_ns == m->now_ns);
-    suppose_at_rest(m, t_ns);
-    const monitor old = s;
-    set_wake(m);
-{RESTS}"""
-
-_CATCH_UP_ANEW = """\
-    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);
-    __CPROVER_assume(!m->started || t_ns < m->now_ns);
-    suppose_anew(m, t_ns);
-    (void)catch_up(m, t_ns);
-    __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
-    must_be_unlooked(m, t_ns);
-    must_be_same(m, &anew);"""
-
-_NOTHING = (("restart", "never_restart"), ("earliest_timer", "never_timer"))
-_ANEW = (("restart", "contract_restart"), ("tick", "never_tick"))
-_TICKED = (("restart", "never_restart"), ("tick", "ticked"), ("evaluate", "end_at_evaluate"))
-_PASS = (("tick", "tick_once"), ("evaluate", "evaluated"))
-
-_CATCHES_UP = f"""\
-{ANY}
-    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST && m->now_ns <= t_ns);
-    suppose_at_rest(m, m->now_ns);
-    (void)catch_up(m, t_ns);"""
-
-_CATCH_UP_ENDS = f"""\
-{_CATCHES_UP}
-    __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
-    must_be_unlooked(m, t_ns);
-{_AS_IT_WAS}"""
-
-_CATCH_UP_PASS = f"""\
-{_CATCHES_UP}
-    __CPROVER_assume(is_late);
-    __CPROVER_assert(m->now_ns <= t_ns, "the clock is not ahead");
-    must_be_unlooked(m, t_ns);
-{_AS_IT_WAS}"""
-
-_REFUSED = """\
-    __CPROVER_assume(t_ns <= EARLIEST || t_ns >= LATEST);
-    const monitor old = s;
-    __CPROVER_assert(catch_up(m, t_ns) < 0, "what is out of range is refused");
-    must_be_same(m, &old);"""

@@ -11,8 +11,10 @@ from collections.abc import Iterable, Iterator
 from rossmarie import ir
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.state import members
-from rossmarie.verification.invariants import remark_of
+from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.invariants import first_turn, oscillation, remark_of
 from rossmarie.verification.program import claim
+from rossmarie.verification.turning_points import followed_on, forgotten
 
 _MEMBER = re.compile(r"(?P<kind>.*?) ?\*?(?P<name>\w+)(\[(?P<count>\d+)\])?;")
 
@@ -25,8 +27,9 @@ _MARKS = ("dirty", "pending")
 class Frames:
     """Writes these comparisons for one machine."""
 
-    def __init__(self, layout: Layout) -> None:
+    def __init__(self, layout: Layout, definitions: Definitions) -> None:
         self._layout = layout
+        self._definitions = definitions
         self._machine = layout.machine
         self._doubles: set[str] = set()
         self._places: dict[str, list[str]] = {}
@@ -155,7 +158,8 @@ class Frames:
             *self._values((value, where or "false") for value, where in lost),
             *self._truths(range(self._layout.leaf_count)),
             *self.any_marks(),
-            *self._any("wake_ns", "quiet", "swinging", *_GUARDS, *_SAMPLES, *_TURNS),
+            *self._any("wake_ns", "quiet", "swinging", *_GUARDS, *_SAMPLES),
+            *forgotten(self._layout, self._definitions),
         ]
         return self.kept(lines)
 
@@ -177,7 +181,13 @@ class Frames:
             *self._any("now_ns", "wake_ns", "started", "quiet", "truth", "since_ns"),
             *self._any("held_due_ns", "gap_end_ns", "swinging"),
             *self.any_marks(),
-            *self._any(*_GUARDS, *_SAMPLES, *_TURNS),
+            *self._any(*_GUARDS, *_SAMPLES),
+            *(f"expected.extreme[{k}] = NAN;" for k in range(len(self._layout.oscillations))),
+            *(
+                f"expected.{place} = 0;"
+                for name in ("heading", "turns")
+                for place in self._places.get(name, ())
+            ),
         ]
         return self.kept(lines)
 
@@ -213,9 +223,19 @@ class Frames:
                 *(f"expected.stamp_ns[{index}] = t_ns;" for index in stamped),
                 *self._some("value", values),
                 *self.any_marks(),
-                *self._any("wake_ns", "swinging", "turn_ns", "turn_next", *_SAMPLES, *_TURNS),
+                *self._any("wake_ns", "swinging", *_SAMPLES),
+                *self._turning_points(followed_on(self._layout, channel)),
             ]
         )
+
+    def _turning_points(self, oscillations: Iterable[int]) -> Iterator[str]:
+        """Whatever becomes of them; that is claimed apart."""
+        for k in oscillations:
+            first = first_turn(self._layout, k)
+            instants = range(first, first + oscillation(self._layout, k).count)
+            yield from self._some("turn_ns", instants)
+            for name in ("turn_next", *_TURNS):
+                yield from self._some(name, [k])
 
     def woken(self) -> str:
         """Of `set_wake`."""

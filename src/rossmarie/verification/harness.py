@@ -18,11 +18,13 @@ from rossmarie.verification.check import Check
 from rossmarie.verification.contracts import CONTRACTS, NONDETERMINISM
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.engine_checks import EngineChecks
+from rossmarie.verification.events import Events
 from rossmarie.verification.frames import Frames
 from rossmarie.verification.guard_checks import GuardChecks
 from rossmarie.verification.invariants import Invariants, Sentence
 from rossmarie.verification.message_checks import ELEMENTS, MessageChecks
 from rossmarie.verification.program import PRELUDE, assertions, assumptions, predicate
+from rossmarie.verification.time_checks import TimeChecks
 
 _UNCHECKED = """\
 #pragma CPROVER check push
@@ -82,11 +84,12 @@ class _Writer:
         self._groups = self._invariants.groups()
 
     def harness(self) -> Harness:
-        frames = Frames(self._layout)
+        frames = Frames(self._layout, self._definitions)
         guards = GuardChecks(self._layout, self._definitions, self._invariants)
         messages = MessageChecks(self._layout, self._definitions, frames, guards.parts())
         written = [
             *EngineChecks(self._layout, self._definitions, frames, guards.parts()).written(),
+            *TimeChecks(self._layout, frames, guards.parts()).written(),
             *guards.written(),
             *messages.written(),
         ]
@@ -99,6 +102,7 @@ class _Writer:
             self._nondeterminism(),
             self._definitions.text(),
             frames.text(),
+            Events(self._layout, self._definitions).text(),
             *self._predicates(),
             guards.text(),
             CONTRACTS.format(most_events=most_events),
@@ -111,6 +115,7 @@ class _Writer:
         small = is_small(self._layout)
         return NONDETERMINISM.format(
             name=self._layout.name,
+            rules=max(1, len(self._machine.rules)),
             word="m->dirty" if small else "m->dirty[node / 64]",
             pending="" if small else "    m.pending = nondet_number() % 2 != 0;\n",
         )

@@ -46,6 +46,18 @@ def remark_of(value: Value) -> str:
     return value.remark.split("  ", 1)[-1]
 
 
+def oscillation(layout: Layout, k: int) -> ir.Oscillates:
+    """The k-th of the oscillations that a monitor follows."""
+    node = layout.machine.truths[layout.oscillations[k]].node
+    assert isinstance(node, ir.Oscillates), "the layout lists oscillations"
+    return node
+
+
+def first_turn(layout: Layout, k: int) -> int:
+    """Where the instants of the turning points of the k-th oscillation are kept."""
+    return sum(oscillation(layout, before).count for before in range(k))
+
+
 class Invariants:
     """Writes the predicates of one machine."""
 
@@ -256,9 +268,8 @@ class Invariants:
 
     def swings(self) -> Iterator[Sentence]:
         """S32: turning points that can be looked at."""
-        first = 0
         for k, truth in enumerate(self._layout.oscillations):
-            node = self._oscillates(truth)
+            node, first = oscillation(self._layout, k), first_turn(self._layout, k)
             about = f"the turning points of `{self._machine.truths[truth].text}`"
             sane = (
                 f"m->turns[{k}] <= {node.count} && m->turn_next[{k}] < {node.count} && "
@@ -271,7 +282,6 @@ class Invariants:
             gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
             yield Sentence(about, f"{gap} == FALSE || {gap} == UNKNOWN || {gap} == LOST")
             yield Sentence(about, f"{end} == NEVER || ({end} >= EARLIEST && {end} <= t_ns)")
-            first += node.count
 
     def swinging(self) -> Iterator[Sentence]:
         """What was seen of oscillations is what there is to see, and they are that or marked."""
@@ -286,23 +296,19 @@ class Invariants:
 
     def seen(self, k: int) -> str:
         """Whether enough turning points lie within the window now."""
-        truth = self._layout.oscillations[k]
-        node = self._oscillates(truth)
+        truth, node = self._layout.oscillations[k], oscillation(self._layout, k)
         x = self._definitions.number(node.signal)
         within = f"(m->turns[{k}] == {node.count} && t_ns < {self._window_end(k)})"
         return f"(!isfinite({x}) ? spec_unknown_{truth}(m) : {within} ? TRUE : FALSE)"
 
     def _window_end(self, k: int) -> str:
         """When the oldest turning point leaves the window."""
-        oscillations = list(map(self._oscillates, self._layout.oscillations))
-        first = sum(node.count for node in oscillations[:k])
-        oldest = f"m->turn_ns[{first} + m->turn_next[{k}]]"
-        return f"{oldest} + INT64_C({oscillations[k].window_ns})"
+        oldest = f"m->turn_ns[{first_turn(self._layout, k)} + m->turn_next[{k}]]"
+        return f"{oldest} + INT64_C({oscillation(self._layout, k).window_ns})"
 
     def told(self, k: int) -> str:
         """What is told of what is seen: nothing until a gap is a window ago."""
-        truth = self._layout.oscillations[k]
-        node = self._oscillates(truth)
+        truth, node = self._layout.oscillations[k], oscillation(self._layout, k)
         value, seen = self._definitions.truth(truth), f"m->swinging[{k}]"
         gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
         over = f"({seen} == TRUE || t_ns - {end} >= INT64_C({node.window_ns}))"
@@ -312,7 +318,7 @@ class Invariants:
 
     def _swing_timers(self, least: str) -> Iterator[Sentence]:
         for k, truth in enumerate(self._layout.oscillations):
-            window_ns = self._oscillates(truth).window_ns
+            window_ns = oscillation(self._layout, k).window_ns
             value, end = self._definitions.truth(truth), f"m->gap_end_ns[{k}]"
             marked = self.marked(self._layout.node_of_truth[truth])
             true = f"({value} != TRUE || {self._window_end(k)} >= {least})"
@@ -320,11 +326,6 @@ class Invariants:
             gap = f"({value} < UNKNOWN || {end} == NEVER || {after} >= {least})"
             about = f"the window of `{self._machine.truths[truth].text}` ends ahead"
             yield Sentence(about, f"{marked} || ({true} && {gap})")
-
-    def _oscillates(self, truth: int) -> ir.Oscillates:
-        node = self._machine.truths[truth].node
-        assert isinstance(node, ir.Oscillates), "the layout lists oscillations"
-        return node
 
     def guards(self) -> dict[str, Guard]:
         """The guards, by the names of their predicates."""

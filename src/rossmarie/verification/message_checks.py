@@ -14,7 +14,11 @@ from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions, converted
-from rossmarie.verification.engine_checks import (
+from rossmarie.verification.frames import Frames
+from rossmarie.verification.guard_checks import unlooked
+from rossmarie.verification.invariants import remark_of
+from rossmarie.verification.program import ANY, claim
+from rossmarie.verification.stages import (
     COUNTED_PARTS,
     IN_RANGE,
     RESTS,
@@ -24,10 +28,7 @@ from rossmarie.verification.engine_checks import (
     counts,
     stages,
 )
-from rossmarie.verification.frames import Frames
-from rossmarie.verification.guard_checks import unlooked
-from rossmarie.verification.invariants import remark_of
-from rossmarie.verification.program import ANY, claim
+from rossmarie.verification.turning_points import followed, followed_on
 
 ELEMENTS = 3
 """Up to how many elements of an array are looked at."""
@@ -229,6 +230,7 @@ class MessageChecks:
             *self._computed(channel),
             *self._tests(channel),
             *self._samples(channel),
+            *self._turning_points(channel),
         ]
 
     def _fields(self, channel: int) -> tuple[types.Field, ...]:
@@ -304,6 +306,10 @@ class MessageChecks:
                     f"spec_same(m->before[{k}], {before})"
                 )
                 yield claim(taken, f"the samples of `{self._machine.signals[signal].text}`")
+
+    def _turning_points(self, channel: int) -> Iterator[str]:
+        for k in followed_on(self._layout, channel):
+            yield from followed(self._layout, self._definitions, k)
 
 
 _ANY_NUMBERS = f"""\

@@ -24,6 +24,7 @@ from typing import Any, NamedTuple
 from rossmarie.cache import cache_folder
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
+from rossmarie.verification.z3_script import Z3
 
 PROGRAMS = ("cbmc", "cadical", "z3")
 """What has to be there: CBMC and the solvers that it asks."""
@@ -42,15 +43,11 @@ without a look at their bits.
 _ENDING = (*_SMT, "--no-unwinding-assertions")
 """The same where loops end, on which it would spend its time: that is asked apart."""
 
+_ANY_ARITHMETIC = ("--smt2", "--no-unwinding-assertions")
+"""The same, to which sums, products and quotients are any functions of their operands."""
+
 _LISTING = 10
 """For how many seconds claims that do not hold are looked for, once it is known that some do."""
-
-_PLAIN_Z3 = """\
-#!/bin/sh
-# By its own choice z3 puts equations into each other first, which for many claims has no end.
-PATH=${PATH#*:}
-exec z3 tactic.default_tactic=smt "$@"
-"""
 
 _MOST = 600
 """How many seconds anything that answers no question may take."""
@@ -67,10 +64,13 @@ class _Step(NamedTuple):
 _ALL = _UNTIL_THE_END = sys.maxsize
 _FIRST = ((*_SAT, "--stop-on-fail"),)
 _WHOLE = _Step(_ALL, _UNTIL_THE_END, _FIRST)
-_LAST = (_Step(5, 15, (_SAT, _ENDING)), _Step(1, _UNTIL_THE_END, (_SAT, _ENDING)))
+_LAST = (
+    _Step(5, 15, (_ANY_ARITHMETIC, _SAT, _ENDING)),
+    _Step(1, _UNTIL_THE_END, (_ANY_ARITHMETIC, _SAT, _ENDING)),
+)
 _STATES = (_Step(100, _UNTIL_THE_END, _FIRST), *_LAST)
 _FORBIDDEN = (_Step(_ALL, _UNTIL_THE_END, (_SAT,)), *_LAST)
-_SENTENCES = (_Step(40, 15, (_ENDING,)), *_LAST)
+_SENTENCES = (_Step(40, 15, (_ANY_ARITHMETIC,)), _Step(40, 15, (_ENDING,)), *_LAST)
 
 
 class Verdict(enum.Enum):
@@ -124,7 +124,7 @@ class Prover:
         inside = None if self.root is None else self.root / "tmp"
         with tempfile.TemporaryDirectory(prefix="rossmarie_", dir=inside) as folder:
             z3 = Path(folder) / "z3"
-            z3.write_text(_PLAIN_Z3, encoding="utf-8")
+            z3.write_text(Z3, encoding="utf-8")
             z3.chmod(0o755)
             yield Path(folder)
 

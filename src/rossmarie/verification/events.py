@@ -1,0 +1,85 @@
+"""What a monitor reports when a rule changes, or when time goes backwards.
+
+Takes a layout and its definitions; gives C that compares what was reported with what a monitor
+knows. What is reported is kept by `observe` of the contracts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.program import claim
+
+
+class Events:
+    """Writes these comparisons for one machine."""
+
+    def __init__(self, layout: Layout, definitions: Definitions) -> None:
+        self._layout = layout
+        self._definitions = definitions
+        self._rules = layout.machine.rules
+
+    def text(self) -> str:
+        """For each rule a function: it is reported if it changed since `old` and somebody listens,
+        once, and with what S41 says.
+        """
+        return "\n".join(map(self._reported, range(len(self._rules))))
+
+    def _reported(self, rule: int) -> str:
+        about = f"what is reported of rule {self._rules[rule].name}"
+        changed, is_now = self.changed(rule), _bit("m->", rule)
+        once = f"reports[{rule}] == ({changed} && m->on_event ? 1u : 0u)"
+        lines = "\n".join(claim(f"!reports[{rule}] || {each}", about) for each in self._said(rule))
+        condition = self._definitions.truth(self._rules[rule].condition)
+        return _REPORTED.format(
+            rule=rule,
+            name=self._layout.name,
+            once=claim(once, f"a change of rule {self._rules[rule].name} is reported once"),
+            lines=lines,
+            is_now=is_now,
+            condition=condition,
+        )
+
+    def _said(self, rule: int) -> Iterator[str]:
+        yield f"(said->at_ns == t_ns && said->from_ns == t_ns && said->rule == {rule})"
+        yield "said->change == change"
+        machine, told = self._layout.machine, self._rules[rule]
+        for place, term in enumerate(told.terms):
+            yield f"said->truths[{place}] == {self._definitions.truth(term)}"
+            yield f"said->since_ns[{place}] == {self._definitions.since(term)}"
+        for place, signal in enumerate(told.signals):
+            yield f"spec_same(said->values[{place}], {self._definitions.number(signal)})"
+        for place, used in enumerate(told.inputs):
+            assert used < len(machine.inputs), "a rule rests on inputs of its machine"
+            yield f"said->inputs[{place}] == m->state[{used}]"
+
+    def changed(self, rule: int) -> str:
+        """Whether a rule is not what it was in `old`."""
+        return f"({_bit('m->', rule)} != {_bit('old.', rule)})"
+
+    def reported(self, rules: set[int]) -> Iterator[str]:
+        """Of some rules it is reported what they do, of others nothing."""
+        for rule in range(len(self._rules)):
+            if rule in rules:
+                yield f"    must_report_{rule}(m, old, t_ns);"
+            else:
+                yield claim(f"reports[{rule}] == 0", "of no other rule anything is reported")
+        yield claim("jumps == 0", "time does not jump")
+
+
+def _bit(monitor: str, rule: int) -> str:
+    return f"({monitor}active[{rule // 8}] >> {rule % 8} & 1)"
+
+
+_REPORTED = """\
+static void must_report_{rule}(const monitor *m, monitor old, int64_t t_ns)
+{{
+    const {name}_event *const said = &reported[{rule}];
+    const int32_t change = !{is_now} ? {name}_CLEARED
+                         : {condition} == LOST ? {name}_ACTIVATED_LOST : {name}_ACTIVATED;
+{once}
+{lines}
+}}
+"""

@@ -1,0 +1,113 @@
+"""A function that takes an instant, looked at in stages, each with no more than it rests on.
+
+Takes a call of it; gives the checks of its stages. Contracts stand in for its parts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.verification.check import Check, Parts, Written
+from rossmarie.verification.guard_checks import unlooked
+from rossmarie.verification.program import ANY
+
+_SOMEHOW = (("catch_up", "caught_up_somehow"), ("tick", "ticked_somehow"))
+
+COUNTED_PARTS = (
+    ("evaluate", "count_evaluated"),
+    ("tick", "ignore_tick"),
+    ("catch_up", "count_caught_up"),
+    ("arrive", "ignore_arrive"),
+    ("set_wake", "ignore_wake"),
+)
+"""What stands in for the parts of a function that takes an instant, where only what it returns
+matters.
+"""
+
+
+def begin(layout: Layout) -> str:
+    """A monitor that has not started, or one at rest."""
+    return f"""\
+{ANY}
+    if (nondet_number() % 2) {{
+        {layout.name}_init(m, observe, &base);
+        {layout.name}_latch(m, nondet_integer());
+    }} else {{
+        suppose_at_rest(m, m->now_ns);
+    }}
+    const monitor old = s;"""
+
+
+RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
+IN_RANGE = "    __CPROVER_assume(m->now_ns > EARLIEST && m->wake_ns <= LATEST);"
+"""What is known of the instants of any monitor at rest."""
+
+RESTS = """\
+    __CPROVER_assert(m->now_ns == t_ns, "the clock is set");
+    must_be_at_rest(m, t_ns);"""
+
+_TOLD = "    must_be_told(m, &base);"
+AS_IT_WAS = "    must_be_same(m, &base);"
+
+REFUSED = """\
+    __CPROVER_assume(t_ns <= EARLIEST || t_ns >= LATEST);
+    const monitor old = s;
+    __CPROVER_assert({call} < 0, "what is out of range is refused");
+    must_be_same(m, &old);"""
+"""What becomes of a call at an instant out of range."""
+
+WAITS = "    __CPROVER_assume(t_ns >= m->now_ns && t_ns < m->wake_ns);"
+"""No timer is due at an instant."""
+
+
+def stages(
+    name: str, about: str, call: str, parts: Parts, lines: str = "", idle: Parts = ()
+) -> Iterator[Written]:
+    """A call at an instant in range leaves a monitor at rest behind; `idle` replaces what matters
+    only until truths are evaluated.
+    """
+    body = f"{ANY}\n{lines}\n{RANGE}\n    (void){call};"
+    replaced = (("catch_up", "caught_up"), ("tick", "end_at_tick"))
+    check = Check(f"{name}_before", f"{about}, until timers are looked at", (*parts, *replaced))
+    yield Written(check, body)
+    replaced = (("catch_up", "caught_up_somehow"), ("tick", "ticked"))
+    yield between(name, about, f"{body}\n{RESTS}", (*parts, *replaced))
+    yield after(name, about, body, (*parts, *idle))
+
+
+def between(name: str, about: str, body: str, parts: Parts) -> Written:
+    """The same, until truths are evaluated: of inputs it is known what the message says."""
+    replaced = (*parts, ("evaluate", "end_at_evaluate"), ("set_wake", "end_at_set_wake"))
+    return Written(
+        Check(f"{name}_between", f"{about}, until truths are evaluated", replaced),
+        f"{body}\n{_TOLD}",
+    )
+
+
+def after(name: str, about: str, body: str, parts: Parts) -> Written:
+    """The same, from then on."""
+    given = dict(parts)
+    somehow = tuple(pair for pair in _SOMEHOW if pair[0] not in given)
+    late = (
+        ("is_pending", "maybe_pending"),
+        ("evaluate", "evaluated"),
+        ("set_wake", "set_wake_somehow"),
+    )
+    about = f"{about}, after truths are evaluated"
+    check = Check(f"{name}_after", about, (*unlooked(parts), *somehow, *late))
+    return Written(check, f"{body}\n    __CPROVER_assume(is_late);\n{RESTS}\n{AS_IT_WAS}")
+
+
+def counts(call: str) -> str:
+    """A call tells how much has changed, and refuses an instant out of range."""
+    return f"""\
+{ANY}
+{IN_RANGE}
+    const monitor old = s;
+    const int events = {call};
+    const bool is_in_range = t_ns > EARLIEST && t_ns < LATEST;
+    __CPROVER_assert(events == (is_in_range ? changes : -1),
+        "changes are counted, and what is out of range is refused");
+    if (!is_in_range)
+        must_be_same(m, &old);"""

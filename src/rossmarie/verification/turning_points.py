@@ -1,0 +1,72 @@
+"""What a sample makes of the turning points of a number (S32), as C claims about a monitor `m` that
+was `old` before it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.types import number
+from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.invariants import first_turn, oscillation
+from rossmarie.verification.program import claim
+
+
+def followed_on(layout: Layout, channel: int) -> list[int]:
+    """The oscillations that a message on a channel brings a sample of."""
+    signals = [oscillation(layout, k).signal for k in range(len(layout.oscillations))]
+    supports = [layout.supports.signals[signal] for signal in signals]
+    return [k for k, support in enumerate(supports) if channel in support.channels]
+
+
+def forgotten(layout: Layout, definitions: Definitions) -> Iterator[str]:
+    """What `expected` becomes of all turning points, those are forgotten of what gets unknown."""
+    for k in range(len(layout.oscillations)):
+        x = definitions.number(oscillation(layout, k).signal)
+        yield f"if (!isfinite({x})) {{"
+        yield f"    expected.extreme[{k}] = NAN;"
+        yield f"    expected.heading[{k}] = 0;"
+        yield f"    expected.turns[{k}] = 0;"
+        yield "}"
+
+
+def followed(layout: Layout, definitions: Definitions, k: int) -> Iterator[str]:
+    """The claims about the k-th oscillation."""
+    node, first = oscillation(layout, k), first_turn(layout, k)
+    about = f"the turning points of `{layout.machine.truths[layout.oscillations[k]].text}`"
+    extreme, heading, turns = f"old.extreme[{k}]", f"old.heading[{k}]", f"old.turns[{k}]"
+    following = f"old.turn_next[{k}]"
+    places = range(first, first + node.count)
+    after = f"({following} + 1u) % {node.count}u"
+    claims = [
+        f"spec_same(m->extreme[{k}], !is_known ? NAN : is_new || up || down ? x : {extreme})",
+        f"m->heading[{k}] == (!is_known ? 0 : up ? 1 : down ? -1 : {heading})",
+        f"m->turns[{k}] == (is_known ? {turns} + (turn && {turns} < {node.count}) : 0)",
+        f"m->turn_next[{k}] == (turn ? {after} : {following})",
+        *(
+            f"m->turn_ns[{place}] == "
+            f"(turn && {first} + {following} == {place} ? t_ns : old.turn_ns[{place}])"
+            for place in places
+        ),
+    ]
+    yield _MOVES.format(
+        x=definitions.number(node.signal),
+        swing=number(node.swing),
+        extreme=extreme,
+        heading=heading,
+        claims="\n".join(claim(each, about) for each in claims),
+    )
+
+
+_MOVES = """\
+    {{
+    const double x = {x};
+    const bool is_known = isfinite(x), goes_up = {heading} > 0, goes_down = {heading} < 0;
+    const bool is_new = isnan({extreme}) || (goes_up && x > {extreme}) ||
+                        (goes_down && x < {extreme});
+    const bool up = is_known && !is_new && !goes_up && x > {extreme} + {swing};
+    const bool down = is_known && !is_new && !up && !goes_down && x < {extreme} - {swing};
+    const bool turn = (up || down) && {heading} != 0;
+{claims}
+    }}"""

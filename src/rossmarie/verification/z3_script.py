@@ -1,0 +1,33 @@
+"""How CBMC calls z3: the program `z3` of a workshop, which comes before that of the system."""
+
+Z3 = r"""#!/bin/sh
+# By its own choice z3 puts equations into each other first, which for many claims has no end.
+PATH=${PATH#*:}
+for file; do :; done # the last of the arguments
+name='float_bv[.]floatbv_[^ ]+'
+number='[(]_ BitVec [0-9]+[)]'
+operand="[(]op[0-9]+ ($number)[)]"
+if ! grep -Eq "^[(]define-fun $name" "$file"; then
+    exec z3 tactic.default_tactic=smt "$@"
+fi
+
+# Where numbers are bits, CBMC defines what becomes of the bits. Two sums of the same operands are
+# the same without that: each operation is any function instead. What holds of any functions holds
+# of these; what does not hold of them may hold all the same.
+sed -E -i "s/^([(]define-fun ($name) [(]($operand $operand $operand)[)] ($number)) .*/"\
+"(declare-fun any_\2 (\3) \7)\n\1 (any_\2 op0 op1 op2))/" "$file"
+
+# Of differences it is known by which the generated C sees whether a number is finite: what is not
+# known stays so, x - 0 is x, x - x is 0 where x is finite.
+NAN='(_ bv9218868437227405313 64)'
+is_large() { echo "(= ((_ extract 62 52) $1) (_ bv2047 11))"; }
+is_nan() { echo "(and $(is_large "$1") (not (= ((_ extract 51 0) $1) (_ bv0 52))))"; }
+itself="(ite $(is_large op0) $NAN (_ bv0 64))"
+difference="(ite (or $(is_nan op0) $(is_nan op1)) $NAN (ite (= op1 (_ bv0 64)) op0 "\
+"(ite (and (= op0 op1) (= op2 (_ bv0 32))) $itself &)))"
+sed -E -i \
+    -e "/^[(]declare-fun any_/s/$operand/\1/g" \
+    -e "/^[(]define-fun float_bv[.]floatbv_minus_f64/s/[(]any_[^)]*[)]/$difference/" "$file"
+z3 tactic.default_tactic=smt "$@" | sed 's/^sat$/unknown/'
+"""
+"""A script for `sh`."""
