@@ -1,0 +1,60 @@
+"""What z3 is told of arithmetic holds, and what it cannot know of any arithmetic is no answer."""
+
+from __future__ import annotations
+
+import pytest
+
+from rossmarie.verification.check import Check
+from rossmarie.verification.harness import Harness
+from rossmarie.verification.program import PRELUDE
+from rossmarie.verification.prover import Prover, Verdict, find_prover
+
+
+@pytest.fixture(scope="module")
+def prover() -> Prover:
+    found = find_prover()
+    if found is None:
+        pytest.skip("no CBMC 6 with its solvers here: they are packages of Debian 13")
+    return found
+
+
+def verdict(prover: Prover, claim: str, *, is_arithmetic: bool) -> Verdict:
+    check = Check("it", "something about numbers", is_arithmetic=is_arithmetic)
+    text = (
+        f"{PRELUDE}\nstatic int a[2];\n\nvoid check_it(double x, double y, unsigned n)\n{{\n"
+        "    a[n % 2] = 1;\n"  # something that C forbids elsewhere
+        f'    __CPROVER_assert({claim}, "it holds");\n}}\n'
+    )
+    with prover.workshop() as folder:
+        harness = Harness(text, (check,), passes=1)
+        prover.compile(folder, harness)
+        return prover.run(harness, check, folder, 60).verdict
+
+
+@pytest.mark.parametrize(
+    "fact",
+    [
+        "isnan(x) || (x - 0.0 == x && signbit(x - 0.0) == signbit(x))",
+        "!isfinite(x) || (x - x == 0.0 && !signbit(x - x))",
+        "isfinite(x) || isnan(x - x)",
+        "!isnan(x) || (isnan(x - y) && isnan(y - x))",
+    ],
+)
+def test_what_is_told_of_differences_is_so(prover: Prover, fact: str) -> None:
+    """A SAT solver looks at every bit."""
+    assert verdict(prover, fact, is_arithmetic=False) is Verdict.PROVED
+
+
+@pytest.mark.parametrize(
+    ("claim", "expected"),
+    [
+        ("isnan(x * y / (x + y)) || x * y / (x + y) == x * y / (x + y)", Verdict.PROVED),
+        ("isnan(x) || x * 1.0 == x", Verdict.PROVED),
+        ("x + 1.0 > x", Verdict.REFUTED),
+        ("!isfinite(x) || !isfinite(y) || x - y == x", Verdict.REFUTED),
+    ],
+)
+def test_what_holds_of_some_arithmetic_only_is_decided_by_its_bits(
+    prover: Prover, claim: str, expected: Verdict
+) -> None:
+    assert verdict(prover, claim, is_arithmetic=True) is expected
