@@ -306,6 +306,17 @@ int evaluated(monitor *m, int64_t t_ns)
     return any_count(RULES);
 }}
 
+/* Where it matters only that nothing changes any more. */
+int evaluated_somehow(monitor *m, int64_t t_ns)
+{{
+    const monitor old = *m;
+    forget(m, &old);
+    __CPROVER_assume(m->now_ns == t_ns);
+    base = *m;
+    is_late = true;
+    return any_count(RULES);
+}}
+
 /* What is counted, and nothing else. */
 int count_caught_up(monitor *m, int64_t t_ns)
 {{
@@ -367,12 +378,10 @@ void set_wake_somehow(monitor *m)
     const monitor old = *m;
     if (is_late) {{
         __CPROVER_assert(m->now_ns == asked_ns, "the clock is set");
-        must_be_at_rest(m, asked_ns);
         must_be_same(m, &base);
     }}
     forget(m, &old);
     __CPROVER_assume(m->now_ns == asked_ns);
-    suppose_at_rest(m, asked_ns);
     base = *m;
     is_late = true;
 }}

@@ -80,13 +80,15 @@ class MessageChecks:
             numbers = Check(f"numbers_{name}", about, is_arithmetic=True)
             yield Written(numbers, self._numbers(channel, name))
             lines, arguments = self._message(channel)
-            lines.append(f"    is_told[{channel}] = true;")
+            lines += [*self._given(channel), f"    is_told[{channel}] = true;"]
             call = f"{self._layout.name}_update_{name}({arguments})"
-            parts = (*self._nothing_else, (f"receive_{name}", f"received_{name}"))
-            handed = Check(f"handed_{name}", f"a message on {topic} is handed on as it is", parts)
+            received: Parts = ((f"receive_{name}", f"received_{name}"),)
+            about = f"a message on {topic} is handed on as it is"
+            handed = Check(f"handed_{name}", about, (*self._nothing_else, *received))
             yield Written(handed, self._handed(channel, lines, call))
             guards = [self._layout.guards.index(g) for g in self._layout.guards_of(channel)]
-            yield from self._ways(f"update_{name}", f"a message on {topic}", lines, call, guards)
+            about = f"a message on {topic}"
+            yield from self._ways(f"update_{name}", about, lines, call, received, guards)
         call = f"{self._layout.name}_step(m, t_ns, &v)"
         for channel, name in enumerate(self._layout.channel_names):
             about = f"the numbers of messages on {self._machine.channels[channel].topic} and others"
@@ -96,19 +98,25 @@ class MessageChecks:
             )
             numbers = Check(f"step_numbers_{name}", about, parts, is_arithmetic=True)
             yield Written(numbers, self._step_numbers(channel, name, call))
-        yield from self._ways("step", "messages on several topics", list(self._values()), call)
+        about = "messages on several topics"
+        yield from self._ways("step", about, list(self._values()), call, self._idle)
 
     def _ways(
-        self, name: str, about: str, lines: list[str], call: str, guards: Sequence[int] = ()
+        self,
+        name: str,
+        about: str,
+        lines: list[str],
+        call: str,
+        idle: Parts,
+        guards: Sequence[int] = (),
     ) -> Iterator[Written]:
         """A message before any timer is due may take a short way; the long one is always right.
-        The short way ends at the first of its guards that is left.
+        The short way ends at the first of its guards that is left. What is `idle` does not matter
+        once truths are evaluated.
         """
         declared = "\n".join(lines)
         late = (*self._parts, ("is_calm", "never_calm"))
-        yield from stages(
-            f"{name}_late", f"{about}, the long way", call, late, declared, self._idle
-        )
+        yield from stages(f"{name}_late", f"{about}, the long way", call, late, declared, idle)
         calm = (*self._parts, ("is_calm", "assume_calm"), ("catch_up", "never_catch_up"))
         body = f"{ANY}\n{declared}\n{WAITS}\n    suppose_at_rest(m, t_ns);\n    (void){call};"
         short = f"{about}, the short way"
@@ -117,8 +125,8 @@ class MessageChecks:
         else:
             yield between(f"{name}_calm", short, f"{body}\n{RESTS}", calm)
         body = f"{ANY}\n{declared}\n{IN_RANGE}\n    (void){call};"
-        yield after(f"{name}_calm", short, body, (*calm, *self._idle))
-        counted = (*self._nothing_else, *self._idle)
+        yield after(f"{name}_calm", short, body, (*calm, *idle))
+        counted = (*self._nothing_else, *idle)
         check = Check(f"{name}_counts", f"{about}: changes are counted", counted)
         yield Written(check, f"{declared}\n{counts(call)}")
 
@@ -194,15 +202,15 @@ class MessageChecks:
             claims="\n".join(claims),
         )
 
-    def _handed(self, channel: int, lines: list[str], call: str) -> str:
-        given = []
+    def _given(self, channel: int) -> Iterator[str]:
+        """A message is to be handed on as it is."""
         for number, field in enumerate(self._fields(channel)):
-            given.append(f"    given_{channel}_{number} = field_{number};")
+            yield f"    given_{channel}_{number} = field_{number};"
             if field.slot is None:
-                given.append(f"    given_{channel}_{number}_count = count_{number};")
-        return "\n".join(
-            [ANY, *lines, IN_RANGE, *given, _HANDED.format(channel=channel, call=call)]
-        )
+                yield f"    given_{channel}_{number}_count = count_{number};"
+
+    def _handed(self, channel: int, lines: list[str], call: str) -> str:
+        return "\n".join([ANY, *lines, IN_RANGE, _HANDED.format(channel=channel, call=call)])
 
     # --- numbers -----------------------------------------------------------------------------
 

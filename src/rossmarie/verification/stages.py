@@ -43,9 +43,8 @@ RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
 IN_RANGE = "    __CPROVER_assume(m->now_ns > EARLIEST && m->wake_ns <= LATEST);"
 """What is known of the instants of any monitor at rest."""
 
-RESTS = """\
-    __CPROVER_assert(m->now_ns == t_ns, "the clock is set");
-    must_be_at_rest(m, t_ns);"""
+_CLOCK = '    __CPROVER_assert(m->now_ns == t_ns, "the clock is set");'
+RESTS = f"{_CLOCK}\n    must_be_at_rest(m, t_ns);"
 
 _TOLD = "    must_be_told(m, &base);"
 AS_IT_WAS = "    must_be_same(m, &base);"
@@ -86,17 +85,20 @@ def between(name: str, about: str, body: str, parts: Parts) -> Written:
 
 
 def after(name: str, about: str, body: str, parts: Parts) -> Written:
-    """The same, from then on."""
+    """The same, from then on. What was at rest when truths were evaluated, or when the next timer
+    was set, still is: it is the same.
+    """
     given = dict(parts)
     somehow = tuple(pair for pair in _SOMEHOW if pair[0] not in given)
     late = (
         ("is_pending", "maybe_pending"),
-        ("evaluate", "evaluated"),
+        ("evaluate", "evaluated_somehow"),
         ("set_wake", "set_wake_somehow"),
     )
     about = f"{about}, after truths are evaluated"
     check = Check(f"{name}_after", about, (*unlooked(parts), *somehow, *late))
-    return Written(check, f"{body}\n    __CPROVER_assume(is_late);\n{RESTS}\n{AS_IT_WAS}")
+    lines = [body, "    __CPROVER_assume(is_late);", _CLOCK, AS_IT_WAS]
+    return Written(check, "\n".join(lines))
 
 
 def counts(call: str) -> str:

@@ -165,7 +165,7 @@ def test_numbers_and_timers_are_what_they_mean(
         (("wake_ns < LATEST ? wake_ns : LATEST", "wake_ns"), "set_wake",
          "nothing beyond the range passes for calm"),
         (("    if (!calm)\n        set_wake(m);", "    if (!calm)\n        m->wake_ns++;"),
-         "step_late_after", "for 2 sec` lies ahead"),
+         "step_late_after", "`wake_ns` is as it has to be"),
         (("        return -1;\n    if (!m->started", "        return 0;\n    if (!m->started"),
          "catch_up_refused", "what is out of range is refused"),
         (("if (t_ns <= EARLIEST || t_ns >= LATEST)\n", "if (t_ns <= EARLIEST)\n"),
