@@ -260,12 +260,6 @@ void ticked(monitor *m, int64_t t_ns)
     base = *m;
 }}
 
-void tick_once(monitor *m, int64_t t_ns)
-{{
-    __CPROVER_assume(!is_late);
-    ticked(m, t_ns);
-}}
-
 void never_restart(monitor *m, int64_t t_ns)
 {{
     (void)m;
@@ -279,6 +273,12 @@ void ticked_somehow(monitor *m, int64_t t_ns)
     const monitor old = *m;
     (void)t_ns;
     forget(m, &old);
+}}
+
+void tick_once(monitor *m, int64_t t_ns)
+{{
+    __CPROVER_assume(!is_late);
+    ticked_somehow(m, t_ns);
 }}
 
 bool maybe_pending(const monitor *m)
@@ -295,17 +295,6 @@ int end_at_evaluate(monitor *m, int64_t t_ns)
     return 0;
 }}
 
-int evaluated(monitor *m, int64_t t_ns)
-{{
-    const monitor old = *m;
-    forget(m, &old);
-    __CPROVER_assume(m->now_ns == t_ns);
-    suppose_at_rest(m, t_ns);
-    base = *m;
-    is_late = true;
-    return any_count(RULES);
-}}
-
 /* Where it matters only that nothing changes any more. */
 int evaluated_somehow(monitor *m, int64_t t_ns)
 {{
@@ -315,6 +304,14 @@ int evaluated_somehow(monitor *m, int64_t t_ns)
     base = *m;
     is_late = true;
     return any_count(RULES);
+}}
+
+/* The next pass begins with what this one leaves behind. */
+int64_t timer_of_a_pass(const monitor *m)
+{{
+    if (is_late)
+        must_be_same(m, &base);
+    return nondet_instant();
 }}
 
 /* What is counted, and nothing else. */

@@ -15,26 +15,7 @@ from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.prover import Prover, _unwound
 from support.provers import real_prover
-
-MONITOR = """\
-input tilt = topic /tilt : std_msgs/Float64 .data timeout 0.2 sec;
-input speed = topic /speed : std_msgs/Float64 .data;
-action stop;
-rule tilted: if (abs(tilt) > 10 and not speed == 0) for 2 sec then { stop; };
-rule gone: if speed > 3 then { stop; } latched until reset;
-"""
-
-BOUNDED = """\
-input speed = topic /speed : std_msgs/Float64 .data;
-action slow {
-    limit /cmd_vel : geometry_msgs/Twist { linear.x in [-0.2, 0.5] m/s; } ramp 0.3 m/s^2;
-}
-action half { scale /cmd_vel : geometry_msgs/Twist by 50 %; }
-action ask { call /ask : std_srvs/Trigger within 1 sec else beep; }
-action beep { publish /horn : std_msgs/Bool { data = true; } at 5 Hz; }
-rule fast: if speed > 3 then { slow; ask; };
-rule wild: if speed > 5 unless fast then { half; };
-"""
+from support.small_rules import BOUNDED, TILTED
 
 SHARED = """\
 input speed = topic /speed : std_msgs/Float64 .data;
@@ -104,7 +85,7 @@ def looked_at(prover: Prover, folder: Path, rules: str, part: str) -> tuple[set[
 
 
 def test_every_line_of_a_monitor_is_looked_at(prover: Prover, tmp_path: Path) -> None:
-    found, reached = looked_at(prover, tmp_path, MONITOR, "monitor")
+    found, reached = looked_at(prover, tmp_path, TILTED, "monitor")
     assert len(reached) > 150
     assert found - reached == NEVER
 

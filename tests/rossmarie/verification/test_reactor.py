@@ -10,21 +10,9 @@ from rossmarie.driver.verifying import Questions, prove, questions_of
 from rossmarie.report.proofs import Proofs
 from rossmarie.verification.prover import Prover, Verdict
 from support.provers import real_prover
+from support.small_rules import BOUNDED
 
 SECONDS = 120
-
-RULES = """\
-input speed = topic /speed : std_msgs/Float64 .data;
-action slow {
-    limit /cmd_vel : geometry_msgs/Twist { linear.x in [-0.2, 0.5] m/s; } ramp 0.3 m/s^2;
-}
-action half { scale /cmd_vel : geometry_msgs/Twist by 50 %; }
-action ask { call /ask : std_srvs/Trigger within 1 sec else beep; }
-action beep { publish /horn : std_msgs/Bool { data = true; } at 5 Hz; }
-rule fast: if speed > 3 then { slow; ask; };
-rule wild: if speed > 5 unless fast then { half; };
-rule loud: if speed > 4 then { beep; };
-"""
 
 FILE = "small_reactor.c"
 
@@ -32,7 +20,7 @@ FILE = "small_reactor.c"
 @pytest.fixture(scope="module")
 def questions(tmp_path_factory: pytest.TempPathFactory) -> Questions:
     path = tmp_path_factory.mktemp("rules") / "small.ross"
-    path.write_text(RULES)
+    path.write_text(BOUNDED)
     return questions_of(path)
 
 

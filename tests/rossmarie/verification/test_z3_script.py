@@ -7,15 +7,13 @@ import pytest
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.program import PRELUDE
-from rossmarie.verification.prover import Prover, Verdict, find_prover
+from rossmarie.verification.prover import Prover, Verdict
+from support.provers import real_prover
 
 
 @pytest.fixture(scope="module")
 def prover() -> Prover:
-    found = find_prover()
-    if found is None:
-        pytest.skip("no CBMC 6 with its solvers here: they are packages of Debian 13")
-    return found
+    return real_prover()
 
 
 def verdict(prover: Prover, claim: str, *, is_arithmetic: bool) -> Verdict:

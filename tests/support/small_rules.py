@@ -1,0 +1,22 @@
+"""Rules small enough to be proved in moments: of a monitor, and of a reactor."""
+
+TILTED = """\
+input tilt = topic /tilt : std_msgs/Float64 .data timeout 0.2 sec;
+input speed = topic /speed : std_msgs/Float64 .data;
+action stop;
+rule tilted: if (abs(tilt) > 10 and not speed == 0) for 2 sec then { stop; };
+rule gone: if speed > 3 then { stop; } latched until reset;
+"""
+
+BOUNDED = """\
+input speed = topic /speed : std_msgs/Float64 .data;
+action slow {
+    limit /cmd_vel : geometry_msgs/Twist { linear.x in [-0.2, 0.5] m/s; } ramp 0.3 m/s^2;
+}
+action half { scale /cmd_vel : geometry_msgs/Twist by 50 %; }
+action ask { call /ask : std_srvs/Trigger within 1 sec else beep; }
+action beep { publish /horn : std_msgs/Bool { data = true; } at 5 Hz; }
+rule fast: if speed > 3 then { slow; ask; };
+rule wild: if speed > 5 unless fast then { half; };
+rule loud: if speed > 4 then { beep; };
+"""
