@@ -6,7 +6,6 @@ ontologies are asked for the same: that their answers agree is part of the run.
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
 import platform
@@ -18,6 +17,7 @@ from pathlib import Path
 
 from machine import processor
 from ontology_workload import Size, write_ontology, write_skills
+from written_page import written_page
 
 HERE = Path(__file__).parent
 BENCH = HERE.parent / "build" / "bench"
@@ -246,9 +246,7 @@ The ontologies are generated, but for SkiROS2's own.
 
 def main() -> None:
     """Measure, print and write."""
-    parser = argparse.ArgumentParser(description="Measure EzSkiROS beside its peers.")
-    parser.add_argument("--out", type=Path, required=True, help="the page to write")
-    out: Path = parser.parse_args().out
+    out = written_page("Measure EzSkiROS beside its peers.")
     FOLDER.mkdir(parents=True, exist_ok=True)
     sizes = {
         path: write_ontology(path, count)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import argparse
 import time
-from pathlib import Path
 
 from machine import processor
+from written_page import written_page
 
 from heron.experiments import EXPERIMENTS, Experiment
 from heron.variants import Arm
@@ -62,9 +61,7 @@ def page() -> str:
 
 def main() -> None:
     """Measure, and write the page."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--out", type=Path, required=True)
-    parser.parse_args().out.write_text(page(), encoding="utf-8")
+    written_page(__doc__).write_text(page(), encoding="utf-8")
 
 
 if __name__ == "__main__":

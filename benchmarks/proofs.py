@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import argparse
 import resource
 from collections import Counter
 from pathlib import Path
 
 from machine import processor
+from written_page import written_page
 
 from rossmarie.driver.verifying import prove, questions_of
 from rossmarie.verification.prover import PROGRAMS, Prover, Verdict
@@ -80,9 +80,7 @@ def page() -> str:
 
 def main() -> None:
     """Write the page."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, required=True)
-    parser.parse_args().out.write_text(page(), encoding="utf-8")
+    written_page(__doc__).write_text(page(), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import argparse
 import time
 from pathlib import Path
 
 from machine import processor
+from written_page import written_page
 
 from rossmarie.analysis.conflict import find_conflicts
 from rossmarie.analysis.decided import find_decided
@@ -96,9 +96,7 @@ def page() -> str:
 
 def main() -> None:
     """Write the page."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, required=True)
-    parser.parse_args().out.write_text(page(), encoding="utf-8")
+    written_page(__doc__).write_text(page(), encoding="utf-8")
 
 
 if __name__ == "__main__":

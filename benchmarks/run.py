@@ -7,7 +7,6 @@ whether they are those of the hand-written loop.
 
 from __future__ import annotations
 
-import argparse
 import platform
 import statistics
 import subprocess
@@ -29,6 +28,7 @@ from generated import (
 from in_process import Columns, Hand, Round, closure_steps, numpy_whole_columns
 from machine import processor
 from workload import SAMPLES, trace, write_trace
+from written_page import written_page
 
 HERE = Path(__file__).parent
 BENCH = HERE.parent / "build" / "bench"
@@ -225,9 +225,7 @@ def describe_machine() -> str:
 
 def main() -> None:
     """Measure, print and write."""
-    parser = argparse.ArgumentParser(description="Measure the monitor beside its peers.")
-    parser.add_argument("--out", type=Path, required=True, help="the page to write")
-    out: Path = parser.parse_args().out
+    out = written_page("Measure the monitor beside its peers.")
     columns = trace()
     write_trace(BENCH / "trace", columns)
     preface = PREFACE.format(

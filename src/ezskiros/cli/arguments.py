@@ -27,7 +27,7 @@ OptionalSkills = Annotated[
 ]
 Folders = Annotated[
     list[Path] | None,
-    typer.Option("--ontology", metavar="PATH", help="Files and folders for `load()`."),
+    typer.Option("--ontology", metavar="PATH", help="Files and folders for `load()`.", exists=True),
 ]
 
 

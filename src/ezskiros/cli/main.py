@@ -120,7 +120,10 @@ def migrate(
     ontology: Annotated[
         list[Path] | None,
         typer.Option(
-            "--ontology", metavar="PATH", help="Its files and folders: which names are ambiguous."
+            "--ontology",
+            metavar="PATH",
+            help="Its files and folders: which names are ambiguous.",
+            exists=True,
         ),
     ] = None,
 ) -> None:

@@ -104,3 +104,10 @@ def test_the_ontology_may_be_named_by_an_option(tmp_path: Path) -> None:
     (tmp_path / "skills.py").write_text(text + skill)
     done = run("check", "skills.py", "--ontology", str(HALL), folder=tmp_path)
     assert "error[EZS301]" in done.stdout
+
+
+def test_an_ontology_that_is_not_there_is_told_even_if_no_skill_loads_it(tmp_path: Path) -> None:
+    (tmp_path / "skills.py").write_text("from ezskiros import *\nclass S(SkillDescription): pass\n")
+    done = run("check", "skills.py", "--ontology", "nowhere", folder=tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "'nowhere' does not exist" in done.stderr

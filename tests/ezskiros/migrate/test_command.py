@@ -130,10 +130,10 @@ def test_an_ontology_says_which_names_are_ambiguous(tmp_path: Path) -> None:
 def test_an_ontology_that_cannot_be_read(tmp_path: Path) -> None:
     path = written(tmp_path / "wait.py", GOOD)
     broken = written(tmp_path / "broken.ttl", "broken")
-    for ontology, code in ((broken, 1), (tmp_path / "nowhere", 2)):
-        result = migrate(path, "--write", "--ontology", ontology)
-        assert result.exit_code == code
-        assert "error[EZS10" in result.stdout
+    result = migrate(path, "--write", "--ontology", broken)
+    assert result.exit_code == 1
+    assert "error[EZS10" in result.stdout
+    assert migrate(path, "--write", "--ontology", tmp_path / "nowhere").exit_code == 2
     assert path.read_text() == GOOD
 
 

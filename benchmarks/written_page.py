@@ -1,0 +1,14 @@
+"""The page that a benchmark writes, as its command line says."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+
+def written_page(description: str | None) -> Path:
+    """Where the page goes; ends the program where the command line does not say."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--out", type=Path, required=True, help="the page to write")
+    out: Path = parser.parse_args().out
+    return out
