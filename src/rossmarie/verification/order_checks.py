@@ -12,13 +12,15 @@ from collections.abc import Iterable, Iterator
 from rossmarie import ir
 from rossmarie.verification.check import Check, Parts, Passes, Written
 from rossmarie.verification.invariants import Sentence
-from rossmarie.verification.order_contracts import CONTRACTS, OVERRULER, PERFORM, STAGES, TOLD
+from rossmarie.verification.order_contracts import CONTRACTS, PERFORM, TOLD
 from rossmarie.verification.order_invariants import OrderInvariants
 from rossmarie.verification.program import assertions, assumptions, claim
-from rossmarie.verification.reactor_invariants import ReactorInvariants, in_force
+from rossmarie.verification.reactor_definitions import releases, stages
+from rossmarie.verification.reactor_invariants import ReactorInvariants
 
 _DECIDE = ("decide", "note_decided")
 _ESCALATE = ("escalate", "contract_escalate")
+_NOTE = ("append_started", "contract_append_started")
 _CLOCK = ("set_clock", "contract_set_clock")
 _RELEASES = (
     ("set_clock", "set_clock_within"),
@@ -75,6 +77,11 @@ class OrderChecks:
                 *_both("within", _REACTOR, within),
                 *_both("listed", _REACTOR, orders.listed()),
                 *_both("owned", _REACTOR, self._invariants.owned()),
+                *_both("started", _REACTOR, self._invariants.started()),
+                *_both("notable", f"{_REACTOR}, unsigned task", orders.notable()),
+                *_both(
+                    "noted", "const reactor *r, const reactor *old, unsigned task", orders.noted()
+                ),
                 *_both("kept", _BEFORE, orders.kept()),
                 *_both("escalated", _BEFORE, orders.escalated()),
                 *_both("passed_on", _BEFORE, orders.passed_on()),
@@ -85,41 +92,15 @@ class OrderChecks:
                 *_both("unbegun", f"{_REACTOR}, unsigned rule", orders.unbegun()),
                 *_both("in_time", _REACTOR, self._invariants.in_time()),
                 *_both("ended", "const reactor *r, const reactor *old", orders.ended()),
-                self._stages(),
+                stages(self._found),
                 CONTRACTS.format(
-                    monitor=monitor, unused=unused, argument=argument, releases=self._releases()
+                    monitor=monitor,
+                    unused=unused,
+                    argument=argument,
+                    releases=releases(self._found),
                 ),
             ]
         )
-
-    def overruler(self) -> str:
-        """R2, for any task: the rule that has what it needs, -1 if that is its own, or none."""
-        cases = []
-        for index, task in enumerate(self._found.tasks):
-            if task.resource is None:
-                continue
-            cases.append(f"    case {index}:")
-            for rule in self._found.order:
-                claimed = {
-                    self._found.tasks[each].resource for each in self._found.plans[rule].tasks
-                }
-                if task.resource in claimed:
-                    taken = -1 if rule == self._orders.rule_of(index) else rule
-                    cases.append(f"        if (r->engaged[{rule}])\n            return {taken};")
-            cases.append("        return -1;")
-        body = "\n".join(cases)
-        return OVERRULER.format(cases=f"    switch (task) {{\n{body}\n    }}\n" if cases else "")
-
-    def _releases(self) -> str:
-        """What `release` does, task by task (R9)."""
-        lines = []
-        for rule, plan in enumerate(self._found.plans):
-            lines.append(f"    if (rule == {rule}) {{")
-            for task in plan.tasks:
-                lines.append(f"        if ({in_force(task)})\n            stop(r, {task});")
-                lines.append(f"        r->state[{task}] = IDLE;")
-            lines.append("    }")
-        return "\n".join(lines)
 
     # --- the checks --------------------------------------------------------------------------
 
@@ -134,9 +115,12 @@ class OrderChecks:
             for stage in range(len(self._found.plans[rule].stages) + 1):
                 yield self._start(rule, stage)
         yield self._check("stage_over", "whether a stage is over", (), _STAGE_OVER)
-        yield self._check("escalate", "what follows from failures", (_DECIDE,), self._escalate())
+        about = "a task that starts is noted"
+        yield self._check("append_started", about, (), _APPEND)
+        about = "what follows from failures"
+        yield self._check("escalate", about, (_DECIDE, _NOTE), self._escalate())
         about = "resources change hands"
-        yield self._check("pass_on", about, (_DECIDE, _ESCALATE), _PASS_ON)
+        yield self._check("pass_on", about, (_DECIDE, _NOTE, _ESCALATE), _PASS_ON)
         yield from self._settle()
         yield from self._react()
         about = "what became of a task is told"
@@ -160,21 +144,6 @@ class OrderChecks:
         for rule, name in enumerate(self._names):
             text = _REACTS.format(name=self._name, rule=rule)
             yield self._check(f"react_{rule}", f"rule {name} starts", _STARTS, text)
-
-    def _stages(self) -> str:
-        """Whether a rule can go on to its next stage (R5)."""
-        cases, plans = [], self._found.plans
-        for rule, plan in enumerate(plans):
-            for place, stage in enumerate(plan.stages):
-                over = " && ".join(
-                    f"(r->state[{task}] == HOLDING || r->state[{task}] == WAITING "
-                    f"|| r->state[{task}] == DONE)"
-                    for task in stage
-                )
-                here = f"rule == {rule} && r->engaged[{rule}] && r->stage[{rule}] == {place}"
-                cases.append(f"    if ({here})\n        return {over};")
-        counts = ", ".join(str(len(plan.stages)) for plan in plans)
-        return STAGES.format(counts=counts, cases="\n".join(cases))
 
     def _check(self, name: str, about: str, parts: Parts, body: str) -> Written:
         return Written(Check(name, about, parts, self._loops()), body)
@@ -228,7 +197,8 @@ class OrderChecks:
             starts = f"({free}) == (told.last[{task}] == START)"
             lines.append(claim(starts, "what has what it needs starts (R3, R7)"))
             lines.append(claim(f"r->state[{task}] != IDLE", "nothing is passed over (R3, R7)"))
-        return self._check(f"start_{rule}_{stage}", about, (_DECIDE,), "\n".join(lines))
+        parts = (_DECIDE, _NOTE, _ESCALATE)
+        return self._check(f"start_{rule}_{stage}", about, parts, "\n".join(lines))
 
     def _escalate(self) -> str:
         return "\n".join(
@@ -277,6 +247,20 @@ _STAGE_OVER = f"""\
     __CPROVER_assume(rule < RULES);
     __CPROVER_assert(is_stage_over(r, rule) == spec_is_over(r, rule),
         "a stage is over if all of it has begun and nothing of it runs (R5)");"""
+
+_APPEND = """\
+    reactor s = any();
+    const reactor *const r = &s;
+    const unsigned task = nondet_number();
+    __CPROVER_assume(task < TASKS);
+    suppose_started(r);
+    suppose_notable(r, task);
+    const reactor old = s;
+    append_started(&s, task);
+    must_be_noted(r, &old, task);
+    reactor expected = old;
+    any_started(&expected, r);
+    __CPROVER_assert(is_same(r, &expected), "nothing else changes");"""
 
 _ESCALATED = """\
     must_be_escalated(r, &old, &was);"""

@@ -2,16 +2,6 @@
 
 from __future__ import annotations
 
-OVERRULER = """\
-/* R2: the rule that has what a task needs, -1 if that is its own, or none. */
-static int spec_overruler(const reactor *r, unsigned task)
-{{
-    (void)r;
-    (void)task;
-{cases}    return -1;
-}}
-"""
-
 TOLD = """\
 enum {{
     START = {name}_START,
@@ -138,6 +128,26 @@ void contract_release(reactor *r, unsigned rule)
     must_be_untold(r);
     must_be_releasable(r, rule);
     spec_release(r, rule);
+}}
+
+/* Whatever another memory has noted as started. */
+static void any_started(reactor *r, const reactor *other)
+{{
+    for (unsigned i = 0; i != RULES; i++)
+        r->started_count[i] = other->started_count[i];
+    for (unsigned i = 0; i != TASKS; i++)
+        r->started[i] = other->started[i];
+}}
+
+void contract_append_started(reactor *r, unsigned task)
+{{
+    const reactor old = *r;
+    const reactor other = nondet_reactor();
+    __CPROVER_assert(task < TASKS, "what starts is a task");
+    must_be_started(r);
+    must_be_notable(r, task);
+    any_started(r, &other);
+    suppose_noted(r, &old, task);
 }}
 
 void contract_escalate(reactor *r)
@@ -304,16 +314,5 @@ static void perform_next(void *user, int task, enum {name}_order order, int by_r
     __CPROVER_assert(task == made->task && (unsigned)order == made->order
         && by_rule == made->by_rule, "it is given as it was decided on");
     performed++;
-}}
-"""
-
-STAGES = """\
-static const unsigned spec_stages[RULES] = {{{counts}}};
-
-/* R5. */
-static bool spec_is_over(const reactor *r, unsigned rule)
-{{
-{cases}
-    return false;
 }}
 """

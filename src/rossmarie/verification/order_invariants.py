@@ -24,11 +24,8 @@ class OrderInvariants:
         self._rules = {task: rule for rule, plan in enumerate(found.plans) for task in plan.tasks}
         invariants = ReactorInvariants(found)
         self._can_fail, self._is_listed = invariants.can_fail, invariants.is_listed
+        self._invariants = invariants
         self._follows = {each for task in found.tasks for each in task.otherwise}
-
-    def rule_of(self, task: int) -> int:
-        """The rule of whose plan a task is a part."""
-        return self._rules[task]
 
     # --- what holds within a call ------------------------------------------------------------
 
@@ -102,10 +99,43 @@ class OrderInvariants:
             yield Sentence("what runs has run before, or begins now",
                            f"r->state[{task}] != RUNNING || ({same}) || ({begins})")  # fmt: skip
 
+    def notable(self) -> Iterator[Sentence]:
+        """Before `task` is noted as started."""
+        for rule, own in self._own():
+            yield Sentence("a task of an engaged rule starts", f"!{own} || r->engaged[{rule}]")
+
+    def noted(self) -> Iterator[Sentence]:
+        """When `task` is noted as the last that its rule has started."""
+        for rule, own in self._own():
+            tasks = self._found.plans[rule].tasks
+            first, count = self._invariants.first_started(rule), f"started_count[{rule}]"
+            places = range(first, first + len(tasks))
+            members = [count, *(f"started[{place}]" for place in places)]
+            same = " && ".join(f"r->{each} == old->{each}" for each in members)
+            yield Sentence("other rules have started what they had", f"{own} || ({same})")
+            yield from self._invariants.listed_once(rule)
+            for place in places:
+                is_last = f"r->{count} == {place - first + 1}"
+                yield Sentence("what starts is the last that has started",
+                               f"!({own} && {is_last}) || r->started[{place}] == task")  # fmt: skip
+                is_own = " || ".join(f"r->started[{place}] == {each}" for each in tasks)
+                yield Sentence("a rule has started its own tasks",
+                               f"{place - first} >= r->{count} || {is_own}")  # fmt: skip
+            for each in tasks:
+                now, before = (self._invariants.is_noted(each, m) for m in ("r", "old"))
+                yield Sentence("what has started is still noted, and nothing else",
+                               f"{now} == ({before} || task == {each})")  # fmt: skip
+
+    def _own(self) -> Iterator[tuple[int, str]]:
+        """For each rule: whether `task` is one of its own."""
+        for rule, plan in enumerate(self._found.plans):
+            yield rule, f"({' || '.join(f'task == {each}' for each in plan.tasks)})"
+
     def escalated(self) -> Iterator[Sentence]:
         """By what follows from failures: but what follows them, and what is told of them."""
         for task in self._tasks:
-            may_begin = f"old->state[{task}] == IDLE" if task in self._follows else "false"
+            begins = f"(old->state[{task}] == IDLE && r->state[{task}] != IDLE)"
+            may_begin = begins if task in self._follows else "false"
             yield Sentence("what does not follow from failures stays as it is",
                            f"{may_begin} || ({_same(task)})")  # fmt: skip
             was_listed = self._is_listed(task).replace("r->", "old->")

@@ -17,6 +17,7 @@ from rossmarie.verification.command_checks import ANY_REACTOR, CONTRACTS, Comman
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.order_checks import OrderChecks
 from rossmarie.verification.program import PRELUDE, assertions, assumptions, claim
+from rossmarie.verification.reactor_definitions import overruler
 from rossmarie.verification.reactor_invariants import ReactorInvariants
 
 
@@ -42,7 +43,7 @@ class _Writer:
             PRELUDE,
             f'#include "{self._name}_reactor.c"\n',
             self._memory(),
-            self._orders.overruler(),
+            overruler(self._found),
             f"static void suppose_fit(const reactor *r)\n{{\n{assumptions(fit)}\n}}\n",
             f"static void must_fit(const reactor *r)\n{{\n{assertions(fit)}\n}}\n",
             self._contracts(),

@@ -41,12 +41,26 @@ class ReactorInvariants:
         ]
         return f"({' || '.join(listed)})" if task in self.can_fail else "false"
 
+    def is_noted(self, task: int, memory: str = "r") -> str:
+        """Whether a task is among those that its rule has started."""
+        rule = self._rules[task]
+        first, count = self.first_started(rule), f"{memory}->started_count[{rule}]"
+        noted = [
+            f"({place} < {count} && {memory}->started[{first + place}] == {task})"
+            for place in range(len(self._found.plans[rule].tasks))
+        ]
+        return f"({' || '.join(noted)})"
+
+    def first_started(self, rule: int) -> int:
+        """Where the list of what a rule has started begins."""
+        return sum(len(plan.tasks) for plan in self._found.plans[:rule])
+
     def always(self) -> list[Sentence]:
         """What holds within a call as well."""
         rules, tasks = range(len(self._found.plans)), range(len(self._found.tasks))
         return [
             *self.clock(),
-            *(each for rule in rules for each in self._started(rule)),
+            *self.started(),
             *(each for rule in rules for each in self._stages(rule)),
             *(each for task in tasks for each in self._task(task)),
             *(each for task in tasks for each in self._escalations(task)),
@@ -92,12 +106,15 @@ class ReactorInvariants:
                 runs = f"r->state[{task}] == RUNNING"
                 yield Sentence("what runs has time left", f"!({runs}) || {in_time}")
 
-    def _started(self, rule: int) -> Iterator[Sentence]:
+    def started(self) -> Iterator[Sentence]:
         """A rule remembers the tasks that it has started, each once, each of its own."""
-        tasks = self._found.plans[rule].tasks
-        first = sum(len(plan.tasks) for plan in self._found.plans[:rule])
+        for rule in range(len(self._found.plans)):
+            yield from self._started(rule)
+
+    def _started(self, rule: int) -> Iterator[Sentence]:
+        tasks, first = self._found.plans[rule].tasks, self.first_started(rule)
         count = f"r->started_count[{rule}]"
-        yield Sentence("no more tasks have started than there are", f"{count} <= {len(tasks)}")
+        yield from self.listed_once(rule)
         yield Sentence("a rule that is not engaged has started nothing",
                        f"r->engaged[{rule}] || {count} == 0")  # fmt: skip
         for place in range(len(tasks)):
@@ -106,15 +123,19 @@ class ReactorInvariants:
                 for task in tasks
             )
             yield Sentence("a rule has started its own tasks", f"{place} >= {count} || {own}")
-        for one, other in combinations(range(len(tasks)), 2):
+        for task in tasks:
+            yield Sentence(
+                "what is in force has started", f"!{in_force(task)} || {self.is_noted(task)}"
+            )
+
+    def listed_once(self, rule: int) -> Iterator[Sentence]:
+        """A rule notes what it has started once."""
+        first, count = self.first_started(rule), f"r->started_count[{rule}]"
+        most = len(self._found.plans[rule].tasks)
+        yield Sentence("no more tasks have started than there are", f"{count} <= {most}")
+        for one, other in combinations(range(most), 2):
             differ = f"r->started[{first + one}] != r->started[{first + other}]"
             yield Sentence("a task that started is noted once", f"{other} >= {count} || {differ}")
-        for task in tasks:
-            noted = " || ".join(
-                f"({place} < {count} && r->started[{first + place}] == {task})"
-                for place in range(len(tasks))
-            )
-            yield Sentence("what is in force has started", f"!{in_force(task)} || {noted}")
 
     def _stages(self, rule: int) -> Iterator[Sentence]:
         stages = self._found.plans[rule].stages

@@ -11,8 +11,6 @@ from typing import NamedTuple
 import pytest
 
 from rossmarie.driver.verifying import questions_of
-from rossmarie.verification.check import Check
-from rossmarie.verification.harness import Harness
 from rossmarie.verification.prover import Prover, _unwound
 from support.provers import real_prover
 from support.small_rules import BOUNDED, TILTED
@@ -47,18 +45,15 @@ def prover() -> Prover:
     return real_prover()
 
 
-def blocks(
-    prover: Prover, program: Harness, check: Check, folder: Path
-) -> Iterator[tuple[str, int, str, bool]]:
-    """File, line and function of all that a check is about, and whether it is reached."""
-    command = ["cbmc", prover._compile(program, check, folder), "--json-ui"]
-    command += ["--unwind", str(program.passes), *_unwound(check)]
-    command += ["--cover", "location", "--no-standard-checks", "--slice-formula"]
+def goals(prover: Prover, folder: Path, command: list[str]) -> Iterator[tuple[str, Line, str]]:
+    """Name, place and status of what can be reached, in files that were generated."""
     for message in json.loads(prover._must(command, folder)):
-        for goal in message.get("goals", ()):
-            at, is_reached = goal["sourceLocation"], goal["status"] == "satisfied"
-            if "line" in at:
-                yield at["file"], int(at["line"]), at["function"], is_reached
+        for goal in (*message.get("goals", ()), *message.get("properties", ())):
+            at = goal["sourceLocation"]
+            if at["file"].startswith("small_"):
+                lines = (folder / at["file"]).read_text().splitlines()
+                line = Line(at["function"], lines[int(at["line"]) - 1].strip())
+                yield goal.get("goal") or goal["name"], line, goal.get("status", "")
 
 
 def looked_at(prover: Prover, folder: Path, rules: str, part: str) -> tuple[set[Line], set[Line]]:
@@ -67,7 +62,6 @@ def looked_at(prover: Prover, folder: Path, rules: str, part: str) -> tuple[set[
     path.write_text(rules)
     questions = questions_of(path)
     name = f"small_{part}.c"
-    lines = questions.files[name].splitlines()
     (program,) = (each for each in questions.programs if f'#include "{name}"' in each.text)
     found = {Line(function, "") for function in _FUNCTION.findall(questions.files[name])}
     reached: set[Line] = set()
@@ -76,11 +70,15 @@ def looked_at(prover: Prover, folder: Path, rules: str, part: str) -> tuple[set[
             (workshop / file).write_text(text)
         prover.compile(workshop, program)
         for check in program.checks:
-            for file, number, function, is_reached in blocks(prover, program, check, workshop):
-                if file == name:
-                    line = Line(function, lines[number - 1].strip())
-                    found.add(line)
-                    reached |= {line, Line(function, "")} if is_reached else set()
+            command = ["cbmc", prover._compile(program, check, workshop), "--json-ui"]
+            command += ["--unwind", str(program.passes), *_unwound(check)]
+            command += ["--cover", "location", "--no-standard-checks", "--slice-formula"]
+            listed = list(goals(prover, workshop, [*command, "--show-properties"]))
+            found |= {line for _, line, _ in listed}
+            new = [word for goal, line, _ in listed if line not in reached
+                   for word in ("--property", goal)]
+            for _, line, status in goals(prover, workshop, [*command, *new]) if new else ():
+                reached |= {line, Line(line.function, "")} if status == "satisfied" else set()
     return found, reached
 
 

@@ -44,8 +44,8 @@ def proofs(prover: Prover, questions: Questions, old: str, new: str, *names: str
 @pytest.mark.parametrize(
     "name",
     ["bounded", "scaled", "moved", "bounds_0_0", "bounds_0_5", "shut", "set_clock", "release",
-     "engaged", "next_wake", "stage_over", "init", "decide", "give_orders", "start", "escalate",
-     "pass_on", "settle", "react", "report"],
+     "engaged", "next_wake", "stage_over", "init", "decide", "give_orders", "start", "append_started",
+     "escalate", "pass_on", "settle", "react", "report"],
 )  # fmt: skip
 def test_the_reactor_is_what_reactions_mean(
     prover: Prover, questions: Questions, name: str
@@ -96,7 +96,16 @@ def test_the_reactor_is_what_reactions_mean(
         ("r->decided = 0;", "", "give_orders", "none is left"),
         ("decide(r, task, small_STOP, -1);", "", "release_0", "its tasks are forgotten"),
         ("decide(r, task, small_START, -1);", "", "start_0_0", "was told to start"),
-        ("started[count] = (index_t)task;", "", "start_1_0", "what is in force has started"),
+        ("append_started(r, task);", "", "start_1_0", "what is in force has started"),
+        ("started[count] = (index_t)task;", "", "append_started", "what starts is the last"),
+        ("if (started[i] != task)", "", "append_started", "a task that started is noted once"),
+        ("started[count++] = started[i];", ";", "append_started", "what has started is still"),
+        (
+            "r->started_count[rule] = (index_t)(count + 1);",
+            "r->started_count[rule] = (index_t)(count + 1);\n    r->opened = false;",
+            "append_started",
+            "nothing else changes",
+        ),
         ("decide(r, task, small_FAILED, -1);", "", "escalate", "no longer in force was told so"),
         ("give_up(r, task);", "", "pass_on", "what is in force was told to start"),
         ("r->failed_count++;", "", "settle_ends", "no longer in force was told so"),
