@@ -75,8 +75,12 @@ def looked_at(prover: Prover, folder: Path, rules: str, part: str) -> tuple[set[
             command += ["--cover", "location", "--no-standard-checks", "--slice-formula"]
             listed = list(goals(prover, workshop, [*command, "--show-properties"]))
             found |= {line for _, line, _ in listed}
-            new = [word for goal, line, _ in listed if line not in reached
-                   for word in ("--property", goal)]
+            new = [
+                word
+                for goal, line, _ in listed
+                if line not in reached
+                for word in ("--property", goal)
+            ]
             for _, line, status in goals(prover, workshop, [*command, *new]) if new else ():
                 reached |= {line, Line(line.function, "")} if status == "satisfied" else set()
     return found, reached

@@ -44,8 +44,8 @@ def proofs(prover: Prover, questions: Questions, old: str, new: str, *names: str
 @pytest.mark.parametrize(
     "name",
     ["bounded", "scaled", "moved", "bounds_0_0", "bounds_0_5", "shut", "set_clock", "release",
-     "engaged", "next_wake", "stage_over", "init", "decide", "give_orders", "start", "append_started",
-     "escalate", "pass_on", "settle", "react", "report"],
+     "engaged", "next_wake", "stage_over", "init", "decide", "give_orders", "start",
+     "append_started", "escalate", "pass_on", "settle", "react", "report"],
 )  # fmt: skip
 def test_the_reactor_is_what_reactions_mean(
     prover: Prover, questions: Questions, name: str
