@@ -94,6 +94,16 @@ class Definitions:
         node = self._machine.signals[signal].node
         return isinstance(node, ir.Apply) and node.function in _ANGLES
 
+    def can_be_infinite(self, signal: int) -> bool:
+        """Whether a signal keeps infinities: those out of arrays are ordinary numbers (S8)."""
+        match self._machine.signals[signal].node:
+            case ir.Fold():
+                return True
+            case ir.Previous(signal=before):
+                return self.can_be_infinite(before)
+            case _:
+                return False
+
     def _signals(self) -> Iterator[str]:
         for index in self.computed():
             remark = self._machine.signals[index].text

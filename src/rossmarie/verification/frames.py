@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from rossmarie import ir
+from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.state import members
 from rossmarie.verification.definitions import Definitions
@@ -71,7 +72,7 @@ class Frames:
             lines.append(claim(state, f"{used.name} is fresh by a message, else as it was"))
         for index, value in enumerate(self._layout.values):
             told = [f"is_told[{channel}]" for channel in sorted(value.support.channels)]
-            same = f"spec_same(spec_finite(m->value[{index}]), spec_finite(old->value[{index}]))"
+            same = f"spec_same({self._seen(index, 'm->')}, {self._seen(index, 'old->')})"
             about = f"no other message changes `{remark_of(value)}`"
             lines.append(claim(" || ".join([*told, same]), about))
         lines += [
@@ -113,12 +114,15 @@ class Frames:
             yield f"expected.truth[{node}] = m->truth[{node}];"
 
     def _values(self, changed: Iterable[tuple[int, str]]) -> Iterator[str]:
-        """Numbers that change where something is the case; all are kept as they arrive until
-        somebody looks (S4).
-        """
+        """Numbers that change where something is the case."""
         for value, where in changed:
-            yield f"if (({where}) || spec_same(spec_finite(old.value[{value}]), m->value[{value}]))"
+            yield f"if (({where}) || spec_same({self._seen(value, 'old.')}, m->value[{value}]))"
             yield f"    expected.value[{value}] = m->value[{value}];"
+
+    def _seen(self, value: int, memory: str) -> str:
+        """A number as somebody who looks sees it: some are kept as they arrive until then (S4)."""
+        kept = f"{memory}value[{value}]"
+        return f"spec_finite({kept})" if value in covered_values(self._layout) else kept
 
     def evaluated(self) -> str:
         """Of `evaluate`, where visits do nothing but mark."""

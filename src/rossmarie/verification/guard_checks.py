@@ -94,11 +94,15 @@ class GuardChecks:
     # --- what is kept ------------------------------------------------------------------------
 
     def _finite(self) -> Iterator[Sentence]:
-        """Numbers that no guard makes so are kept as finite or unknown."""
+        """Numbers that no guard makes so are kept as finite or unknown, but for those of arrays."""
         watched = [guard.value for guard in self._layout.guards]
-        covered = covered_values(self._layout)
+        others = covered_values(self._layout) | {
+            value
+            for signal, value in self._layout.value_of_signal.items()
+            if self._definitions.can_be_infinite(signal)
+        }
         for value in dict.fromkeys([*self._layout.value_of_slot, *watched]):
-            if value not in covered:
+            if value not in others:
                 remark = remark_of(self._layout.values[value])
                 yield Sentence(f"`{remark}` is finite or unknown", f"!isinf(m->value[{value}])")
 

@@ -168,9 +168,14 @@ class Invariants:
             f"({place} == -(int)m->truth[{self._layout.node_of_truth[guard.leaves[0]]}] && "
             f"{low} == INFINITY && {high} == -INFINITY)"
         )
+        above, below = f"{x} > {low}", f"{x} <= {high}"
+        signal = self._layout.values[guard.value].signal
+        if signal is not None and self._definitions.can_be_infinite(signal):
+            above = f"({above} || ({x} == -INFINITY && {place} == {first}))"
+            below = f"({below} || ({x} == INFINITY && {place} == {last}))"
         around = (
             f"({place} >= {first} && {place} <= {last} && {low} == limits[{place}] && "
-            f"{high} == limits[{place} + 1] && {x} > {low} && {x} <= {high})"
+            f"{high} == limits[{place} + 1] && {above} && {below})"
         )
         about = remark_of(self._layout.values[guard.value])
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")

@@ -24,6 +24,7 @@ action stop;
 rule rocking: if oscillates(turning, 2 times, within 2.0 sec, by 0.2) then { stop; };
 rule steep: if orientation.pitch() > 10 deg then { stop; };
 rule near: if any(ranges < 0.5 m) then { stop; };
+rule far: if min(ranges) > 20 m then { stop; };
 """
 """What counts, angles, and elements of arrays."""
 
@@ -234,9 +235,10 @@ def test_a_seeded_fault_is_refuted(
 
 @pytest.mark.parametrize(
     "parts",
-    ["visit", "cross", "tick", "numbers", "update_spin_late_after", "update_spin_counts"],
+    ["visit", "cross", "tick", "numbers", "update_scan", "update_spin_late_after",
+     "update_spin_counts"],
     ids=str,
-)
+)  # fmt: skip
 def test_what_counts_and_elements_are_what_they_mean(
     prover: Prover, counting: ir.Machine, parts: str
 ) -> None:
@@ -261,6 +263,8 @@ def test_what_counts_and_elements_are_what_they_mean(
          "`turns` is as it has to be"),
         (("unknowns != 0 || count == 0", "count == 0"), "numbers_scan",
          "`any(ranges < 0.5 m)` is what it means"),
+        (("{ return m->value[guard_value[g]]; }", "{ return (void)m, (void)g, NAN; }"), "cross_1",
+         "the guard of `min(ranges)`"),
     ],
 )  # fmt: skip
 def test_a_seeded_fault_in_them_is_refuted(
