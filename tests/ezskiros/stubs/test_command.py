@@ -89,10 +89,10 @@ def test_a_broken_ontology_is_told_of_and_gives_no_stub(out: Path, tmp_path: Pat
     assert "error[EZS102]" in done.stdout
 
 
-def test_a_path_that_leads_nowhere_is_a_wrong_call(out: Path, tmp_path: Path) -> None:
-    done = stubs("--ontology", tmp_path / "nowhere", "--out", out)
+def test_a_path_that_leads_nowhere_is_a_wrong_call(out: Path) -> None:
+    done = stubs("--ontology", "nowhere", "--out", out)
     assert (done.returncode, out.exists()) == (2, False)
-    assert "does not exist" in done.stderr
+    assert "'nowhere' does not exist" in done.stderr
 
 
 def test_a_warning_is_told_of_and_the_stub_is_written(out: Path, tmp_path: Path) -> None:
