@@ -9,9 +9,12 @@ from __future__ import annotations
 
 import contextlib
 import io
+import os
+import tempfile
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from ezskiros.engine.world import World
@@ -58,7 +61,11 @@ def solve(
     problem.start(world)
     for goal in goals:
         problem.problem.add_goal(problem.expression(goal, {}))
-    with warnings.catch_warnings(), contextlib.redirect_stdout(io.StringIO()):
+    with (
+        warnings.catch_warnings(),
+        contextlib.redirect_stdout(io.StringIO()),
+        _folder_of_its_own(),
+    ):
         warnings.simplefilter("ignore")
         with up.OneshotPlanner(name=PLANNER) as planner:
             result = planner.solve(problem.problem, timeout=seconds)
@@ -69,6 +76,18 @@ def solve(
     if result.status.name == "TIMEOUT":
         raise TimeOverError
     raise RuntimeError(f"the planner ended with {result.status.name}: {result.log_messages}")
+
+
+@contextlib.contextmanager
+def _folder_of_its_own() -> Iterator[None]:
+    """Fast Downward writes `output.sas` where it is; two in one folder read each other's."""
+    here = Path.cwd()
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        try:
+            yield
+        finally:
+            os.chdir(here)
 
 
 @dataclass

@@ -297,6 +297,13 @@ def test_what_is_written_is_checked(lab: Path) -> None:
     assert re.search(r"serialstar\n.*Fetch", shown.stdout)
 
 
+def test_who_plans_writes_nothing_beside_the_skills(lab: Path) -> None:
+    """Two that plan in one folder would read each other's problem."""
+    (lab / "output.sas").mkdir()
+    done = run("plan", *GOAL, folder=lab)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
 def test_an_ontology_that_is_not_there_is_told(tmp_path: Path) -> None:
     (tmp_path / "lab.turtle").write_text((TREES / "lab.turtle").read_text("utf-8"), "utf-8")
     done = run("plan", *GOAL, "--ontology", "nowhere", folder=tmp_path)
