@@ -32,6 +32,7 @@ class Frames:
         self._layout = layout
         self._definitions = definitions
         self._machine = layout.machine
+        self._covered = covered_values(layout)
         self._doubles: set[str] = set()
         self._places: dict[str, list[str]] = {}
         for member in members(layout):
@@ -122,7 +123,7 @@ class Frames:
     def _seen(self, value: int, memory: str) -> str:
         """A number as somebody who looks sees it: some are kept as they arrive until then (S4)."""
         kept = f"{memory}value[{value}]"
-        return f"spec_finite({kept})" if value in covered_values(self._layout) else kept
+        return f"spec_finite({kept})" if value in self._covered else kept
 
     def evaluated(self) -> str:
         """Of `evaluate`, where visits do nothing but mark."""

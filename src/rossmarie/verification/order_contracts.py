@@ -130,8 +130,8 @@ void contract_release(reactor *r, unsigned rule)
     spec_release(r, rule);
 }}
 
-/* Whatever another memory has noted as started. */
-static void any_started(reactor *r, const reactor *other)
+/* What another memory has noted as started. */
+static void copy_started(reactor *r, const reactor *other)
 {{
     for (unsigned i = 0; i != RULES; i++)
         r->started_count[i] = other->started_count[i];
@@ -146,7 +146,7 @@ void contract_append_started(reactor *r, unsigned task)
     __CPROVER_assert(task < TASKS, "what starts is a task");
     must_be_started(r);
     must_be_notable(r, task);
-    any_started(r, &other);
+    copy_started(r, &other);
     suppose_noted(r, &old, task);
 }}
 

@@ -113,7 +113,7 @@ class OrderInvariants:
             members = [count, *(f"started[{place}]" for place in places)]
             same = " && ".join(f"r->{each} == old->{each}" for each in members)
             yield Sentence("other rules have started what they had", f"{own} || ({same})")
-            yield from self._invariants.listed_once(rule)
+            yield from self._invariants.noted_once(rule)
             for place in places:
                 is_last = f"r->{count} == {place - first + 1}"
                 yield Sentence("what starts is the last that has started",

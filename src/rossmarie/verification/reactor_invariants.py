@@ -114,7 +114,7 @@ class ReactorInvariants:
     def _started(self, rule: int) -> Iterator[Sentence]:
         tasks, first = self._found.plans[rule].tasks, self.first_started(rule)
         count = f"r->started_count[{rule}]"
-        yield from self.listed_once(rule)
+        yield from self.noted_once(rule)
         yield Sentence("a rule that is not engaged has started nothing",
                        f"r->engaged[{rule}] || {count} == 0")  # fmt: skip
         for place in range(len(tasks)):
@@ -128,7 +128,7 @@ class ReactorInvariants:
                 "what is in force has started", f"!{in_force(task)} || {self.is_noted(task)}"
             )
 
-    def listed_once(self, rule: int) -> Iterator[Sentence]:
+    def noted_once(self, rule: int) -> Iterator[Sentence]:
         """A rule notes what it has started once."""
         first, count = self.first_started(rule), f"r->started_count[{rule}]"
         most = len(self._found.plans[rule].tasks)
