@@ -24,7 +24,7 @@ from typing import Any, NamedTuple
 from rossmarie.cache import cache_folder
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
-from rossmarie.verification.z3_script import Z3
+from rossmarie.verification.solver_scripts import SCRIPTS
 
 PROGRAMS = ("cbmc", "cadical", "z3")
 """What has to be there: CBMC and the solvers that it asks."""
@@ -123,9 +123,10 @@ class Prover:
         """A folder that the prover can see, for as long as it is needed."""
         inside = None if self.root is None else self.root / "tmp"
         with tempfile.TemporaryDirectory(prefix="rossmarie_", dir=inside) as folder:
-            z3 = Path(folder) / "z3"
-            z3.write_text(Z3, encoding="utf-8")
-            z3.chmod(0o755)
+            for name, text in SCRIPTS.items():
+                script = Path(folder) / name
+                script.write_text(text, encoding="utf-8")
+                script.chmod(0o755)
             yield Path(folder)
 
     def compile(self, folder: Path, harness: Harness) -> None:
@@ -233,7 +234,7 @@ class Prover:
 
     def _start(self, command: Sequence[str], folder: Path, seconds: int) -> _Started:
         # Seconds of a processor, so that a busy machine does not change the answer. The workshop's
-        # own z3 comes first.
+        # own scripts of solvers come first.
         script = f'ulimit -t {seconds} && cd "$0" && PATH=.:$PATH exec "$@"'
         shell, inside = ["/bin/sh", "-c", script], folder
         if self.root is not None:

@@ -1,6 +1,13 @@
-"""How CBMC calls z3: the program `z3` of a workshop, which comes before that of the system."""
+"""How CBMC calls solvers: programs of a workshop that come before those of the system."""
 
-Z3 = r"""#!/bin/sh
+_CADICAL = """\
+#!/bin/sh
+# Most claims hold, so it is told to expect that nothing contradicts them: several times as fast.
+PATH=${PATH#*:}
+exec cadical --unsat "$@"
+"""
+
+_Z3 = r"""#!/bin/sh
 # By its own choice z3 puts equations into each other first, which for many claims has no end.
 PATH=${PATH#*:}
 for file; do :; done # the last of the arguments
@@ -30,4 +37,6 @@ sed -E -i \
     -e "/^[(]define-fun float_bv[.]floatbv_minus_f64/s/[(]any_[^)]*[)]/$difference/" "$file"
 z3 tactic.default_tactic=smt "$@" | sed 's/^sat$/unknown/'
 """
-"""A script for `sh`."""
+
+SCRIPTS = {"cadical": _CADICAL, "z3": _Z3}
+"""Scripts for `sh`, by the names under which they are called."""
