@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import NoReturn
 
@@ -75,12 +77,23 @@ def _keep(questions: Questions, folder: Path, rules: Path) -> None:
 
 
 def _proofs(questions: Questions, seconds: int) -> Proofs:
-    found = prover()
+    with _leaving_when_ended():
+        found = prover()
+        try:
+            with told_progress("proving") as on_progress:
+                return prove(questions, found, seconds=seconds, on_progress=on_progress)
+        except ProverError as error:
+            _give_up(ProgramRefused(reason=complaint(error)))
+
+
+@contextmanager
+def _leaving_when_ended() -> Iterator[None]:
+    """Whoever ends the run by SIGTERM, as `timeout` does, finds no folders of it afterwards."""
+    before = signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
     try:
-        with told_progress("proving") as on_progress:
-            return prove(questions, found, seconds=seconds, on_progress=on_progress)
-    except ProverError as error:
-        _give_up(ProgramRefused(reason=complaint(error)))
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 def prover() -> Prover:

@@ -275,14 +275,16 @@ if __name__ == "__main__":
 
 @pytest.mark.parametrize(
     ("number", "code"),
-    [(signal.SIGINT, 130), (signal.SIGTERM, -signal.SIGTERM), (signal.SIGKILL, -signal.SIGKILL)],
+    [(signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGKILL, -signal.SIGKILL)],
 )
-def test_a_run_that_is_ended_leaves_no_process(rules: Path, number: int, code: int) -> None:
+def test_a_run_that_is_ended_leaves_nothing_behind(rules: Path, number: int, code: int) -> None:
     Path("run.py").write_text(HANGING)
+    workshops = Path("workshops")
+    workshops.mkdir()
     tests = Path(__file__).parents[2]
     with subprocess.Popen(
         [sys.executable, "run.py", "verify", "fast.ross"],
-        env={**os.environ, "PYTHONPATH": str(tests)},
+        env={**os.environ, "PYTHONPATH": str(tests), "TMPDIR": str(workshops.absolute())},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         text=True,
@@ -292,5 +294,9 @@ def test_a_run_that_is_ended_leaves_no_process(rules: Path, number: int, code: i
         running.send_signal(number)
         assert running.wait(30) == code
         assert running.stderr is not None
-        assert "Traceback" not in running.stderr.read()  # all who hold it have ended
+        said = running.stderr.read()  # all who hold it have ended
+        assert "Traceback" not in said
+        if number != signal.SIGKILL:
+            assert "leaked" not in said
+            assert not list(workshops.iterdir())
     wait_for(lambda: not is_running(int(beside.read_text())))
