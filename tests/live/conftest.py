@@ -44,6 +44,16 @@ def vehicle(ros: Ros) -> Path:
     return ros.vehicle
 
 
+@pytest.fixture(autouse=True)
+def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
+    """After a test that ran on ROS 1, who was killed in it is forgotten."""
+    yield
+    used = {id(each): each for each in request.node.funcargs.values()}
+    for each in used.values():
+        if isinstance(each, ros1_live.Ros1):
+            each.forget_all()
+
+
 @pytest.fixture
 def robot(ros: Ros, vehicle: Path) -> Iterator[Robot]:
     """A robot that stands level, and a planner that wants 1 m/s."""

@@ -118,6 +118,16 @@ class Ros1:
         finally:
             self._master = self._new_master()
 
+    def forget_all(self) -> None:
+        """A new master, which knows nobody who was killed.
+
+        It would go on asking the ports of the dead. Whoever listens there next may wait for the
+        rest of a question that it does not understand, and meanwhile accept nobody else: so does
+        a node of rospy.
+        """
+        with self.without_master():
+            pass
+
     def _new_master(self) -> Master:
         return Master(self.variables, self._folder / "master.log")
 

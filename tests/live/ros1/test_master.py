@@ -25,3 +25,21 @@ def test_the_master_is_started_anew(
     started.append(anew := ros1.robot())
     anew.set(pitch=15.0, speed=1.0)
     anew.passes(0.2)
+
+
+def test_who_was_killed_is_known_until_all_are_forgotten(ros1: Ros1) -> None:
+    robot = ros1.robot()
+    try:
+        until(lambda: "/robot" in publishers(ros1), "the robot publishes", 30)
+    finally:
+        robot.end()
+    assert "/robot" in publishers(ros1)
+    ros1.forget_all()
+    assert publishers(ros1) == set()
+
+
+def publishers(ros1: Ros1) -> set[str]:
+    """The nodes that the master tells others to listen to."""
+    with master_of(ros1.variables) as master:
+        topics, _, _ = master.getSystemState("/test")[2]
+    return {node for _, nodes in topics for node in nodes}
