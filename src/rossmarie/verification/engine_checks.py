@@ -9,6 +9,7 @@ from collections.abc import Iterator
 
 from rossmarie import ir
 from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.state import is_small
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.events import Events
@@ -70,6 +71,10 @@ class EngineChecks:
             *(self._before(k, node) for k in range(len(self._layout.held))),
             self._frames.visited(node),
         ]
+        pending = ""
+        if not is_small(self._layout):
+            pending = "    m->pending = true;\n"
+            claims.append(claim("m->pending", "it is left to `evaluate` to say that all is done"))
         return f"""\
 {ANY}
     const unsigned node = {node};
@@ -77,7 +82,7 @@ class EngineChecks:
     mark(m, node);
     suppose_looked(m, t_ns);
     s = before;
-    __CPROVER_assume(m->now_ns == t_ns && !is_marked_up_to(m, node));
+{pending}    __CPROVER_assume(m->now_ns == t_ns && !is_marked_up_to(m, node));
     const monitor old = s;
     const int events = visit(m, node, t_ns);
 {chr(10).join(claims)}"""

@@ -23,7 +23,13 @@ from rossmarie.verification.frames import Frames
 from rossmarie.verification.guard_checks import GuardChecks
 from rossmarie.verification.invariants import Invariants, Sentence
 from rossmarie.verification.message_checks import ELEMENTS, MessageChecks
-from rossmarie.verification.program import PRELUDE, assertions, assumptions, predicate
+from rossmarie.verification.program import (
+    PRELUDE,
+    assertions,
+    assumptions,
+    claim,
+    predicate,
+)
 from rossmarie.verification.time_checks import TimeChecks
 
 _UNCHECKED = """\
@@ -105,7 +111,7 @@ class _Writer:
             Events(self._layout, self._definitions).text(),
             *self._predicates(),
             guards.text(),
-            CONTRACTS.format(most_events=most_events),
+            CONTRACTS.format(most_events=most_events, pending=self._pending()),
             messages.text(),
             *(each.text() for each in written),
         ]
@@ -119,6 +125,12 @@ class _Writer:
             word="m->dirty" if small else "m->dirty[node / 64]",
             pending="" if small else "    m.pending = nondet_number() % 2 != 0;\n",
         )
+
+    def _pending(self) -> str:
+        """Where marks are many, a flag says that there are some, until all are evaluated."""
+        if is_small(self._layout):
+            return ""
+        return claim("m->pending", "where something is evaluated, something is pending") + "\n"
 
     def _passes(self) -> int:
         """Loops run over the parts of a machine, or over what is marked."""

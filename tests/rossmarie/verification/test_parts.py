@@ -35,6 +35,11 @@ action stop;
 rule waits: if not ready or mode == "manual" then { stop; };
 """
 
+WIDE = """\
+input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec;
+action stop;
+"""
+
 
 @pytest.fixture(scope="module")
 def prover() -> Prover:
@@ -104,6 +109,19 @@ def test_a_fault_about_a_flag_is_refuted(prover: Prover, flagged: ir.Machine) ->
 
 
 NO_CHANGE = ("Generated", "Generated")
+
+
+def test_marks_of_more_than_64_nodes(
+    prover: Prover, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    """They lie in several words, beside a flag that says that there are some."""
+    rules = [f"rule r{n}: if speed > {n} m/s then {{ stop; }};" for n in range(1, 41)]
+    machine = compiled("\n".join([WIDE, *rules]), tmp_path_factory)
+    assert outcomes(prover, machine, NO_CHANGE, "visit_70") == set()
+    judged = "    if (node >= TRUTHS)\n        return judge"
+    change = (judged, f"    m->pending = false;\n{judged}")
+    wrong = {"it is left to `evaluate` to say that all is done", "what is marked can be evaluated"}
+    assert outcomes(prover, machine, change, "visit_70") == wrong
 
 
 def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) -> None:
