@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
-from importlib.util import find_spec
 
 import pytest
 
@@ -12,16 +11,19 @@ import dslkit
 import ezskiros
 import heron
 import rossmarie
+from support.parts import MUJOCO, needs
 
-# What cannot be imported where Python is too old for MuJoCo.
-SIMULATION = {"heron.experiments", "heron.robot", "heron.scene"}
-WITHOUT_MUJOCO = set() if find_spec("mujoco") else SIMULATION
+# What imports MuJoCo.
+SIMULATION = {
+    *("heron.demo", "heron.evaluation", "heron.experiments"),
+    *("heron.robot", "heron.ros1", "heron.scene"),
+}
 
 PACKAGES = [
-    module.name
+    pytest.param(module.name, marks=[needs(MUJOCO)] if module.name in SIMULATION else [])
     for package in (dslkit, ezskiros, heron, rossmarie)
     for module in pkgutil.walk_packages(package.__path__, f"{package.__name__}.")
-    if module.ispkg and module.name not in WITHOUT_MUJOCO
+    if module.ispkg
 ]
 
 

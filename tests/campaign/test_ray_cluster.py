@@ -16,7 +16,9 @@ from pathlib import Path
 
 import pytest
 
-pytest.importorskip("ray", reason="the extra `ray` is not installed")
+from support.parts import RAY, require
+
+require(RAY)
 
 from rich.console import Console
 
@@ -27,14 +29,14 @@ from support import campaigns
 from support.campaigns import work
 
 pytestmark = pytest.mark.filterwarnings("ignore")  # those of Ray
-RAY = Path(sys.executable).with_name("ray")
+PROGRAM = Path(sys.executable).with_name("ray")
 
 
 @contextmanager
 def node(*arguments: str) -> Iterator[subprocess.Popen[str]]:
     """A node in a process group of its own, which is killed in the end."""
     started = subprocess.Popen(
-        [RAY, "start", "--block", "--num-cpus=1", "--disable-usage-stats", *arguments],
+        [PROGRAM, "start", "--block", "--num-cpus=1", "--disable-usage-stats", *arguments],
         env={**os.environ, "PYTHONPATH": str(Path(campaigns.__file__).parents[1])},
         start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, text=True,
     )  # fmt: skip
@@ -104,7 +106,7 @@ def wait_for_nodes(address: str, count: int) -> None:
         if asked.stdout.strip() == str(count):
             return
         time.sleep(0.5)
-    pytest.skip("the nodes of Ray do not come up here")
+    pytest.fail("the nodes of Ray do not come up")
 
 
 def test_no_episode_is_lost_or_counted_twice_when_a_node_dies(tmp_path: Path) -> None:

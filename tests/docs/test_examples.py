@@ -23,7 +23,6 @@ from support.markdown import Block, blocks
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
-SHARED = ROOT.parent / "shared"
 
 
 def name(page: Path) -> str:
@@ -33,12 +32,8 @@ def name(page: Path) -> str:
 @pytest.mark.parametrize("page", PAGES, ids=name)
 def test_the_examples_of_a_page_work(page: Path, tmp_path: Path) -> None:
     text = page.read_text(encoding="utf-8")
-    if any("../shared/" in block.text for block in blocks(text)) and not SHARED.is_dir():
-        pytest.skip("the page replays a recording of the optional folder ../shared")
     folder = tmp_path / "project"
     shutil.copytree(ROOT / "examples", folder / "examples")
-    if SHARED.is_dir():
-        (tmp_path / "shared").symlink_to(SHARED)
     for block in blocks(text):
         problems = check_block(block, folder)
         assert not problems, f"{name(page)}:{block.line}: " + "\n".join(problems)

@@ -14,9 +14,11 @@ from typing import Any
 
 import pytest
 
+from support.parts import PEERS, needs
+
 ROOT = Path(__file__).parents[2]
 BENCHMARKS = ROOT / "benchmarks"
-PEERS = ROOT / "build" / "bench" / "venv" / "bin" / "python"
+PYTHON_OF_PEERS = ROOT / "build" / "bench" / "venv" / "bin" / "python"
 WORKLOAD = runpy.run_path(str(BENCHMARKS / "ontology_workload.py"))
 
 
@@ -25,8 +27,6 @@ def ran(*command: object, **environment: str) -> dict[str, Any]:
     done = subprocess.run(
         words, capture_output=True, text=True, check=False, env={**os.environ, **environment}
     )
-    if "ModuleNotFoundError" in done.stderr:
-        pytest.skip(f"{words[-2]} is not installed for the benchmark; `make bench` does that")
     assert done.returncode == 0, done.stderr
     found: dict[str, Any] = json.loads(done.stdout)
     return found
@@ -60,13 +60,12 @@ def test_a_larger_ontology_begins_with_a_smaller_one(tmp_path: Path) -> None:
     assert first < second
 
 
+@needs(PEERS)
 @pytest.mark.parametrize("library", ["rdflib", "owlready2"])
 def test_libraries_find_the_same(
     library: str, ontology: Path, size: Any, ours: dict[str, Any]
 ) -> None:
-    if not PEERS.exists():
-        pytest.skip(f"{library} is not installed for the benchmark; `make bench` does that")
-    found = ran(PEERS, BENCHMARKS / "ontology_loading.py", library, ontology)
+    found = ran(PYTHON_OF_PEERS, BENCHMARKS / "ontology_loading.py", library, ontology)
     assert (found["classes"], found["above"]) == (ours["classes"], ours["above"])
 
 

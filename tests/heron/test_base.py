@@ -6,7 +6,9 @@ import math
 
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import MUJOCO, require
+
+require(MUJOCO)
 
 from heron.robot import Base
 from heron.robot.physics import attitude

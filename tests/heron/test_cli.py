@@ -7,10 +7,11 @@ from typer.testing import CliRunner
 
 from heron.cli import main
 from heron.cli.main import app
+from support.parts import MUJOCO, needs
 
 
+@needs(MUJOCO)
 def test_an_episode_is_run_and_its_measures_are_printed() -> None:
-    pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
     found = CliRunner().invoke(app, ["run", "nav", "--arm", "rossmarie", "--terrain", "flat"])
     assert found.exit_code == 0
     assert "rossmarie, on flat terrain, seed 0" in found.stdout
@@ -18,16 +19,16 @@ def test_an_episode_is_run_and_its_measures_are_printed() -> None:
     assert "restricted without need" in found.stdout
 
 
+@needs(MUJOCO)
 def test_the_arm_places_its_block() -> None:
-    pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
     found = CliRunner().invoke(app, ["run", "place", "--arm", "none", "--seed", "3"])
     assert found.exit_code == 0
     assert "none, table 4.2 cm too high, seed 3" in found.stdout
     assert "above 30 N" in found.stdout
 
 
+@needs(MUJOCO)
 def test_somebody_comes_into_the_room() -> None:
-    pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
     found = CliRunner().invoke(app, ["run", "human", "--arm", "none", "--person", "inside"])
     assert found.exit_code == 0
     assert "none, somebody inside, seed 0" in found.stdout
@@ -69,10 +70,10 @@ def test_a_wrong_arm_is_told_with_those_that_there_are() -> None:
         ({"ROS_HOSTNAME": "no host"}, "no host is no address of this machine"),
     ],
 )
+@needs(MUJOCO)
 def test_what_hinders_a_link_to_ros_is_told(
     variables: dict[str, str], told: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
     for name in ("ROS_MASTER_URI", "ROS_IP", "ROS_HOSTNAME"):
         monkeypatch.delenv(name, raising=False)
     for name, value in variables.items():

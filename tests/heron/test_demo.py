@@ -7,13 +7,14 @@ import math
 import multiprocessing
 import re
 from concurrent.futures import ProcessPoolExecutor
-from ctypes.util import find_library
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import EGL, MUJOCO, needs, require
+
+require(MUJOCO)
 
 import numpy as np
 from PIL import Image
@@ -50,12 +51,7 @@ def browns(picture: bytes) -> int:
     return int(np.sum((red > green + 10) & (green > blue + 10)))
 
 
-needs_egl = pytest.mark.skipif(
-    find_library("EGL") is None, reason="no EGL here: nothing draws off a screen"
-)
-
-
-@needs_egl
+@needs(EGL)
 def test_a_film_shows_the_episode_and_changes_nothing(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -76,7 +72,7 @@ def test_a_film_shows_the_episode_and_changes_nothing(
     assert shot.rules["soften_when_hammering"][0][0] == pytest.approx(activated[0], abs=0.021)
 
 
-@needs_egl
+@needs(EGL)
 def test_the_film_of_a_drive_goes_on_until_the_block_is_picked_up(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

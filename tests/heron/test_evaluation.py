@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import replace
-from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import MUJOCO, RAY, needs, require
+
+require(MUJOCO)
 
 from typer.testing import CliRunner
 
@@ -214,15 +215,20 @@ def test_an_interrupted_evaluation_says_how_it_goes_on(
     assert "the same command goes on" in found.output
 
 
-def test_a_cluster_that_is_not_there_is_told(
+AT_A_CLUSTER = ["evaluate", "--seeds", "1", "--ray", "127.0.0.1:1", "--out"]
+
+
+@needs(RAY)
+def test_a_cluster_that_is_not_there_is_told(tmp_path: Path) -> None:
+    found = CliRunner().invoke(app, [*AT_A_CLUSTER, str(tmp_path)])
+    assert found.exit_code == 2
+    assert "no Ray cluster at 127.0.0.1:1" in found.output
+
+
+def test_without_ray_it_says_what_to_install(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    command = ["evaluate", "--seeds", "1", "--out", str(tmp_path), "--ray", "127.0.0.1:1"]
-    if find_spec("ray") is not None:
-        found = CliRunner().invoke(app, command)
-        assert found.exit_code == 2
-        assert "no Ray cluster at 127.0.0.1:1" in found.output
     monkeypatch.setattr("heron.cli.main.find_spec", lambda name: None if name == "ray" else name)
-    found = CliRunner().invoke(app, command)
+    found = CliRunner().invoke(app, [*AT_A_CLUSTER, str(tmp_path)])
     assert found.exit_code == 2
     assert "pip install 'rossmarie[ray]'" in found.output

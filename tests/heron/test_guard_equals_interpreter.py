@@ -8,7 +8,9 @@ from functools import partial
 import numpy as np
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import MUJOCO, require
+
+require(MUJOCO)
 
 from rosbags.typesys import Stores, get_typestore
 

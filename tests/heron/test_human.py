@@ -7,7 +7,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import MUJOCO, require
+
+require(MUJOCO)
 
 from heron.experiments import HumanEpisode, run_human
 from heron.experiments.visitor import varied

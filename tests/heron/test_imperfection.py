@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import MUJOCO, require
+
+require(MUJOCO)
 
 from heron.messages import Message
 from heron.robot.imperfection import Drift, Late, LowPass

@@ -8,7 +8,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import MUJOCO, require
+
+require(MUJOCO)
 
 from heron.experiments import NavigationEpisode, run_navigation
 from heron.experiments.picking import Standing, pick_up

@@ -7,7 +7,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import MUJOCO, require
+
+require(MUJOCO)
 
 from heron.experiments import PlacingEpisode, run_placing
 from heron.robot.admittance import Admittance

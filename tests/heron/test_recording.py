@@ -8,7 +8,9 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import MUJOCO, require
+
+require(MUJOCO)
 
 from rosbags.highlevel import AnyReader
 from typer.testing import CliRunner

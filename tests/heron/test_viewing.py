@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import shutil
 import subprocess
 import sys
 import time
@@ -14,7 +13,9 @@ from types import SimpleNamespace
 
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import DISPLAY, MUJOCO, needs, require
+
+require(MUJOCO)
 
 from heron.experiments import EXPERIMENTS, run_placing
 from heron.robot.physics import Physics
@@ -47,11 +48,8 @@ def test_without_a_display_it_says_so_at_once(display: str | None) -> None:
 @pytest.fixture
 def display() -> Iterator[str]:
     """A display that nobody sees."""
-    program = shutil.which("Xvfb")
-    if program is None:
-        pytest.skip("no display to open a window on: Debian's xvfb makes one")
     reading, writing = os.pipe()
-    arguments = [program, "-displayfd", str(writing), "-screen", "0", "640x480x24"]
+    arguments = ["Xvfb", "-displayfd", str(writing), "-screen", "0", "640x480x24"]
     running = subprocess.Popen(arguments, pass_fds=[writing], stderr=subprocess.DEVNULL)
     os.close(writing)
     try:
@@ -62,6 +60,7 @@ def display() -> Iterator[str]:
         running.wait()
 
 
+@needs(DISPLAY)
 def test_a_window_is_opened_and_closed(display: str) -> None:
     program = Path(sys.executable).with_name("heron")
     done = subprocess.run(

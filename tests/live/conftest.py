@@ -10,13 +10,13 @@ import pytest
 
 from support import ros1_live, ros2_live
 from support.live import Process, Robot, Ros
+from support.parts import ROS1, ROS2, require
 
 
 @pytest.fixture(scope="session")
 def ros1(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros1_live.Ros1]:
     """ROS 1, with a running master."""
-    if lacking := ros1_live.missing():
-        pytest.skip(lacking)
+    require(ROS1)
     found = ros1_live.Ros1(tmp_path_factory.mktemp("ros1"))
     try:
         yield found
@@ -27,8 +27,7 @@ def ros1(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros1_live.Ros1]:
 @pytest.fixture(scope="session")
 def ros2(tmp_path_factory: pytest.TempPathFactory) -> ros2_live.Ros2:
     """ROS 2."""
-    if lacking := ros2_live.missing():
-        pytest.skip(lacking)
+    require(ROS2)
     return ros2_live.Ros2(tmp_path_factory.mktemp("ros2"))
 
 

@@ -19,11 +19,12 @@ from rossmarie.ir import Verdict
 from support.live import Process, Ros, until
 from support.live_cases import PACKAGES
 from support.live_cases import rules as rules_of_vehicle
+from support.parts import A_DRIVE, needs
 from support.recordings import START_NS, Reading, scan, stamped, store_of, write_kind
 from support.ros1_live import Ros1
+from support.shared import HUSKY_DRIVE
 
 HUSKY = Path(__file__).parents[2] / "examples" / "husky" / "husky.ross"
-DRIVE = Path(__file__).parents[3] / "shared" / "data" / "husky_outdoor.bag"
 
 Changes = list[tuple[str, int, Any]]
 """Rules, how they changed, and when, in s of the recording's clock."""
@@ -118,7 +119,7 @@ def imu(store: Typestore, index: int, pitch: float) -> tuple[str, Any]:
     )
 
 
-@pytest.mark.skipif(not DRIVE.is_file(), reason=f"the recording {DRIVE.name} is not there")
+@needs(A_DRIVE)
 def test_a_part_of_a_real_drive_gives_the_same_verdicts(ros1: Ros1, tmp_path: Path) -> None:
     """At half the speed, and again if need be. A busy machine adds pauses of its own: inputs have a
     second to come, and what is said of late positions is left out.
@@ -127,11 +128,11 @@ def test_a_part_of_a_real_drive_gives_the_same_verdicts(ros1: Ros1, tmp_path: Pa
     patient, count = re.subn(r"timeout 0\.\d+ sec", "timeout 1 sec", HUSKY.read_text("utf-8"))
     assert count == 4
     rules.write_text(patient, encoding="utf-8")
-    expected = replayed(rules, DRIVE, 177.0, 214.0)
+    expected = replayed(rules, HUSKY_DRIVE, 177.0, 214.0)
     assert {rule for rule, _, _ in expected} == {"slow_on_jolts", "slow_on_slopes"}
 
     def play() -> Process:
-        return ros1.play(DRIVE, "--start=177", "--duration=37", "--rate=0.5")
+        return ros1.play(HUSKY_DRIVE, "--start=177", "--duration=37", "--rate=0.5")
 
     program = ros1.build(compile_file(rules).machine)
     for attempt in range(3):

@@ -6,15 +6,13 @@ import shutil
 import subprocess
 from pathlib import Path
 
-import pytest
+from support.parts import CHROMIUM, needs
 
 BROWSER = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None
 )
 
-needs_browser = pytest.mark.skipif(
-    BROWSER is None, reason="no Chromium here; `make browser` installs it"
-)
+needs_browser = needs(CHROMIUM)
 
 
 def document_of(page: Path) -> str:

@@ -10,19 +10,30 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 SOURCE = Path(__file__).with_name("btcpp_player.cpp")
-MISSING = "BehaviorTree.CPP 4 is not installed (ros-$ROS_DISTRO-behaviortree-cpp)"
+_EMPTY = """\
+#if !__has_include(<behaviortree_cpp/bt_factory.h>)
+#error
+#endif
+int main() {}
+"""
 
 
-@functools.lru_cache(maxsize=1)
-def player() -> Path | None:
-    """The program; None where there is no compiler, or it does not find BehaviorTree.CPP."""
-    compiler = shutil.which("g++")
-    if compiler is None:
-        return None
+def missing() -> str | None:
+    """What keeps the player from being compiled; None if nothing does."""
+    if shutil.which("g++") is None:
+        return "no g++"
+    command = ["g++", "-x", "c++", "-", "-lbehaviortree_cpp", "-o", "/dev/null"]
+    done = subprocess.run(command, input=_EMPTY, capture_output=True, text=True, check=False)
+    return "g++ does not find it" if done.returncode else None
+
+
+@functools.cache
+def _player() -> Path:
+    """The program, compiled."""
     program = Path(tempfile.mkdtemp()) / "player"
-    command = [compiler, "-std=c++17", str(SOURCE), "-lbehaviortree_cpp", "-o", str(program)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    return program if done.returncode == 0 else None
+    command = ["g++", "-std=c++17", str(SOURCE), "-lbehaviortree_cpp", "-o", str(program)]
+    subprocess.run(command, check=True)
+    return program
 
 
 def played(xml: str, folder: Path, scripts: dict[str, str], ticks: int = 8) -> list[str]:
@@ -34,5 +45,5 @@ def played(xml: str, folder: Path, scripts: dict[str, str], ticks: int = 8) -> l
         name = action.attrib["ID"]
         ports = [f"{p.attrib['name']}:{p.attrib['type']}" for p in action if "name" in p.attrib]
         arguments.append(",".join([f"{name}={scripts.get(name, 'S')}", *ports]))
-    command = [str(player()), str(path), str(ticks), *arguments]
+    command = [str(_player()), str(path), str(ticks), *arguments]
     return subprocess.run(command, capture_output=True, text=True, check=False).stdout.splitlines()

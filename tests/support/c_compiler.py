@@ -9,12 +9,21 @@ from pathlib import Path
 
 import pytest
 
+from support.parts import C_COMPILER, CLANG, GCC, GXX, needs
+
 STRICT = ("-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Werror", "-ffp-contract=off")
 
 C_COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
-CPP_COMPILERS = [name for name in ("g++", "clang++") if shutil.which(name)]
 
-needs_c = pytest.mark.skipif(not C_COMPILERS, reason="there is no C compiler on this system")
+needs_c = needs(C_COMPILER)
+each_c_compiler = pytest.mark.parametrize(
+    "compiler",
+    [pytest.param("gcc", marks=needs(GCC)), pytest.param("clang", marks=needs(CLANG))],
+)
+each_cpp_compiler = pytest.mark.parametrize(
+    "compiler",
+    [pytest.param("g++", marks=needs(GXX)), pytest.param("clang++", marks=needs(CLANG))],
+)
 
 
 def write(files: Mapping[str, str], folder: Path) -> None:

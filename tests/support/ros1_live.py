@@ -27,9 +27,9 @@ def missing() -> str | None:
     """What is not installed of ROS 1, None if all is."""
     lacking = [tool for tool in TOOLS if shutil.which(tool, path="/usr/bin") is None]
     if lacking:
-        return f"ROS 1 is not installed: no {', '.join(lacking)} (tools/setup_ros1.sh installs it)"
+        return f"not installed: {', '.join(lacking)}"
     done = subprocess.run([PYTHON, "-c", "import rospy"], capture_output=True)
-    return "ROS 1 is not installed: no rospy" if done.returncode else None
+    return "not installed: rospy" if done.returncode else None
 
 
 def free_port() -> int:

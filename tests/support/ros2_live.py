@@ -27,10 +27,10 @@ _NEEDED = ("rclcpp_lifecycle", "rclcpp_components", "rclcpp_action", "rclpy", "l
 def missing() -> str | None:
     """What is not there of ROS 2, None if all is."""
     if os.environ.get("ROS_VERSION") != "2" or not os.environ.get("AMENT_PREFIX_PATH"):
-        return "ROS 2 is not sourced"
+        return "not sourced"
     lacking = [tool for tool in ("colcon", "ros2", "python3") if shutil.which(tool) is None]
     lacking += [package for package in _NEEDED if not _is_installed(package)]
-    return f"ROS 2 is sourced, but lacks {', '.join(lacking)}" if lacking else None
+    return f"sourced, but lacks {', '.join(lacking)}" if lacking else None
 
 
 def _is_installed(package: str) -> bool:

@@ -12,16 +12,6 @@ import os
 import uuid
 from pathlib import Path
 
-import pytest
-
-REASON = "real SkiROS2 for ROS 1 is not on PYTHONPATH: `import skiros2_skill.core.skill` fails"
-
-
-def needed() -> None:
-    """Skip the tests of a module where SkiROS2 is not there."""
-    pytest.importorskip("rospy", reason=REASON)
-    pytest.importorskip("skiros2_skill.core.skill", reason=REASON)
-
 
 class _Monitor:
     """Tells the interface what has changed: later, as a topic does."""

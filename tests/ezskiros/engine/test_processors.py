@@ -13,10 +13,11 @@ from pathlib import Path
 import pytest
 
 from ezskiros.skills.nodes import Flow
+from support.parts import TRACES, require
 from support.scripted import processor, traced, traces
+from support.shared import SKIROS2_TRACES
 
 ROOT = Path(__file__).parents[3]
-RECORDED = ROOT.parent / "shared" / "data" / "skiros2_processor_traces.json"
 PAGE = ROOT / "docs" / "reference" / "engine-and-skiros2.md"
 
 AS_SKIROS2 = {
@@ -74,9 +75,8 @@ def test_a_parallel_that_starts_again_ticks_all() -> None:
 
 @pytest.fixture(scope="module")
 def recorded() -> dict[str, list[str]]:
-    if not RECORDED.is_file():
-        pytest.skip("there is no file ../shared/data/skiros2_processor_traces.json")
-    found: dict[str, list[str]] = json.loads(RECORDED.read_text(encoding="utf-8"))
+    require(TRACES)
+    found: dict[str, list[str]] = json.loads(SKIROS2_TRACES.read_text(encoding="utf-8"))
     return found
 
 

@@ -9,8 +9,12 @@ from typing import Any
 import pytest
 
 from support import skiros2_core
+from support.parts import SKIROS2, needs
 
-pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")  # of what SkiROS2 uses
+pytestmark = [
+    needs(SKIROS2),
+    pytest.mark.filterwarnings("ignore::DeprecationWarning"),  # of what SkiROS2 uses
+]
 
 SKILLS = """
 class Mode(enum.Enum):
@@ -165,11 +169,6 @@ def told_by(
         given["A"], given["B"] = core.add("skiros:Location"), core.add("skiros:Location")
         given["Product"] = core.add("skiros:Product")
     return core.run("Task", "task", **given)
-
-
-@pytest.fixture(autouse=True)
-def real() -> None:
-    skiros2_core.needed()
 
 
 def test_a_library_is_loaded_and_a_primitive_runs(package: Any) -> None:

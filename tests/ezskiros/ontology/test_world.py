@@ -12,8 +12,8 @@ from ezskiros.ontology import Ontology, load
 from ezskiros.ontology.statements import HasProperty, Relation
 from ezskiros.ontology.things import Condition, symbol
 from support.ontologies import HALL, START, turtle
-
-SHARED = Path(__file__).parents[4] / "shared" / "ontologies"
+from support.parts import ONTOLOGIES, needs
+from support.shared import SKIROS2_ONTOLOGIES
 
 
 @pytest.fixture
@@ -152,11 +152,11 @@ def test_what_is_known_of_the_relations_of_skiros_can_be_left_out() -> None:
     assert load(HALL, relations=False).model.domain(contain) == ()
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="SkiROS2's own ontologies are not there")
+@needs(ONTOLOGIES)
 def test_the_ontologies_of_skiros2_are_known() -> None:
-    model = load(SHARED, relations=False).model
+    model = load(SKIROS2_ONTOLOGIES, relations=False).model
     assert (len(model.classes), len(model.relations), len(model.values)) == (93, 44, 69)
     assert sorted(model.names) == ["cora", "corax", "rparts", "skiros", "sumo"]
-    world = load(SHARED)
+    world = load(SKIROS2_ONTOLOGIES)
     assert issubclass(world.rparts.GripperEffector, world.sumo.Object)
     assert not issubclass(world.rparts.GripperEffector, world.cora.Robot)

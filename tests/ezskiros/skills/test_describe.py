@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 
 import pytest
 
 from ezskiros.skills import tracing
+from support.parts import PYTHON_3_11, needs
 from support.skill_files import HEADER, checked, described, found, warned
 
 VALUES = "Object: skiros.Product, Place: skiros.Container, Speed: float = 1.0, Fast: bool = True"
@@ -59,10 +59,7 @@ def test_what_it_prints_is_dropped(capsys: pytest.CaptureFixture[str]) -> None:
         "while True: pass",
         pytest.param(
             "while True:\n    try:\n        x = 1\n    except Exception: pass",
-            marks=pytest.mark.skipif(
-                sys.version_info < (3, 11),
-                reason="Python 3.10 has no ear for timers in a loop that begins with `try`",
-            ),
+            marks=needs(PYTHON_3_11),  # 3.10 has no ear for timers in a loop that begins with `try`
         ),
         "try:\n    while True: sum(range(10**6))\nexcept: pass\nwhile True: pass",
     ],

@@ -8,16 +8,15 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 from ezskiros.ontology import load
 from ezskiros.stubs import write_stub
+from support.parts import ONTOLOGIES, needs
+from support.shared import SKIROS2_ONTOLOGIES
 from support.type_checkers import Checker, each_checker
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[2]
 EXAMPLE = ROOT / "examples" / "pick_place"
-SHARED = ROOT.parent / "shared" / "ontologies"
 PLANTED = HERE / "planted.py.txt"
 
 
@@ -60,12 +59,12 @@ def test_the_stub_of_an_odd_ontology_is_right_in_itself(checker: Checker, tmp_pa
     assert checker(tmp_path) == set()
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="there is no folder ../shared/ontologies")
+@needs(ONTOLOGIES)
 @each_checker
 def test_the_stub_of_the_ontologies_of_skiros2_is_right_in_itself(
     checker: Checker, tmp_path: Path
 ) -> None:
-    (tmp_path / "world.pyi").write_text(write_stub(load(SHARED)), encoding="utf-8")
+    (tmp_path / "world.pyi").write_text(write_stub(load(SKIROS2_ONTOLOGIES)), encoding="utf-8")
     (tmp_path / "skill.py").write_text(_REAL_SKILL, encoding="utf-8")
     assert checker(tmp_path) == {("skill.py", 8)}
 

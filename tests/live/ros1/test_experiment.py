@@ -9,7 +9,9 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("mujoco", reason="the simulation needs MuJoCo, which needs Python 3.11")
+from support.parts import MUJOCO, require
+
+require(MUJOCO)
 
 from heron.experiments import run_navigation
 from heron.experiments.arms import NAVIGATION_RULES, machine_of

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from support.parts import FULL_DEVICE, PERMISSIONS, needs, require
 from support.recordings import ROS1, readings, write_ros1
 
 MAIN = [sys.executable, "-c", "from rossmarie.cli.main import main; main()"]
@@ -38,11 +39,9 @@ def _as_user() -> list[str]:
     """What makes the superuser subject to permissions, where tests run as one."""
     if os.geteuid() != 0:
         return []
-    setpriv = shutil.which("setpriv")
-    if setpriv is None:
-        pytest.skip("the superuser may do everything, and there is no setpriv")
+    require(PERMISSIONS)
     powers = "-dac_override,-dac_read_search"
-    return [setpriv, f"--bounding-set={powers}", f"--inh-caps={powers}"]
+    return ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"]
 
 
 def is_refused(done: subprocess.CompletedProcess[str], text: str) -> bool:
@@ -100,7 +99,7 @@ def test_a_recording_that_may_not_be_read_is_a_finding(rules: Path, drive: Path)
     assert "error[ROSS611]" in done.stdout
 
 
-@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no /dev/full")
+@needs(FULL_DEVICE)
 @pytest.mark.parametrize("command", [["check"], ["dump"], ["explain", "ROSS301"]], ids=" ".join)
 def test_output_that_cannot_be_written(rules: Path, command: list[str]) -> None:
     arguments = command if "explain" in command else [*command, str(rules)]

@@ -16,13 +16,10 @@ from rossmarie.driver import compile_file
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, Verdict
 from rossmarie.recordings import open_recording, write_model
+from support.parts import A_DRIVE, needs
+from support.shared import HUSKY_DRIVE
 
 ROOT = Path(__file__).parents[3]
-HUSKY = ROOT.parent / "shared" / "data" / "husky_outdoor.bag"
-
-needs_husky = pytest.mark.skipif(
-    not HUSKY.is_file(), reason=f"the recording {HUSKY.name} is not beside the repository"
-)
 
 
 def record_demo(folder: Path) -> Path:
@@ -106,9 +103,9 @@ def test_demo_shows_what_its_rules_say(demo: Path) -> None:
 # --- a real drive ----------------------------------------------------------------------------
 
 
-@needs_husky
+@needs(A_DRIVE)
 def test_husky_topics() -> None:
-    with open_recording(HUSKY) as recording:
+    with open_recording(HUSKY_DRIVE) as recording:
         found = [(topic.name, topic.count) for topic in recording.topics.values()]
         assert found == [
             ("/fix", 989),
@@ -117,7 +114,7 @@ def test_husky_topics() -> None:
         ]
 
 
-@needs_husky
+@needs(A_DRIVE)
 def test_husky_values_are_those_of_the_messages() -> None:
     machine = compile_file(ROOT / "examples/husky/husky.ross").machine
     up, speed = (
@@ -125,7 +122,7 @@ def test_husky_values_are_those_of_the_messages() -> None:
         for path in (("linear_acceleration", "y"), ("twist", "twist", "linear", "x"))
     )
     read: dict[int, list[float]] = {up: [], speed: []}
-    with open_recording(HUSKY) as recording:
+    with open_recording(HUSKY_DRIVE) as recording:
         for update in recording.updates(machine, Collector(), {}):
             for values in update.channels.values():
                 for slot in read.keys() & values.slots.keys():
@@ -134,9 +131,9 @@ def test_husky_values_are_those_of_the_messages() -> None:
     assert max(read[speed]) == pytest.approx(1.017, abs=0.001)
 
 
-@needs_husky
+@needs(A_DRIVE)
 def test_husky_rules_are_active_now_and_then() -> None:
-    found = activations(ROOT / "examples/husky/husky.ross", HUSKY)
+    found = activations(ROOT / "examples/husky/husky.ross", HUSKY_DRIVE)
     counts = {name: len(starts(changes, Change.ACTIVATED)) for name, changes in found.items()}
     assert counts == {
         "slow_when_leaning": 4,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import signal
 import subprocess
 import sys
@@ -14,14 +13,12 @@ import pytest
 
 from rossmarie.verification.prover import Prover
 from rossmarie.verification.setup import NoProverError, provide_prover
+from support.parts import MOUNTS, ROOT, needs
 from support.provers import QuickDebian, is_running, quick_debian, wait_for
 
 MAIN = [sys.executable, "-c", "from rossmarie.cli.main import main; main()"]
 
-needs_root = pytest.mark.skipif(
-    not hasattr(os, "geteuid") or os.geteuid() != 0 or shutil.which("chroot") is None,
-    reason="only root may use chroot",
-)
+needs_root = needs(ROOT)
 
 
 @pytest.fixture
@@ -56,9 +53,7 @@ def test_without_debootstrap_it_says_what_to_install(
     debian: QuickDebian, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (debian.programs / "debootstrap").unlink()
-    monkeypatch.setenv("PATH", f"{debian.programs}:/usr/bin:/bin")
-    if shutil.which("debootstrap"):
-        pytest.skip("debootstrap is among the ordinary programs here")
+    monkeypatch.setenv("PATH", str(debian.programs))
     assert "`apt-get install debootstrap`" in refusal().advice
 
 
@@ -119,15 +114,14 @@ def mounted(debian: QuickDebian, tmp_path: Path) -> Iterator[Path]:
     outside.mkdir()
     inside.mkdir(parents=True)
     command = ["mount", "--bind", str(outside), str(inside)]
-    if subprocess.run(command, check=False, capture_output=True).returncode != 0:
-        pytest.skip("nothing may be mounted here")
+    subprocess.run(command, check=True)
     (outside / "precious").touch()
     yield outside
     if inside.exists():
         subprocess.run(["umount", str(inside)], check=False, capture_output=True)
 
 
-@needs_root
+@needs(MOUNTS)
 def test_what_is_mounted_in_leftovers_is_not_removed(debian: QuickDebian, mounted: Path) -> None:
     provide_prover(lambda _: None)
     assert (mounted / "precious").exists()

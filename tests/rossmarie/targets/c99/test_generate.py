@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -15,9 +14,18 @@ from rossmarie.ir.reactions import CancelGoal, Plan
 from rossmarie.targets import c99
 from rossmarie.targets.c99 import generate, generate_loadable
 from support.c99_cases import CASES
-from support.c_compiler import C_COMPILERS, CPP_COMPILERS, STRICT, needs_c, run, write
+from support.c_compiler import (
+    C_COMPILERS,
+    STRICT,
+    each_c_compiler,
+    each_cpp_compiler,
+    needs_c,
+    run,
+    write,
+)
 from support.drafts import Draft
 from support.golden import assert_golden
+from support.parts import NM, needs
 
 GOLDEN = Path(__file__).parents[3] / "golden" / "c99"
 
@@ -46,9 +54,8 @@ def sources_in(files: Mapping[str, str]) -> list[str]:
     return [name for name in files if name.endswith(".c")]
 
 
-@needs_c
 @pytest.mark.parametrize("case", sorted(CASES))
-@pytest.mark.parametrize("compiler", C_COMPILERS)
+@each_c_compiler
 def test_is_clean_as_c99(case: str, compiler: str, tmp_path: Path) -> None:
     files = {**generate(CASES[case]()), **generate_loadable(CASES[case]())}
     write(files, tmp_path)
@@ -63,9 +70,8 @@ def one_comparison() -> ir.Machine:
     return draft.machine("single")
 
 
-@needs_c
 @pytest.mark.parametrize("case", [*CASES.values(), one_comparison])
-@pytest.mark.parametrize("compiler", C_COMPILERS)
+@each_c_compiler
 def test_is_clean_when_optimized(
     case: Callable[[], ir.Machine], compiler: str, tmp_path: Path
 ) -> None:
@@ -76,9 +82,8 @@ def test_is_clean_when_optimized(
         run([*command, "-o", tmp_path / "out.o"])
 
 
-@pytest.mark.skipif(not CPP_COMPILERS, reason="there is no C++ compiler on this system")
 @pytest.mark.parametrize("case", sorted(CASES))
-@pytest.mark.parametrize("compiler", CPP_COMPILERS)
+@each_cpp_compiler
 def test_is_clean_as_cpp17(case: str, compiler: str, tmp_path: Path) -> None:
     files = generate(CASES[case]())
     write(files, tmp_path)
@@ -88,7 +93,7 @@ def test_is_clean_as_cpp17(case: str, compiler: str, tmp_path: Path) -> None:
 
 
 @needs_c
-@pytest.mark.skipif(not shutil.which("nm"), reason="there is no nm on this system")
+@needs(NM)
 @pytest.mark.parametrize("case", sorted(CASES))
 def test_needs_nothing_but_math(case: str, tmp_path: Path) -> None:
     files = generate(CASES[case]())
