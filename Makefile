@@ -7,13 +7,14 @@ READY := .venv/.ready
 RUN := .venv/bin
 HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 
-.PHONY: help demo evaluate test check bench fmt fuzz clean browser compiler display drawing ros1 prover
+.PHONY: help demo evaluate test check deep bench fmt fuzz clean browser compiler display drawing ros1 prover
 
 help:
 	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot"
 	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; goes on where it was"
-	@echo "make test    all tests"
-	@echo "make check   format, lint, types, import layers, and all tests"
+	@echo "make test    the tests, ten minutes on two processors; OPTIONS='...' are those of pytest"
+	@echo "make check   format, lint, types, import layers, and the tests"
+	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; an hour"
 	@echo "make bench   measure, and write docs/reference/performance*.md"
 	@echo "make fmt     put the code into the one layout"
 	@echo "make fuzz    look for inputs that crash 'rossmarie check', for SECONDS=60"
@@ -74,10 +75,15 @@ endif
 evaluate: $(READY) compiler
 	$(RUN)/heron evaluate --out docs
 
-# Tests with nodes that run want the machine for themselves.
+# Live tests mostly wait, so there are more workers than processors. A worker takes whole files, in
+# the order of tests/support/order.py.
+WORKERS ?= $(shell expr $$(getconf _NPROCESSORS_ONLN) + 2)
 test: $(READY) compiler browser display ros1 prover
-	$(RUN)/pytest -n auto --dist worksteal --ignore tests/live
-	$(RUN)/pytest tests/live
+	$(RUN)/pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder $(OPTIONS)
+
+# Before a change of the generator, the semantics or the nodes lands.
+deep: $(READY) compiler browser display ros1 prover
+	$(RUN)/python tools/deep.py
 
 check: $(READY)
 	$(RUN)/ruff format --check
@@ -85,6 +91,7 @@ check: $(READY)
 	$(RUN)/mypy
 	$(RUN)/lint-imports
 	$(MAKE) test
+	@$(RUN)/python tools/deep.py --remind
 
 bench: $(READY) compiler ros1 prover
 	@benchmarks/peers/setup.sh

@@ -9,31 +9,36 @@ from collections.abc import Iterator
 import pytest
 from hypothesis import HealthCheck, settings
 
+from support.lacking import Lacking
+from support.order import arranged
+from support.parts import PARTS
+
 _SLOW_MACHINE = (HealthCheck.too_slow,)
 
 settings.register_profile(
-    "quick", max_examples=40, deadline=None, suppress_health_check=_SLOW_MACHINE
-)
-settings.register_profile(
-    "ci",
-    max_examples=150,
+    "usual",
+    max_examples=25,
     deadline=None,
-    derandomize=True,
+    derandomize="CI" in os.environ,
     print_blob=True,
     suppress_health_check=_SLOW_MACHINE,
 )
 settings.register_profile(
-    "thorough", max_examples=3000, deadline=None, suppress_health_check=_SLOW_MACHINE
+    "deep", max_examples=250, deadline=None, suppress_health_check=_SLOW_MACHINE
 )
-settings.load_profile("ci" if os.environ.get("CI") else "quick")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add our options. The profile of hypothesis is its own, `--hypothesis-profile`."""
+    """Add our options."""
     parser.addoption(
         "--bless",
         action="store_true",
         help="write the expectations and golden files from what the code does now; then look",
+    )
+    parser.addoption(
+        "--deep",
+        action="store_true",
+        help="run the tests marked `deep` as well, and try many examples of each property",
     )
     parser.addoption(
         "--soak",
@@ -45,9 +50,29 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Refuse to bless where nobody looks."""
+    """Choose how many examples are tried, and refuse to bless where nobody looks."""
+    config.pluginmanager.register(Lacking(PARTS))
+    config.addinivalue_line("markers", "deep: too slow for each run; `make deep` runs it")
+    settings.load_profile("deep" if config.getoption("--deep") else "usual")
     if config.getoption("--bless") and os.environ.get("CI"):
         raise pytest.UsageError("--bless is for people; it is refused where CI is set")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave deep tests to `make deep`, and put the others in the order in which they are run."""
+    deep = [item for item in items if item.get_closest_marker("deep")]
+    if deep and not config.getoption("--deep"):
+        config.hook.pytest_deselected(items=deep)
+        items[:] = [item for item in items if not item.get_closest_marker("deep")]
+    items[:] = arranged(items)
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Print what tests have `told`, in whichever process they ran."""
+    for report in terminalreporter.getreports("passed"):
+        for name, told in report.user_properties:
+            if name == "told":
+                terminalreporter.write_line(str(told))
 
 
 @pytest.fixture

@@ -74,16 +74,22 @@ class Bench:
     def _reactor(self) -> Seen:
         return self._see_reactor(self.sources)
 
-    def _see_monitor(self, files: Mapping[str, str]) -> Seen:
+    @cached_property
+    def _given(self) -> Sequence[bytes]:
+        """The input of the two runs of the monitor: generated tests, and traces."""
         machine = self.machine
         no_table = bytes(8 * (1 + len(machine.slots) + 2 * len(machine.arrays)))
         no_table += bytes(len(machine.channels))
-        traces = [*self._scripts, self._trace, *chosen_traces(machine)]
-        given = [c_replay.trace_bytes(machine, trace) + no_table for trace in traces]
-        outputs = _outputs(files, c_replay.program(machine), given)
-        tests, others = outputs[: len(self._scripts)], outputs[len(self._scripts) :]
-        verdicts = [line for lines in tests for line in lines if not line.startswith(_BESIDE)]
-        return Seen({GENERATED_TESTS: verdicts, TRACES: [line for each in others for line in each]})
+        runs = (self._scripts, [self._trace, *chosen_traces(machine)])
+        return [
+            b"".join(c_replay.trace_bytes(machine, trace) + no_table for trace in traces)
+            for traces in runs
+        ]
+
+    def _see_monitor(self, files: Mapping[str, str]) -> Seen:
+        tests, traces = _outputs(files, c_replay.program(self.machine), self._given)
+        verdicts = [line for line in tests if not line.startswith(_BESIDE)]
+        return Seen({GENERATED_TESTS: verdicts, TRACES: traces})
 
     def _see_reactor(self, files: Mapping[str, str]) -> Seen:
         given = [c_reacting.event_bytes(self._case)]

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
@@ -47,11 +46,12 @@ def test_what_changes_nothing_is_not_noticed(bench: Bench, equivalent: Equivalen
     assert not bench.noticed(equivalent.fault), equivalent.reason
 
 
-def test_the_rates_are_told(noticed: Noticed, capsys: pytest.CaptureFixture[str]) -> None:
-    lines = ["", "seeded faults that are noticed"]
+def test_the_rates_are_told(
+    noticed: Noticed, record_property: Callable[[str, object], None]
+) -> None:
+    lines = ["seeded faults that are noticed"]
     for who, faults in ((GENERATED_TESTS, MONITOR), (TRACES, FAULTS)):
         found = [fault for fault in faults if who in noticed[fault]]
         lines.append(f"  by {who}: {len(found)} of {len(faults)}")
-    with capsys.disabled():
-        sys.stdout.write("\n".join(lines) + "\n")
+    record_property("told", "\n".join(lines))
     assert set().union(*noticed.values()) == {GENERATED_TESTS, TRACES}

@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
+from support.depth import examples
 from support.drafts import SECOND, Draft
 from support.machines import Advance, Case, cases, take, traces
 
-EXAMPLES = settings().max_examples
 TICK = SECOND // 10
 SILENCE_NS = 1000 * SECOND
 
@@ -62,7 +62,7 @@ def timer_cases(draw: st.DrawFn) -> Case:
     return machine, draw(traces(machine, max_steps=6))
 
 
-@settings(max_examples=max(150, EXAMPLES))
+@settings(max_examples=examples(4))
 @given(st.one_of(cases(), timer_cases()))
 def test_nothing_falls_due_more_often_than_the_bound_says(case: Case) -> None:
     machine, trace = case

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
-from hypothesis import Phase, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rossmarie import ir
@@ -23,15 +23,11 @@ from rossmarie.native.signatures import declarations, fields_of
 from rossmarie.targets.c99 import generate_loadable
 from support.c_compiler import STRICT, needs_c, run, write
 from support.c_replay import knowledge, known, observations, program, table_bytes, trace_bytes
+from support.depth import examples, phases_of_compiled
 from support.machines import exactly, observe
 from support.runs import Case, FastCalls, in_chunks, row_by_row, whole_cases
 
 pytestmark = needs_c
-
-EXAMPLES = settings().max_examples
-# Shrinking compiles hundreds of times: it is for whoever asks for the thorough profile.
-GENERATE_ONLY = (Phase.explicit, Phase.reuse, Phase.generate)
-PHASES = tuple(Phase) if EXAMPLES > 1000 else GENERATE_ONLY
 
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 _PACKED = "int host_packed(host *, int, int64_t, double *);"
@@ -67,7 +63,7 @@ class PackedCalls(FastCalls):
         return int(packed(self._native.host, channel, at_ns, memory))
 
 
-@settings(phases=PHASES, max_examples=max(200, EXAMPLES))
+@settings(phases=phases_of_compiled(), max_examples=examples(4))
 @given(whole_cases())
 def test_same_events_wakes_and_states(case: Case) -> None:
     machine, trace, table = case.machine, case.trace, case.table
@@ -90,7 +86,7 @@ def restored(machine: ir.Machine, latched: Sequence[int]) -> Interpreter:
     return interpreter
 
 
-@settings(phases=PHASES, max_examples=max(40, EXAMPLES // 4))
+@settings(phases=phases_of_compiled())
 @given(whole_cases(), st.lists(st.integers(-1, 3), max_size=3))
 def test_same_under_sanitizers(case: Case, latched: list[int]) -> None:
     """The program says more than the loaded monitor: it restores rules, and tells of inputs and

@@ -7,24 +7,20 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from hypothesis import Phase, given, settings
+from hypothesis import given, settings
 
 from rossmarie.targets.c99 import generate
 from support.c_compiler import STRICT, needs_c, run, write
 from support.c_reacting import event_bytes, program, wanted
+from support.depth import phases_of_compiled
 from support.reacting import ReactingCase, reacting_cases
 
 pytestmark = needs_c
 
-EXAMPLES = settings().max_examples
-# Shrinking compiles hundreds of times: it is for whoever asks for the thorough profile.
-GENERATE_ONLY = (Phase.explicit, Phase.reuse, Phase.generate)
-PHASES = tuple(Phase) if EXAMPLES > 1000 else GENERATE_ONLY
-
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 
 
-@settings(phases=PHASES, max_examples=max(60, EXAMPLES // 2))
+@settings(phases=phases_of_compiled())
 @given(reacting_cases(max_events=40, has_ends_of_time=True))
 def test_same_orders_states_wakes_and_bounds(case: ReactingCase) -> None:
     with tempfile.TemporaryDirectory() as name:

@@ -13,11 +13,10 @@ from rossmarie.driver.python_monitor import PythonMonitor
 from rossmarie.interpreter import Interpreter
 from rossmarie.native import fit
 from rossmarie.targets.python import source
+from support.depth import examples
 from support.machines import Case as Traced
 from support.machines import Step, calm_traces, cases, machines, observe
 from support.runs import Case, FastCalls, in_chunks, row_by_row, whole_cases
-
-EXAMPLES = settings().max_examples
 
 
 class IntegerCalls(FastCalls):
@@ -46,13 +45,13 @@ def assert_same(machine: ir.Machine, trace: list[Step]) -> None:
     assert observe(IntegerCalls(machine, PythonMonitor(machine, text)), trace) == wanted
 
 
-@settings(max_examples=max(200, EXAMPLES))
+@settings(max_examples=examples(4))
 @given(whole_cases())
 def test_same_events_wakes_and_states(case: Case) -> None:
     assert_same(case.machine, case.trace)
 
 
-@settings(max_examples=max(200, EXAMPLES))
+@settings(max_examples=examples(4))
 @given(calm_cases())
 def test_same_where_most_messages_change_nothing(case: Traced) -> None:
     assert_same(*case)

@@ -10,11 +10,11 @@ from hypothesis import given, settings
 from rossmarie import ir
 from rossmarie.interpreter import Reactor, State
 from rossmarie.ir import OrderKind, reactions
+from support.depth import examples
 from support.growing import TICK
 from support.reacting import Look, ReactingCase, look, reacting_cases
 
-EXAMPLES = settings().max_examples
-MANY = settings(max_examples=max(100, EXAMPLES))
+MANY = settings(max_examples=examples(2))
 
 PASSED = (State.HOLDING, State.WAITING, State.DONE)
 IN_FORCE = (State.RUNNING, State.HOLDING)

@@ -13,11 +13,10 @@ from rossmarie.testing.coverage import Watcher
 from rossmarie.testing.margins import moved, thresholds
 from rossmarie.testing.places import compared_with_constants, seen_by
 from rossmarie.testing.play import Step
+from support.depth import examples
 from support.growing import NUMBERS, TICK
 from support.machines import Update, machines, traces
 from support.testing import compiled
-
-EXAMPLES = settings().max_examples
 
 
 def reference(machine: ir.Machine, trace: list[Update], end_ns: int) -> list[Told]:
@@ -72,13 +71,13 @@ def assert_same(machine: ir.Machine, data: st.DataObject) -> None:
     ]
 
 
-@settings(max_examples=max(200, EXAMPLES))
+@settings(max_examples=examples(4))
 @given(st.data())
 def test_a_moved_threshold_makes_the_same_verdicts(data: st.DataObject) -> None:
     assert_same(data.draw(machines()), data)
 
 
-@settings(max_examples=max(200, EXAMPLES))
+@settings(max_examples=examples(4))
 @given(data=st.data())
 def test_so_it_does_with_ages_elements_and_durations(
     machine: ir.Machine, data: st.DataObject

@@ -1,4 +1,4 @@
-"""A program that runs a trace through the generated C and prints all that can be seen of it.
+"""A program that runs traces through the generated C and prints all that can be seen of them.
 
 It uses the public interface: a function for each channel, `step` for several at once, `advance`,
 `reset`, `next_wake`, `is_active` and the callback; and then `host.c`, for a run over columns.
@@ -129,7 +129,7 @@ static void run_table(void)
     host_free(h);
 }
 
-int main(void)
+static void run_trace(void)
 {
     NAME_monitor *m = (NAME_monitor *)malloc(sizeof *m);
     (void)read_array; /* not every machine has arrays */
@@ -153,8 +153,16 @@ FREE
         NAME_latch(m, 0); /* too late: no effect */
         print_state(m);
     }
-    run_table();
     free(m);
+}
+
+int main(void)
+{
+    for (int next = getchar(); next != EOF; next = getchar()) {
+        ungetc(next, stdin);
+        run_trace();
+        run_table();
+    }
     return 0;
 }
 """
@@ -215,15 +223,16 @@ def trace_bytes(machine: ir.Machine, trace: Sequence[Step], latched: Sequence[in
     """What the program reads: the rules that are to be latched, then the steps."""
     parts = [struct.pack(f"={len(latched) + 1}q", len(latched), *latched)]
     parts.append(struct.pack("=q", len(trace)))
+    fields = [types.fields_of(machine, channel) for channel in range(len(machine.channels))]
     for step in trace:
         match step:
             case Update(at_ns, messages):
                 parts.append(struct.pack("=2q", 0, at_ns))
-                for channel in range(len(machine.channels)):
+                for channel, carried in enumerate(fields):
                     values = messages.get(channel)
                     parts.append(struct.pack("=q", values is not None))
                     if values is not None:
-                        parts.append(_message(machine, channel, values))
+                        parts.append(_message(carried, values))
             case Advance(at_ns):
                 parts.append(struct.pack("=2q", 1, at_ns))
             case Reset(at_ns, rule):
@@ -245,9 +254,9 @@ def table_bytes(columns: Columns) -> bytes:
     )
 
 
-def _message(machine: ir.Machine, channel: int, values: ir.ChannelValues) -> bytes:
+def _message(fields: Sequence[types.Field], values: ir.ChannelValues) -> bytes:
     parts = []
-    for field in types.fields_of(machine, channel):
+    for field in fields:
         if field.slot is not None:
             parts.append(struct.pack("=d", values.slots.get(field.slot, math.nan)))
         elif field.array is not None:

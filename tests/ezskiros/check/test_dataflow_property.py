@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from support.depth import examples
 from support.trees import findings, tree
 
 Shape = str | tuple[str, tuple["Shape", ...]]
@@ -79,7 +80,7 @@ def reads_too_early(shape: Shape) -> bool:
     return False
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(6))
 @given(shapes)
 def test_a_value_is_missing_where_an_execution_misses_it(shape: Shape) -> None:
     codes = {code for code, _ in findings(tree(text(shape), ""))}

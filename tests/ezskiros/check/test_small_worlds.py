@@ -25,6 +25,7 @@ from ezskiros.ontology.statements import (
 )
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
+from support.depth import examples
 from support.ontologies import START, turtle
 
 Pairs = frozenset[tuple[int, int]]
@@ -179,14 +180,14 @@ rules = st.builds(
 ALL_DIFFERENT = dict(zip(NAMES, THINGS, strict=True))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(2))
 @given(rules, st.lists(st.one_of(simple, simple, simple, ors), min_size=1, max_size=5))
 def test_what_is_told_is_what_no_world_satisfies(rules: Rules, said: list[Statement]) -> None:
     codes = told(rules, said)
     assert bool(codes) == (not any(rules.worlds(said, ALL_DIFFERENT))), codes
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(2))
 @given(rules, st.lists(simple, min_size=2, max_size=5))
 def test_parameters_may_stand_for_one_thing_where_nothing_is_counted(
     rules: Rules, said: list[Statement]
@@ -198,7 +199,7 @@ def test_parameters_may_stand_for_one_thing_where_nothing_is_counted(
         assert not any(rules.worlds(said, dict(zip(NAMES, things, strict=True)))), codes
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(2))
 @given(rules, st.lists(st.one_of(simple, ors), max_size=12), st.data())
 def test_what_is_so_in_a_world_has_no_finding(
     rules: Rules, drawn: list[Statement], data: st.DataObject
@@ -258,7 +259,7 @@ def holds(said: Comparison | HasProperty, found: tuple[float, ...]) -> bool:
     return bool(found) and compares(float(found[0]), float(said.value)) == said.is_true
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(6))
 @given(
     st.sampled_from(sorted(DECLARED)),
     st.booleans(),

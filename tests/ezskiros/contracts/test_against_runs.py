@@ -15,6 +15,7 @@ from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.trees.tree import Tree
 from support.contract_runs import Run, finished, start
 from support.contract_trees import OWN, Drawn, drawn, holds
+from support.depth import examples
 
 
 def codes_at(findings: Findings, span: Span) -> set[str]:
@@ -37,7 +38,7 @@ class compound(SkillImplementation):  # noqa: N801 - as implementations are call
     """Whose tree it is."""
 
 
-@settings(max_examples=120, deadline=None, report_multiple_bugs=False)
+@settings(max_examples=examples(5), report_multiple_bugs=False)
 @given(st.integers(0, 2**32))
 @example(43)
 @example(105)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from hypothesis import given, settings
+from hypothesis import given
 
 from dslkit.diagnostics import Severity
 from ezskiros.migrate.module import migrate_text
@@ -80,7 +80,6 @@ def test_a_method_that_calls_itself_is_left() -> None:
     assert found.unimplemented == ["do"]
 
 
-@settings(max_examples=40)
 @given(compounds())
 def test_any_tree_is_the_same(text: str) -> None:
     compare(text)

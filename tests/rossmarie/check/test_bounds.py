@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from rossmarie.ir import verify
 from rossmarie.lowering import lower
+from support.depth import examples
 from support.programs import check_text
 
 NAMES = st.sampled_from(["a", "b", "scan", "imu", "mode", "flag", "stop", "e", "c", "d", "ranges"])
@@ -63,7 +64,7 @@ def _grown(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
 EXPRESSIONS = st.recursive(LEAVES, _grown, max_leaves=8)
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(12))
 @given(EXPRESSIONS, EXPRESSIONS, EXPRESSIONS, EXPRESSIONS)
 def test_every_program_has_an_error_or_can_be_lowered(
     constant: str, timeout: str, condition: str, rule: str

@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, Held, InputState, Literal, Not, Or, TruthValue, Verdict
 from support.bench import Bench, told
+from support.depth import examples
 from support.drafts import SECOND, Draft
 from support.machines import NAN, Case, Update, cases, take
 
@@ -110,7 +111,7 @@ def test_s38_a_reset_of_one_rule() -> None:
     assert told(bench.reset(2, rule=1)) == []
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(2))
 @given(cases())
 def test_s39_a_rule_changes_once_in_an_evaluation(case: Case) -> None:
     machine, trace = case

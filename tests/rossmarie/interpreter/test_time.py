@@ -21,6 +21,7 @@ from rossmarie.ir import (
     Verdict,
 )
 from support.bench import Bench, told
+from support.depth import examples
 from support.drafts import SECOND, Draft
 from support.machines import Case, Step, cases, exactly, take
 
@@ -112,7 +113,7 @@ def test_s15_the_next_wake_is_the_earliest_timer() -> None:
     assert wakes == [3.0, 5.0, 7.0, 9.0]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(2))
 @given(cases())
 def test_s15_a_wake_lies_ahead(case: Case) -> None:
     machine, trace = case
@@ -123,7 +124,7 @@ def test_s15_a_wake_lies_ahead(case: Case) -> None:
         assert wake_ns is None or wake_ns > step.at_ns
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(2))
 @given(cases())
 def test_s15_waking_in_between_changes_nothing(case: Case) -> None:
     """Whoever obeys the wakes, and even looks in between, sees the same as who does not."""

@@ -10,6 +10,7 @@ from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, ChannelValues, TruthValue, Verdict, explain
 from rossmarie.ir.kleene import negation
 from support.compiled import machine_of, machine_of_rules
+from support.depth import examples
 from support.machines import Case, cases, take
 
 SECOND = 1_000_000_000
@@ -186,7 +187,7 @@ def test_equal_causes_are_told_once() -> None:
     assert len(story.last().causes) == 1
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(4))
 @given(cases())
 def test_causes_decide(case: Case) -> None:
     """Whatever the other leaves are, the causes alone give the condition its value."""

@@ -11,13 +11,14 @@ from hypothesis import strategies as st
 from rossmarie import ir
 from rossmarie.ir import reactions
 from support.c99_cases import reacting
+from support.depth import examples
 from support.drafts import Draft
 from support.machines import machines
 from support.plans import call
 from support.reacting import reacting_machines
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(2))
 @given(st.one_of(machines(), reacting_machines()))
 @example(reacting())
 def test_round_trip(machine: ir.Machine) -> None:

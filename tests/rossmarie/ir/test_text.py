@@ -4,6 +4,7 @@ from hypothesis import given, settings
 
 from rossmarie import ir
 from support.c99_cases import reacting
+from support.depth import examples
 from support.drafts import SECOND, Draft
 from support.machines import machines
 from support.reacting import reacting_machines
@@ -84,7 +85,7 @@ def test_every_task_has_its_line(machine: ir.Machine) -> None:
     assert len(tasks) == len(machine.reactions.tasks)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(2))
 @given(machines())
 def test_every_part_has_its_line(machine: ir.Machine) -> None:
     lines = ir.dump_text(machine).splitlines()

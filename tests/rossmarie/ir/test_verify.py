@@ -8,11 +8,12 @@ import pytest
 from hypothesis import given, settings
 
 from rossmarie import ir
+from support.depth import examples
 from support.drafts import SECOND, Draft
 from support.machines import machines
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(4))
 @given(machines())
 def test_machines_that_grow_by_the_rules_pass(machine: ir.Machine) -> None:
     ir.verify(machine)

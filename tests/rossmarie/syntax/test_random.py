@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from hypothesis import HealthCheck, example, given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from dslkit.diagnostics import Diagnostic
@@ -16,6 +16,7 @@ from rossmarie.syntax import ast, format_module, walk
 from rossmarie.syntax.scan import scan
 from rossmarie.syntax.walk import expressions
 from rossmarie.syntax.words import RESERVED
+from support.depth import examples
 
 Parsed = Callable[[str], tuple[ast.Module, tuple[Diagnostic, ...]]]
 WithoutSpans = Callable[[ast.Module], Any]
@@ -37,7 +38,7 @@ WORDS = [
     *("==", "&&", "||", "->", "=>", "oscillates", "messages", "unit"),
 ]
 
-thorough = settings(max_examples=100, suppress_health_check=[HealthCheck.too_slow], deadline=None)
+many = settings(max_examples=examples(4))
 
 
 def check_invariants(parsed: Parsed, text: str) -> None:
@@ -59,7 +60,7 @@ def check_invariants(parsed: Parsed, text: str) -> None:
     assert found or not is_broken
 
 
-@thorough
+@many
 @given(text=st.text(max_size=60) | st.lists(st.sampled_from(WORDS), max_size=30).map(" ".join))
 @example(text="rule")
 @example(text="if then { ; } }")
@@ -69,7 +70,7 @@ def test_any_text_gives_a_module(parsed: Parsed, text: str) -> None:
     check_invariants(parsed, text)
 
 
-@thorough
+@many
 @given(data=st.data())
 def test_any_change_of_a_correct_text_gives_a_module(parsed: Parsed, data: st.DataObject) -> None:
     text = data.draw(st.sampled_from(EXAMPLES))
@@ -81,7 +82,7 @@ def test_any_change_of_a_correct_text_gives_a_module(parsed: Parsed, data: st.Da
     check_invariants(parsed, text)
 
 
-@thorough
+@many
 @given(data=st.data())
 def test_a_mistake_in_one_item_leaves_the_others(parsed: Parsed, data: st.DataObject) -> None:
     """However an item on lines of its own is damaged, the ones around it are still there, unless
@@ -231,7 +232,7 @@ def programs(draw: st.DrawFn) -> str:
     return "".join(word + draw(GAPS) for item in drawn for word in item)
 
 
-@thorough
+@many
 @given(text=programs())
 @example(text='test "an input that is called at" { at 0 m at ; } ')
 def test_formatting_keeps_the_tree_and_the_comments(

@@ -10,13 +10,14 @@ from hypothesis import strategies as st
 
 from rossmarie.interpreter import arithmetic
 from rossmarie.testing.orientation import ANGLES, UPRIGHT, with_angle
+from support.depth import examples
 
 
 def angle(name: str, orientation: tuple[float, float, float, float]) -> float:
     return arithmetic.apply(ANGLES[name], orientation)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(2))
 @given(
     st.sampled_from(sorted(ANGLES)),
     st.floats(-1.3, 1.3).map(lambda number: round(number, 4)),

@@ -11,6 +11,7 @@ from rossmarie.driver import compile_file
 from rossmarie.targets import c99
 from rossmarie.verification.harness import harness
 from rossmarie.verification.prover import Outcome, Prover, Verdict
+from support.depth import deep
 from support.provers import real_prover
 from support.small_rules import TILTED
 
@@ -94,8 +95,7 @@ def asked(
 
 @pytest.mark.parametrize(
     "parts",
-    ["visit", "tick", "numbers", "cross", "inside", "update_ready", "update_mode"],
-    ids=str,
+    ["numbers", "inside", *deep(["visit", "tick", "cross", "update_ready", "update_mode"])],
 )
 def test_flags_and_texts_are_what_they_mean(
     prover: Prover, flagged: ir.Machine, parts: str
@@ -111,6 +111,7 @@ def test_a_fault_about_a_flag_is_refuted(prover: Prover, flagged: ir.Machine) ->
 NO_CHANGE = ("Generated", "Generated")
 
 
+@pytest.mark.deep
 def test_marks_of_more_than_64_nodes(
     prover: Prover, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
@@ -124,6 +125,7 @@ def test_marks_of_more_than_64_nodes(
     assert outcomes(prover, machine, change, "visit_70") == wrong
 
 
+@pytest.mark.deep
 def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) -> None:
     assert outcomes(prover, machine, NO_CHANGE, "visit", "evaluate") == set()
 
@@ -131,25 +133,18 @@ def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) 
 @pytest.mark.parametrize(
     "parts",
     [
-        "numbers",
-        "step",
         "earl",
-        "resting",
-        "waiting",
-        "set_wake",
-        "catch_up",
-        "reset",
+        "handed",
         "init",
         "inside",
-        "update_tilt",
-        "handed",
-        "restart",
-        "tick",
-        "advance",
         "latch",
+        "numbers",
         "questions",
+        "resting",
+        "set_wake",
+        "waiting",
+        *deep(["advance", "catch_up", "reset", "restart", "step", "tick", "update_tilt"]),
     ],
-    ids=str,
 )
 def test_numbers_and_timers_are_what_they_mean(
     prover: Prover, machine: ir.Machine, parts: str
@@ -157,105 +152,107 @@ def test_numbers_and_timers_are_what_they_mean(
     assert outcomes(prover, machine, NO_CHANGE, parts) == set()
 
 
-@pytest.mark.parametrize(
-    ("change", "part", "expected"),
-    [
-        (("t_ns >= due_ns", "t_ns > due_ns"), "visit", "for 2 sec` is what it means"),
-        (("condition == LOST", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
-        (("return TRUE;\n    return a == TRUE", "return FALSE;\n    return a == TRUE"), "visit",
-         "is what it means"),
-        (("fabs(", "-("), "numbers", "`abs(tilt)` is what it means"),
-        (("fabs(", "-("), "step_numbers_tilt", "`abs(tilt)` is what it means"),
-        (("a < b ? a : b", "a < b ? b : a"), "earlier", "it is not later than either"),
-        (("m->held_due_ns[k] > m->now_ns)", "m->held_due_ns[k] > m->now_ns + 1)"),
-         "earliest_timer", "for 2 sec` lies ahead"),
-        (("m->value[lost_values[i]] = NAN;", "m->value[lost_values[input]] = NAN;"), "tick",
-         "`abs(tilt)` is forgotten with what it is computed from"),
-        (("wake_ns < LATEST ? wake_ns : LATEST", "wake_ns"), "set_wake",
-         "nothing beyond the range passes for calm"),
-        (("    if (!calm)\n        set_wake(m);", "    if (!calm)\n        m->wake_ns++;"),
-         "step_late_after", "`wake_ns` is as it has to be"),
-        (("        return -1;\n    if (!m->started", "        return 0;\n    if (!m->started"),
-         "catch_up_refused", "what is out of range is refused"),
-        (("if (t_ns <= EARLIEST || t_ns >= LATEST)\n", "if (t_ns <= EARLIEST)\n"),
-         "catch_up_refused", "no timer is looked for"),
-        (("        tick(m, wake_ns);\n", "        tick(m, wake_ns);\n        m->stamp_ns[0]++;\n"),
-         "catch_up_ticked", "the stamp of tilt is in the past"),
-        (("evaluate(m, wake_ns);\n", "evaluate(m, wake_ns);\n        m->now_ns--;\n"),
-         "catch_up_pass", "`now_ns` is as it has to be"),
-        (("_advance(m, t_ns);\n    if (events < 0)\n        return events;",
-          "_advance(m, t_ns);\n    if (events < 0)\n        return 0;"), "reset_refused",
-         "what is out of range is refused"),
-        (("    set_wake(m);\n", "    set_wake(m);\n    m->now_ns--;\n"),
-         "update_tilt_late_after", "the clock is set"),
-        (("    if (is_pending(m))\n        events += evaluate(m, t_ns);\n    m->now_ns = t_ns;\n"
-          "    set_wake(m);\n",
-          "    const bool idle = !is_pending(m);\n    if (!idle)\n        evaluate(m, t_ns);"
-          "\n    m->now_ns = t_ns;\n    set_wake(m);\n    m->now_ns -= idle;\n"),
-         "advance_after", "the clock is set"),
-        (("    int events = 0;\n    m->now_ns = t_ns;\n",
-          "    int events = 0;\n    m->now_ns = t_ns;\n    m->stamp_ns[0]--;\n"), "evaluate",
-         "`stamp_ns` is as it has to be"),
-        (("    m->stamp_ns[INPUT_TILT] = t_ns;\n", ""), "numbers_tilt",
-         "`stamp_ns` is as it has to be"),
-        (("        m->state[i] = FRESH;\n", ""), "update_tilt_late_before",
-         "tilt is fresh by a message, else as it was"),
-        (("    tick(m, t_ns);\n    receive_tilt",
-          "    tick(m, t_ns);\n    m->value[VALUE_SPEED] = 0.0;\n    receive_tilt"),
-         "update_tilt_late_between", "no other message changes `speed`"),
-        (("    m->state[input] = EXPIRED;\n", "    m->state[input] = NEVER_RECEIVED;\n"), "tick",
-         "`state` is as it has to be"),
-        (("(age_ns < LONGEST ? age_ns : LONGEST)", "age_ns / 2"), "restart",
-         "`stamp_ns` is as it has to be"),
-        (("        m->active[rule / 8] = ", "        (void)"), "latch",
-         "rule gone is active as S38 says"),
-        (("            m->truth[rule_condition[i]] == FALSE)\n", "            true)\n"), "reset",
-         "rule gone is active as S38 says"),
-        (("        events += visit(m, node, t_ns);", "        ;"), "evaluate",
-         "what is marked is visited once, and nothing else"),
-        (("        events += visit(", "        (void)visit("), "evaluate", "changes are counted"),
-        (("        events += evaluate(m, wake_ns);", "        (void)evaluate(m, wake_ns);"),
-         "catch_up_pass", "changes are counted"),
-        (("            report_jump(m, t_ns);", "            (void)report_jump;"),
-         "catch_up_anew", "a jump is reported once"),
-        (("    event.from_ns = m->now_ns;", "    event.from_ns = t_ns;"), "catch_up_anew",
-         "what is reported of a jump"),
-        (("        report(m, rule, change, t_ns);", "        (void)report;"), "visit",
-         "a change of rule tilted is reported once"),
-        (("= m->since_ns[terms[i]];", "= m->since_ns[terms[n]];"), "visit",
-         "what is reported of rule gone"),
-        (("m->value[shown_values[i]]", "m->value[shown_values[n]]"), "visit",
-         "what is reported of rule gone"),
-        (("m->on_event(m->user,", "m->on_event(m,"), "visit",
-         "a listener is given back what it gave"),
-        (("_CLEARED, t_ns);\n    return events;", "_ACTIVATED, t_ns);\n    return events;"),
-         "reset", "what is reported of rule gone"),
-        (("    m->on_event = on_event;\n", ""), "init", "it has its listener"),
-        ((" && !UNLIKELY(x > m->high[g])", ""), "inside_0", "it is inside"),
-        (("        cross(m, GUARD_ABS_TILT, m->value[VALUE_ABS_TILT], t_ns);", "        ;"),
-         "update_tilt_late_between", "the guard of `abs(tilt)`"),
-        (("        cross(m, GUARD_ABS_TILT,", "        cross(m, GUARD_SPEED,"),
-         "update_tilt_late_between", "it is asked before whether a number has left its guard"),
-        (("return settle_tilt(m, t_ns, GUARD_ABS_TILT);",
-          "return settle_tilt(m, t_ns, GUARD_SPEED);"),
-         "update_tilt_calm_left", "it is asked before whether a number has left its guard"),
-        (("        return settle_tilt(m, t_ns, GUARD_ABS_TILT);", "        return 0;"),
-         "update_tilt_calm_left", "the guard of `abs(tilt)`"),
-        (("!is_inside(m, GUARD_ABS_TILT, m->value[VALUE_ABS_TILT])))", "false))"),
-         "update_tilt_calm_inside", "the guard of `abs(tilt)`"),
-    ],
+QUICK_FAULTS = (
+    (("a < b ? a : b", "a < b ? b : a"), "earlier", "it is not later than either"),
+    (("m->held_due_ns[k] > m->now_ns)", "m->held_due_ns[k] > m->now_ns + 1)"),
+     "earliest_timer", "for 2 sec` lies ahead"),
+    (("    set_wake(m);\n", "    set_wake(m);\n    m->now_ns--;\n"),
+     "update_tilt_late_after", "the clock is set"),
+    (("    m->stamp_ns[INPUT_TILT] = t_ns;\n", ""), "numbers_tilt",
+     "`stamp_ns` is as it has to be"),
+    (("        m->active[rule / 8] = ", "        (void)"), "latch",
+     "rule gone is active as S38 says"),
+    (("        events += visit(m, node, t_ns);", "        ;"), "evaluate",
+     "what is marked is visited once, and nothing else"),
+    ((" && !UNLIKELY(x > m->high[g])", ""), "inside_0", "it is inside"),
+    (("        cross(m, GUARD_ABS_TILT, m->value[VALUE_ABS_TILT], t_ns);", "        ;"),
+     "update_tilt_late_between", "the guard of `abs(tilt)`"),
 )  # fmt: skip
+FAULTS = (
+    (("t_ns >= due_ns", "t_ns > due_ns"), "visit", "for 2 sec` is what it means"),
+    (("condition == LOST", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
+    (("return TRUE;\n    return a == TRUE", "return FALSE;\n    return a == TRUE"), "visit",
+     "is what it means"),
+    (("fabs(", "-("), "numbers", "`abs(tilt)` is what it means"),
+    (("fabs(", "-("), "step_numbers_tilt", "`abs(tilt)` is what it means"),
+    (("m->value[lost_values[i]] = NAN;", "m->value[lost_values[input]] = NAN;"), "tick",
+     "`abs(tilt)` is forgotten with what it is computed from"),
+    (("wake_ns < LATEST ? wake_ns : LATEST", "wake_ns"), "set_wake",
+     "nothing beyond the range passes for calm"),
+    (("    if (!calm)\n        set_wake(m);", "    if (!calm)\n        m->wake_ns++;"),
+     "step_late_after", "`wake_ns` is as it has to be"),
+    (("        return -1;\n    if (!m->started", "        return 0;\n    if (!m->started"),
+     "catch_up_refused", "what is out of range is refused"),
+    (("if (t_ns <= EARLIEST || t_ns >= LATEST)\n", "if (t_ns <= EARLIEST)\n"),
+     "catch_up_refused", "no timer is looked for"),
+    (("        tick(m, wake_ns);\n", "        tick(m, wake_ns);\n        m->stamp_ns[0]++;\n"),
+     "catch_up_ticked", "the stamp of tilt is in the past"),
+    (("evaluate(m, wake_ns);\n", "evaluate(m, wake_ns);\n        m->now_ns--;\n"),
+     "catch_up_pass", "`now_ns` is as it has to be"),
+    (("_advance(m, t_ns);\n    if (events < 0)\n        return events;",
+      "_advance(m, t_ns);\n    if (events < 0)\n        return 0;"), "reset_refused",
+     "what is out of range is refused"),
+    (("    if (is_pending(m))\n        events += evaluate(m, t_ns);\n    m->now_ns = t_ns;\n"
+      "    set_wake(m);\n",
+      "    const bool idle = !is_pending(m);\n    if (!idle)\n        evaluate(m, t_ns);"
+      "\n    m->now_ns = t_ns;\n    set_wake(m);\n    m->now_ns -= idle;\n"),
+     "advance_after", "the clock is set"),
+    (("    int events = 0;\n    m->now_ns = t_ns;\n",
+      "    int events = 0;\n    m->now_ns = t_ns;\n    m->stamp_ns[0]--;\n"), "evaluate",
+     "`stamp_ns` is as it has to be"),
+    (("        m->state[i] = FRESH;\n", ""), "update_tilt_late_before",
+     "tilt is fresh by a message, else as it was"),
+    (("    tick(m, t_ns);\n    receive_tilt",
+      "    tick(m, t_ns);\n    m->value[VALUE_SPEED] = 0.0;\n    receive_tilt"),
+     "update_tilt_late_between", "no other message changes `speed`"),
+    (("    m->state[input] = EXPIRED;\n", "    m->state[input] = NEVER_RECEIVED;\n"), "tick",
+     "`state` is as it has to be"),
+    (("(age_ns < LONGEST ? age_ns : LONGEST)", "age_ns / 2"), "restart",
+     "`stamp_ns` is as it has to be"),
+    (("            m->truth[rule_condition[i]] == FALSE)\n", "            true)\n"), "reset",
+     "rule gone is active as S38 says"),
+    (("        events += visit(", "        (void)visit("), "evaluate", "changes are counted"),
+    (("        events += evaluate(m, wake_ns);", "        (void)evaluate(m, wake_ns);"),
+     "catch_up_pass", "changes are counted"),
+    (("            report_jump(m, t_ns);", "            (void)report_jump;"),
+     "catch_up_anew", "a jump is reported once"),
+    (("    event.from_ns = m->now_ns;", "    event.from_ns = t_ns;"), "catch_up_anew",
+     "what is reported of a jump"),
+    (("        report(m, rule, change, t_ns);", "        (void)report;"), "visit",
+     "a change of rule tilted is reported once"),
+    (("= m->since_ns[terms[i]];", "= m->since_ns[terms[n]];"), "visit",
+     "what is reported of rule gone"),
+    (("m->value[shown_values[i]]", "m->value[shown_values[n]]"), "visit",
+     "what is reported of rule gone"),
+    (("m->on_event(m->user,", "m->on_event(m,"), "visit",
+     "a listener is given back what it gave"),
+    (("_CLEARED, t_ns);\n    return events;", "_ACTIVATED, t_ns);\n    return events;"),
+     "reset", "what is reported of rule gone"),
+    (("    m->on_event = on_event;\n", ""), "init", "it has its listener"),
+    (("        cross(m, GUARD_ABS_TILT,", "        cross(m, GUARD_SPEED,"),
+     "update_tilt_late_between", "it is asked before whether a number has left its guard"),
+    (("return settle_tilt(m, t_ns, GUARD_ABS_TILT);",
+      "return settle_tilt(m, t_ns, GUARD_SPEED);"),
+     "update_tilt_calm_left", "it is asked before whether a number has left its guard"),
+    (("        return settle_tilt(m, t_ns, GUARD_ABS_TILT);", "        return 0;"),
+     "update_tilt_calm_left", "the guard of `abs(tilt)`"),
+    (("!is_inside(m, GUARD_ABS_TILT, m->value[VALUE_ABS_TILT])))", "false))"),
+     "update_tilt_calm_inside", "the guard of `abs(tilt)`"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("change", "part", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
 def test_a_seeded_fault_is_refuted(
     prover: Prover, machine: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert any(expected in wrong for wrong in outcomes(prover, machine, change, part))
 
 
+@pytest.mark.deep
 @pytest.mark.parametrize(
     "parts",
     ["visit", "cross", "tick", "numbers", "update_scan", "update_spin_late_after",
      "update_spin_counts"],
-    ids=str,
 )  # fmt: skip
 def test_what_counts_and_elements_are_what_they_mean(
     prover: Prover, counting: ir.Machine, parts: str
@@ -263,6 +260,7 @@ def test_what_counts_and_elements_are_what_they_mean(
     assert outcomes(prover, counting, NO_CHANGE, parts) == set()
 
 
+@pytest.mark.deep
 @pytest.mark.parametrize(
     ("change", "part", "expected"),
     [
@@ -291,6 +289,7 @@ def test_a_seeded_fault_in_them_is_refuted(
     assert any(expected in wrong for wrong in outcomes(prover, counting, change, part))
 
 
+@pytest.mark.deep
 def test_an_angle_of_another_number_is_not_proved(prover: Prover, counting: ir.Machine) -> None:
     """To find the numbers that refute it takes the solvers minutes."""
     change = ("n == 0.0 ? NAN :", "n == 0.0 ? 0.0 :")

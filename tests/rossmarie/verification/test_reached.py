@@ -15,6 +15,8 @@ from rossmarie.verification.prover import Prover, _unwound
 from support.provers import real_prover
 from support.small_rules import BOUNDED, TILTED
 
+pytestmark = pytest.mark.deep
+
 SHARED = """\
 input speed = topic /speed : std_msgs/Float64 .data;
 action beep { publish /horn : std_msgs/Bool { data = true; } at 5 Hz; }

@@ -1,0 +1,34 @@
+"""How deep tests go: in each run, and by `make deep`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import pytest
+from _pytest.mark import ParameterSet
+from hypothesis import Phase, settings
+
+_MANY = 100
+
+
+def examples(factor: int) -> int:
+    """A number of examples: `factor` times as many as the profile has."""
+    return factor * settings().max_examples
+
+
+def phases_of_compiled() -> tuple[Phase, ...]:
+    """The phases for examples that are compiled: shrinking one compiles hundreds of others, so
+    only `make deep` does that.
+    """
+    if settings().max_examples > _MANY:
+        return tuple(Phase)
+    return (Phase.explicit, Phase.reuse, Phase.generate)
+
+
+def deep(cases: Iterable[object]) -> list[ParameterSet]:
+    """Parameters whose tests only `make deep` runs; a tuple is the parameters of one test."""
+    found = []
+    for case in cases:
+        values = case if isinstance(case, tuple) else (case,)
+        found.append(pytest.param(*values, marks=pytest.mark.deep))
+    return found

@@ -1,0 +1,164 @@
+"""Runs what is too slow for each run of the tests, says how long it took, and writes the page.
+
+All parts run, also after one that failed; the exit code is 1 if one did. Beside the figures the
+page has a digest of the sources whose changes ask for a deep run: with `--remind` nothing runs, and
+a line says whether these sources have changed since.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import os
+import re
+import shlex
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGE = ROOT / "docs" / "reference" / "deep-tests.md"
+SOURCES = ("interpreter", "ir", "lowering", "native", "targets", "verification")
+"""The generator, the semantics and the nodes, in `src/rossmarie`."""
+
+_DIGEST = re.compile(r"^Digest of the sources: `(\w+)`", re.MULTILINE)
+_PROGRESS = re.compile(r"[.sxXFE]* *\[ *\d+%\]")
+
+
+@dataclass(frozen=True)
+class Part:
+    """A program, and how many of its last lines go on the page."""
+
+    about: str
+    command: tuple[str, ...]
+    kept: int
+
+
+@dataclass(frozen=True)
+class Result:
+    """How a part ended."""
+
+    part: Part
+    code: int
+    seconds: float
+    lines: Sequence[str]
+
+
+def parts(soak: int, fuzz: int) -> tuple[Part, ...]:
+    """All parts; `soak` and `fuzz` are seconds."""
+    options = f"--deep --soak={soak} --durations=10"
+    proofs = ("benchmarks/proofs.py", "--out", "docs/reference/performance-proofs.md")
+    return (
+        Part(
+            "All tests, deep ones among them, each property with many examples; a node runs for "
+            f"{soak} s",
+            ("make", "test", f"OPTIONS={options}"),
+            60,
+        ),
+        Part("[Proofs of all examples](performance-proofs.md)", (sys.executable, *proofs), 0),
+        Part(f"Damaged rules files for {fuzz} s", ("make", "fuzz", f"SECONDS={fuzz}"), 1),
+    )
+
+
+def ran(part: Part) -> Result:
+    """Run a part; its output is shown as it comes."""
+    sys.stdout.write(f"\n$ {shown(part.command)}\n")
+    sys.stdout.flush()
+    begin = time.monotonic()
+    with subprocess.Popen(
+        part.command,
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        encoding="utf-8",
+        errors="replace",
+    ) as running:
+        assert running.stdout is not None
+        lines = []
+        for line in running.stdout:
+            sys.stdout.write(line)
+            sys.stdout.flush()
+            if not _PROGRESS.fullmatch(line.strip()):
+                lines.append(line.rstrip())
+    seconds = time.monotonic() - begin
+    return Result(part, running.returncode, seconds, lines[-part.kept :] if part.kept else ())
+
+
+def shown(command: Sequence[str]) -> str:
+    """A command as one types it."""
+    return shlex.join([Path(command[0]).name, *command[1:]])
+
+
+def outcome(result: Result) -> str:
+    """How a part ended, in a word or two."""
+    return "passed" if result.code == 0 else f"failed, exit code {result.code}"
+
+
+def digest() -> str:
+    """A digest of the sources that ask for a deep run when they change."""
+    found = hashlib.sha256()
+    for folder in SOURCES:
+        for path in sorted((ROOT / "src" / "rossmarie" / folder).rglob("*")):
+            if path.is_file() and "__pycache__" not in path.parts:
+                found.update(path.relative_to(ROOT).as_posix().encode() + b"\0")
+                found.update(path.read_bytes() + b"\0")
+    return found.hexdigest()[:16]
+
+
+def page(results: Sequence[Result]) -> Iterator[str]:
+    """The lines of the page."""
+    yield "# Deep tests"
+    yield ""
+    yield "Written by `make deep`; do not edit. Parts that are too slow for `make test`, run on"
+    yield f"{date.today().isoformat()} with {os.cpu_count()} processors."
+    yield f"Digest of the sources: `{digest()}`."
+    yield ""
+    yield "| Part | Outcome | Minutes |"
+    yield "|---|---|---|"
+    for result in results:
+        yield f"| {result.part.about} | {outcome(result)} | {result.seconds / 60:.1f} |"
+    yield f"| All | | {sum(result.seconds for result in results) / 60:.1f} |"
+    for result in results:
+        if result.lines:
+            yield ""
+            yield f"    $ {shown(result.part.command)}"
+            yield from (f"    {line}".rstrip() for line in result.lines)
+
+
+def reminder() -> str:
+    """Whether the sources are those of the last deep run."""
+    found = _DIGEST.search(PAGE.read_text(encoding="utf-8")) if PAGE.is_file() else None
+    if found and found.group(1) == digest():
+        return "make deep: has run on this generator and these nodes"
+    return (
+        "make deep: the generator or the nodes have changed since it ran; run it before they land"
+    )
+
+
+def main() -> int:
+    """Run all parts and write the page, or remind."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--remind", action="store_true", help="only say whether a run is due")
+    parser.add_argument("--soak", type=int, default=600, metavar="SECONDS")
+    parser.add_argument("--fuzz", type=int, default=300, metavar="SECONDS")
+    arguments = parser.parse_args()
+    if arguments.remind:
+        sys.stdout.write(f"{reminder()}\n")
+        return 0
+    results = [ran(part) for part in parts(arguments.soak, arguments.fuzz)]
+    sys.stdout.write("\n")
+    for result in results:
+        told = (
+            f"{result.seconds / 60:6.1f} min  {outcome(result):<24}  {shown(result.part.command)}"
+        )
+        sys.stdout.write(f"{told}\n")
+    PAGE.write_text("\n".join(page(results)) + "\n", encoding="utf-8")
+    return int(any(result.code for result in results))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
