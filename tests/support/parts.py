@@ -186,11 +186,12 @@ ONTOLOGIES = Part("the ontologies of SkiROS2", partial(_file, SKIROS2_ONTOLOGIES
 ROOT = Part("root", _root, "run the tests as root")
 MOUNTS = Part("mounts", _mounts, "run the tests as root, in a container with --privileged")
 PERMISSIONS = Part("permissions that bind", _permissions, "apt-get install util-linux")
+PROC = Part("/proc", partial(_file, Path("/proc/self/task")), "run the tests on Linux")
 FULL_DEVICE = Part("/dev/full", partial(_file, Path("/dev/full")), "run the tests on Linux")
 
 PARTS = (
     *(C_COMPILER, GCC, GXX, CLANG, NM, PROVER, ROS1, ROS2, CHROMIUM, DISPLAY, EGL),
     *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP, PEERS),
-    *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, FULL_DEVICE),
+    *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, PROC, FULL_DEVICE),
 )
 """All of them, in the order in which they are told."""
