@@ -134,9 +134,7 @@ def reminder() -> str:
     found = _DIGEST.search(PAGE.read_text(encoding="utf-8")) if PAGE.is_file() else None
     if found and found.group(1) == digest():
         return "make deep: has run on this generator and these nodes"
-    return (
-        "make deep: the generator or the nodes have changed since it ran; run it before they land"
-    )
+    return "make deep: is due, as the generator or the nodes have changed since it ran"
 
 
 def main() -> int:

@@ -72,6 +72,7 @@ def test_a_film_shows_the_episode_and_changes_nothing(
     assert shot.rules["soften_when_hammering"][0][0] == pytest.approx(activated[0], abs=0.021)
 
 
+@pytest.mark.deep
 @needs(EGL)
 def test_the_film_of_a_drive_goes_on_until_the_block_is_picked_up(
     monkeypatch: pytest.MonkeyPatch,

@@ -60,6 +60,7 @@ def display() -> Iterator[str]:
         running.wait()
 
 
+@pytest.mark.deep
 @needs(DISPLAY)
 def test_a_window_is_opened_and_closed(display: str) -> None:
     program = Path(sys.executable).with_name("heron")
