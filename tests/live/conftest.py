@@ -2,22 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from pathlib import Path
-from typing import cast
+from typing import TypeAlias, cast
 
 import pytest
 
 from support import ros1_live, ros2_live
-from support.live import Process, Robot, Ros
+from support.live import LIMIT, Process, Robot, Ros, Wanted
+from support.live_cases import vehicle as machine_of_vehicle
 from support.parts import ROS1, ROS2, require
+from support.ros1_build import QUICK, Workspace
+
+Needs: TypeAlias = Callable[[str], Sequence[Wanted]]
+"""What is to be built for a test, in a generation of ROS."""
+
+Built: TypeAlias = Mapping[Needs, Sequence[Path]]
+"""Programs of nodes, and folders of those of packages."""
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """What tests need is built at once, before the first of them."""
+    config.addinivalue_line("markers", "builds(by): what makes that of which `programs` are built")
 
 
 @pytest.fixture(scope="session")
 def ros1(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros1_live.Ros1]:
-    """ROS 1, with a running master."""
+    """ROS 1, with a running master. All workers of a run have one workspace."""
     require(ROS1)
-    found = ros1_live.Ros1(tmp_path_factory.mktemp("ros1"))
+    own = tmp_path_factory.getbasetemp()
+    shared = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
+    workspace = Workspace(shared / "ros1_workspace", QUICK)
+    found = ros1_live.Ros1(tmp_path_factory.mktemp("ros1"), workspace)
     try:
         yield found
     finally:
@@ -31,16 +49,66 @@ def ros2(tmp_path_factory: pytest.TempPathFactory) -> ros2_live.Ros2:
     return ros2_live.Ros2(tmp_path_factory.mktemp("ros2"))
 
 
-@pytest.fixture(scope="session", params=["ros1", "ros2"])
+@pytest.fixture(scope="module", params=["ros1", "ros2"])
 def ros(request: pytest.FixtureRequest) -> Ros:
-    """Each generation."""
+    """Each generation. The tests of a file stay together."""
     return cast("Ros", request.getfixturevalue(request.param))
 
 
 @pytest.fixture(scope="session")
-def vehicle(ros: Ros) -> Path:
-    """The program of the node of the vehicle; if it cannot be built, it is tried once."""
-    return ros.vehicle
+def built_on_ros1(request: pytest.FixtureRequest, ros1: ros1_live.Ros1) -> Built:
+    """What the tests of this run need; if it cannot be built, it is tried once."""
+    return all_built(ros1, request.session.items)
+
+
+@pytest.fixture(scope="session")
+def built_on_ros2(request: pytest.FixtureRequest, ros2: ros2_live.Ros2) -> Built:
+    """What the tests of this run need; if it cannot be built, it is tried once."""
+    return all_built(ros2, request.session.items)
+
+
+@pytest.fixture
+def built(request: pytest.FixtureRequest, ros: Ros) -> Built:
+    """What was built on the generation of the test."""
+    return cast("Built", request.getfixturevalue(f"built_on_{ros.name}"))
+
+
+def all_built(ros: Ros, tests: Iterable[pytest.Item]) -> Built:
+    """What tests need, built at once."""
+    concerned = [test for test in tests if runs_on(test, ros.name)]
+    needs = {mark.kwargs["by"] for test in concerned for mark in test.iter_markers("builds")}
+    if any("vehicle" in names_of_fixtures(test) for test in concerned):
+        needs.add(needs_of_vehicle)
+    parts = {each: each(ros.name) for each in sorted(needs, key=lambda each: each.__module__)}
+    programs = iter(ros.prepare(list(chain.from_iterable(parts.values()))))
+    return {each: [next(programs) for _ in wanted] for each, wanted in parts.items()}
+
+
+def runs_on(test: pytest.Item, generation: str) -> bool:
+    """Whether a test runs on a generation of ROS, and on no other."""
+    parameters = test.callspec.params if hasattr(test, "callspec") else {}
+    return parameters.get("ros") == generation or generation in names_of_fixtures(test)
+
+
+def names_of_fixtures(test: pytest.Item) -> Sequence[str]:
+    return test.fixturenames if isinstance(test, pytest.Function) else ()
+
+
+def needs_of_vehicle(generation: str) -> Sequence[Wanted]:
+    return [machine_of_vehicle(generation)]
+
+
+@pytest.fixture
+def programs(request: pytest.FixtureRequest, built: Built) -> Sequence[Path]:
+    """What the mark `builds` of the test says."""
+    mark = request.node.get_closest_marker("builds")
+    return built[mark.kwargs["by"]]
+
+
+@pytest.fixture
+def vehicle(built: Built) -> Path:
+    """The program of the node of the vehicle."""
+    return built[needs_of_vehicle][0]
 
 
 @pytest.fixture(autouse=True)
@@ -78,11 +146,13 @@ def started() -> Iterator[list[Process]]:
 
 @pytest.fixture
 def start(ros: Ros, started: list[Process], tmp_path: Path) -> Callable[..., Process]:
-    """Starts the node, with parameters; each test has its own file of latched rules."""
+    """Starts the node, with parameters; each test has its own file of latched rules. The node waits
+    for its inputs as long as the test does.
+    """
 
     def start(*, use_sim_time: bool = False, **parameters: object) -> Process:
-        parameters = {"state_file": str(tmp_path / "latched"), **parameters}
-        started.append(ros.start(parameters, use_sim_time=use_sim_time))
+        usual = {"state_file": str(tmp_path / "latched"), "patience": LIMIT}
+        started.append(ros.start({**usual, **parameters}, use_sim_time=use_sim_time))
         return started[-1]
 
     return start
@@ -102,7 +172,8 @@ def publish(ros: Ros, started: list[Process]) -> Callable[..., Process]:
 @pytest.fixture
 def launched(ros: Ros, tmp_path: Path) -> Iterator[Process]:
     """The launch file of the vehicle, with a planner that publishes /cmd_vel."""
-    launch = ros.launch(tmp_path, {"state_file": str(tmp_path / "latched")})
+    parameters = {"state_file": str(tmp_path / "latched"), "patience": LIMIT}
+    launch = ros.launch(tmp_path, parameters)
     try:
         yield launch
     finally:

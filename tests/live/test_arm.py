@@ -2,34 +2,32 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
 
-from rossmarie.driver import compile_file
-from support.live import Ears, Ros, until
+from support.live import Ears, Ros, Wanted, until
+from support.live_cases import patient
 
 THESIS = Path(__file__).parents[2] / "examples" / "thesis"
 STATE = "/arm_safety/state"
 STIFFNESS = "/arm_controller/stiffness"
-LONG = 30.0
-"""Seconds; the force has to swing six times, and to be calm for 3 s."""
 
 
-@pytest.fixture(scope="session")
-def program(ros: Ros) -> Path:
-    """The node of the listing."""
-    ros.build_package(THESIS / "msg" / "heron_msgs")
-    return ros.build(compile_file(THESIS / "arm.ross").machine)
+def needs(_generation: str) -> Sequence[Wanted]:
+    """The node of the listing, and the messages of the arm."""
+    return patient(THESIS / "arm.ross"), THESIS / "msg" / "heron_msgs"
+
+
+pytestmark = pytest.mark.builds(by=needs)
 
 
 @pytest.fixture
-def placing(ros: Ros, program: Path, tmp_path: Path) -> Iterator[Ears]:
+def placing(ros: Ros, programs: Sequence[Path], tmp_path: Path) -> Iterator[Ears]:
     """An arm that places something, and the node."""
     arm = ros.ears(script="arm.py")
-    node = ros.begin(program, {"state_file": str(tmp_path / "latched")})
+    node = ros.begin(programs[0], {"state_file": str(tmp_path / "latched")})
     try:
         arm.ask(goal="placed")
         follows(arm, ["begins", "placed"])
@@ -41,7 +39,7 @@ def placing(ros: Ros, program: Path, tmp_path: Path) -> Iterator[Ears]:
 
 def follows(arm: Ears, *events: list[str]) -> None:
     """Wait until these are the last that have happened to the arm."""
-    until(lambda: arm.heard("/arm")[-len(events) :] == list(events), f"{events}", LONG)
+    until(lambda: arm.heard("/arm")[-len(events) :] == list(events), f"{events}")
 
 
 def is_released(arm: Ears) -> bool:
@@ -50,29 +48,29 @@ def is_released(arm: Ears) -> bool:
 
 
 def test_an_arm_that_oscillates_is_retracted_and_tries_again(placing: Ears) -> None:
-    placing.set(touches=True)
-    follows(placing, ["is cancelled", "placed"], ["begins", "retracted"], ["succeeds", "retracted"])
-    ((softened, stiffness),) = placing.ask(heard=STIFFNESS)
-    assert stiffness == 200.0
-    cancelled, retracting = (at for at, _ in placing.ask(heard="/arm")[-3:-1])
+    placing.set(touches=True, gives_way=True)
+    follows(
+        placing,
+        ["is cancelled", "placed"],
+        ["begins", "retracted"],
+        ["succeeds", "retracted"],
+        ["begins", "placed"],
+    )
+    until(lambda: placing.heard(STIFFNESS) == [200.0, 1000.0], "it is as stiff as before")
+    softened = placing.ask(heard=STIFFNESS)[0][0]
+    cancelled, retracting = (at for at, _ in placing.ask(heard="/arm")[1:3])
     stands = min(at for at, speed in placing.ask(heard="speed") if at > cancelled and speed == 0.0)
     assert stands < softened < retracting
-    placing.set(touches=False)
-    follows(placing, ["succeeds", "retracted"], ["begins", "placed"])
-    until(lambda: placing.heard(STIFFNESS) == [200.0, 1000.0], "it is as stiff as before")
     until(lambda: is_released(placing), "its state is told")
     assert placing.heard("/arm/stop") == []
 
 
 def test_an_arm_that_moves_on_although_it_accepts_the_cancel_is_stopped(placing: Ears) -> None:
     placing.set(touches=True, obeys=False)
-    until(lambda: placing.last("/arm/stop") is True, "it is stopped", LONG)
+    until(lambda: placing.last("/arm/stop") is True, "it is stopped")
     assert placing.heard("/arm")[1:] == [["is cancelled", "placed"]]
     assert placing.heard(STIFFNESS) == []
     placing.set(touches=False)
-    until(lambda: is_released(placing), "the force is calm", LONG)
-    time.sleep(0.5)
-    placing.ask(forget="/arm/stop")
-    time.sleep(0.5)
-    assert placing.heard("/arm/stop") == []
+    until(lambda: is_released(placing), "the force is calm")
+    placing.silent("/arm/stop")
     assert placing.heard("/arm")[1:] == [["is cancelled", "placed"]]

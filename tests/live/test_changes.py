@@ -55,7 +55,7 @@ def test_of_two_rules_that_set_a_parameter_the_first_wins(planned: Robot) -> Non
     until(lambda: planned.states("careful") == ["holding"], "it is set")
     planned.set(mode="icy")
     is_set(planned, 0.1)
-    assert planned.states("careful") == ["waiting"]
+    until(lambda: planned.states("careful") == ["waiting"], "the other waits")
     planned.set(mode="slippery")
     is_set(planned, 0.5)
     planned.set(mode="driving")
@@ -80,7 +80,8 @@ def test_a_parameter_that_does_not_get_its_value_fails(planned: Robot) -> None:
 def test_a_parameter_that_is_set_too_late_is_set_back(planned: Robot) -> None:
     planned.set(delay=2.5, mode="slippery")
     until(lambda: planned.states("careful") == ["failed"], "its time is over")
-    is_set(planned, 0.5)
+    planned.set(delay=0.0)
+    until(lambda: 0.5 in planned.heard("/planner/double_"), "it is set nevertheless")
     is_set(planned, 3.0)
 
 

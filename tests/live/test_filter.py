@@ -5,9 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-import pytest
-
-from support.live import Process, Robot, until
+from support.live import SOME, Process, Robot, until
 
 Start = Callable[..., Process]
 
@@ -15,20 +13,23 @@ Start = Callable[..., Process]
 def test_a_command_is_limited_on_a_slope_and_comes_back_along_the_ramp(
     robot: Robot, start: Start
 ) -> None:
+    """From 0.2 to 1 m/s by 0.5 m/s^2, in 1.6 s. The planner sends 50 commands in a second, and the
+    node 20 of its own: a busy machine makes them fewer, and the way longer.
+    """
     start()
     robot.passes(1.0)
     robot.set(pitch=15.0)
     robot.passes(0.2)
     robot.stays_at(0.2)
     robot.ask(forget="/cmd_vel")
+    begin = time.time()
     robot.set(pitch=0.0)
-    time.sleep(2.0)
-    told = [(t, x) for t, x in robot.ask(heard="/cmd_vel")]
-    rising = [(t, x) for t, x in told if 0.2 < x < 1.0]
-    (begin, low), (end, high) = rising[0], rising[-1]
-    assert (high - low) / (end - begin) == pytest.approx(0.5, rel=0.4)
-    assert [x for _, x in rising] == sorted(x for _, x in rising)
-    assert told[-1][1] == 1.0
+    until(lambda: robot.last("/cmd_vel") == 1.0, "1 m/s passes again")
+    told = robot.ask(heard="/cmd_vel")
+    rising = [speed for _, speed in told if 0.2 < speed < 1.0]
+    assert 0 < len(rising) < 1.2 * 1.6 * (50 + 20)
+    assert rising == sorted(rising)
+    assert next(at for at, speed in told if speed == 1.0) - begin > 1.5
 
 
 def test_a_limit_holds_back_what_was_sent_before(robot: Robot, start: Start) -> None:
@@ -38,7 +39,7 @@ def test_a_limit_holds_back_what_was_sent_before(robot: Robot, start: Start) -> 
     robot.set(speed=None)
     robot.ask(forget="/cmd_vel")
     robot.set(pitch=15.0)
-    until(lambda: robot.heard("/cmd_vel")[-1:] == [0.2], "the last command is sent again, bounded")
+    until(lambda: robot.last("/cmd_vel") == 0.2, "the last command is sent again, bounded")
 
 
 def test_a_command_with_a_header_is_limited_too(robot: Robot, start: Start) -> None:
@@ -53,17 +54,19 @@ def test_a_blocked_topic_carries_zeros_without_any_command(robot: Robot, start: 
     robot.set(speed=None, pitch=None)
     start()
     until(lambda: robot.state() is not None, "the node runs")
-    zeros = robot.commands(1.0)
-    assert set(zeros) == {0.0}
-    assert 8 <= len(zeros) <= 32  # 20 Hz, on a machine that may be busy
+    robot.ask(forget="/cmd_vel")
+    until(lambda: robot.count("/cmd_vel") >= 2 * SOME, "it sends")
+    told = robot.ask(heard="/cmd_vel")[: 2 * SOME]
+    assert {speed for _, speed in told} == {0.0}
+    assert told[-1][0] - told[0][0] > SOME / 20 / 2, "20 in a second, or twice that after a pause"
 
 
 def test_a_command_of_a_rule_takes_the_place_of_the_planners(robot: Robot, start: Start) -> None:
     start()
     robot.passes(1.0)
     robot.set(near=True)
-    until(lambda: robot.commands(0.2)[-1:] == [-0.05], "half of -0.1 m/s is sent")
-    assert set(robot.commands(0.3)) == {-0.05}
+    robot.passes(-0.05)  # half of -0.1 m/s
+    robot.stays_at(-0.05)
     robot.set(near=False)
     robot.passes(1.0)
 

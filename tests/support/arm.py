@@ -23,6 +23,7 @@ class Arm(Ears):
     def __init__(self, *arguments):
         super().__init__(*arguments)
         self.touches = False  # whether something is in the way unless the arm is retracted
+        self.gives_way = False  # whether that is gone once the arm is retracted
         self.obeys = True  # whether the arm stands without a goal
         self._is_retracted = False
         self._moved_at = 0.0
@@ -49,6 +50,7 @@ class Arm(Ears):
     def _end_of(self, pose):
         """The skill holds its pose until it is told otherwise."""
         self._is_retracted = pose == RETRACTED
+        self.touches = self.touches and not (self._is_retracted and self.gives_way)
         return "succeeds" if self._is_retracted else None
 
     def answer(self, request):

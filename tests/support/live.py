@@ -9,16 +9,25 @@ import subprocess
 import time
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeAlias
 
 from rossmarie import ir
 
+LIMIT = 60.0
+"""Seconds in which has to come what comes at all; many, as the machine may be busy."""
 
-def until(is_so: Callable[[], bool], what: str, seconds: float = 10.0) -> None:
+SOME = 20
+"""Commands by which a speed is told from a passing one; planners send 50 in a second."""
+
+Wanted: TypeAlias = ir.Machine | Path
+"""What is to be built: the node of a machine, or a package of this repository."""
+
+
+def until(is_so: Callable[[], bool], what: str) -> None:
     """Wait for something; fail if it does not come."""
-    end = time.monotonic() + seconds
+    end = time.monotonic() + LIMIT
     while not is_so():
-        assert time.monotonic() < end, f"not within {seconds} s: {what}"
+        assert time.monotonic() < end, f"not within {LIMIT} s: {what}"
         time.sleep(0.02)
 
 
@@ -48,14 +57,14 @@ class Process:
         """End it, and wait until it is gone."""
         if self.running.poll() is None:
             os.killpg(self.running.pid, how)
-        self.running.communicate(timeout=10)
+        self.running.communicate(timeout=LIMIT)
         self._log.close()
 
     def end_gently(self) -> None:
         """Interrupt it, so that it ends what it has started; end it if it does not."""
         self.running.send_signal(signal.SIGINT)
         try:
-            self.running.wait(20)
+            self.running.wait(LIMIT)
         finally:
             self.end()
 
@@ -68,7 +77,9 @@ class Ears(Process):
         assert self.running.stdout is not None
         self.running.stdin.write(json.dumps(request) + "\n")
         self.running.stdin.flush()
-        return json.loads(self.running.stdout.readline())
+        answer = self.running.stdout.readline()
+        assert answer, self.said()
+        return json.loads(answer)
 
     def set(self, **values: object) -> None:
         self.ask(set=values)
@@ -77,13 +88,28 @@ class Ears(Process):
         """What came on a topic since the last `forget`, without the times."""
         return [message for _, message in self.ask(heard=topic)]
 
+    def count(self, topic: str) -> int:
+        """How much came on a topic since the last `forget`."""
+        return int(self.ask(count=topic))
+
+    def silent(self, topic: str) -> None:
+        """Wait until nothing comes on a topic for half a second."""
+
+        def is_silent() -> bool:
+            self.ask(forget=topic)
+            time.sleep(0.5)
+            return self.count(topic) == 0
+
+        until(is_silent, f"{topic} is silent")
+
     def connected(self, topic: str) -> None:
         """Wait until somebody publishes a topic to it."""
-        until(lambda: self.ask(publishers=topic) > 0, f"connected to {topic}", 30)
+        until(lambda: self.ask(publishers=topic) > 0, f"connected to {topic}")
 
     def last(self, topic: str) -> Any:
         """What came last; None before the first."""
-        return next(reversed(self.heard(topic)), None)
+        found = self.ask(last=topic)
+        return found and found[1]
 
 
 class Robot(Ears):
@@ -93,6 +119,10 @@ class Robot(Ears):
         """The speeds on /cmd_vel during the next seconds."""
         self.ask(forget="/cmd_vel")
         time.sleep(seconds)
+        return self.speeds()
+
+    def speeds(self) -> list[float]:
+        """The speeds on /cmd_vel since the last `forget`."""
         return [float(speed) for speed in self.heard("/cmd_vel")]
 
     def call(self, service: str, **arguments: object) -> Any:
@@ -113,21 +143,26 @@ class Robot(Ears):
         told = self.last("/diagnostics")
         return {one["name"]: one["message"] for one in told["status"]} if told else {}
 
-    def passes(self, speed: float, seconds: float = 10.0) -> None:
+    def passes(self, speed: float) -> None:
         """Wait until commands come through at this speed."""
+        self.ask(forget="/cmd_vel")
+        self._until(lambda: self.last("/cmd_vel") == speed, f"{speed} m/s passes")
+
+    def stays_at(self, speed: float) -> None:
+        """The next commands are all so; or 0, as pauses that a busy machine adds are losses of
+        inputs.
+        """
+        self.ask(forget="/cmd_vel")
+        self._until(lambda: self.speeds().count(speed) >= SOME, f"{speed} m/s stays")
+        assert set(self.speeds()) <= {0.0, speed}, self.diagnoses()
+
+    def _until(self, is_so: Callable[[], bool], what: str) -> None:
+        """Wait for something; the failure tells what the node says."""
         try:
-            until(lambda: self.commands(0.1)[-1:] == [speed], f"{speed} m/s passes", seconds)
+            until(is_so, what)
         except AssertionError as error:
             node = f"the node says {self.state()} and {self.diagnoses()}"
             raise AssertionError(f"{error}; {node}, the robot: {self.said()}") from error
-
-    def stays_at(self, speed: float, seconds: float = 0.5) -> None:
-        """All commands are so during the next seconds; or 0, as pauses that a busy machine adds are
-        losses of inputs.
-        """
-        found = set(self.commands(seconds))
-        assert speed in found, self.diagnoses()
-        assert found <= {0.0, speed}, self.diagnoses()
 
     def diagnosed(self, text: str) -> None:
         """Wait until the diagnostics say this."""
@@ -138,7 +173,11 @@ class Ros(Protocol):
     """A generation of ROS with the node of the vehicle, built."""
 
     name: str
-    variables: dict[str, str]
+
+    @property
+    def variables(self) -> dict[str, str]:
+        """The environment of its nodes."""
+        ...
 
     @property
     def vehicle(self) -> Path:
@@ -157,12 +196,8 @@ class Ros(Protocol):
         """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
         ...
 
-    def build(self, machine: ir.Machine) -> Path:
-        """Build the node of a machine; its program."""
-        ...
-
-    def build_package(self, source: Path) -> Path:
-        """Build a package of this repository, called like its folder; where its programs are."""
+    def prepare(self, wanted: Sequence[Wanted]) -> list[Path]:
+        """Build all of these at once: the programs of nodes, and where those of packages are."""
         ...
 
     def begin(

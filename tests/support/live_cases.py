@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
+import shutil
 from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from rossmarie import ir
+from rossmarie.driver import compile_file
 from support.compiled import machine_of
 
 PACKAGES = {
@@ -28,16 +32,16 @@ action slow {
 action halt {
     block /cmd_vel : geometry_msgs/Twist;
     publish /horn : std_msgs/Bool { data = true; } at 5 Hz;
-    call /lamp : std_srvs/SetBool { data = true; } within 1 sec;
+    call /lamp : std_srvs/SetBool { data = true; } within 5 sec;
     hook flash;
 }
 action back {
     publish /cmd_vel : geometry_msgs/Twist { linear.x = -0.1 m/s; } at 10 Hz;
     scale /cmd_vel : geometry_msgs/Twist by 50 %;
 }
-action freeze { cancel /arm confirm by not moving within 1 sec then resend else cry; }
+action freeze { cancel /arm confirm by not moving within 2 sec then resend else cry; }
 action cry { log error "the arm does not stop"; }
-action retract { send ACTION { goal = 99; } to /arm within 6 sec then resend else cry; }
+action retract { send ACTION { goal = 99; } to /arm within 4 sec then resend else cry; }
 action grasp { send ACTION { goal = 1; } to /gripper within 1 sec else cry; }
 action grip { send ACTION { goal = 2; } to /hand within 60 sec; }
 action loosen { cancel /hand then resend; }
@@ -47,7 +51,7 @@ action name { set /planner.double_ to "slow"; }
 action exceed { set /planner.int_ to 100; }
 action soften { switch /controller_manager { stop position; start effort, gravity; } else cry; }
 input moving = topic /arm/moving : std_msgs/Bool .data;
-input orientation = topic /imu/data : sensor_msgs/Imu .orientation timeout 2 sec;
+input orientation = topic /imu/data : sensor_msgs/Imu .orientation timeout 3 sec;
 input ranges = topic /scan : sensor_msgs/LaserScan .ranges;
 input mode = topic /mode : std_msgs/String;
 rule tilted: if abs(orientation.pitch()) > 10 deg then { slow; };
@@ -76,6 +80,17 @@ def vehicle(generation: str = "ros1") -> ir.Machine:
     """Slows down where it is steep, halts until reset when it falls, backs off what is near."""
     machine = machine_of(rules(generation), message_folders=(PACKAGES[generation],))
     return replace(machine, name="vehicle")
+
+
+def patient(rules: Path) -> ir.Machine:
+    """The machine of rules in which inputs and actions have longer than a busy machine pauses."""
+    short = re.compile(r"(timeout|within) (0\.\d+|1) sec")
+    with TemporaryDirectory() as folder:
+        copied = shutil.copytree(rules.parent, Path(folder) / "rules") / rules.name
+        text, count = short.subn(r"\1 2 sec", copied.read_text(encoding="utf-8"))
+        assert count, "all of them have long already"
+        copied.write_text(text, encoding="utf-8")
+        return compile_file(copied).machine
 
 
 def acting(effects: str) -> ir.Machine:

@@ -30,6 +30,10 @@ class Memory:
             self.heard.get(request["forget"], deque()).clear()
         if "heard" in request:
             return list(self.heard.get(request["heard"], ()))
+        if "count" in request:
+            return len(self.heard.get(request["count"], ()))
+        if "last" in request:
+            return next(reversed(self.heard.get(request["last"], ())), None)
         return None
 
 

@@ -80,8 +80,8 @@ class Robot(Ears):
         if self.near is not None:
             self._scan = self._scan or self.sensor("/scan", LaserScan)
             self._scan.publish(LaserScan(ranges=[2.0, 0.1 if self.near else 1.0]))
-        self._mode.publish(String(data=self.mode))
         self._arm_moving.publish(Bool(data=self.moving))
+        self._mode.publish(String(data=self.mode))
 
     def _publish_pitch(self, degrees, stamp_s):
         if degrees is None:

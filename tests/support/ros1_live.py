@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import random
 import shutil
 import socket
 import subprocess
 import xmlrpc.client
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cached_property
 from pathlib import Path
@@ -14,11 +15,10 @@ from typing import Any, cast
 
 from rossmarie import ir
 from rossmarie.driver.build import generate
-from support.c_compiler import write
-from support.live import Ears, Process, Robot, until
+from support.live import Ears, Process, Robot, Wanted, until
 from support.live_cases import PACKAGES, vehicle
+from support.ros1_build import PYTHON, VARIABLES, Workspace, files_of
 
-PYTHON = Path("/usr/bin/python3")
 TOOLS = ("rosmaster", "catkin_make", "cmake", "g++")
 _HERE = Path(__file__).parent
 
@@ -33,43 +33,49 @@ def missing() -> str | None:
 
 
 def free_port() -> int:
-    with socket.socket() as found:
-        found.bind(("127.0.0.1", 0))
-        return int(found.getsockname()[1])
+    """One that nobody uses, and that the system gives to nobody who asks for any."""
+    while True:
+        port = random.randint(15000, 30000)
+        with socket.socket() as found:
+            if found.connect_ex(("127.0.0.1", port)) != 0:
+                return port
 
 
-def environment(folder: Path, port: int) -> dict[str, str]:
-    """The variables of ROS; Debian has no file that sets them."""
+def environment(folder: Path, port: int, workspace: Workspace) -> dict[str, str]:
+    """The variables of ROS."""
     return {
+        **VARIABLES,
         "HOME": str(folder),
-        "PATH": "/usr/bin:/bin:/usr/sbin:/sbin",
         "ROS_MASTER_URI": f"http://127.0.0.1:{port}",
         "ROS_IP": "127.0.0.1",
-        "ROS_ETC_DIR": "/etc/ros",
-        "ROS_ROOT": "/usr/share/ros",
-        "ROS_DISTRO": "Debian",
-        "ROS_VERSION": "1",
-        "ROS_PYTHON_VERSION": "3",
         "ROS_LOG_DIR": str(folder / "log"),
-        "ROS_PACKAGE_PATH": f"{folder / 'workspace' / 'src'}:/usr/share",
-        "PYTHONPATH": str(folder / "workspace/devel/lib/python3/dist-packages"),
-        "CMAKE_PREFIX_PATH": f"{folder / 'workspace/devel'}:/usr",
+        "ROS_PACKAGE_PATH": f"{workspace.sources}:/usr/share",
+        "PYTHONPATH": str(workspace.devel / "lib/python3/dist-packages"),
+        "CMAKE_PREFIX_PATH": f"{workspace.devel}:/usr",
     }
 
 
 class Master(Process):
-    """The one of the variables."""
+    """A new one. It is up after `wait`."""
 
-    def __init__(self, variables: Mapping[str, str], log: Path) -> None:
-        port = variables["ROS_MASTER_URI"].rpartition(":")[2]
-        super().__init__(["/usr/bin/rosmaster", "--core", "-p", port], variables, log)
-        until(lambda: _is_up(int(port)), "the master is up", 30)
+    def __init__(self, folder: Path, workspace: Workspace, port: int) -> None:
+        self.port = port
+        self.variables = environment(folder, port, workspace)
+        command = ["/usr/bin/rosmaster", "--core", "-p", str(port)]
+        super().__init__(command, self.variables, folder / "master.log")
 
+    def wait(self) -> None:
+        """Wait until it is up."""
+        until(self._answers, "the master is up")
 
-def _is_up(port: int) -> bool:
-    """Whether a master answers."""
-    with socket.socket() as asked:
-        return asked.connect_ex(("127.0.0.1", port)) == 0
+    def _answers(self) -> bool:
+        """Whether somebody answers at its port, and it is this one."""
+        assert self.running.poll() is None, self.said()
+        try:
+            with master_of(self.variables) as master:
+                return bool(master.getPid("/test")[2] == self.running.pid)
+        except OSError:
+            return False
 
 
 def master_of(variables: Mapping[str, str]) -> Any:
@@ -96,13 +102,17 @@ class Ros1:
 
     name = "ros1"
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, workspace: Workspace | None = None) -> None:
+        """The workspace may be one that others share."""
         self._folder = folder
-        self._workspace = folder / "workspace"
-        self.variables = environment(folder, free_port())
-        self._master = self._new_master()
-        for package in PACKAGES["ros1"].iterdir():
-            shutil.copytree(package, self._workspace / "src" / package.name)
+        self._workspace = workspace or Workspace(folder / "workspace")
+        self._master, self._next_master = self._new_master(), self._new_master()
+        self._master.wait()
+
+    @property
+    def variables(self) -> dict[str, str]:
+        """The environment of nodes."""
+        return self._master.variables
 
     @cached_property
     def vehicle(self) -> Path:
@@ -116,31 +126,40 @@ class Ros1:
         try:
             yield
         finally:
-            self._master = self._new_master()
+            self._master = Master(self._folder, self._workspace, self._master.port)
+            self._master.wait()
 
     def forget_all(self) -> None:
-        """A new master, which knows nobody who was killed.
+        """The next master, which knows nobody who was killed; it has started meanwhile.
 
-        It would go on asking the ports of the dead. Whoever listens there next may wait for the
-        rest of a question that it does not understand, and meanwhile accept nobody else: so does
-        a node of rospy.
+        The one before would go on asking the ports of the dead. Whoever listens there next may
+        wait for the rest of a question that it does not understand, and meanwhile accept nobody
+        else: so does a node of rospy.
         """
-        with self.without_master():
-            pass
+        self._master.end()
+        self._master, self._next_master = self._next_master, self._new_master()
+        self._master.wait()
 
     def _new_master(self) -> Master:
-        return Master(self.variables, self._folder / "master.log")
+        return Master(self._folder, self._workspace, free_port())
+
+    @property
+    def _variables_of_rospy(self) -> dict[str, str]:
+        """Nodes of rospy listen at an address of their own, where nobody asks who looks for the
+        dead of another master.
+        """
+        return {**self.variables, "ROS_IP": "127.{}.{}.1".format(*divmod(self._master.port, 256))}
 
     def robot(self) -> Robot:
         """A new robot. It lives in real time, the node need not."""
         set_parameters(self.variables, self.vehicle.name, {}, use_sim_time=False)
         command = [str(PYTHON), str(_HERE / "ros1_robot.py")]
-        return Robot(command, self.variables, self._folder / "robot.log")
+        return Robot(command, self._variables_of_rospy, self._folder / "robot.log")
 
     def ears(self, *arguments: str, script: str = "ears.py") -> Ears:
         """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
         command = [str(PYTHON), str(_HERE / script), *arguments]
-        return Ears(command, self.variables, self._folder / "ears.log")
+        return Ears(command, self._variables_of_rospy, self._folder / "ears.log")
 
     def start(self, parameters: Mapping[str, object], *, use_sim_time: bool = False) -> Process:
         """Start the node of the vehicle with these parameters and no others."""
@@ -166,45 +185,49 @@ class Ros1:
         """The process of the node of the vehicle, None if there is none."""
         return process_of(self.variables, "/vehicle_safety")
 
-    def play(self, recording: Path, *options: str) -> Process:
-        """Play a recording with simulated time; the options are those of rosbag."""
-        command = ["/usr/bin/rosbag", "play", "--quiet", "--clock", "--hz=500"]
-        arguments = ["--wait-for-subscribers", *options, str(recording)]
-        return Process([*command, *arguments], self.variables, self._folder / "play.log")
+    def play(self, recording: Path, *part: float) -> Process:
+        """Play a recording, or the part that begins at a second and lasts some, with simulated time
+        that waits for the node.
+        """
+        command = [str(PYTHON), str(_HERE / "ros1_play.py"), str(recording), *map(str, part)]
+        return Process(command, self._variables_of_rospy, self._folder / "play.log")
 
     def publish(self, rate: int, topic: str, ros_type: str, message: str) -> Process:
         """Publish a message at a rate, in a process of its own."""
         command = ["/usr/bin/rostopic", "pub", "-r", str(rate), topic, ros_type, message]
-        return Process(command, self.variables, self._folder / "publish.log")
+        return Process(command, self._variables_of_rospy, self._folder / "publish.log")
 
     def ros_type(self, name: str) -> str:
         """How `sensor_msgs/Imu` is called."""
         return name
 
     def end(self) -> None:
-        """End the master."""
+        """End the masters."""
         self._master.end()
+        self._next_master.end()
 
     def build(self, machine: ir.Machine) -> Path:
         """Build the node of a machine; its program."""
-        name = f"{machine.name}_safety"
-        write(generate(machine, "ros1"), self._workspace / "src" / name)
-        return self._make(name) / name
+        return self.prepare([machine])[0]
 
     def build_package(self, source: Path) -> Path:
         """Build a package of this repository, called like its folder; where its programs are."""
-        shutil.copytree(source, self._workspace / "src" / source.name, dirs_exist_ok=True)
-        return self._make(source.name)
+        return self.prepare([source])[0]
 
-    def _make(self, package: str) -> Path:
-        """Build all packages of the workspace, without a warning; where the programs of one are."""
-        command = ["catkin_make", "-j2", f"-DPYTHON_EXECUTABLE={PYTHON}"]
-        done = subprocess.run(
-            command, cwd=self._workspace, env=self.variables, capture_output=True, text=True
-        )
-        assert done.returncode == 0, done.stdout + done.stderr
-        assert "warning:" not in done.stderr, done.stderr
-        return self._workspace / "devel" / "lib" / package
+    def prepare(self, wanted: Sequence[Wanted]) -> list[Path]:
+        """Build all of these at once: the programs of nodes, and where those of packages are."""
+        packages = {each.name: files_of(each) for each in PACKAGES["ros1"].iterdir()}
+        found = []
+        for each in wanted:
+            if isinstance(each, Path):
+                packages[each.name] = files_of(each)
+                found.append(self._workspace.programs(each.name))
+            else:
+                name = f"{each.name}_safety"
+                packages[name] = dict(generate(each, "ros1"))
+                found.append(self._workspace.programs(name) / name)
+        self._workspace.build(packages)
+        return found
 
 
 def set_parameters(

@@ -7,17 +7,16 @@ import os
 import random
 import shutil
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
 
 from rosbags.highlevel import AnyReader
 
-from rossmarie import ir
 from rossmarie.driver.build import generate
 from support.c_compiler import write
-from support.live import Ears, Process, Robot
+from support.live import Ears, Process, Robot, Wanted
 from support.live_cases import PACKAGES, vehicle
 
 _HERE = Path(__file__).parent
@@ -55,7 +54,7 @@ class Ros2:
     @cached_property
     def vehicle(self) -> Path:
         """The program of the node of the vehicle."""
-        return self.build(vehicle("ros2"))
+        return self.prepare([vehicle("ros2")])[0]
 
     def robot(self) -> Robot:
         """A new robot; it needs the messages of the node of the vehicle."""
@@ -125,18 +124,23 @@ class Ros2:
     def end(self) -> None:
         """Nothing of it runs by itself."""
 
-    def build(self, machine: ir.Machine) -> Path:
-        """Build the node of a machine; its program."""
-        name = f"{machine.name}_safety"
-        write(generate(machine, "ros2"), self._workspace / "src" / name)
+    def prepare(self, wanted: Sequence[Wanted]) -> list[Path]:
+        """Build all of these at once: the programs of nodes, and where those of packages are."""
+        found = []
+        for each in wanted:
+            name = each.name if isinstance(each, Path) else f"{each.name}_safety"
+            source, programs = (
+                self._workspace / "src" / name,
+                self._workspace / "install/lib" / name,
+            )
+            if isinstance(each, Path):
+                shutil.copytree(each, source, dirs_exist_ok=True)
+                found.append(programs)
+            else:
+                write(generate(each, "ros2"), source)
+                found.append(programs / "safety_node")
         self._make()
-        return self._workspace / "install" / "lib" / name / "safety_node"
-
-    def build_package(self, source: Path) -> Path:
-        """Build a package of this repository, called like its folder; where its programs are."""
-        shutil.copytree(source, self._workspace / "src" / source.name, dirs_exist_ok=True)
-        self._make()
-        return self._workspace / "install" / "lib" / source.name
+        return found
 
     def _make(self) -> None:
         """Build all packages of the workspace, without a warning."""

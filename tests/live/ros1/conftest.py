@@ -8,7 +8,7 @@ from support.live import Ros
 from support.ros1_live import Ros1
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def ros(ros1: Ros1) -> Ros:
     """The one generation."""
     return ros1

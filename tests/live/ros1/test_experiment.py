@@ -18,7 +18,7 @@ from heron.experiments.arms import NAVIGATION_RULES, machine_of
 from heron.ros1 import Ros1Error, Ros1Link
 from heron.tasks import Status, TreeSkill
 from heron.variants import Arm, Terrain
-from support.live import Process, until
+from support.live import Process, Wanted, until
 from support.ros1_live import Ros1
 
 SEED = 3
@@ -29,18 +29,20 @@ so the drive hears it up to a period later than from a guard in its own process.
 """
 
 
-@pytest.fixture
-def program(ros1: Ros1) -> Path:
+def needs(_generation: str) -> Sequence[Wanted]:
     """The node of the rules of experiment I."""
-    return ros1.build(machine_of(NAVIGATION_RULES[Arm.ROSSMARIE]))
+    return [machine_of(NAVIGATION_RULES[Arm.ROSSMARIE])]
+
+
+pytestmark = pytest.mark.builds(by=needs)
 
 
 def test_an_experiment_has_the_same_outcome(
-    ros1: Ros1, program: Path, started: list[Process], tmp_path: Path
+    ros1: Ros1, programs: Sequence[Path], started: list[Process], tmp_path: Path
 ) -> None:
     """The steep ramp: rules limit, command in the place of the program, boost, and replan."""
     here = run_navigation(Arm.ROSSMARIE, Terrain.STEEP, SEED)
-    begin(ros1, program, started, tmp_path)
+    begin(ros1, programs[0], started, tmp_path)
     with closing(Ros1Link(ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as link:
         there = run_navigation(Arm.ROSSMARIE, Terrain.STEEP, SEED, link=link)
     assert verdicts(there.told) == [
@@ -72,15 +74,15 @@ def verdicts(told: Sequence[tuple[float, str]]) -> list[tuple[str, Any]]:
 
 
 def test_a_node_that_has_been_on_guard_is_refused(
-    ros1: Ros1, program: Path, started: list[Process], tmp_path: Path
+    ros1: Ros1, programs: Sequence[Path], started: list[Process], tmp_path: Path
 ) -> None:
     """Time begins at 0, and what it knows of another episode must not count."""
-    begin(ros1, program, started, tmp_path)
+    begin(ros1, programs[0], started, tmp_path)
     state = "/navigation_safety/state"
     ears = ros1.ears(state, "navigation_safety/State")
     started.append(ears)
     started.append(ros1.publish(10, "/clock", "rosgraph_msgs/Clock", "{clock: {secs: 5}}"))
-    until(lambda: ears.last(state) is not None, "the node has begun", 30)
+    until(lambda: ears.last(state) is not None, "the node has begun")
     with (
         closing(Ros1Link(ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as link,
         pytest.raises(Ros1Error, match="on guard before: start it anew"),

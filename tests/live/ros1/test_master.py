@@ -13,11 +13,11 @@ def test_the_master_is_started_anew(
 ) -> None:
     """The node ends, because nobody new could find it, and comes back as it was."""
     robot.set(pitch=15.0)
-    robot.passes(0.2, 30)
+    robot.passes(0.2)
     before = ros1.node_process()
     with ros1.without_master():
         robot.stays_at(0.2)
-    until(lambda: ros1.node_process() not in (before, None), "the node is back", 30)
+    until(lambda: ros1.node_process() not in (before, None), "the node is back")
     assert "the master was started anew" in launched.said()
     with master_of(ros1.variables) as master:
         state_file = master.getParam("/test", "/vehicle_safety/state_file")[2]
@@ -30,7 +30,7 @@ def test_the_master_is_started_anew(
 def test_who_was_killed_is_known_until_all_are_forgotten(ros1: Ros1) -> None:
     robot = ros1.robot()
     try:
-        until(lambda: "/robot" in publishers(ros1), "the robot publishes", 30)
+        until(lambda: "/robot" in publishers(ros1), "the robot publishes")
     finally:
         robot.end()
     assert "/robot" in publishers(ros1)

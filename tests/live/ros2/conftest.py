@@ -8,7 +8,7 @@ from support.live import Ros
 from support.ros2_live import Ros2
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def ros(ros2: Ros2) -> Ros:
     """The one generation."""
     return ros2

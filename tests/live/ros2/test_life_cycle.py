@@ -24,7 +24,7 @@ def command(ros2: Ros2, *arguments: str) -> str:
 
 def test_a_node_without_autostart_waits(ros2: Ros2, robot: Robot, start: Start) -> None:
     start(autostart=False)
-    until(lambda: "unconfigured" in command(ros2, "lifecycle", "get", NODE), "it is there", 30)
+    until(lambda: "unconfigured" in command(ros2, "lifecycle", "get", NODE), "it is there")
     assert robot.commands(0.5) == []
     assert "successful" in command(ros2, "lifecycle", "set", NODE, "configure")
     assert robot.commands(0.5) == []
@@ -83,7 +83,7 @@ def test_the_node_is_a_component(
         "vehicle_safety::SafetyNode",
     ]
     settings = ["-p", f"state_file:={tmp_path / 'latched'}"]
-    until(lambda: "Loaded component" in command(ros2, *load, *settings), "it is loaded", 60)
+    until(lambda: "Loaded component" in command(ros2, *load, *settings), "it is loaded")
     robot.passes(1.0)
     robot.set(pitch=15.0)
     robot.passes(0.2)

@@ -1,0 +1,58 @@
+"""What `rossmarie replay` says of a recording, and a node to which it is played."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rossmarie.driver.replay import replay_file
+from rossmarie.ir import Verdict
+from support.live import Process, Ros, until
+
+Changes = list[tuple[str, int, Any]]
+"""Rules, how they changed, and when, in s of the recording's clock."""
+
+
+def replayed(
+    rules: Path,
+    recording: Path,
+    near: float,
+    part: tuple[float, float] = (0.0, 1e9),
+    message_folders: Sequence[Path] = (),
+) -> Changes:
+    """What `rossmarie replay` says of a part of a recording; instants may be off by `near` s."""
+    replay, _ = replay_file(rules, recording, topic_map={}, message_folders=message_folders)
+    begin, end = part
+    return [
+        (
+            replay.machine.rules[event.rule].name,
+            int(event.change),
+            pytest.approx(event.at_ns / 1e9, abs=near),
+        )
+        for event in replay.events
+        if isinstance(event, Verdict) and begin <= (event.at_ns - replay.start_ns) / 1e9 <= end
+    ]
+
+
+def says(
+    ros: Ros, program: Path, latched: Path, play: Callable[[], Process], count: int
+) -> Changes:
+    """What a node says of what is played, `count` verdicts or more."""
+    package = program.parent.name
+    verdicts = f"/{package}/verdicts"
+    with ExitStack() as started:
+        node = ros.begin(program, {"state_file": str(latched)}, use_sim_time=True)
+        started.callback(node.end)
+        ears = ros.ears(verdicts, ros.ros_type(f"{package}/Verdict"))
+        started.callback(ears.end)
+        ears.connected(verdicts)
+        player = play()
+        started.callback(player.end)
+        until(lambda: player.running.poll() is not None, "all is played")
+        assert player.running.returncode == 0, player.said()
+        until(lambda: ears.count(verdicts) >= count, f"{count} verdicts")
+        return [(told["rule"], told["change"], told["at"]) for told in ears.heard(verdicts)]
