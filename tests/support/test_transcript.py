@@ -41,6 +41,41 @@ def test_a_command_without_shown_output_has_to_succeed(tmp_path: Path) -> None:
     assert "ended with 3" in problem
 
 
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        ("rossmarie check a.ross", ["rossmarie", "check", "a.ross"]),
+        (
+            "rossmarie fmt --check ../a.ross -o=b",
+            ["rossmarie", "fmt", "--check", "../a.ross", "-o=b"],
+        ),
+        (
+            """ezskiros plan --goal "(at 'x' y)" z""",
+            ["ezskiros", "plan", "--goal", "(at 'x' y)", "z"],
+        ),
+        ("rossmarie test a.ross 'nobody *'", ["rossmarie", "test", "a.ross", "nobody *"]),
+        ("rossmarie check *.ross", None),
+        ("rossmarie check a.ross > a.json", None),
+        ("rossmarie check a.ross | head; echo", None),
+        ('rossmarie check "$HOME/a.ross"', None),
+        (r"rossmarie check a\ b.ross", None),
+        ("rossmarie check ~/a.ross # all", None),
+        ("rossmarie explain 'a", None),
+        ("python a.py", None),
+        ("rossmarie-like a", None),
+    ],
+)
+def test_simple_commands_do_without_a_shell(command: str, words: list[str] | None) -> None:
+    assert transcript.words_of(command) == words
+
+
+def test_with_and_without_a_shell_the_same_is_printed(tmp_path: Path) -> None:
+    text = "$ rossmarie check none.ross\nerror[ROSS801]...\n...\n$ echo $?\n2\n"
+    assert transcript.run(text, tmp_path) == []
+    assert transcript.run(text.replace("none.ross", "none.ross | cat; false"), tmp_path) != []
+    assert transcript.run(text.replace("none.ross", "none.ross || exit $?"), tmp_path) == []
+
+
 PAGE = (
     "# Title\n\n```ross a.ross\nrule\n```\n\n- item\n  ```console\n  $ x\n  ```\n## End\n```\n```\n"
 )

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-_RUN = ("rossmarie ", "ezskiros ", "python ", "cat ", "echo $?")
-_TIME_LIMIT_S = 120
+from support import command_line
+
+_PROGRAMS = ("rossmarie", "ezskiros")
+_RUN = (*(f"{program} " for program in _PROGRAMS), "python ", "cat ", "echo $?")
+# Of words and quotations in which nothing has a meaning of its own.
+_PLAIN = re.compile(r"""(?:[\w@%+=:,./ -]|'[^']*'|"[^"$`\\]*")+""")
 
 
 @dataclass(frozen=True)
@@ -67,22 +72,30 @@ def run(text: str, folder: Path) -> list[str]:
 
 def _execute(command: str, folder: Path) -> tuple[int, str]:
     programs = str(Path(sys.executable).parent)
-    environment = {
-        **os.environ,
+    variables = {
         "PATH": f"{programs}{os.pathsep}{os.environ['PATH']}",
         "COLUMNS": "100",
         "NO_COLOR": "1",
         "TERM": "dumb",
     }
-    done = subprocess.run(
-        command,
-        shell=True,
-        cwd=folder,
-        env=environment,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        encoding="utf-8",
-        timeout=_TIME_LIMIT_S,
-        check=False,
-    )
+    if words := words_of(command):
+        done = command_line.run(*words, folder=folder, variables=variables, is_merged=True)
+    else:
+        done = subprocess.run(
+            command,
+            shell=True,
+            cwd=folder,
+            env={**os.environ, **variables},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            encoding="utf-8",
+            timeout=command_line.TIME_LIMIT_S,
+            check=False,
+        )
     return done.returncode, done.stdout
+
+
+def words_of(command: str) -> list[str] | None:
+    """The words of a call of a program of this project; None if it takes a shell to tell them."""
+    words = shlex.split(command) if _PLAIN.fullmatch(command) else []
+    return words if words and words[0] in _PROGRAMS else None

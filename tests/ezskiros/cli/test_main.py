@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import json
 import subprocess
-import sys
-from importlib.metadata import version
 from pathlib import Path
 
 import pytest
 
+from support import command_line
 from support.ontologies import HALL
 
 EXAMPLE = HALL.parent
 
 
 def run(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    command = [str(Path(sys.executable).with_name("ezskiros")), *arguments]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    return command_line.run("ezskiros", *arguments, folder=folder)
 
 
 @pytest.fixture
@@ -63,11 +61,6 @@ def test_how_inferred_parameters_get_their_values() -> None:
     assert "Robot: cora.Robot  from Workstation, by Robot.at(Workstation)" in lines[0]
     assert lines[1].endswith("any of its class: no pre-condition leads to it")
     assert lines[7] == "Object: skiros.Product  given"
-
-
-def test_the_version_is_printed() -> None:
-    done = run("--version", folder=EXAMPLE)
-    assert (done.returncode, done.stdout) == (0, f"ezskiros {version('rossmarie')}\n")
 
 
 def test_keys_and_outputs_are_explained(tmp_path: Path) -> None:

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from ezskiros.ontology.load import VARIABLE
+from support import command_line
 
 ROOT = Path(__file__).parents[3]
 EXAMPLE = ROOT / "examples" / "pick_place"
@@ -47,14 +48,11 @@ class hang(Hang.SkillBase):
 """
 
 
-def run(*words: str, folder: Path = ROOT, **environment: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [*COMMAND, *words],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        check=False,
-        env={**os.environ, **environment},
+def run(
+    *words: str, folder: Path = ROOT, given: str = "", **variables: str
+) -> subprocess.CompletedProcess[str]:
+    return command_line.run(
+        "ezskiros", "run", *words, folder=folder, variables=variables, given=given
     )
 
 
@@ -174,15 +172,11 @@ def test_what_could_be_several_things_is_asked(tmp_path: Path) -> None:
     text = (EXAMPLE / "lab.turtle").read_text(encoding="utf-8")
     scene.write_text(text + "rparts:ArmDevice-20 a rparts:ArmDevice .\n", encoding="utf-8")
     words = (*PICK[:2], "--scene", str(scene), PICK[-1], "Object=cable", "--simulate", "--ask")
-    done = subprocess.run(
-        [*COMMAND, *words], input="7\n2\n", capture_output=True, text=True, check=False
-    )
+    done = run(*words, given="7\n2\n")
     assert done.returncode == 0, done.stderr
     assert "  2  Robot=cora:Robot-1, Arm=rparts:ArmDevice-20" in done.stdout
     assert "Arm=rparts:ArmDevice-20" in done.stdout.partition("it could be")[0].splitlines()[-1]
-    given_up = subprocess.run(
-        [*COMMAND, *words], input="", capture_output=True, text=True, check=False
-    )
+    given_up = run(*words)
     assert given_up.returncode == 1
     assert "Traceback" not in given_up.stderr
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import subprocess
-import sys
 from pathlib import Path
 from textwrap import dedent
 
 import pytest
 
 from ezskiros.repair.pre_conditions import with_pre_conditions
+from support import command_line
 from support.skills import ONTOLOGY
 
 PARTS = ONTOLOGY.parent / "contract_parts.py"
@@ -48,9 +48,8 @@ class outer(Outer.SkillBase):
 
 
 def run(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    command = [str(Path(sys.executable).with_name("ezskiros")), "check", *arguments]
-    command += ["--ontology", str(ONTOLOGY)]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    words = ["check", *arguments, "--ontology", str(ONTOLOGY)]
+    return command_line.run("ezskiros", *words, folder=folder)
 
 
 @pytest.fixture

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
 
+from support import command_line
 from support.ontologies import HALL
 from support.tree_files import TREES
 
@@ -21,9 +21,7 @@ def lab(tmp_path: Path) -> Path:
 
 
 def show(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    command = [str(Path(sys.executable).with_name("ezskiros")), "show", *arguments]
-    command += ["--ontology", str(HALL)]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    return command_line.run("ezskiros", "show", *arguments, "--ontology", HALL, folder=folder)
 
 
 def test_the_skills_of_the_folder_are_shown(lab: Path) -> None:

@@ -15,6 +15,7 @@ from ezskiros.planning.facts import is_so
 from ezskiros.planning.plan import Plan
 from ezskiros.planning.solve import Step, tried
 from ezskiros.planning.source import source
+from support import command_line
 from support.golden import assert_golden
 from support.ontologies import HALL
 from support.planning import names, planned, skill, world
@@ -273,9 +274,8 @@ def test_a_plan_as_a_skill(gripping: Checked, bless: bool) -> None:
 
 
 def run(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    command = [str(Path(sys.executable).with_name("ezskiros")), *arguments]
-    command += [] if "--ontology" in arguments else ["--ontology", str(HALL)]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    named = [] if "--ontology" in arguments else ["--ontology", str(HALL)]
+    return command_line.run("ezskiros", *arguments, *named, folder=folder)
 
 
 @pytest.fixture

@@ -2,28 +2,21 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from ezskiros.ontology import load
 from ezskiros.stubs import write_stub
+from support import command_line
 
 ONTOLOGY = Path(__file__).parents[3] / "examples" / "pick_place" / "ontology"
 
 
-def stubs(*arguments: str | Path, **environment: str) -> subprocess.CompletedProcess[str]:
-    program = "from ezskiros.cli.main import main; main()"
-    return subprocess.run(
-        [sys.executable, "-c", program, "stubs", *arguments],
-        capture_output=True,
-        text=True,
-        env={**os.environ, "COLUMNS": "100", "EZSKIROS_ONTOLOGY": "", **environment},
-        check=False,
-    )
+def stubs(*arguments: str | Path, **variables: str) -> subprocess.CompletedProcess[str]:
+    defaults = {"COLUMNS": "100", "EZSKIROS_ONTOLOGY": ""}
+    return command_line.run("ezskiros", "stubs", *arguments, variables={**defaults, **variables})
 
 
 @pytest.fixture

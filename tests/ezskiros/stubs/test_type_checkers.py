@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import json
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 from ezskiros.ontology import load
 from ezskiros.stubs import write_stub
+from support import command_line
 from support.parts import ONTOLOGIES, needs
 from support.shared import SKIROS2_ONTOLOGIES
 from support.type_checkers import Checker, each_checker
@@ -29,13 +28,7 @@ def test_the_planted_errors_are_found_and_nothing_else(checker: Checker, tmp_pat
 
 
 def test_check_finds_the_planted_errors_without_a_type_checker(tmp_path: Path) -> None:
-    program = "from ezskiros.cli.main import main; main()"
-    done = subprocess.run(
-        [sys.executable, "-c", program, "check", "--format", "json", planted(tmp_path)],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    done = command_line.run("ezskiros", "check", "--format", "json", planted(tmp_path))
     found = json.loads(done.stdout)["diagnostics"]
     lines = {each["primary"]["start"]["line"] for each in found if each["severity"] == "error"}
     assert lines == lines_with("  # wrong: ")

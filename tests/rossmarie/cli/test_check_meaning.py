@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from support import command_line
 
 RULES = """
 input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec
@@ -19,15 +20,7 @@ rule faster: if speed > 2 m/s then { lower; } clear for 2 sec;
 
 
 def run(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-c", "from rossmarie.cli.main import main; main()"]
-    return subprocess.run(
-        [*command, *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        env={**os.environ, "COLUMNS": "100"},
-        timeout=300,
-        check=False,
-    )
+    return command_line.run("rossmarie", *arguments, variables={"COLUMNS": "100"})
 
 
 @pytest.fixture

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 import sys
-from importlib.metadata import version
 from pathlib import Path
 
 import pytest
@@ -14,6 +12,7 @@ import pytest
 from rossmarie import ir
 from rossmarie.driver.build import check_for
 from rossmarie.ir import machine_from_json, machine_to_json
+from support import command_line
 
 ROOT = Path(__file__).parents[3]
 RULES = """action stop;
@@ -23,21 +22,8 @@ rule it: if on then { stop; };
 WRONG = RULES.replace("if on", "if on and no")
 
 
-def run(*arguments: str | Path, **environment: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-c", "from rossmarie.cli.main import main; main()"]
-    return subprocess.run(
-        [*command, *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        env={**os.environ, "COLUMNS": "100", **environment},
-        timeout=120,
-        check=False,
-    )
-
-
-def test_the_version_is_printed() -> None:
-    done = run("--version")
-    assert (done.returncode, done.stdout) == (0, f"rossmarie {version('rossmarie')}\n")
+def run(*arguments: str | Path, **variables: str) -> subprocess.CompletedProcess[str]:
+    return command_line.run("rossmarie", *arguments, variables={"COLUMNS": "100", **variables})
 
 
 @pytest.fixture

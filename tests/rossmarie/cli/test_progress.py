@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from support import command_line
+
 MAIN = [sys.executable, "-c", "from rossmarie.cli.main import main; main()"]
 RULES = """action stop;
 input on = topic /on : std_msgs/Bool timeout 1 sec
@@ -20,18 +22,18 @@ CLEAR_LINE = "\x1b[2K"
 
 @pytest.fixture
 def replay(tmp_path: Path) -> list[str]:
-    """The command that replays a recording of 2000 messages."""
+    """The words that replay a recording of 2000 messages."""
     rules, drive = tmp_path / "rules.ross", tmp_path / "drive.csv"
     rules.write_text(RULES)
     drive.write_text("time,on\n" + "".join(f"{step / 100},{step % 2}\n" for step in range(2000)))
-    return [*MAIN, "replay", str(rules), str(drive)]
+    return ["replay", str(rules), str(drive)]
 
 
 def test_a_terminal_shows_how_far_a_replay_is(replay: list[str]) -> None:
     ours, theirs = pty.openpty()
     environment = {**os.environ, "TERM": "xterm", "COLUMNS": "100"}
     with subprocess.Popen(
-        replay, stdout=subprocess.DEVNULL, stderr=theirs, env=environment
+        [*MAIN, *replay], stdout=subprocess.DEVNULL, stderr=theirs, env=environment
     ) as running:
         os.close(theirs)
         shown = _all_of(ours)
@@ -43,7 +45,8 @@ def test_a_terminal_shows_how_far_a_replay_is(replay: list[str]) -> None:
 
 
 def test_elsewhere_nothing_is_shown(replay: list[str]) -> None:
-    done = subprocess.run(replay, capture_output=True, text=True, timeout=120, check=True)
+    done = command_line.run("rossmarie", *replay)
+    assert done.returncode == 0
     assert "replaying" not in done.stderr + done.stdout
     assert "\x1b" not in done.stderr + done.stdout
 

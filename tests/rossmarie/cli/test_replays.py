@@ -18,6 +18,7 @@ import typer
 from campaign import Campaign, Failure
 from dslkit.command_line import INTERNAL_ERROR
 from rossmarie.cli import replays
+from support import command_line
 from support.recordings import ROS1, readings, write_ros1
 
 ROOT = Path(__file__).parents[3]
@@ -30,10 +31,7 @@ rule it: if on then { stop; };
 
 
 def replay(rules: Path, *arguments: str | Path, folder: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [*MAIN, "replay", rules, *arguments], cwd=folder,
-        capture_output=True, text=True, timeout=300, check=False,
-    )  # fmt: skip
+    return command_line.run("rossmarie", "replay", rules, *arguments, folder=folder)
 
 
 @pytest.fixture(scope="module")

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from support import command_line
 from support.parts import FULL_DEVICE, PERMISSIONS, needs, require
 from support.recordings import ROS1, readings, write_ros1
 
@@ -25,12 +26,17 @@ DRIVE = "time,on\n0.0,0\n1.0,1\n"
 
 
 def run(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    return command_line.run("rossmarie", *arguments, variables={"COLUMNS": "100"})
+
+
+def run_as_user(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    """A run that is subject to permissions."""
     return subprocess.run(
         [*_as_user(), *MAIN, *map(str, arguments)],
         capture_output=True,
         text=True,
         env={**os.environ, "COLUMNS": "100"},
-        timeout=120,
+        timeout=command_line.TIME_LIMIT_S,
         check=False,
     )
 
@@ -68,7 +74,7 @@ def test_fmt_of_a_file_that_may_not_be_written(rules: Path, tmp_path: Path) -> N
     rules.chmod(0o444)
     other = tmp_path / "other.ross"
     other.write_text("action   go;")
-    done = run("fmt", rules, other)
+    done = run_as_user("fmt", rules, other)
     assert is_refused(done, f"cannot write {rules}: permission denied")
     assert rules.read_text() == "action   stop;"
     assert other.read_text() == "action go;\n"  # the others are written all the same
@@ -79,7 +85,7 @@ def test_rules_in_a_folder_that_may_not_be_entered(rules: Path, tmp_path: Path) 
     folder.mkdir()
     shutil.copy(rules, folder / "c.ross")
     folder.chmod(0)
-    done = run("check", folder / "c.ross")
+    done = run_as_user("check", folder / "c.ross")
     folder.chmod(0o755)
     assert (done.returncode, done.stderr) == (2, "")
     assert "error[ROSS801]" in done.stdout
@@ -87,14 +93,14 @@ def test_rules_in_a_folder_that_may_not_be_entered(rules: Path, tmp_path: Path) 
 
 def test_rules_that_may_not_be_read_are_a_finding(rules: Path) -> None:
     rules.chmod(0)
-    done = run("check", rules, "--format", "json")
+    done = run_as_user("check", rules, "--format", "json")
     assert (done.returncode, done.stderr) == (2, "")
     assert [found["code"] for found in json.loads(done.stdout)["diagnostics"]] == ["ROSS801"]
 
 
 def test_a_recording_that_may_not_be_read_is_a_finding(rules: Path, drive: Path) -> None:
     drive.chmod(0)
-    done = run("replay", rules, drive)
+    done = run_as_user("replay", rules, drive)
     assert (done.returncode, done.stderr) == (2, "")
     assert "error[ROSS611]" in done.stdout
 
@@ -146,7 +152,7 @@ def test_a_folder_that_cannot_be_written_is_noticed_before_the_replay(
 ) -> None:
     closed = tmp_path / "closed"
     closed.mkdir(mode=0o555)
-    done = run("replay", rules, drive, "-o", closed / "below")
+    done = run_as_user("replay", rules, drive, "-o", closed / "below")
     assert is_refused(done, "permission denied")
     assert done.stdout == ""
     assert is_refused(run("replay", rules, drive, "-o", drive / "below"), "is not a folder")

@@ -48,7 +48,8 @@ def rules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def prove_by(monkeypatch: pytest.MonkeyPatch) -> Any:
-    """What makes a prover the one that the command finds."""
+    """What makes a prover the one that the command finds; it answers in one process."""
+    monkeypatch.setattr(os, "cpu_count", lambda: 1)  # another takes longer to start than to prove
 
     def use(prover: Prover) -> None:
         monkeypatch.setattr(verification, "provide_prover", lambda _: prover)
