@@ -23,13 +23,18 @@ from rossmarie.native.signatures import declarations, fields_of
 from rossmarie.targets.c99 import generate_loadable
 from support.c_compiler import STRICT, needs_c, run, write
 from support.c_replay import knowledge, known, observations, program, table_bytes, trace_bytes
-from support.depth import examples, phases_of_compiled
+from support.depth import examples, is_deep, phases_of_compiled
 from support.machines import exactly, observe
 from support.runs import Case, FastCalls, in_chunks, row_by_row, whole_cases
 
 pytestmark = needs_c
 
-SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+# Optimizing takes half of the time of such a compilation.
+SANITIZERS = (
+    "-O1" if is_deep() else "-O0",
+    "-fsanitize=address,undefined",
+    "-fno-sanitize-recover=all",
+)
 _PACKED = "int host_packed(host *, int, int64_t, double *);"
 
 
@@ -97,7 +102,7 @@ def test_same_under_sanitizers(case: Case, latched: list[int]) -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         write({**generate_loadable(machine), "replay.c": program(machine)}, folder)
-        command = ["cc", "-std=c99", "-O1", *STRICT, *SANITIZERS, str(folder / "replay.c")]
+        command = ["cc", "-std=c99", *STRICT, *SANITIZERS, str(folder / "replay.c")]
         run([*command, "-o", folder / "replay", "-lm"])
         given = trace_bytes(machine, trace, latched) + table_bytes(columns)
         output = run([folder / "replay"], given=given).stdout

@@ -11,18 +11,21 @@ from hypothesis import Phase, settings
 _MANY = 100
 
 
-def examples(factor: int) -> int:
+def examples(factor: float) -> int:
     """A number of examples: `factor` times as many as the profile has."""
-    return factor * settings().max_examples
+    return round(factor * settings().max_examples)
+
+
+def is_deep() -> bool:
+    """Whether `make deep` runs the tests."""
+    return settings().max_examples > _MANY
 
 
 def phases_of_compiled() -> tuple[Phase, ...]:
     """The phases for examples that are compiled: shrinking one compiles hundreds of others, so
     only `make deep` does that.
     """
-    if settings().max_examples > _MANY:
-        return tuple(Phase)
-    return (Phase.explicit, Phase.reuse, Phase.generate)
+    return tuple(Phase) if is_deep() else (Phase.explicit, Phase.reuse, Phase.generate)
 
 
 def deep(cases: Iterable[object]) -> list[ParameterSet]:

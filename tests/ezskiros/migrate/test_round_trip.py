@@ -5,13 +5,15 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from hypothesis import given
+from hypothesis import given, settings
 
 from ezskiros.migrate.module import migrate_text
+from support.depth import examples
 from support.old_descriptions import descriptions
 from support.round_trip import comments, new_forms, old_forms, without_order, write_ontology
 
 
+@settings(max_examples=examples(0.4))
 @given(descriptions())
 def test_a_description_means_the_same(text: str) -> None:
     found = migrate_text("skills.py", text)
@@ -23,6 +25,7 @@ def test_a_description_means_the_same(text: str) -> None:
     assert without_order(new) == without_order(old)
 
 
+@settings(max_examples=examples(0.4))
 @given(descriptions())
 def test_a_description_keeps_its_comments(text: str) -> None:
     after = comments(migrate_text("skills.py", text).text)
@@ -30,6 +33,7 @@ def test_a_description_keeps_its_comments(text: str) -> None:
         after.remove(comment)
 
 
+@settings(max_examples=examples(0.4))
 @given(descriptions())
 def test_a_second_migration_does_nothing(text: str) -> None:
     once = migrate_text("skills.py", text)

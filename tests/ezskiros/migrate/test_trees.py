@@ -5,10 +5,11 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from hypothesis import given
+from hypothesis import given, settings
 
 from dslkit.diagnostics import Severity
 from ezskiros.migrate.module import migrate_text
+from support.depth import examples
 from support.old_trees import HEAD, compounds
 from support.round_trip import comments
 from support.tree_round_trip import new_trees, old_trees
@@ -80,11 +81,13 @@ def test_a_method_that_calls_itself_is_left() -> None:
     assert found.unimplemented == ["do"]
 
 
+@settings(max_examples=examples(0.4))
 @given(compounds())
 def test_any_tree_is_the_same(text: str) -> None:
     compare(text)
 
 
+@settings(max_examples=examples(0.4))
 @given(compounds())
 def test_its_comments_stay(text: str) -> None:
     after = comments(migrate_text("skills.py", text).text)
