@@ -21,8 +21,6 @@ from rossmarie.cli import replays
 from support import command_line
 from support.recordings import ROS1, readings, write_ros1
 
-ROOT = Path(__file__).parents[3]
-DEMO = ROOT / "examples/demo/demo.ross"
 MAIN = [sys.executable, "-c", "from rossmarie.cli.main import main; main()"]
 RULES = """action stop;
 input on = topic /on : std_msgs/Bool timeout 2 sec;
@@ -34,18 +32,19 @@ def replay(rules: Path, *arguments: str | Path, folder: Path) -> subprocess.Comp
     return command_line.run("rossmarie", "replay", rules, *arguments, folder=folder)
 
 
-@pytest.fixture(scope="module")
-def drives(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with `whole.mcap` of the demo, the first half of it in `half.mcap`, and no recording
-    in `broken.mcap`.
+@pytest.fixture
+def drives(tmp_path: Path) -> Path:
+    """A folder with rules, `whole.bag`, the first half of it in `half.bag`, and no recording in
+    `broken.bag`.
     """
-    folder = tmp_path_factory.mktemp("drives")
-    subprocess.run([sys.executable, ROOT / "examples/demo/record.py", folder / "demo"], check=True)
-    whole = shutil.move(folder / "demo" / "demo.mcap", folder / "whole.mcap")
-    written = Path(whole).read_bytes()
-    (folder / "half.mcap").write_bytes(written[: len(written) // 2])
-    (folder / "broken.mcap").write_text("broken")
-    return folder
+    (tmp_path / "rules.ross").write_text(
+        "action stop;\ninput volts = topic /battery : std_msgs/Float32 .data timeout 1 sec;\n"
+        "rule high: if volts > 20 then { stop; };\n"
+    )
+    written = write_ros1(tmp_path / "whole.bag", readings(ROS1, 800)).read_bytes()
+    (tmp_path / "half.bag").write_bytes(written[: len(written) // 2])
+    (tmp_path / "broken.bag").write_text("broken")
+    return tmp_path
 
 
 @pytest.fixture
@@ -62,19 +61,19 @@ def switches(tmp_path: Path) -> Path:
 def test_each_is_told_as_if_it_were_alone_in_the_order_in_which_they_were_given(
     drives: Path,
 ) -> None:
-    names = ["half.mcap", "broken.mcap", "whole.mcap"]
-    alone = {name: replay(DEMO, name, folder=drives) for name in names}
-    together = replay(DEMO, *names, folder=drives)
+    rules, names = drives / "rules.ross", ["half.bag", "broken.bag", "whole.bag"]
+    alone = {name: replay(rules, name, folder=drives) for name in names}
+    together = replay(rules, *names, folder=drives)
     *sections, totals = together.stdout.split("\n\n")
     told = "\n\n".join(sections)
     assert told == "\n\n".join(f"{name}:\n{alone[name].stdout.rstrip()}" for name in names)
-    assert re.fullmatch(r"2 of 3 recordings replayed, 1 min \d+ s: \d+ activations\n", totals)
-    assert alone["broken.mcap"].returncode == 1
+    assert re.fullmatch(r"2 of 3 recordings replayed, 2 min \d+ s: 2 activations\n", totals)
+    assert alone["broken.bag"].returncode == 1
     assert together.returncode == 1
     lines = together.stderr.splitlines()
     assert [line[:6] for line in lines] == ["1 of 3", "2 of 3", "3 of 3"]
     assert sorted(line.split(": ")[1] for line in lines) == sorted(names)
-    assert "broken.mcap: cannot be used" in together.stderr
+    assert "broken.bag: cannot be used" in together.stderr
 
 
 def test_reports_come_into_a_folder_for_each(switches: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import multiprocessing
 import os
 import shlex
 import signal
@@ -48,8 +49,14 @@ def rules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def prove_by(monkeypatch: pytest.MonkeyPatch) -> Any:
-    """What makes a prover the one that the command finds; it answers in one process."""
-    monkeypatch.setattr(os, "cpu_count", lambda: 1)  # another takes longer to start than to prove
+    """What makes a prover the one that the command finds.
+
+    It answers in a single process, a fork: starting others takes longer than their answers.
+    """
+    monkeypatch.setattr(os, "cpu_count", lambda: 1)
+    multiprocessing.set_forkserver_preload(["pytest", "rossmarie.driver.verifying"])
+    forks = multiprocessing.get_context("forkserver")
+    monkeypatch.setattr(multiprocessing, "get_context", lambda _: forks)
 
     def use(prover: Prover) -> None:
         monkeypatch.setattr(verification, "provide_prover", lambda _: prover)
