@@ -53,7 +53,8 @@ def test_a_node_runs_for_long(
         try:
             until(lambda: ears.count(VERDICTS) >= WARM, "it is at work")
             before_kib = resident_kib(node.running.pid)
-            assert talking.running.wait(seconds + LIMIT) == 0
+            talking.running.wait(seconds + LIMIT)
+            assert talking.running.poll() == 0, talking.said()
             growth_kib = resident_kib(node.running.pid) - before_kib
         finally:
             talking.end()

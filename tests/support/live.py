@@ -9,7 +9,7 @@ import subprocess
 import time
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Protocol, TypeAlias
+from typing import IO, Any, Protocol, TypeAlias
 
 from rossmarie import ir
 
@@ -31,22 +31,52 @@ def until(is_so: Callable[[], bool], what: str) -> None:
         time.sleep(0.02)
 
 
+class Running(Protocol):
+    """A running program, as `subprocess.Popen` has it."""
+
+    @property
+    def pid(self) -> int: ...
+    @property
+    def stdin(self) -> IO[str] | None: ...
+    @property
+    def stdout(self) -> IO[str] | None: ...
+    def poll(self) -> int | None: ...
+    def wait(self, timeout: float) -> object: ...
+    def communicate(self, *, timeout: float) -> object: ...
+    def send_signal(self, sig: int) -> object: ...
+
+
+Start: TypeAlias = Callable[[Sequence[str], Mapping[str, str], IO[bytes]], Running]
+"""Starts a command, with variables and a log, in a group of its own."""
+
+
+def started(command: Sequence[str], variables: Mapping[str, str], log: IO[bytes]) -> Running:
+    """A new process of the system."""
+    return subprocess.Popen(
+        command,
+        env=variables,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=log,
+        start_new_session=True,
+        text=True,
+    )
+
+
 class Process:
     """A program in a group of its own, so that nothing of it survives."""
 
-    def __init__(self, command: Sequence[str], variables: Mapping[str, str], log: Path) -> None:
+    def __init__(
+        self,
+        command: Sequence[str],
+        variables: Mapping[str, str],
+        log: Path,
+        start: Start = started,
+    ) -> None:
         log.parent.mkdir(parents=True, exist_ok=True)
         self._log = log.open("a+b")
         self._begin = self._log.seek(0, os.SEEK_END)
-        self.running = subprocess.Popen(
-            command,
-            env=variables,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=self._log,
-            start_new_session=True,
-            text=True,
-        )
+        self.running = start(command, variables, self._log)
 
     def said(self) -> str:
         """What it has written to its standard error."""

@@ -53,6 +53,6 @@ def says(
         player = play()
         started.callback(player.end)
         until(lambda: player.running.poll() is not None, "all is played")
-        assert player.running.returncode == 0, player.said()
+        assert player.running.poll() == 0, player.said()
         until(lambda: ears.count(verdicts) >= count, f"{count} verdicts")
         return [(told["rule"], told["change"], told["at"]) for told in ears.heard(verdicts)]

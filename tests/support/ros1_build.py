@@ -12,8 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from support.c_compiler import write
-
-PYTHON = Path("/usr/bin/python3")
+from support.ros1_python import PYTHON
 
 VARIABLES = {
     "PATH": "/usr/bin:/bin:/usr/sbin:/sbin",

@@ -15,9 +15,10 @@ from typing import Any, cast
 
 from rossmarie import ir
 from rossmarie.driver.build import generate
-from support.live import Ears, Process, Robot, Wanted, until
+from support.live import Ears, Process, Robot, Start, Wanted, until
 from support.live_cases import PACKAGES, vehicle
-from support.ros1_build import PYTHON, VARIABLES, Workspace, files_of
+from support.ros1_build import VARIABLES, Workspace, files_of
+from support.ros1_python import PYTHON, Python
 
 TOOLS = ("rosmaster", "catkin_make", "cmake", "g++")
 _HERE = Path(__file__).parent
@@ -58,11 +59,11 @@ def environment(folder: Path, port: int, workspace: Workspace) -> dict[str, str]
 class Master(Process):
     """A new one. It is up after `wait`."""
 
-    def __init__(self, folder: Path, workspace: Workspace, port: int) -> None:
-        self.port = port
-        self.variables = environment(folder, port, workspace)
-        command = ["/usr/bin/rosmaster", "--core", "-p", str(port)]
-        super().__init__(command, self.variables, folder / "master.log")
+    def __init__(self, variables: dict[str, str], python: Python) -> None:
+        self.variables = variables
+        port = variables["ROS_MASTER_URI"].rpartition(":")[2]
+        command = ["/usr/bin/rosmaster", "--core", "-p", port]
+        super().__init__(command, variables, Path(variables["HOME"]) / "master.log", python.start)
 
     def wait(self) -> None:
         """Wait until it is up."""
@@ -106,6 +107,7 @@ class Ros1:
         """The workspace may be one that others share."""
         self._folder = folder
         self._workspace = workspace or Workspace(folder / "workspace")
+        self._python = Python(environment(folder, 0, self._workspace))
         self._master, self._next_master = self._new_master(), self._new_master()
         self._master.wait()
 
@@ -126,7 +128,7 @@ class Ros1:
         try:
             yield
         finally:
-            self._master = Master(self._folder, self._workspace, self._master.port)
+            self._master = Master(self.variables, self._python)
             self._master.wait()
 
     def forget_all(self) -> None:
@@ -141,25 +143,25 @@ class Ros1:
         self._master.wait()
 
     def _new_master(self) -> Master:
-        return Master(self._folder, self._workspace, free_port())
+        variables = environment(self._folder, free_port(), self._workspace)
+        return Master(variables, self._python)
 
-    @property
-    def _variables_of_rospy(self) -> dict[str, str]:
-        """Nodes of rospy listen at an address of their own, where nobody asks who looks for the
-        dead of another master.
+    def _script(self, log: str, *command: str) -> tuple[Sequence[str], dict[str, str], Path, Start]:
+        """What starts a script with rospy. It listens at an address of its own, where nobody asks
+        who looks for the dead of another master.
         """
-        return {**self.variables, "ROS_IP": "127.{}.{}.1".format(*divmod(self._master.port, 256))}
+        port = int(self.variables["ROS_MASTER_URI"].rpartition(":")[2])
+        variables = {**self.variables, "ROS_IP": "127.{}.{}.1".format(*divmod(port, 256))}
+        return command, variables, self._folder / log, self._python.start
 
     def robot(self) -> Robot:
         """A new robot. It lives in real time, the node need not."""
         set_parameters(self.variables, self.vehicle.name, {}, use_sim_time=False)
-        command = [str(PYTHON), str(_HERE / "ros1_robot.py")]
-        return Robot(command, self._variables_of_rospy, self._folder / "robot.log")
+        return Robot(*self._script("robot.log", str(_HERE / "ros1_robot.py")))
 
     def ears(self, *arguments: str, script: str = "ears.py") -> Ears:
         """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
-        command = [str(PYTHON), str(_HERE / script), *arguments]
-        return Ears(command, self._variables_of_rospy, self._folder / "ears.log")
+        return Ears(*self._script("ears.log", str(_HERE / script), *arguments))
 
     def start(self, parameters: Mapping[str, object], *, use_sim_time: bool = False) -> Process:
         """Start the node of the vehicle with these parameters and no others."""
@@ -190,21 +192,22 @@ class Ros1:
         that waits for the node.
         """
         command = [str(PYTHON), str(_HERE / "ros1_play.py"), str(recording), *map(str, part)]
-        return Process(command, self._variables_of_rospy, self._folder / "play.log")
+        return Process(command, self.variables, self._folder / "play.log")
 
     def publish(self, rate: int, topic: str, ros_type: str, message: str) -> Process:
         """Publish a message at a rate, in a process of its own."""
         command = ["/usr/bin/rostopic", "pub", "-r", str(rate), topic, ros_type, message]
-        return Process(command, self._variables_of_rospy, self._folder / "publish.log")
+        return Process(*self._script("publish.log", *command))
 
     def ros_type(self, name: str) -> str:
         """How `sensor_msgs/Imu` is called."""
         return name
 
     def end(self) -> None:
-        """End the masters."""
+        """End what was started for it."""
         self._master.end()
         self._next_master.end()
+        self._python.end()
 
     def build(self, machine: ir.Machine) -> Path:
         """Build the node of a machine; its program."""
