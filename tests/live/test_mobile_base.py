@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import dropwhile, takewhile
 from pathlib import Path
 
 import pytest
@@ -50,26 +51,27 @@ def test_a_slope_is_climbed_with_more_torque(drive: Ears) -> None:
 def test_a_ramp_is_left_backwards_and_then_commands_flow_again(drive: Ears) -> None:
     drive.set(pitch=25.0)
     drive.ask(forget="/cmd_vel")
-    until(lambda: drive.last("/cmd_vel") == -0.1, "it moves back")
-    until(lambda: drive.last("speed") < 0.05, "it moves no more")
+    until(lambda: -0.1 in drive.heard("/cmd_vel"), "it moves back")
+    begin = next(at for at, speed in drive.ask(heard="/cmd_vel") if speed == -0.1)
+    until(lambda: any(at > begin for at in standing(drive)), "it moves no more")
     drive.set(pitch=0.0)
     until(lambda: drive.last("/cmd_vel") == 0.4, "commands flow again")
-    assert drive.last(STATE)["active"] == []
-    told = drive.ask(heard="/cmd_vel")
-    begin = next(index for index, (_, speed) in enumerate(told) if speed == -0.1)
-    after = [speed for _, speed in told[begin:]]
-    back = [speed for speed in after if speed < 0.0]
-    assert set(back) == {-0.1}
-    assert len(back) > 1, "again, until it moves no more"
-    assert after[: len(back)] == back, "nothing of the planner's comes between"
-    gentle = after[len(back) :]
+    until(lambda: drive.last(STATE)["active"] == [], "its state is told")
+    stood = next(at for at in standing(drive) if at > begin)
+    after = [(at, speed) for at, speed in drive.ask(heard="/cmd_vel") if at >= begin]
+    assert {speed for at, speed in after if at < stood} == {-0.1}, "nothing of the planner's"
+    assert len([at for at, _ in after if at < stood]) > 1, "again, until it moves no more"
+    behind = list(dropwhile(lambda speed: speed < 0.0, (speed for _, speed in after)))
+    gentle = list(takewhile(lambda speed: speed > 0.0, behind))
     assert gentle[0] >= 0.2
     assert gentle == sorted(gentle)
-    stood = next(
-        at for at, speed in drive.ask(heard="speed") if at > told[begin][0] and speed < 0.05
-    )
-    full = next(at for at, speed in told[begin:] if speed == 0.4)
+    full = next(at for at, speed in after if speed == 0.4)
     assert full - stood > 0.6, "from 0.2 to 0.4 m/s, by 0.3 m/s^2"
+
+
+def standing(drive: Ears) -> list[float]:
+    """The instants at which it did not move forward. It does not stay so: commands flow again."""
+    return [at for at, speed in drive.ask(heard="speed") if speed < 0.05]
 
 
 def test_high_speed_is_limited_until_it_is_over(drive: Ears) -> None:
