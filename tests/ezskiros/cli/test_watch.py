@@ -8,6 +8,7 @@ import sys
 import time
 from pathlib import Path
 
+from support.command_line import TIME_LIMIT_S
 from support.ontologies import HALL
 from support.skill_files import HEADER
 
@@ -30,11 +31,11 @@ def test_it_is_checked_again_when_it_has_changed(tmp_path: Path) -> None:
         until_said(out, "no errors in 1 file")
     finally:
         running.send_signal(signal.SIGINT)
-    assert running.wait(10) == 0
+    assert running.wait(TIME_LIMIT_S) == 0
 
 
 def until_said(out: Path, text: str) -> None:
-    end = time.monotonic() + 60
+    end = time.monotonic() + TIME_LIMIT_S
     while text not in out.read_text():
         assert time.monotonic() < end, out.read_text()
         time.sleep(0.1)

@@ -164,7 +164,7 @@ def test_who_interrupts_it_gets_one_line(switches: Path) -> None:
         assert running.stderr is not None
         assert running.stderr.readline().startswith("1 of 20")
         os.killpg(running.pid, signal.SIGINT)
-        told, complaints = running.communicate(timeout=60)
+        told, complaints = running.communicate(timeout=command_line.TIME_LIMIT_S)
     assert (running.returncode, told) == (130, "")
     assert complaints.splitlines()[-1] == "rossmarie: interrupted"
     assert "Traceback" not in complaints

@@ -20,6 +20,7 @@ from rossmarie.cli import verification
 from rossmarie.cli.main import app
 from rossmarie.verification.prover import Prover
 from support import transcript
+from support.command_line import TIME_LIMIT_S
 from support.golden import assert_golden
 from support.markdown import blocks
 from support.provers import StandIn, is_running, quick_debian, wait_for
@@ -298,13 +299,13 @@ def test_a_run_that_is_ended_leaves_nothing_behind(rules: Path, number: int, cod
         text=True,
     ) as running:
         beside = Path("tick")
-        wait_for(lambda: beside.exists() and beside.read_text() != "")
+        wait_for(lambda: beside.exists() and beside.read_text() != "", TIME_LIMIT_S)
         running.send_signal(number)
-        assert running.wait(30) == code
+        assert running.wait(TIME_LIMIT_S) == code
         assert running.stderr is not None
         said = running.stderr.read()  # all who hold it have ended
         assert "Traceback" not in said
         if number != signal.SIGKILL:
             assert "leaked" not in said
             assert not list(workshops.iterdir())
-    wait_for(lambda: not is_running(int(beside.read_text())))
+    wait_for(lambda: not is_running(int(beside.read_text())), TIME_LIMIT_S)
