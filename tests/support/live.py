@@ -16,7 +16,7 @@ from rossmarie import ir
 LIMIT = 60.0
 """Seconds in which has to come what comes at all; many, as the machine may be busy."""
 
-SOME = 20
+SOME = 10
 """Commands by which a speed is told from a passing one; planners send 50 in a second."""
 
 Wanted: TypeAlias = ir.Machine | Path
