@@ -53,7 +53,7 @@ def test_a_command_with_a_header_is_limited_too(robot: Robot, start: Start) -> N
 def test_a_blocked_topic_carries_zeros_without_any_command(robot: Robot, start: Start) -> None:
     robot.set(speed=None, pitch=None)
     start()
-    until(lambda: robot.state() is not None, "the node runs")
+    until(lambda: bool(robot.state()), "the node runs")
     robot.ask(forget="/cmd_vel")
     until(lambda: robot.count("/cmd_vel") >= 2 * SOME, "it sends")
     told = robot.ask(heard="/cmd_vel")[: 2 * SOME]

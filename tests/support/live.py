@@ -159,13 +159,12 @@ class Robot(Ears):
         return self.ask(call=service, **{"with": arguments})
 
     def state(self) -> Any:
-        """The last state that was told; None before the first."""
-        return self.last("/vehicle_safety/state")
+        """The last state that was told; empty before the first."""
+        return self.last("/vehicle_safety/state") or {}
 
     def states(self, action: str) -> list[str]:
         """What has become of the tasks of an action, as far as the node has told."""
-        told = self.state()
-        tasks = told["tasks"] if told else ()
+        tasks = self.state().get("tasks", ())
         return [task["state"] for task in tasks if task["action"] == action]
 
     def diagnoses(self) -> dict[str, str]:

@@ -45,14 +45,14 @@ def test_a_message_that_was_kept_for_late_comers_comes(robot: Robot, start: Star
     robot.ask(keep="scan")
     time.sleep(0.5)
     start()
-    until(lambda: "near" in (robot.state() or {}).get("active", ()), "it is known")
+    until(lambda: "near" in robot.state().get("active", ()), "it is known")
 
 
 def test_a_command_that_was_kept_for_late_comers_does_not_come(robot: Robot, start: Start) -> None:
     robot.set(speed=None)
     robot.ask(keep="command")
     start()
-    until(lambda: (robot.state() or {}).get("open", False), "commands may pass")
+    until(lambda: robot.state().get("open", False), "commands may pass")
     assert 0.7 not in robot.commands(3.0)
     robot.set(speed=0.7)
     robot.passes(0.7)
