@@ -97,12 +97,11 @@ def test_a_window_goes_with_the_clock_until_it_is_closed(monkeypatch: pytest.Mon
     window = Window(EXPERIMENTS["place"].cameras * 2)
     (node,) = window.attend(physics, InProcess(), None)
     began = time.monotonic()
-    for turn in range(100):
+    for turn in range(20):
         node.tick(turn * node.period_ns)
-    took = time.monotonic() - began
     assert handle.left == 0
-    assert took >= 19 * node.period_ns * 1e-9
-    assert took < 60 * node.period_ns * 1e-9
+    assert time.monotonic() - began >= 19 * node.period_ns * 1e-9
+    node.tick(10**18)  # a wait of 30 years, unless the window is gone
 
 
 @pytest.mark.parametrize(("shown", "windows"), [(3, 2), (0, 1)])

@@ -72,7 +72,7 @@ def play(bag, begin, end):
             all_is_heard.wait()
             now += TICK
         topics[topic].publish(message)
-    all_is_heard.wait()
+        all_is_heard.wait()  # the thread that hears /clock could be faster
 
 
 def main():

@@ -130,10 +130,14 @@ class Builder(TestBuilder):
         return _Steps(steps, self._span(parts))
 
     def step(self, parts: list[Any]) -> ast.Step:
-        """`also ACTION else ACTION`; `also` alone is a name."""
-        behind = [self.name(part) for part in parts if part.text != "else"]
-        otherwise = behind.pop() if _is(parts, len(parts) - 2, "else") else None
-        return ast.Step(len(behind) > 1, behind[-1], otherwise, self._span(parts))
+        """`also ACTION else ACTION`; `also` alone is a name.
+
+        The number of parts tells them apart, as a wrong name may be any word, `else` too.
+        """
+        is_also = len(parts) % 2 == 0
+        action = self.name(parts[1 if is_also else 0])
+        otherwise = self.name(parts[-1]) if len(parts) > 2 else None
+        return ast.Step(is_also, action, otherwise, self._span(parts))
 
     def priority(self, parts: list[Any]) -> ast.Priority:
         """`priority RULE over RULE`."""

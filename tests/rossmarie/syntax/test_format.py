@@ -84,6 +84,10 @@ action a {
         "rule r:if a then{b;also c else d;also;}priority r over s  over t",
         "rule r: if a then { b; also c else d; also; };\n\npriority r over s over t;\n",
     ),
+    "actions named as words": (
+        "if a then{else;also also;else else also;also else else;also also else else;}",
+        "if a then { else; also also; else else also; also else else; also also else else; };\n",
+    ),
     "hazards, and rules that give way": (
         'hazard  H1 "x";hazard H2  "y"\n'
         "rule r:if a  unless s,t then{b;}clear for 1 s mitigates H1,H2",

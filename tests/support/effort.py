@@ -1,0 +1,37 @@
+"""How the effort of some work grows with its size, told on a busy machine as on a quiet one."""
+
+from __future__ import annotations
+
+import cProfile
+import time
+from collections.abc import Callable
+from typing import TypeVar
+
+T = TypeVar("T")
+
+NOTHING_S = 0.2
+"""Seconds of CPU that are nothing, whatever the size."""
+
+ATTEMPTS = 3
+"""Other processes slow one of two measurements, but hardly three times the same."""
+
+
+def calls_of(work: Callable[[T], object], thing: T) -> int:
+    """How many functions are called, which is the same on any machine under any load."""
+    with cProfile.Profile() as profile:
+        work(thing)
+    return sum(entry.callcount for entry in profile.getstats())
+
+
+def cpu_s_of(work: Callable[[T], object], thing: T) -> float:
+    """Seconds of CPU, which also count the work of what is written in C."""
+    begin = time.process_time()
+    work(thing)
+    return time.process_time() - begin
+
+
+def takes_at_most(times: float, work: Callable[[T], object], small: T, large: T) -> bool:
+    """Whether the work on something large takes at most so many times the CPU of the small."""
+    return any(
+        cpu_s_of(work, large) < NOTHING_S + times * cpu_s_of(work, small) for _ in range(ATTEMPTS)
+    )
