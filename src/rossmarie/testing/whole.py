@@ -51,9 +51,14 @@ def _applied(machine: ir.Machine, function: Function, operands: tuple[int, ...])
     if function in _SAME_STEP or (function in _JOINED and _is_one(known)):
         return min(known)
     if function is Function.MULTIPLY and len(constants) == 1 and constants[0]:
-        return known[0] * abs(constants[0])
+        return _representable(known[0] * abs(constants[0]))
     is_divided = function is Function.DIVIDE and isinstance(nodes[1], ir.Constant)
-    return known[0] / abs(constants[0]) if is_divided and constants[0] else None
+    return _representable(known[0] / abs(constants[0])) if is_divided and constants[0] else None
+
+
+def _representable(step: float) -> float | None:
+    """None if it is beyond the range of a double, or too small for one."""
+    return step if 0.0 < step < math.inf else None
 
 
 def _is_one(steps: list[float]) -> bool:

@@ -83,3 +83,8 @@ def test_a_rate_of_a_counter_rises_by_whole_steps(tmp_path: Path) -> None:
     assert "wheel = 4 mm;" in text
     assert Aspect.TRUE not in uncovered(outcome)
     assert Aspect.FALSE not in uncovered(outcome)
+
+
+def test_a_step_beyond_the_range_of_a_double_is_no_step(tmp_path: Path) -> None:
+    _, ran = written(tmp_path, "gear * 1e200 * 1e200 + gear > 3")
+    assert not any(each.found for each in ran.ran)
