@@ -213,11 +213,13 @@ class Ros(Protocol):
         """The program of the node of the vehicle."""
         ...
 
-    def robot(self) -> Robot:
-        """A new robot."""
+    def robot(self, namespace: str = "") -> Robot:
+        """A new robot, in a namespace such as `/robot1`."""
         ...
 
-    def start(self, parameters: Mapping[str, object], *, use_sim_time: bool = False) -> Process:
+    def start(
+        self, parameters: Mapping[str, object], *, use_sim_time: bool = False, namespace: str = ""
+    ) -> Process:
         """Start the node of the vehicle with these parameters and no others."""
         ...
 
@@ -230,7 +232,12 @@ class Ros(Protocol):
         ...
 
     def begin(
-        self, program: Path, parameters: Mapping[str, object], *, use_sim_time: bool = False
+        self,
+        program: Path,
+        parameters: Mapping[str, object],
+        *,
+        use_sim_time: bool = False,
+        namespace: str = "",
     ) -> Process:
         """Start a node with these parameters and no others."""
         ...
@@ -239,7 +246,9 @@ class Ros(Protocol):
         """Play a recording with simulated time."""
         ...
 
-    def launch(self, folder: Path, parameters: Mapping[str, object]) -> Process:
+    def launch(
+        self, folder: Path, parameters: Mapping[str, object], namespace: str = ""
+    ) -> Process:
         """Launch the node with a planner that wants 0.7 m/s; `folder` is for files of the test."""
         ...
 

@@ -20,6 +20,7 @@ PACKAGES = {
 
 ACTIONS = {"ros1": "actionlib/Test", "ros2": "arm_msgs/Move"}
 _RULES = """
+action alarm { publish /siren : std_msgs/Bool { data = true; }; }
 action slow {
     limit /cmd_vel : geometry_msgs/Twist {
         linear.x in [-0.2, 0.2] m/s;
@@ -53,9 +54,11 @@ action soften { switch /controller_manager { stop position; start effort, gravit
 input moving = topic /arm/moving : std_msgs/Bool .data;
 input orientation = topic /imu/data : sensor_msgs/Imu .orientation timeout 3 sec;
 input ranges = topic /scan : sensor_msgs/LaserScan .ranges;
+input bypassed = topic /vehicle_safety/bypassed : std_msgs/Bool .data;
 input mode = topic /mode : std_msgs/String;
 rule tilted: if abs(orientation.pitch()) > 10 deg then { slow; };
 rule fallen: if abs(orientation.pitch()) > 30 deg then { halt; } latched until reset;
+rule passed_by: if bypassed then { alarm; };
 rule near: if any(ranges < 0.3 m) and mode != "docking" then { back; };
 rule touched: if mode == "touched" or mode == "both" then { retract; };
 rule paused: if mode == "paused" or mode == "both" then { freeze; };

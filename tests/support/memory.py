@@ -12,6 +12,16 @@ import time
 from collections import deque
 from typing import Any
 
+NAMESPACE = os.environ.get("ROBOT_NAMESPACE", "")
+"""Of the node and of its topics, `/robot1`."""
+
+_OF_ALL = ("/clock", "/diagnostics", "/rosout")
+
+
+def in_namespace(name: str) -> str:
+    """A topic or a service of this robot."""
+    return name if name in _OF_ALL else NAMESPACE + name
+
 
 class Memory:
     """What happened, under a topic or another name, and when."""

@@ -60,6 +60,7 @@ class Robot(Ears):
         self.hear("/cmd_vel", Twist, lambda m: m.linear.x)
         self.hear("/arm_vel", TwistStamped, lambda m: [m.header.frame_id, m.twist.linear.x])
         self.hear("/horn", Bool, lambda m: m.data)
+        self.hear("/siren", Bool, lambda m: m.data)
         self.hear_latched(NODE + "/state", State)
         self.hear(NODE + "/verdicts", Verdict)
         self.hear("/diagnostics", DiagnosticArray)
@@ -131,6 +132,8 @@ class Robot(Ears):
             self._clients[request.get("of", "/arm")].send(request["goal"])
         if "offer" in request:
             getattr(self, "_offer_" + request["offer"])()
+        if "deafen" in request:
+            self.deafen(request["deafen"])
         if "call" in request:
             return self._call(request["call"], request["with"])
         return super().answer(request)

@@ -8,7 +8,7 @@ import roslib.message
 import rospy
 from dynamic_reconfigure.msg import Config, DoubleParameter
 from dynamic_reconfigure.srv import Reconfigure
-from memory import Memory, serve
+from memory import NAMESPACE, Memory, in_namespace, serve
 
 
 class Ears(Memory):
@@ -23,13 +23,17 @@ class Ears(Memory):
         """`read` says what of a message is kept; all of it if nothing else is said."""
         keep = read or plain
         self._subscribers[topic] = rospy.Subscriber(
-            topic, kind, lambda m: self.note(topic, keep(m)), tcp_nodelay=True
+            in_namespace(topic), kind, lambda m: self.note(topic, keep(m)), tcp_nodelay=True
         )
 
     hear_latched = hear
 
+    def deafen(self, topic):
+        """Do not listen any more."""
+        self._subscribers.pop(topic).unregister()
+
     def publisher(self, topic, kind):
-        return rospy.Publisher(topic, kind, queue_size=1)
+        return rospy.Publisher(in_namespace(topic), kind, queue_size=1)
 
     sensor = publisher
 
@@ -39,11 +43,12 @@ class Ears(Memory):
 
     def offer(self, service, kind, answer):
         """`answer` gives the fields of the response to a request."""
-        self._offered.append(rospy.Service(service, kind, answer))
+        self._offered.append(rospy.Service(in_namespace(service), kind, answer))
 
     def call(self, service, kind, arguments):
-        rospy.wait_for_service(service, timeout=5.0)
-        return plain(rospy.ServiceProxy(service, kind)(**arguments))
+        name = in_namespace(service)
+        rospy.wait_for_service(name, timeout=5.0)
+        return plain(rospy.ServiceProxy(name, kind)(**arguments))
 
     def offer_parameter(self, node, name, value):
         """A node with a parameter that takes every number."""
@@ -87,5 +92,6 @@ def plain(value):
 
 def run(make, name="robot"):
     """Answer requests until there are no more."""
-    rospy.init_node(name, disable_signals=True)
+    # The namespace of the process was fixed when rospy was imported.
+    rospy.init_node(name + NAMESPACE.replace("/", "_"), disable_signals=True)
     serve(make())

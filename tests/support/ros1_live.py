@@ -29,7 +29,8 @@ def missing() -> str | None:
     lacking = [tool for tool in TOOLS if shutil.which(tool, path="/usr/bin") is None]
     if lacking:
         return f"not installed: {', '.join(lacking)}"
-    done = subprocess.run([PYTHON, "-c", "import rospy"], capture_output=True)
+    # Not as the variables of a generation of ROS that is sourced say.
+    done = subprocess.run([PYTHON, "-I", "-c", "import rospy"], capture_output=True)
     return "not installed: rospy" if done.returncode else None
 
 
@@ -154,34 +155,48 @@ class Ros1:
         variables = {**self.variables, "ROS_IP": "127.{}.{}.1".format(*divmod(port, 256))}
         return command, variables, self._folder / log, self._python.start
 
-    def robot(self) -> Robot:
+    def robot(self, namespace: str = "") -> Robot:
         """A new robot. It lives in real time, the node need not."""
         set_parameters(self.variables, self.vehicle.name, {}, use_sim_time=False)
-        return Robot(*self._script("robot.log", str(_HERE / "ros1_robot.py")))
+        command, variables, *rest = self._script("robot.log", str(_HERE / "ros1_robot.py"))
+        return Robot(command, {**variables, "ROBOT_NAMESPACE": namespace}, *rest)
 
     def ears(self, *arguments: str, script: str = "ears.py") -> Ears:
         """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
         return Ears(*self._script("ears.log", str(_HERE / script), *arguments))
 
-    def start(self, parameters: Mapping[str, object], *, use_sim_time: bool = False) -> Process:
+    def start(
+        self, parameters: Mapping[str, object], *, use_sim_time: bool = False, namespace: str = ""
+    ) -> Process:
         """Start the node of the vehicle with these parameters and no others."""
-        return self.begin(self.vehicle, parameters, use_sim_time=use_sim_time)
+        return self.begin(self.vehicle, parameters, use_sim_time=use_sim_time, namespace=namespace)
 
     def begin(
-        self, program: Path, parameters: Mapping[str, object], *, use_sim_time: bool = False
+        self,
+        program: Path,
+        parameters: Mapping[str, object],
+        *,
+        use_sim_time: bool = False,
+        namespace: str = "",
     ) -> Process:
         """Start a node with these parameters and no others."""
-        set_parameters(self.variables, program.name, parameters, use_sim_time=use_sim_time)
-        return Process([str(program)], self.variables, self._folder / f"{program.name}.log")
+        node = f"{namespace[1:]}/{program.name}" if namespace else program.name
+        set_parameters(self.variables, node, parameters, use_sim_time=use_sim_time)
+        variables = {**self.variables, "ROS_NAMESPACE": namespace}
+        return Process([str(program)], variables, self._folder / f"{program.name}.log")
 
-    def launch(self, folder: Path, parameters: Mapping[str, object]) -> Process:
+    def launch(
+        self, folder: Path, parameters: Mapping[str, object], namespace: str = ""
+    ) -> Process:
         """Launch the node with a planner that wants 0.7 m/s; `folder` is for files of the test."""
         planner = folder / "planner.launch"
         planner.write_text(_PLANNER, encoding="utf-8")
-        set_parameters(self.variables, self.vehicle.name, parameters, use_sim_time=False)
+        node = f"{namespace[1:]}/{self.vehicle.name}" if namespace else self.vehicle.name
+        set_parameters(self.variables, node, parameters, use_sim_time=False)
         command = ["/usr/bin/roslaunch", "vehicle_safety", "vehicle_safety.launch"]
         log = self._folder / "launch.log"
-        return Process([*command, f"commands:={planner}"], self.variables, log)
+        arguments = [f"commands:={planner}", *([f"namespace:={namespace}"] if namespace else [])]
+        return Process([*command, *arguments], self.variables, log)
 
     def node_process(self) -> int | None:
         """The process of the node of the vehicle, None if there is none."""
@@ -245,6 +260,6 @@ def set_parameters(
 _PLANNER = """\
 <launch>
   <node pkg="rostopic" type="rostopic" name="planner"
-        args="pub -r 20 /cmd_vel geometry_msgs/Twist '{linear: {x: 0.7}}'"/>
+        args="pub -r 20 cmd_vel geometry_msgs/Twist '{linear: {x: 0.7}}'"/>
 </launch>
 """

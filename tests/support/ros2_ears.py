@@ -6,7 +6,7 @@ import threading
 
 import rclpy
 from builtin_interfaces.msg import Duration, Time
-from memory import Memory, serve
+from memory import NAMESPACE, Memory, in_namespace, serve
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor
@@ -29,17 +29,21 @@ class Ears(Memory):
         """`read` says what of a message is kept; all of it if nothing else is said."""
         keep = read or plain
         self._subscriptions[topic] = self.node.create_subscription(
-            kind, topic, lambda m: self.note(topic, keep(m)), qos
+            kind, in_namespace(topic), lambda m: self.note(topic, keep(m)), qos
         )
+
+    def deafen(self, topic):
+        """Do not listen any more."""
+        self.node.destroy_subscription(self._subscriptions.pop(topic))
 
     def hear_latched(self, topic, kind):
         self.hear(topic, kind, qos=LATCHED)
 
     def publisher(self, topic, kind):
-        return self.node.create_publisher(kind, topic, 1)
+        return self.node.create_publisher(kind, in_namespace(topic), 1)
 
     def sensor(self, topic, kind):
-        return self.node.create_publisher(kind, topic, qos_profile_sensor_data)
+        return self.node.create_publisher(kind, in_namespace(topic), qos_profile_sensor_data)
 
     def every(self, seconds, do):
         """Call a function at a rate."""
@@ -53,10 +57,10 @@ class Ears(Memory):
                 setattr(response, name, value)
             return response
 
-        self.node.create_service(kind, service, respond, callback_group=self._group)
+        self.node.create_service(kind, in_namespace(service), respond, callback_group=self._group)
 
     def call(self, service, kind, arguments):
-        client = self.node.create_client(kind, service, callback_group=self._group)
+        client = self.node.create_client(kind, in_namespace(service), callback_group=self._group)
         client.wait_for_service(timeout_sec=5.0)
         return plain(client.call(kind.Request(**arguments)))
 
@@ -107,7 +111,7 @@ def plain(value):
 def run(make, name="robot"):
     """Answer requests until there are no more."""
     rclpy.init()
-    node = rclpy.create_node(name)
+    node = rclpy.create_node(name, namespace=NAMESPACE)
     executor = MultiThreadedExecutor(6)
     executor.add_node(node)
     ears = make(node)

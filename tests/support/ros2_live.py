@@ -56,30 +56,41 @@ class Ros2:
         """The program of the node of the vehicle."""
         return self.prepare([vehicle("ros2")])[0]
 
-    def robot(self) -> Robot:
+    def robot(self, namespace: str = "") -> Robot:
         """A new robot; it needs the messages of the node of the vehicle."""
         command = [str(shutil.which("python3")), str(_HERE / "ros2_robot.py")]
-        return Robot(command, self.variables, self._folder / "robot.log")
+        variables = {**self.variables, "ROBOT_NAMESPACE": namespace}
+        return Robot(command, variables, self._folder / "robot.log")
 
     def ears(self, *arguments: str, script: str = "ears.py") -> Ears:
         """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
         command = [str(shutil.which("python3")), str(_HERE / script), *arguments]
         return Ears(command, self.variables, self._folder / "ears.log")
 
-    def start(self, parameters: Mapping[str, object], *, use_sim_time: bool = False) -> Process:
+    def start(
+        self, parameters: Mapping[str, object], *, use_sim_time: bool = False, namespace: str = ""
+    ) -> Process:
         """Start the node of the vehicle with these parameters and no others."""
-        return self.begin(self.vehicle, parameters, use_sim_time=use_sim_time)
+        return self.begin(self.vehicle, parameters, use_sim_time=use_sim_time, namespace=namespace)
 
     def begin(
-        self, program: Path, parameters: Mapping[str, object], *, use_sim_time: bool = False
+        self,
+        program: Path,
+        parameters: Mapping[str, object],
+        *,
+        use_sim_time: bool = False,
+        namespace: str = "",
     ) -> Process:
         """Start a node with these parameters and no others."""
         given = {**parameters, "use_sim_time": use_sim_time}
         rules = [text for item in given.items() for text in ("-p", _rule(*item))]
-        command = [str(program), "--ros-args", *rules]
+        space = ("-r", f"__ns:={namespace}") if namespace else ()
+        command = [str(program), "--ros-args", *rules, *space]
         return Process(command, self.variables, self._folder / f"{program.parent.name}.log")
 
-    def launch(self, folder: Path, parameters: Mapping[str, object]) -> Process:
+    def launch(
+        self, folder: Path, parameters: Mapping[str, object], namespace: str = ""
+    ) -> Process:
         """Launch the node with a planner that wants 0.7 m/s; `folder` is for files of the test."""
         planner, settings = folder / "planner.launch.py", folder / "parameters.yaml"
         planner.write_text(_PLANNER, encoding="utf-8")
@@ -87,6 +98,7 @@ class Ros2:
         settings.write_text(json.dumps(given), encoding="utf-8")
         command = ["ros2", "launch", "vehicle_safety", "vehicle_safety.launch.py"]
         arguments = [f"commands:={planner}", f"parameters:={settings}"]
+        arguments += [f"namespace:={namespace}"] if namespace else []
         return Process([*command, *arguments], self.variables, self._folder / "launch.log")
 
     def node_process(self) -> int | None:
@@ -162,6 +174,7 @@ class Ros2:
         found = dict(line.split("=", 1) for line in done.stdout.split("\0") if line)
         found["ROS_DOMAIN_ID"] = str(random.randint(1, 100))
         found["ROS_LOG_DIR"] = str(self._folder / "log")
+        found["ROS_HOME"] = str(self._folder / "home")
         found.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
         return found
 
@@ -181,7 +194,7 @@ from geometry_msgs.msg import Twist
 
 rclpy.init()
 node = rclpy.create_node("planner")
-publisher = node.create_publisher(Twist, "/cmd_vel", 1)
+publisher = node.create_publisher(Twist, "cmd_vel", 1)
 message = Twist()
 message.linear.x = 0.7
 node.create_timer(0.05, lambda: publisher.publish(message))

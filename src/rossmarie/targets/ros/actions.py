@@ -148,7 +148,7 @@ class TasksText:
             case reactions.SetParameter(value=value):
                 return "SetTask", [self._shared(index), _parameter_value(value), _report(index)]
             case reactions.SwitchControllers():
-                manager = [needs.MIDDLEWARE, string(effect.manager)]
+                manager = [needs.MIDDLEWARE, needs.resolved(effect.manager)]
                 change = f"Controllers::Change{{{_texts(effect.start)}, {_texts(effect.stop)}}}"
                 return "SwitchTask", [*manager, self._shared(index), change, _report(index)]
             case reactions.Limit() | reactions.Scale():
@@ -165,14 +165,14 @@ class TasksText:
         kind = self.dialect.cpp_type(*_sent(effect))
         match effect:
             case reactions.Publish(command=None):
-                where = [needs.MIDDLEWARE, string(effect.topic)]
+                where = [needs.MIDDLEWARE, names.relative(effect.topic)]
                 return f"PublishTask<{kind}>", [*where, _period(effect), message]
             case reactions.Publish(command=int(command)):
                 member = names.command_members(self.machine)[command]
                 word = names.command_classes(self.machine)[command]
                 return f"CommandTask<{word}>", [f"*filters.{member}", _period(effect), message]
             case reactions.Call(service=service):
-                arguments = [needs.MIDDLEWARE, string(service), message, _report(index)]
+                arguments = [needs.MIDDLEWARE, names.relative(service), message, _report(index)]
                 return f"CallTask<{kind}>", arguments
             case reactions.SendGoal():
                 arguments = [self._shared(index), message, _is_resent(effect), _report(index)]

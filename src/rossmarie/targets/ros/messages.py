@@ -111,6 +111,9 @@ def commands(machine: ir.Machine, dialect: Dialect) -> str:
 def _command(machine: ir.Machine, dialect: Dialect, index: int, word: str) -> str:
     command = machine.reactions.commands[index]
     kind = dialect.cpp_type(command.message_type, Interface.MESSAGE)
+    filtered, unfiltered = (
+        names.relative(topic) for topic in (command.topic, names.unfiltered(command.topic))
+    )
     visits = [line for place, field in enumerate(command.fields) for line in _visit(place, field)]
     return (
         f"// {command.topic}: {command.message_type}\n"
@@ -118,8 +121,8 @@ def _command(machine: ir.Machine, dialect: Dialect, index: int, word: str) -> st
         f"    using Message = {kind};\n"
         f"    static constexpr int index = {index};\n"
         f"    static constexpr std::size_t fields = {len(command.fields)};\n"
-        f'    static const char *filtered() {{ return "{command.topic}"; }}\n'
-        f'    static const char *unfiltered() {{ return "{names.unfiltered(command.topic)}"; }}\n\n'
+        f"    static const char *filtered() {{ return {filtered}; }}\n"
+        f"    static const char *unfiltered() {{ return {unfiltered}; }}\n\n"
         f"    template <class Visit> static void each_number(Message &message, Visit visit)\n"
         f"    {{\n{indented(visits, 2)}\n    }}\n}};\n"
     )

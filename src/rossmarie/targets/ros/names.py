@@ -28,6 +28,13 @@ def unfiltered(topic: str) -> str:
     return f"{head}{slash}{_UNFILTERED}{tail}"
 
 
+def relative(name: str) -> str:
+    """A name of the rules as C++: `/cmd_vel` as `"cmd_vel"`, which ROS resolves in the namespace of
+    the node.
+    """
+    return names.string(name.removeprefix("/"))
+
+
 def command_members(machine: ir.Machine) -> tuple[str, ...]:
     """For each command topic what its filter is called: `cmd_vel`."""
     family = names.Family(taken=("all",))

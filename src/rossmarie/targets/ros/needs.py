@@ -13,6 +13,11 @@ from rossmarie.targets.ros.dialect import Dialect, Interface, Part
 MIDDLEWARE = "host.middleware()"
 
 
+def resolved(name: str) -> str:
+    """The C++ of the full name that a name of the rules has in the namespace of the node."""
+    return f"{MIDDLEWARE}.resolved({names.relative(name)})"
+
+
 def parts(machine: ir.Machine, dialect: Dialect) -> list[Part]:
     """The parts that the effects of the tasks need."""
     used = {type(task.effect) for task in machine.reactions.tasks}
@@ -51,8 +56,8 @@ def shared_objects(machine: ir.Machine, dialect: Dialect) -> list[SharedObject]:
     relays = relayed(machine) if dialect.relay else {}
     found = []
     for name, effect in effects.items():
-        kind, texts = _shared_kind(effect, dialect, relays)
-        found.append(SharedObject(name, kind, (MIDDLEWARE, *map(string, texts))))
+        kind, arguments = _shared_kind(effect, dialect, relays)
+        found.append(SharedObject(name, kind, (MIDDLEWARE, *arguments)))
     return found
 
 
@@ -61,14 +66,14 @@ def _shared_kind(
 ) -> tuple[str, tuple[str, ...]]:
     match effect:
         case reactions.SetParameter(node=node, parameter=parameter):
-            return "Shared<Parameter>", (node, parameter)
+            return "Shared<Parameter>", (resolved(node), string(parameter))
         case reactions.SwitchControllers(manager=manager):
-            return "Shared<Controllers>", (manager,)
+            return "Shared<Controllers>", (resolved(manager),)
         case reactions.SendGoal(server=server) | reactions.CancelGoal(server=server):
             if server not in relays:
-                return "Goals", (server,)
+                return "Goals", (resolved(server),)
             action = dialect.cpp_type(relays[server], Interface.ACTION)
-            return f"Relay<{action}>", (server, names.unfiltered(server))
+            return f"Relay<{action}>", (resolved(server), resolved(names.unfiltered(server)))
         case _:
             raise AssertionError(f"nothing is shared: {effect}")
 

@@ -10,18 +10,23 @@ from pathlib import PurePath
 from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
+from rossmarie.ir.reactions import CommandTopic
 from rossmarie.targets import c99
 from rossmarie.targets.c99.layout import Layout, lay_out
-from rossmarie.targets.ros import actions, messages, names, needs, reaction_test, readme, tables
+from rossmarie.targets.ros import (
+    actions,
+    messages,
+    names,
+    needs,
+    parameters,
+    reaction_test,
+    readme,
+    tables,
+)
 from rossmarie.targets.ros.dialect import Dialect, Interface, Part, message_package
 
 OWNED_BY_USER = frozenset(("src/hooks.cpp", "config/parameters.yaml"))
 """Files that are written once and then left alone."""
-
-PARAMETERS = (
-    "command_timeout", "filter_rate", "patience", "grace_period", "state_file", "header_stamps",
-)  # fmt: skip
-"""The parameters of the node."""
 
 _FIXED = (
     "src/clock.h", "src/input.h", "src/any_filter.h", "src/task.h", "src/latched_rules.h",
@@ -95,7 +100,7 @@ class PackageWriter:
 
     def _source_files(self) -> dict[str, str]:
         """The sources, as far as they differ from machine to machine."""
-        machine, dialect = self._machine, self._dialect
+        machine, dialect, package = self._machine, self._dialect, names.package(self._machine)
         hooks = names.hooks(machine).values()
         channels = range(len(self._layout.channel_names))
         texts = _SHOWN_TEXT.format(name=self._layout.name) if machine.texts else ""
@@ -104,12 +109,13 @@ class PackageWriter:
                 "rule_rows": max(1, len(machine.rules)),
                 "channel_rows": max(1, len(machine.channels)),
             },
-            "src/guard.cpp": {"subscriptions": "\n".join(map(self._subscription, channels))},
-            "src/settings.cpp": {
-                "parameter_count": len(PARAMETERS),
-                "parameter_names": ", ".join(f'"{name}"' for name in PARAMETERS),
+            "src/guard.cpp": {
+                "subscriptions": "\n".join(map(self._subscription, channels)),
+                "channels": "\n".join(map(self._channel, channels)) or "    {},",
+                "sources": "\n".join(map(self._source, machine.reactions.commands)),
             },
-            "config/parameters.yaml": {},
+            "src/settings.cpp": {"parameters": parameters.table(package)},
+            "config/parameters.yaml": {"parameters": parameters.yaml(package)},
             "src/messages.h": {
                 "includes": messages.includes(machine, dialect),
                 "text_index": messages.text_index(self._layout),
@@ -128,14 +134,25 @@ class PackageWriter:
         }
         return {path: self.fill(path, **each) for path, each in blanks.items()}
 
+    def _channel(self, channel: int) -> str:
+        """An input topic, and whether its messages have a stamp."""
+        topic = self._machine.channels[channel]
+        kind = self._dialect.cpp_type(topic.message_type, Interface.MESSAGE)
+        return f"    {{{names.relative(topic.topic)}, has_stamp<{kind}>()}},"
+
+    def _source(self, command: CommandTopic) -> str:
+        """Where commands come from."""
+        return f"    topics.push_back({names.relative(names.unfiltered(command.topic))});"
+
     def _subscription(self, channel: int) -> str:
         """The lines that subscribe to an input topic."""
         topic, name = self._machine.channels[channel], self._layout.channel_names[channel]
         kind = self._dialect.cpp_type(topic.message_type, Interface.MESSAGE)
+        literal = names.relative(topic.topic)
         return (
             f"    inputs_.push_back(std::make_unique<Input<{kind}>>(\n"
-            f'        middleware_, clock_, "{topic.topic}", channel_timeouts_ns[{channel}], '
-            f'by_stamp("{topic.topic}"),\n'
+            f"        middleware_, clock_, {literal}, channel_timeouts_ns[{channel}], "
+            f"by_stamp({literal}),\n"
             f"        [this](const {kind} &message, int64_t at_ns) {{\n"
             f"            fill_{name}(values_, arrays_, message);\n"
             f"            take({channel}, at_ns);\n"

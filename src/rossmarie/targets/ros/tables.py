@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from hashlib import sha256
 
 from rossmarie import ir
 from rossmarie.targets.c99.names import place, string
 from rossmarie.targets.c99.types import duration, number
-from rossmarie.targets.ros import needs
+from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.dialect import Dialect
 from rossmarie.targets.ros.words import effect_words
 
@@ -31,6 +32,7 @@ def blanks(machine: ir.Machine, dialect: Dialect) -> dict[str, object]:
         "task_count": len(machine.reactions.tasks),
         "others": _rows([_other(other) for other in needs.others(machine, dialect)]),
         "other_count": len(needs.others(machine, dialect)),
+        "latched_rules_key": _latched_rules_key(machine),
     }
 
 
@@ -38,6 +40,12 @@ def rule_of_task(machine: ir.Machine) -> dict[int, int]:
     """The rule of each task."""
     plans = enumerate(machine.reactions.plans)
     return {task: rule for rule, plan in plans for task in plan.tasks}
+
+
+def _latched_rules_key(machine: ir.Machine) -> str:
+    """Tells sets of latched rules apart, in the name of a file."""
+    latched = sorted(rule.name for rule in machine.rules if rule.release is None)
+    return sha256("\n".join(latched).encode()).hexdigest()[:8]
 
 
 def _timeout(machine: ir.Machine, channel: int) -> int:
@@ -93,4 +101,4 @@ def _task(machine: ir.Machine, index: int) -> str:
 
 def _other(other: needs.Other) -> str:
     is_service = str(other.is_service).lower()
-    return f"{{{string(other.title)}, {string(other.name)}, {is_service}}}"
+    return f"{{{string(other.title)}, {names.relative(other.name)}, {is_service}}}"

@@ -5,6 +5,8 @@ Takes a machine that `ir.verify` has passed and for which `unsupported` found no
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from rossmarie import ir
 from rossmarie.targets.ros import names
 from rossmarie.targets.ros.package import PackageWriter
@@ -27,13 +29,26 @@ def generate(machine: ir.Machine) -> dict[str, str]:
     package = names.package(machine)
     used = writer.packages() | _ALWAYS
     topics = [command.topic for command in machine.reactions.commands]
-    remaps = [f'    <remap from="{topic}" to="{names.unfiltered(topic)}"/>' for topic in topics]
+    remaps = [line for topic in topics for line in _remaps(topic)]
     depends = [f"  <depend>{name}</depend>" for name in sorted(used)]
     return {
         "package.xml": writer.fill("package.xml", depends="\n".join(depends)),
         "CMakeLists.txt": writer.fill("CMakeLists.txt", components="\n  ".join(sorted(used))),
         "README.md": writer.readme(),
-        f"launch/{package}.launch": writer.fill("launch/safety.launch", remaps="\n".join(remaps)),
+        f"launch/{package}.launch": writer.fill("launch/safety.launch"),
+        "launch/robot.launch": writer.fill("launch/robot.launch", remaps="\n".join(remaps)),
         **{path: writer.fill(path) for path in _NODE},
         **writer.shared_files(),
     }
+
+
+def _remaps(topic: str) -> Iterator[str]:
+    """The lines that put what is sent to a topic behind the filter."""
+    pair = (topic, names.unfiltered(topic))
+    for sent, behind in (tuple(name.removeprefix("/") for name in pair), map(_in_namespace, pair)):
+        yield f'    <remap from="{sent}" to="{behind}"/>'
+
+
+def _in_namespace(topic: str) -> str:
+    """A topic with the namespace of the launch file."""
+    return f"$(eval ('/' + arg('namespace').strip('/')).rstrip('/') + '{topic}')"

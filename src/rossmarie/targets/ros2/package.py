@@ -17,8 +17,8 @@ _OF_ACTIONS = ("send_goal", "cancel_goal", "get_result", "feedback", "status")
 
 # What the node itself uses.
 _ALWAYS = {
-    "builtin_interfaces", "lifecycle_msgs", "rcl_interfaces", "rclcpp", "rclcpp_components",
-    "rclcpp_lifecycle",
+    "bondcpp", "builtin_interfaces", "lifecycle_msgs", "rcl_interfaces", "rclcpp",
+    "rclcpp_components", "rclcpp_lifecycle", "std_msgs",
 }  # fmt: skip
 
 
@@ -33,7 +33,7 @@ def generate(machine: ir.Machine) -> dict[str, str]:
     writer = PackageWriter(machine, ROS2)
     package = names.package(machine)
     used = writer.packages() | _ALWAYS
-    remaps = [f'    "{source}": "{front}",' for source, front in _remappings(machine).items()]
+    remaps = [f"    '{source}': '{front}'," for source, front in _remappings(machine).items()]
     depends = [f"  <depend>{name}</depend>" for name in sorted(used)]
     return {
         "package.xml": writer.fill("package.xml", depends="\n".join(depends)),

@@ -1,0 +1,47 @@
+"""Who commands the robot past the filter is seen, and told; nothing is added to it."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable
+
+from support.live import Process, Robot, until
+
+Start = Callable[..., Process]
+Publish = Callable[..., Process]
+
+PAST = ("/cmd_vel", "geometry_msgs/Twist", "{linear: {x: 0.9}}")
+
+
+def test_another_publisher_of_commands_closes_the_filter(
+    robot: Robot, start: Start, publish: Publish
+) -> None:
+    start()
+    robot.passes(1.0)
+    teleoperation = publish(20, *PAST)
+    robot.diagnosed("publishes it, too, past the filter")
+    until(lambda: robot.state().get("blocked") == ["/cmd_vel"], "it is told")
+    assert "publishes it, too" in robot.call("why")["text"]
+    robot.ask(forget="/cmd_vel")
+    until(lambda: robot.speeds().count(0.0) > 10, "the node sends 0")
+    assert set(robot.speeds()) == {0.0, 0.9}
+    teleoperation.end(signal.SIGKILL)
+    robot.passes(1.0)
+
+
+def test_a_rule_acts_on_a_bypass(robot: Robot, start: Start, publish: Publish) -> None:
+    start()
+    robot.passes(1.0)
+    assert robot.heard("/siren") == []
+    publish(20, *PAST)
+    until(lambda: robot.heard("/siren") == [True], "the rule acts")
+
+
+def test_a_robot_that_does_not_listen_is_told_of(robot: Robot, start: Start) -> None:
+    """Nobody listens to the commands for the arm; the robot has its own name for them."""
+    start()
+    robot.passes(1.0)
+    name = "vehicle_safety: listeners of /arm_vel"
+    assert name not in robot.diagnoses()
+    robot.ask(deafen="/arm_vel")
+    until(lambda: name in robot.diagnoses(), "it is told")

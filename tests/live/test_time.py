@@ -1,0 +1,80 @@
+"""Time that jumps, and time that stands still."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from support.live import SOME, Process, Robot, until
+
+Start = Callable[..., Process]
+
+VERDICTS = "/vehicle_safety/verdicts"
+TIME_JUMP = 3
+
+
+def jumps(robot: Robot) -> list[str]:
+    """The jumps of time that were told."""
+    return [each["cause"] for each in robot.heard(VERDICTS) if each["change"] == TIME_JUMP]
+
+
+def test_an_exemption_does_not_outlive_a_jump_back(robot: Robot, start: Start) -> None:
+    robot.set(clock=1000.0, pitch=15.0)
+    start(use_sim_time=True)
+    robot.passes(0.2)
+    begin = time.monotonic()
+    assert robot.call("exempt", rule="tilted", time=5.0, reason="a test drive")["success"]
+    robot.passes(1.0)
+    robot.set(clock=500.0)
+    robot.passes(0.2)
+    assert time.monotonic() - begin > 4.5, "the exemption lasts as long as it was given"
+    robot.stays_at(0.2)
+
+
+def test_a_jump_forward_is_told(robot: Robot, start: Start) -> None:
+    robot.set(clock=1000.0)
+    start(use_sim_time=True)
+    robot.passes(1.0)
+    robot.set(clock=2000.0)
+    until(lambda: bool(jumps(robot)), "a verdict tells")
+    (told,) = jumps(robot)
+    assert told.startswith(("time jumped forward by 999", "time jumped forward by 1000"))
+    until(lambda: robot.call("reset", rule="")["success"], "inputs that were lost are there again")
+    robot.passes(1.0)
+
+
+def test_time_that_runs_evenly_does_not_jump(robot: Robot, start: Start) -> None:
+    start()
+    robot.passes(1.0)
+    robot.stays_at(1.0)
+    assert jumps(robot) == []
+
+
+def test_nothing_passes_while_the_clock_stands_still_and_an_input_is_silent(
+    robot: Robot, start: Start
+) -> None:
+    robot.set(clock=1000.0)
+    start(use_sim_time=True)
+    robot.passes(1.0)
+    robot.set(clock=None, pitch=None)
+    robot.passes(0.0)
+    robot.stays_at(0.0)
+    robot.diagnosed("ROS time stands still")
+    lost = "input orientation (/imu/data) is older than its timeout"
+    until(lambda: lost in robot.call("why")["text"], "the input is lost")
+    robot.set(clock=1010.0, pitch=0.0)
+    until(lambda: robot.call("reset", rule="")["success"], "it is safe")
+    robot.passes(1.0)
+
+
+def test_nothing_passes_while_the_clock_stands_still(robot: Robot, start: Start) -> None:
+    """Messages that come meanwhile do not count: nobody knows when they are from."""
+    robot.set(clock=1000.0)
+    start(use_sim_time=True)
+    robot.passes(1.0)
+    robot.set(clock=None)
+    robot.passes(0.0)
+    robot.ask(forget="/cmd_vel")
+    until(lambda: robot.count("/cmd_vel") > SOME, "0 is sent")
+    assert set(robot.speeds()) == {0.0}
+    robot.diagnosed("ROS time stands still")
