@@ -37,8 +37,8 @@ def orders(plans: Plans, *events: Event, watches: int = 0) -> list[str]:
 def lamps() -> Plans:
     """Two rules that publish on one topic, the first first."""
     plans = Plans()
-    for _ in range(2):
-        plans.rule([plans.task(publish(SECOND))])
+    for number in range(2):
+        plans.rule([plans.task(publish(SECOND, number))])
     return plans
 
 

@@ -21,9 +21,9 @@ from rossmarie.driver import compile_file
 from rossmarie.driver.report import safety_file
 from rossmarie.ir import reactions
 from rossmarie.ir.duration_text import duration_text
+from rossmarie.ir.overruled import can_fail, fails_at_once
 from rossmarie.report.safety import SafetyFile, open_points, render_safety_file
 from rossmarie.report.safety.conditions import Conditions
-from rossmarie.report.safety.effects import can_fail
 from rossmarie.report.safety.evidence import Evidence, EvidenceKind, Hashed, Result
 from rossmarie.report.safety.phrase import Phrase
 from rossmarie.report.safety.rules import rule_texts
@@ -118,7 +118,7 @@ def expected_of_reactions(machine: ir.Machine) -> Iterator[str]:
         target = reactions.target_of(task.effect)
         timeout_ns = reactions.timeout_ns(task.effect)
         yield "" if target is None else target.name
-        yield "the rule goes no further" if can_fail(task.effect) else ""
+        yield "the rule goes no further" if can_fail(task) and not fails_at_once(task) else ""
         yield "" if timeout_ns is None else f"not done within {duration_text(timeout_ns)}"
         yield from expected_of_effect(machine, task.effect)
     for plan in machine.reactions.plans:
