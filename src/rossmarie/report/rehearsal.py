@@ -111,13 +111,14 @@ class _Rehearsal:
 
 def _looks(events: Sequence[Event]) -> Iterator[list[int]]:
     """The places of the events that a reactor sees together: those of one instant (R1), up to where
-    a rule changes again.
+    a rule changes again or time jumps.
     """
     look: list[int] = []
     rules: set[int] = set()
     for place, event in enumerate(events):
         rule = event.rule if isinstance(event, Verdict) else None
-        if look and (_instant(event) != _instant(events[look[-1]]) or rule in rules):
+        is_apart = isinstance(event, TimeJump) or rule in rules
+        if look and (is_apart or _instant(event) != _instant(events[look[-1]])):
             yield look
             look, rules = [], set()
         look.append(place)

@@ -155,7 +155,8 @@ class ReactorInvariants:
         possible = ["IDLE", "DONE"]
         possible += ["FAILED"] if overruled.can_fail(declared) else []
         possible += ["HOLDING"] if reactions.is_lasting(effect) else []
-        possible += ["WAITING"] if reactions.waits(effect) else []
+        may_wait = reactions.waits(effect) and not overruled.fails_at_once(declared)
+        possible += ["WAITING"] if may_wait else []
         possible += ["OVERDUE"] if overruled.may_be_overdue(declared) else []
         possible += ["RUNNING"] if reactions.timeout_ns(effect) else []
         fits = " || ".join(f"{state} == {each}" for each in possible)

@@ -78,8 +78,8 @@ def _task_tables(found: reactions.Reactions) -> str:
         [
             "/* Tasks: how long their end is awaited (0: it is not), what they are then, whether",
             " * they wait while another rule has what they need, whether they fail at once then,",
-            " * what they do to that (as a number), the same if their rule does nothing else to it, and",
-            " * what starts when they fail.",
+            " * what they do to that (a number), the same if their rule does nothing else to it,",
+            " * and what starts when they fail.",
             " */",
             remarked_table("int64_t", "task_timeouts", rows),
             table("unsigned char", "task_end", ends),
@@ -101,8 +101,9 @@ def _task_tables(found: reactions.Reactions) -> str:
 
 def _numbers_of_deeds(found: reactions.Reactions) -> dict[overruled.Deed | None, int]:
     """A number for each thing that tasks do."""
-    deeds = dict.fromkeys(overruled.deed(task.effect) for task in found.tasks)
-    return {deed: number for number, deed in enumerate(deeds) if deed is not None}
+    deeds = (overruled.deed(task.effect) for task in found.tasks)
+    known = dict.fromkeys(deed for deed in deeds if deed is not None)
+    return {deed: number for number, deed in enumerate(known)}
 
 
 def _remark(found: reactions.Reactions, index: int) -> str:
