@@ -167,7 +167,7 @@ def _resource_tables(found: reactions.Reactions) -> str:
             *(listed or [" *   nothing"]),
             " */",
             lists("index_t", "resource_rules", "claiming_rules", claims),
-            table("index_t", "claim_deed", _or_none(deeds)),
+            table("index_t", "claiming_deed", _or_none(deeds)),
         ]
     )
 
