@@ -28,8 +28,8 @@ action free {
     cancel /arm within 1 sec;
     publish /horn : std_msgs/Bool { data = true; } at 5 Hz;
 }
-action halt { cancel /arm confirm by not moving within 0.5 sec else stop; }
-action quit { cancel /arm within 0.5 sec else stop; }
+action halt { cancel /arm confirm by not moving within 0.5 sec; }
+action quit { cancel /arm within 0.5 sec; }
 action beep { publish /horn : std_msgs/Bool { data = true; } at 2 Hz; }
 action stop { block /cmd_vel : geometry_msgs/Twist; }
 rule fast: if speed > 3 then { free; };

@@ -175,5 +175,5 @@ def test_what_waits_too_long_fails_before_time_jumps_back() -> None:
     plans.rule([plans.task(send(timeout_ns=10 * SECOND))])
     plans.rule([plans.task(cancel())])
     for from_s, count in ((2, 2), (3, 3)):
-        events = [on(1, 0), on(1, 1), TimeJump(from_s * SECOND, 1 * SECOND)]
+        events: list[Event] = [on(1, 0), on(1, 1), TimeJump(from_s * SECOND, 1 * SECOND)]
         assert len(rehearse(plans.machine(), events)) == count
