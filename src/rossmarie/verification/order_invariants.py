@@ -234,7 +234,7 @@ class OrderInvariants:
         """What waits fails when its time is up, unless what it is there for is so without it."""
         state, due = f"r->state[{task}]", f"(old->since_ns[{task}] + INT64_C({timeout}))"
         fails = f"(old->now_ns >= {due} && !{self._answered(task)})" if timeout else "false"
-        waits = f"old->state[{task}] == WAITING"
+        waits = f"(old->state[{task}] == WAITING)"
         yield Sentence("what waits in vain fails (R15)",
                        f"!({waits} && {fails}) || {state} == OVERDUE")  # fmt: skip
         yield Sentence("until then it waits (R15)",
