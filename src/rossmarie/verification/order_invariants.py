@@ -85,6 +85,11 @@ class OrderInvariants:
                 f"(r->failed[{place}] == {task} && {has_failed(task)})" for task in self._can_fail
             )
             yield Sentence("what is listed has failed", f"{place} >= r->failed_count || {failed}")
+        for task in self._can_fail:
+            if overruled.may_be_overdue(self._found.tasks[task]):
+                waits = f"{self._is_listed(task)} && r->state[{task}] == OVERDUE"
+                yield Sentence("what has failed while it waits waits for another rule",
+                               f"!({waits}) || spec_overruler(r, {task}) >= 0")  # fmt: skip
         for one, other in combinations(range(most), 2):
             differ = f"r->failed[{one}] != r->failed[{other}]"
             yield Sentence("no failure counts twice", f"{other} >= r->failed_count || {differ}")
