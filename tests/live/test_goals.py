@@ -128,6 +128,23 @@ def test_two_rules_that_need_one_server_do_not_disturb_each_other(working: Robot
     follows(working, ["succeeds", 99], ["begins", 7])
 
 
+def test_what_a_rule_is_kept_from_cancelling_stops_the_robot_if_it_moves(working: Robot) -> None:
+    working.set(moving=True, mode="seized")
+    until(lambda: working.states("seize") == ["overdue"], "its time is over")
+    assert working.states("stand") == ["holding"]
+    working.passes(0.0)
+    working.set(moving=False, mode="driving")
+    working.passes(1.0)
+
+
+def test_what_another_rule_has_cancelled_stops_nothing(working: Robot) -> None:
+    working.set(mode="seized")
+    until(lambda: working.states("freeze") == ["holding"], "the goal is cancelled")
+    time.sleep(1.5)
+    assert working.states("seize") == ["waiting"]
+    working.passes(1.0)
+
+
 def test_a_goal_for_a_server_that_is_not_there_fails(robot: Robot, start: Start) -> None:
     start()
     robot.passes(1.0)

@@ -25,14 +25,14 @@ REACTOR = (
     _reactor("commands pass before all is known", "= r->opened && t_ns", "= t_ns"),
     _reactor(
         "the lower rule gets what both need",
-        "claiming_rules[3] = {1, 0,",
-        "claiming_rules[3] = {0, 1,",
+        "claiming_rules[8] = {1, 0,",
+        "claiming_rules[8] = {0, 1,",
     ),
     _reactor("rules begin in the wrong order", "rule_order[7] = {1, 0,", "rule_order[7] = {0, 1,"),
     _reactor("an overruled task is not given up", "            give_up(r, task);\n", ""),
     _reactor(
         "a waiting task never begins again",
-        "r->state[task] == WAITING && overruler(r, task) < 0",
+        "(r->state[task] == WAITING || r->state[task] == OVERDUE) && overruler(r, task) < 0",
         "false",
     ),
     _reactor(
@@ -50,6 +50,42 @@ REACTOR = (
         "r->now_ns <= due_ns && r->reported",
         "r->now_ns < due_ns && r->reported",
     ),
+    _reactor("what waits in vain waits on", "WAITING && r->now_ns >= due(r, task)", "IDLE"),
+    _reactor(
+        "what waits has time from when it was overruled",
+        "    if (r->state[task] != RUNNING)\n        r->since_ns",
+        "    r->since_ns",
+    ),
+    _reactor(
+        "what held before it waits has no more time",
+        "    if (r->state[task] != RUNNING)\n        r->since_ns[task] = r->now_ns;\n",
+        "",
+    ),
+    _reactor(
+        "nothing but a confirmation answers", "task_answer[other] == task_deed[task]", "false"
+    ),
+    _reactor(
+        "what is not done yet answers",
+        "if (r->state[other] == HOLDING && task_answer",
+        "if (task_answer",
+    ),
+    _reactor("a confirmation does not answer", "return is_confirmed(m, task);", "return false;"),
+    _reactor(
+        "what nobody awaits waits, whatever follows", "if (task_fails_at_once[task])", "if (false)"
+    ),
+    _reactor(
+        "what is overdue never begins again",
+        "(r->state[task] == WAITING || r->state[task] == OVERDUE)",
+        "r->state[task] == WAITING",
+    ),
+    _reactor(
+        "escalations begin twice",
+        "        if (r->state[*task] != IDLE)\n            continue;\n",
+        "",
+    ),
+    _reactor("the same message is overruled", "task_rule[task] || is_shared", "task_rule[task]"),
+    _reactor("what is done is shared", "is_same && task_timeouts[task] == 0", "is_same"),
+    _reactor("what is answered for wakes for ever", "        if (due_ns > r->now_ns)\n", ""),
     _reactor("an unknown confirmation will do", "== rules_TRUE", "!= rules_FALSE"),
     _reactor("a report is remembered from the last time", "    r->reported[task] = false;\n", ""),
     _reactor(

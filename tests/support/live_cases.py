@@ -41,6 +41,8 @@ action back {
     scale /cmd_vel : geometry_msgs/Twist by 50 %;
 }
 action freeze { cancel /arm confirm by not moving within 2 sec then resend else cry; }
+action seize { cancel /arm confirm by not moving within 1 sec then resend else stand; }
+action stand { block /cmd_vel : geometry_msgs/Twist; }
 action cry { log error "the arm does not stop"; }
 action retract { send ACTION { goal = 99; } to /arm within 4 sec then resend else cry; }
 action grasp { send ACTION { goal = 1; } to /gripper within 1 sec else cry; }
@@ -61,7 +63,8 @@ rule fallen: if abs(orientation.pitch()) > 30 deg then { halt; } latched until r
 rule passed_by: if bypassed then { alarm; };
 rule near: if any(ranges < 0.3 m) and mode != "docking" then { back; };
 rule touched: if mode == "touched" or mode == "both" then { retract; };
-rule paused: if mode == "paused" or mode == "both" then { freeze; };
+rule paused: if mode == "paused" or mode == "both" or mode == "seized" then { freeze; };
+rule seized: if mode == "seized" then { seize; };
 rule stuck: if mode == "stuck" then { freeze; retract; };
 rule open: if mode == "open" then { grasp; };
 rule gripping: if mode == "gripping" then { grip; };

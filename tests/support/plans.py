@@ -30,9 +30,10 @@ def scale(factor: float, ramp: float | None = None) -> reactions.Scale:
     return reactions.Scale(0, factor, ramp)
 
 
-def publish(period_ns: int | None = None) -> reactions.Publish:
-    """Once, or at a rate."""
-    return reactions.Publish("/light", "std_msgs/Bool", (), period_ns, None)
+def publish(period_ns: int | None = None, number: float = 0) -> reactions.Publish:
+    """A number, once or at a rate."""
+    message = (reactions.Assignment(("data",), number),)
+    return reactions.Publish("/light", "std_msgs/Float64", message, period_ns, None)
 
 
 def call(timeout_ns: int = 2 * SECOND) -> reactions.Call:

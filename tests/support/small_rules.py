@@ -20,3 +20,20 @@ rule fast: if speed > 3 then { slow; ask; };
 rule wild: if speed > 5 unless fast then { half; };
 rule loud: if speed > 4 then { beep; };
 """
+
+OVERRULED = """\
+input speed = topic /speed : std_msgs/Float64 .data;
+input moving = topic /moving : std_msgs/Bool .data;
+action free {
+    cancel /arm within 1 sec;
+    publish /horn : std_msgs/Bool { data = true; } at 5 Hz;
+}
+action halt { cancel /arm confirm by not moving within 0.5 sec; }
+action quit { cancel /arm within 0.5 sec; }
+action beep { publish /horn : std_msgs/Bool { data = true; } at 2 Hz; }
+action stop { block /cmd_vel : geometry_msgs/Twist; }
+rule fast: if speed > 3 then { free; };
+rule wild: if speed > 4 then { halt; };
+rule loud: if speed > 5 then { quit; beep else stop; };
+"""
+"""Rules of which the first keeps the others from what they need."""

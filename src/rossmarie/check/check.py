@@ -20,6 +20,7 @@ from rossmarie.check.expressions import infer
 from rossmarie.check.field_units import check_read_units
 from rossmarie.check.hazards import declared_hazards
 from rossmarie.check.inputs import resolve_inputs, resolve_timeouts
+from rossmarie.check.last_resorts import check_last_resorts
 from rossmarie.check.message_rates import message_gaps
 from rossmarie.check.model import (
     CheckedEffect,
@@ -204,6 +205,7 @@ def _check_actions(targets: Targets, context: Context) -> _Actions:
     if check_escalations(effects, context) and check_size(effects, context):
         check_latches(effects, context)
         order, priorities = order_of_rules(context)
+        check_last_resorts(effects, order, unless, checker.commands, context)
     confirmations = tuple(checker.confirmations)
     return _Actions(effects, checker.commands, confirmations, order, unless, priorities)
 

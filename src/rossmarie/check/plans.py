@@ -104,9 +104,8 @@ def check_latches(effects: Effects, context: Context) -> None:
 
 
 def may_fail(effect: reactions.Effect) -> bool:
-    """Whether something can follow from its failure: others always succeed, or wait."""
-    is_awaited = reactions.timeout_ns(effect) is not None
-    return is_awaited or (reactions.target_of(effect) is not None and not reactions.waits(effect))
+    """Whether something can follow from its failure: what needs nothing for itself succeeds."""
+    return reactions.target_of(effect) is not None
 
 
 def check_size(effects: Effects, context: Context) -> bool:

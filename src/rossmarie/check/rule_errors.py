@@ -61,10 +61,27 @@ class CircularUnless(Error, code="ROSS142", name="circular-unless"):
     cycle: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class LastResortOverruled(Error, code="ROSS422", name="last-resort-overruled"):
+    """The last action of a chain of escalations, which needs what another rule may have."""
+
+    title = "the last escalation of rule `{rule}` needs {resource}, which rule `{other}` has first"
+    label = "while `{other}` is engaged this is overruled, and nothing follows"
+    note = "a chain of escalations has to end with something that no other rule can overrule"
+    help = (
+        "end the chain with an action that blocks or limits commands: no rule overrules that; "
+        "or put rule `{rule}` over rule `{other}` with `priority`"
+    )
+    rule: str
+    other: str
+    resource: str
+
+
 ALL: tuple[type[Template], ...] = (
     UndeclaredRule,
     CircularPriority,
     UnknownTarget,
     SharedTarget,
     CircularUnless,
+    LastResortOverruled,
 )

@@ -62,7 +62,7 @@ def replay_file(
             events=tuple(events),
             plots=sampler.plots(start_ns),
             notes=_notes(started, collector.sorted()),
-            rehearsed=rehearse(machine, events),
+            rehearsed=rehearse(machine, events, end_ns),
         )
     return replay, (*compiled.warnings, *collector.sorted())
 

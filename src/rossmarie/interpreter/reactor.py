@@ -13,7 +13,15 @@ from dataclasses import dataclass, field
 
 from rossmarie import ir
 from rossmarie.interpreter.filter import Filter
-from rossmarie.ir import FieldBounds, Order, OrderKind, Reactions, TruthValue, reactions
+from rossmarie.ir import (
+    FieldBounds,
+    Order,
+    OrderKind,
+    Reactions,
+    TruthValue,
+    overruled,
+    reactions,
+)
 
 
 class State(enum.IntEnum):
@@ -25,9 +33,11 @@ class State(enum.IntEnum):
     WAITING = 3  # overruled; wanted again when its rule owns the resource
     DONE = 4
     FAILED = 5
+    OVERDUE = 6  # overruled for longer than its time: it has failed, and is wanted again
 
 
-_PASSED = frozenset((State.HOLDING, State.WAITING, State.DONE))
+_PASSED = frozenset((State.HOLDING, State.WAITING, State.OVERDUE, State.DONE))
+_WANTED = frozenset((State.WAITING, State.OVERDUE))
 _IN_FORCE = frozenset((State.RUNNING, State.HOLDING))
 
 
@@ -109,8 +119,9 @@ class Reactor:
         return self._settle(watches)
 
     def next_wake(self) -> int | None:
-        """The earliest instant at which an awaited task runs out of time (R13)."""
-        return min(self._deadlines().values(), default=None)
+        """The earliest instant ahead at which a task runs out of time (R13)."""
+        ends = (due_ns for _, due_ns in self._deadlines(State.RUNNING, State.WAITING))
+        return min((due_ns for due_ns in ends if due_ns > self._now_ns), default=None)
 
     def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
         """What lies on the fields of a command topic at an instant (R11)."""
@@ -135,24 +146,27 @@ class Reactor:
             self._filter.set_back(self._now_ns, at_ns)
         self._now_ns = at_ns
 
-    def _deadlines(self) -> dict[int, int]:
-        """When each running task runs out of time."""
-        return {
-            task: progress.started_ns + timeout_ns
+    def _deadlines(self, *states: State) -> list[tuple[int, int]]:
+        """The tasks in these states whose end is awaited, each with when it runs out of time."""
+        return [
+            (task, progress.started_ns + timeout_ns)
             for task, progress in enumerate(self._tasks)
-            if progress.state is State.RUNNING
+            if progress.state in states
             and (timeout_ns := reactions.timeout_ns(self._effect(task))) is not None
-        }
+        ]
 
     # --- resources ---------------------------------------------------------------------------
 
     def _overruler(self, task: int) -> int | None:
-        """R2: the engaged rule that has the resource of a task, unless it is the task's own."""
+        """R2: the engaged rule that has the resource of a task, unless it is the task's own, or
+        publishes the same.
+        """
         resource = self._reactions.tasks[task].resource
         if resource is None:
             return None
         owner = next(rule for rule in self._reactions.order if self._claims(rule, resource))
-        return None if owner == self._rules[task] else owner
+        is_own = owner == self._rules[task]
+        return None if is_own or overruled.is_shared(self._reactions, task, owner) else owner
 
     def _claims(self, rule: int, resource: int) -> bool:
         tasks = self._reactions.plans[rule].tasks
@@ -171,17 +185,26 @@ class Reactor:
             self._give_up(task)
         self._escalate()
         for task, progress in enumerate(self._tasks):
-            if progress.state is State.WAITING and self._overruler(task) is None:
+            if progress.state in _WANTED and self._overruler(task) is None:
                 self._begin(task)
 
     def _give_up(self, task: int) -> None:
         progress = self._tasks[task]
         if reactions.waits(self._effect(task)):
-            progress.state = State.WAITING
+            self._wait(task)
         elif progress.state is State.RUNNING:
             self._fail(task)
         else:
             progress.state = State.DONE
+
+    def _wait(self, task: int) -> None:
+        """R7, R8: of what runs the time goes on; what has no time and an `else` fails at once."""
+        progress = self._tasks[task]
+        if progress.state is not State.RUNNING:
+            progress.started_ns = self._now_ns
+        progress.state = State.WAITING
+        if overruled.fails_at_once(self._reactions.tasks[task]):
+            self._fail(task, State.OVERDUE)
 
     # --- plans -------------------------------------------------------------------------------
 
@@ -194,15 +217,19 @@ class Reactor:
             self._escalate()
 
     def _start(self, tasks: Iterable[int]) -> None:
-        """R4, R7: those whose resource another rule has do not begin."""
+        """R4, R7: those whose resource another rule has do not begin. What has followed from an
+        earlier failure does not follow again (R6).
+        """
         for task in tasks:
+            if self._tasks[task].state is not State.IDLE:
+                continue
             by = self._overruler(task)
             if by is None:
                 self._begin(task)
                 continue
             self._order(OrderKind.OVERRULED, task, by)
             if reactions.waits(self._effect(task)):
-                self._tasks[task].state = State.WAITING
+                self._wait(task)
             else:
                 self._fail(task)
 
@@ -217,8 +244,8 @@ class Reactor:
         self._tasks[task] = Progress(State.RUNNING if is_awaited else after, self._now_ns)
         self._order(OrderKind.START, task)
 
-    def _fail(self, task: int) -> None:
-        self._tasks[task].state = State.FAILED
+    def _fail(self, task: int, state: State = State.FAILED) -> None:
+        self._tasks[task].state = state
         self._failures.append(task)
 
     def _escalate(self) -> None:
@@ -240,14 +267,17 @@ class Reactor:
         self._engagements[rule] = None
 
     def _settle(self, watches: Sequence[TruthValue]) -> list[Order]:
-        """Ends of tasks (R4), then the stages that follow (R5); gives all orders of the call."""
-        for task, due_ns in self._deadlines().items():
+        """Ends of tasks (R4, R15), then stages that follow (R5); gives all orders of the call."""
+        for task, due_ns in self._deadlines(State.RUNNING):
             is_over = self._tasks[task].is_reported and self._is_confirmed(task, watches)
             if is_over and self._now_ns <= due_ns:
                 is_lasting = reactions.is_lasting(self._effect(task))
                 self._tasks[task].state = State.HOLDING if is_lasting else State.DONE
             elif due_ns <= self._now_ns:
                 self._fail(task)
+        for task, due_ns in self._deadlines(State.WAITING):
+            if due_ns <= self._now_ns and not self._is_answered(task, watches):
+                self._fail(task, State.OVERDUE)
         self._escalate()
         for rule in self._reactions.order:
             while self._is_stage_over(rule):
@@ -264,10 +294,22 @@ class Reactor:
         return all(self._tasks[task].state in _PASSED for task in tasks)
 
     def _is_confirmed(self, task: int, watches: Sequence[TruthValue]) -> bool:
-        effect = self._effect(task)
-        if not isinstance(effect, reactions.CancelGoal) or effect.confirmation is None:
-            return True
-        return watches[effect.confirmation] is TruthValue.TRUE
+        confirmation = reactions.confirmation(self._effect(task))
+        return confirmation is None or watches[confirmation] is TruthValue.TRUE
+
+    def _is_answered(self, task: int, watches: Sequence[TruthValue]) -> bool:
+        """R15: whether what a waiting task is there for is so without it."""
+        if reactions.confirmation(self._effect(task)) is not None:
+            return self._is_confirmed(task, watches)
+        owner = self._overruler(task)
+        if owner is None or not overruled.does_the_same(self._reactions, task, owner):
+            return False
+        resource = self._reactions.tasks[task].resource
+        return any(
+            self._tasks[other].state is State.HOLDING
+            for other in self._reactions.plans[owner].tasks
+            if self._reactions.tasks[other].resource == resource
+        )
 
     # --- orders ------------------------------------------------------------------------------
 

@@ -330,6 +330,11 @@ def waits(effect: Effect) -> bool:
             return False
 
 
+def confirmation(effect: Effect) -> int | None:
+    """The index in `Machine.watches` of what has to be true before an effect has succeeded."""
+    return effect.confirmation if isinstance(effect, CancelGoal) else None
+
+
 # --- what the reactor says -------------------------------------------------------------------
 
 

@@ -106,8 +106,8 @@ def _order(replay: Replay, each: Rehearsed, placed: PlacedEvent) -> dict[str, ob
     return {
         "type": "order",
         "order": order.kind.value,
-        "at_ns": placed.at_ns,
-        "time_s": placed.position_ns / 1e9,
+        "at_ns": placed.at_ns + each.later_ns,
+        "time_s": (placed.position_ns + each.later_ns) / 1e9,
         "rule": machine.rules[each.rule].name,
         "action": action,
         "effect": effect,

@@ -118,7 +118,8 @@ def _done(replay: Replay, placed: list[PlacedEvent]) -> dict[int, list[str]]:
             continue
         found = lines.setdefault(each.activation, [])
         if len(found) < _MOST_ORDERS:
-            since_ns = placed[each.after].position_ns - placed[each.activation].position_ns
+            at_ns = placed[each.after].position_ns + each.later_ns
+            since_ns = at_ns - placed[each.activation].position_ns
             found.append(_order(replay, each.order, since_ns))
         elif len(found) == _MOST_ORDERS:
             found.append("more is in the verdicts file")

@@ -2,7 +2,8 @@
 
 Takes the events of a monitor of a verified machine. The robot of a recording was not told anything,
 so nothing in it says how an order ended: all that a node would await is taken as done at once, with
-success, and confirmed. The effect `reset` does not act on the verdicts.
+success, and confirmed. What another rule keeps from its resource runs out of time, though. The
+effect `reset` does not act on the verdicts.
 """
 
 from __future__ import annotations
@@ -28,14 +29,15 @@ from rossmarie.targets.ros.words import effect_words
 
 @dataclass(frozen=True)
 class Rehearsed:
-    """An order. `after` is the place of the event that it follows, `activation` that of the verdict
-    that made its rule active.
+    """An order. `after` is the place of the event that it follows, `later_ns` how long it is given
+    after that event, `activation` the place of the verdict that made its rule active.
     """
 
     order: Order
     rule: int
     after: int
     activation: int
+    later_ns: int = 0
 
 
 @dataclass(frozen=True)
@@ -49,9 +51,16 @@ class TaskSummary:
     overruled: tuple[tuple[str, int], ...]
 
 
-def rehearse(machine: Machine, events: Sequence[Event]) -> tuple[Rehearsed, ...]:
-    """The orders that follow from the events, in their order."""
-    return tuple(_Rehearsal(machine).of(events)) if machine.reactions.tasks else ()
+def rehearse(
+    machine: Machine, events: Sequence[Event], end_ns: int | None = None
+) -> tuple[Rehearsed, ...]:
+    """The orders that follow from the events, in their order, up to the end of the recording; if
+    that is not known, up to the last event.
+    """
+    if not machine.reactions.tasks or not events:
+        return ()
+    end = _instant(events[-1]) if end_ns is None else end_ns
+    return tuple(_Rehearsal(machine).of(events, end))
 
 
 class _Rehearsal:
@@ -67,13 +76,21 @@ class _Rehearsal:
             task: rule for rule, plan in enumerate(machine.reactions.plans) for task in plan.tasks
         }
 
-    def of(self, events: Sequence[Event]) -> Iterator[Rehearsed]:
-        for look in _looks(events):
+    def of(self, events: Sequence[Event], end_ns: int) -> Iterator[Rehearsed]:
+        looks = list(_looks(events))
+        ends = [_left(events[look[0]]) for look in looks[1:]]
+        for look, until_ns in zip(looks, [*ends, end_ns + 1], strict=True):
             for place in look:
                 self._see(place, events[place])
-            for order in self._orders(_instant(events[look[-1]])):
-                rule = self._rules[order.task]
-                yield Rehearsed(order, rule, look[-1], self._activations[rule])
+            at_ns = _instant(events[look[-1]])
+            yield from self._rehearsed(look[-1], at_ns, 0)
+            while (wake_ns := self._reactor.next_wake()) is not None and wake_ns < until_ns:
+                yield from self._rehearsed(look[-1], wake_ns, wake_ns - at_ns)
+
+    def _rehearsed(self, after: int, at_ns: int, later_ns: int) -> Iterator[Rehearsed]:
+        for order in self._orders(at_ns):
+            rule = self._rules[order.task]
+            yield Rehearsed(order, rule, after, self._activations[rule], later_ns)
 
     def _see(self, place: int, event: Event) -> None:
         if isinstance(event, Verdict):
@@ -94,19 +111,25 @@ class _Rehearsal:
 
 def _looks(events: Sequence[Event]) -> Iterator[list[int]]:
     """The places of the events that a reactor sees together: those of one instant (R1), up to where
-    a rule changes again.
+    a rule changes again or time jumps.
     """
     look: list[int] = []
     rules: set[int] = set()
     for place, event in enumerate(events):
         rule = event.rule if isinstance(event, Verdict) else None
-        if look and (_instant(event) != _instant(events[look[-1]]) or rule in rules):
+        is_apart = isinstance(event, TimeJump) or rule in rules
+        if look and (is_apart or _instant(event) != _instant(events[look[-1]])):
             yield look
             look, rules = [], set()
         look.append(place)
         rules |= set() if rule is None else {rule}
     if look:
         yield look
+
+
+def _left(event: Event) -> int:
+    """The instant before which time passes until an event."""
+    return event.from_ns + 1 if isinstance(event, TimeJump) else event.at_ns
 
 
 def _instant(event: Event) -> int:

@@ -10,9 +10,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from rossmarie.ir import reactions
+from rossmarie.ir import overruled, reactions
 from rossmarie.verification.invariants import Sentence
-from rossmarie.verification.reactor_invariants import ReactorInvariants, in_force
+from rossmarie.verification.reactor_invariants import (
+    ReactorInvariants,
+    has_failed,
+    in_force,
+    lacks,
+)
 
 
 class OrderInvariants:
@@ -46,13 +51,13 @@ class OrderInvariants:
         yield Sentence("a task that has not begun was told nothing",
                        f"!{engaged} || {state} != IDLE || {count} == 0")  # fmt: skip
         yield Sentence("only what fails gets two orders",
-                       f"{state} == FAILED || {count} <= 1")  # fmt: skip
+                       f"{has_failed(task)} || {count} <= 1")  # fmt: skip
         fresh = f"(r->since_ns[{task}] == r->now_ns && !r->reported[{task}])"
         yield Sentence("what is told to start starts now",
                        f"{state} != RUNNING || {count} == 0 || {fresh}")  # fmt: skip
-        overruled = f"spec_overruler(r, {task}) >= 0"
+        is_overruled = f"spec_overruler(r, {task}) >= 0"
         yield Sentence("what is told to wait waits for another rule",
-                       f"{state} != WAITING || {count} == 0 || {overruled}")  # fmt: skip
+                       f"!{lacks(task)} || {count} == 0 || {is_overruled}")  # fmt: skip
         if task in self._can_fail:
             yield Sentence("what is to be told of its failure was told once at most",
                            f"!{self._is_listed(task)} || {count} <= 1")  # fmt: skip
@@ -77,10 +82,14 @@ class OrderInvariants:
         yield Sentence("no more tasks fail than can", f"r->failed_count <= {most}")
         for place in range(most):
             failed = " || ".join(
-                f"(r->failed[{place}] == {task} && r->state[{task}] == FAILED)"
-                for task in self._can_fail
+                f"(r->failed[{place}] == {task} && {has_failed(task)})" for task in self._can_fail
             )
             yield Sentence("what is listed has failed", f"{place} >= r->failed_count || {failed}")
+        for task in self._can_fail:
+            if overruled.may_be_overdue(self._found.tasks[task]):
+                waits = f"{self._is_listed(task)} && r->state[{task}] == OVERDUE"
+                yield Sentence("what has failed while it waits waits for another rule",
+                               f"!({waits}) || spec_overruler(r, {task}) >= 0")  # fmt: skip
         for one, other in combinations(range(most), 2):
             differ = f"r->failed[{one}] != r->failed[{other}]"
             yield Sentence("no failure counts twice", f"{other} >= r->failed_count || {differ}")
@@ -98,6 +107,10 @@ class OrderInvariants:
             begins = f"r->since_ns[{task}] == r->now_ns && !r->reported[{task}]"
             yield Sentence("what runs has run before, or begins now",
                            f"r->state[{task}] != RUNNING || ({same}) || ({begins})")  # fmt: skip
+            for other in self._found.tasks[task].otherwise:
+                begins = f"old->state[{other}] == IDLE && r->state[{other}] != IDLE"
+                yield Sentence("what begins behind a task begins as that has failed (R6)",
+                               f"!({begins}) || {has_failed(task)}")  # fmt: skip
 
     def notable(self) -> Iterator[Sentence]:
         """Before `task` is noted as started."""
@@ -143,9 +156,7 @@ class OrderInvariants:
                            f"{may_begin} || {was_listed} || ({_untold(task)})")  # fmt: skip
             if task in self._follows:
                 free = f"spec_overruler(r, {task}) < 0"
-                fits = (
-                    f"(!{in_force(task)} || {free}) && (r->state[{task}] != WAITING || !({free}))"
-                )
+                fits = f"(!{in_force(task)} || {free}) && (!{lacks(task)} || !({free}))"
                 yield Sentence("what follows has what it needs, or waits for it (R7)",
                                f"old->state[{task}] != IDLE || ({fits})")  # fmt: skip
 
@@ -202,10 +213,13 @@ class OrderInvariants:
     # --- what a call has to reach ------------------------------------------------------------
 
     def ended(self) -> Iterator[Sentence]:
-        """R4: by the end of tasks."""
+        """R4, R15: by the end of tasks."""
         for task, declared in enumerate(self._found.tasks):
-            if timeout := reactions.timeout_ns(declared.effect):
+            timeout = reactions.timeout_ns(declared.effect)
+            if timeout:
                 yield from self._ended(task, timeout)
+            if reactions.waits(declared.effect):
+                yield from self._waited(task, timeout)
 
     def _ended(self, task: int, timeout: int) -> Iterator[Sentence]:
         effect = self._found.tasks[task].effect
@@ -221,6 +235,33 @@ class OrderInvariants:
         yield Sentence("until then it runs (R4)",
                        f"{idle} || {succeeds} || {is_over} || {state} == RUNNING")  # fmt: skip
 
+    def _waited(self, task: int, timeout: int | None) -> Iterator[Sentence]:
+        """What waits fails when its time is up, unless what it is there for is so without it."""
+        state, due = f"r->state[{task}]", f"(old->since_ns[{task}] + INT64_C({timeout}))"
+        fails = f"(old->now_ns >= {due} && !{self._answered(task)})" if timeout else "false"
+        waits = f"(old->state[{task}] == WAITING)"
+        yield Sentence("what waits in vain fails (R15)",
+                       f"!({waits} && {fails}) || {state} == OVERDUE")  # fmt: skip
+        yield Sentence("until then it waits (R15)",
+                       f"!{waits} || {fails} || {state} == WAITING")  # fmt: skip
+        yield Sentence("what has failed so stays so (R15)",
+                       f"old->state[{task}] != OVERDUE || {state} == OVERDUE")  # fmt: skip
+
+    def _answered(self, task: int) -> str:
+        confirmation = reactions.confirmation(self._found.tasks[task].effect)
+        if confirmation is not None:
+            return f"watched[{confirmation}]"
+        others = (f"r->state[{other}] == HOLDING" for other in self._answering(task))
+        return f"({' || '.join(others) or 'false'})"
+
+    def _answering(self, task: int) -> Iterator[int]:
+        """The tasks of rules that do the same and nothing else: only an owner's hold (R8)."""
+        resource = self._found.tasks[task].resource
+        for rule, plan in enumerate(self._found.plans):
+            rivals = [each for each in plan.tasks if self._found.tasks[each].resource == resource]
+            if rivals and overruled.does_the_same(self._found, task, rule):
+                yield from rivals
+
 
 def _same(task: int) -> str:
     parts = (f"{part}[{task}]" for part in ("state", "since_ns", "reported"))
@@ -232,6 +273,5 @@ def _untold(task: int) -> str:
 
 
 def _confirmed(effect: reactions.Effect) -> str:
-    if isinstance(effect, reactions.CancelGoal) and effect.confirmation is not None:
-        return f" && watched[{effect.confirmation}] "
-    return ""
+    confirmation = reactions.confirmation(effect)
+    return "" if confirmation is None else f" && watched[{confirmation}] "

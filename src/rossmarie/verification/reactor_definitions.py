@@ -6,8 +6,8 @@ tables that the generator makes of them.
 
 from __future__ import annotations
 
-from rossmarie.ir import reactions
-from rossmarie.verification.reactor_invariants import in_force
+from rossmarie.ir import overruled, reactions
+from rossmarie.verification.reactor_invariants import in_force, lacks
 
 
 def overruler(found: reactions.Reactions) -> str:
@@ -21,7 +21,8 @@ def overruler(found: reactions.Reactions) -> str:
         for rule in found.order:
             claimed = {found.tasks[each].resource for each in found.plans[rule].tasks}
             if task.resource in claimed:
-                taken = -1 if rule == rules[index] else rule
+                is_free = rule == rules[index] or overruled.is_shared(found, index, rule)
+                taken = -1 if is_free else rule
                 cases.append(f"        if (r->engaged[{rule}])\n            return {taken};")
         cases.append("        return -1;")
     body = "\n".join(cases)
@@ -46,8 +47,7 @@ def stages(found: reactions.Reactions) -> str:
     for rule, plan in enumerate(found.plans):
         for place, stage in enumerate(plan.stages):
             over = " && ".join(
-                f"(r->state[{task}] == HOLDING || r->state[{task}] == WAITING "
-                f"|| r->state[{task}] == DONE)"
+                f"(r->state[{task}] == HOLDING || r->state[{task}] == DONE || {lacks(task)})"
                 for task in stage
             )
             here = f"rule == {rule} && r->engaged[{rule}] && r->stage[{rule}] == {place}"

@@ -78,9 +78,10 @@ class _Writer:
         for index, task in enumerate(self._found.tasks):
             if timeout := reactions.timeout_ns(task.effect):
                 due = f"r->since_ns[{index}] + INT64_C({timeout})"
-                runs = f"r->state[{index}] == RUNNING"
-                lines.append(claim(f"!({runs}) || wake_ns <= {due}", "no end is missed (R13)"))
-                ends.append(f"({runs} && wake_ns == {due})")
+                is_open = f"(r->state[{index}] == RUNNING || r->state[{index}] == WAITING)"
+                missed = f"{is_open} && {due} > r->now_ns && wake_ns > {due}"
+                lines.append(claim(f"!({missed})", "no end is missed (R13)"))
+                ends.append(f"({is_open} && wake_ns == {due})")
         lines.append(claim(" || ".join(ends), "something ends then (R13)"))
         return "\n".join(lines)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
-from rossmarie.ir import reactions
+from rossmarie.ir import overruled, reactions
 from rossmarie.verification.invariants import Sentence
 
 
@@ -18,10 +18,14 @@ def in_force(task: int) -> str:
     return f"(r->state[{task}] == RUNNING || r->state[{task}] == HOLDING)"
 
 
-def can_fail(task: reactions.Task) -> bool:
-    """Its time can run out, or it does not wait for what another rule has (R6, R7)."""
-    needs = task.resource is not None and not reactions.waits(task.effect)
-    return needs or reactions.timeout_ns(task.effect) is not None
+def lacks(task: int) -> str:
+    """Whether a task waits for what another rule has (R7, R8, R15)."""
+    return f"(r->state[{task}] == WAITING || r->state[{task}] == OVERDUE)"
+
+
+def has_failed(task: int) -> str:
+    """Whether a task has failed, also while it waits (R6, R15)."""
+    return f"(r->state[{task}] == FAILED || r->state[{task}] == OVERDUE)"
 
 
 class ReactorInvariants:
@@ -30,7 +34,7 @@ class ReactorInvariants:
     def __init__(self, found: reactions.Reactions) -> None:
         self._found = found
         self._rules = {task: rule for rule, plan in enumerate(found.plans) for task in plan.tasks}
-        self.can_fail = [task for task, each in enumerate(found.tasks) if can_fail(each)]
+        self.can_fail = [task for task, each in enumerate(found.tasks) if overruled.can_fail(each)]
         """The tasks that can fail."""
 
     def is_listed(self, task: int) -> str:
@@ -95,7 +99,7 @@ class ReactorInvariants:
             if reactions.waits(declared.effect):
                 yield Sentence(
                     "what waits waits for another rule (R8)",
-                    f"r->state[{task}] != WAITING || !({free})",
+                    f"!{lacks(task)} || !({free})",
                 )
 
     def in_time(self) -> Iterator[Sentence]:
@@ -149,19 +153,31 @@ class ReactorInvariants:
         declared, state = self._found.tasks[task], f"r->state[{task}]"
         effect = declared.effect
         possible = ["IDLE", "DONE"]
-        possible += ["FAILED"] if can_fail(declared) else []
+        possible += ["FAILED"] if overruled.can_fail(declared) else []
         possible += ["HOLDING"] if reactions.is_lasting(effect) else []
-        possible += ["WAITING"] if reactions.waits(effect) else []
+        may_wait = reactions.waits(effect) and not overruled.fails_at_once(declared)
+        possible += ["WAITING"] if may_wait else []
+        possible += ["OVERDUE"] if overruled.may_be_overdue(declared) else []
         possible += ["RUNNING"] if reactions.timeout_ns(effect) else []
         fits = " || ".join(f"{state} == {each}" for each in possible)
         yield Sentence("a task is in a state that its effect has", fits)
         yield Sentence("a rule that is not engaged has no task",
                        f"r->engaged[{self._rules[task]}] || {state} == IDLE")  # fmt: skip
-        yield Sentence("what is in force has begun",
-                       f"!{in_force(task)} || r->since_ns[{task}] != NEVER")  # fmt: skip
+        open_or_waits = f"({in_force(task)} || {state} == WAITING)"
+        yield Sentence("what is in force or waits has begun so",
+                       f"!{open_or_waits} || r->since_ns[{task}] != NEVER")  # fmt: skip
 
     def _escalations(self, task: int) -> Iterator[Sentence]:
-        for other in self._found.tasks[task].otherwise:
-            is_known = f"(r->state[{task}] == FAILED && !{self.is_listed(task)})"
-            yield Sentence("what follows a failure waits for it, and starts then (R6)",
-                           f"{is_known} == (r->state[{other}] != IDLE)")  # fmt: skip
+        """What is overdue may start again: what has followed from that goes on."""
+        declared = self._found.tasks[task]
+        for other in declared.otherwise:
+            is_known = f"({has_failed(task)} && !{self.is_listed(task)})"
+            begun = f"(r->state[{other}] != IDLE)"
+            if overruled.may_be_overdue(declared):
+                yield Sentence("what follows a failure starts then (R6)",
+                               f"!{is_known} || {begun}")  # fmt: skip
+                yield Sentence("what follows a task does not begin before it (R6)",
+                               f"!{begun} || r->state[{task}] != IDLE")  # fmt: skip
+            else:
+                yield Sentence("what follows a failure waits for it, and starts then (R6)",
+                               f"{is_known} == {begun}")  # fmt: skip

@@ -23,7 +23,7 @@ from support.plans import (
 def test_r1_orders_of_one_instant_come_in_the_order_of_the_rules_of_this_page() -> None:
     plans = Plans()
     plans.rule([plans.task(publish(SECOND))])  # 0: stops
-    plans.rule([plans.task(publish(SECOND))])  # 1: gets what 0 had
+    plans.rule([plans.task(publish(SECOND, 1))])  # 1: gets what 0 had
     plans.rule([plans.task(diagnose())], [plans.task(log())])  # 2, 3: starts, and goes on
     plans.rule([plans.task(call(), resource=1, otherwise=[plans.task(log())])])  # 5, then 4: fails
     bench = ReactorBench(plans, order=(0, 1, 2, 3))
@@ -254,7 +254,7 @@ def test_r9_what_is_done_or_failed_is_not_stopped() -> None:
 def test_r9_a_task_that_started_again_counts_as_started_last() -> None:
     plans = Plans()
     plans.rule([plans.task(publish(SECOND))])
-    plans.rule([plans.task(publish(SECOND)), plans.task(diagnose())])
+    plans.rule([plans.task(publish(SECOND, 1)), plans.task(diagnose())])
     bench = ReactorBench(plans)
     bench.react(0, 1)
     bench.react(1, 0, 1)

@@ -1,6 +1,7 @@
 """Resources: rules R2, R7 and R8 of docs/explanation/reactions.md."""
 
 from rossmarie.interpreter import State
+from rossmarie.ir import reactions
 from rossmarie.ir.reactions import Interrupted
 from support.drafts import SECOND
 from support.plans import (
@@ -46,6 +47,42 @@ def test_r2_one_rule_may_use_its_resource_twice() -> None:
     assert bench.reactor.states == (State.HOLDING, State.RUNNING)
 
 
+def test_r2_what_publishes_the_same_is_shared() -> None:
+    plans = Plans()
+    plans.rule([plans.task(publish(SECOND))])
+    plans.rule([plans.task(publish(SECOND))])
+    bench = ReactorBench(plans)
+    assert bench.react(0, 0, 1) == ["start 0", "start 1"]
+    assert bench.react(1, 1) == ["stop 0"]
+    assert bench.state(1) is State.HOLDING
+
+
+def test_r2_what_publishes_something_else_as_well_overrules() -> None:
+    plans = Plans()
+    plans.rule([plans.task(publish(SECOND)), plans.task(publish(None, 1))])
+    plans.rule([plans.task(publish(SECOND))])
+    bench = ReactorBench(plans)
+    assert bench.react(0, 0, 1) == ["start 0", "start 1", "overruled 2 by 0"]
+
+
+def test_r2_the_first_rule_decides_about_those_that_publish_the_same() -> None:
+    plans = Plans()
+    for number in (0, 1, 0):
+        plans.rule([plans.task(publish(SECOND, number))])
+    bench = ReactorBench(plans)
+    assert bench.react(0, 0, 1, 2) == ["start 0", "overruled 1 by 0", "start 2"]
+    assert bench.react(1, 1, 2) == ["stop 0", "overruled 2 by 1", "start 1"]
+
+
+def test_r2_commands_and_what_is_done_are_not_shared() -> None:
+    command = reactions.Publish("/command_0", "geometry_msgs/Twist", (), SECOND, 0)
+    for effect in (command, set_parameter(), cancel(), call()):
+        plans = Plans()
+        for _ in range(2):
+            plans.rule([plans.task(effect)])
+        assert "overruled 1 by 0" in ReactorBench(plans).react(0, 0, 1)
+
+
 def test_r7_a_task_that_waits_does_not_hold_up_its_plan() -> None:
     plans = Plans()
     plans.rule([plans.task(set_parameter())])
@@ -65,9 +102,8 @@ def test_r7_a_task_that_does_not_wait_fails() -> None:
 
 def test_r8_what_waits_starts_again_when_its_rule_owns_the_resource() -> None:
     plans = Plans()
-    plans.rule([plans.task(publish(SECOND))])
-    plans.rule([plans.task(publish(SECOND))])
-    plans.rule([plans.task(publish(SECOND))])
+    for number in range(3):
+        plans.rule([plans.task(publish(SECOND, number))])
     bench = ReactorBench(plans)
     assert bench.react(0, 2) == ["start 2"]
     assert bench.react(1, 1, 2) == ["overruled 2 by 1", "start 1"]

@@ -5,7 +5,7 @@ import math
 from rossmarie import ir
 from rossmarie.interpreter import Reactor
 from support.drafts import SECOND
-from support.plans import Plans, ReactorBench, call, limit, log
+from support.plans import Plans, ReactorBench, call, cancel, limit, log, send
 
 
 def test_r13_the_next_wake_is_the_end_of_the_first_task_to_run_out_of_time() -> None:
@@ -22,6 +22,40 @@ def test_r13_the_next_wake_is_the_end_of_the_first_task_to_run_out_of_time() -> 
     assert bench.wake() == 3
     bench.react(2)
     assert bench.wake() is None
+
+
+def waiting() -> ReactorBench:
+    """Task 1 waits from 100 s on, and has three seconds for that."""
+    plans = Plans()
+    plans.rule([plans.task(send(timeout_ns=10 * SECOND))])
+    plans.rule([plans.task(cancel(None, 3 * SECOND))])
+    bench = ReactorBench(plans)
+    bench.react(100, 0, 1)
+    return bench
+
+
+def test_r13_what_waits_runs_out_of_time_as_well() -> None:
+    assert waiting().wake() == 103
+
+
+def test_r13_what_is_over_and_answered_for_wakes_nobody() -> None:
+    plans = Plans()
+    plans.rule([plans.task(cancel())])
+    plans.rule([plans.task(cancel())])
+    bench = ReactorBench(plans)
+    bench.react(0, 0, 1)
+    bench.succeed(1, 0)
+    assert bench.wake() == 2
+    bench.react(2, 0, 1)
+    assert bench.wake() is None
+
+
+def test_r14_what_waits_keeps_the_time_that_it_has_left() -> None:
+    bench = waiting()
+    bench.react(101, 0, 1)
+    assert bench.react(50, 0, 1) == []
+    assert bench.wake() == 52
+    assert bench.react(52, 0, 1) == ["failed 1"]
 
 
 def test_r14_a_task_keeps_the_time_that_it_has_left() -> None:

@@ -13,7 +13,7 @@ from rossmarie.report import Rehearsed, rehearse
 from rossmarie.report.rehearsal import TaskSummary, summarize_tasks
 from support.docking import docking
 from support.drafts import SECOND
-from support.plans import Plans, call, cancel, log, publish, told
+from support.plans import Plans, call, cancel, log, publish, send, told
 from support.reacting import reacting_machines
 
 
@@ -37,8 +37,8 @@ def orders(plans: Plans, *events: Event, watches: int = 0) -> list[str]:
 def lamps() -> Plans:
     """Two rules that publish on one topic, the first first."""
     plans = Plans()
-    for _ in range(2):
-        plans.rule([plans.task(publish(SECOND))])
+    for number in range(2):
+        plans.rule([plans.task(publish(SECOND, number))])
     return plans
 
 
@@ -146,3 +146,34 @@ def has_started_after(each: Rehearsed, events: Sequence[Event]) -> bool:
         for event in events[each.activation : each.after + 1]
         if isinstance(event, Verdict) and event.rule == each.rule and event.change is Change.CLEARED
     )
+
+
+def test_what_waits_too_long_fails_between_two_events() -> None:
+    plans = Plans()
+    plans.rule([plans.task(send(timeout_ns=10 * SECOND))])
+    plans.rule([plans.task(cancel(), otherwise=[plans.task(log())])])  # 2, then 1
+    events = [on(1, 0), on(1, 1), off(9, 1)]
+    found = rehearse(plans.machine(), events)
+    assert told([each.order for each in found]) == [
+        "start 0", "overruled 2 by 0", "failed 2", "start 1",
+    ]  # fmt: skip
+    assert [(each.after, each.later_ns) for each in found[2:]] == [(1, 2 * SECOND)] * 2
+
+
+def test_what_waits_too_long_fails_up_to_the_end_of_the_recording() -> None:
+    plans = Plans()
+    plans.rule([plans.task(send(timeout_ns=10 * SECOND))])
+    plans.rule([plans.task(cancel())])
+    events = [on(1, 0), on(1, 1)]
+    assert len(rehearse(plans.machine(), events)) == 2
+    assert len(rehearse(plans.machine(), events, 3 * SECOND - 1)) == 2
+    assert len(rehearse(plans.machine(), events, 3 * SECOND)) == 3
+
+
+def test_what_waits_too_long_fails_before_time_jumps_back() -> None:
+    plans = Plans()
+    plans.rule([plans.task(send(timeout_ns=10 * SECOND))])
+    plans.rule([plans.task(cancel())])
+    for from_s, count in ((2, 2), (3, 3)):
+        events: list[Event] = [on(1, 0), on(1, 1), TimeJump(from_s * SECOND, 1 * SECOND)]
+        assert len(rehearse(plans.machine(), events)) == count

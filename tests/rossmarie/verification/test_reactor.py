@@ -11,7 +11,7 @@ from rossmarie.report.proofs import Proofs
 from rossmarie.verification.prover import Prover, Verdict
 from support.depth import deep
 from support.provers import real_prover
-from support.small_rules import BOUNDED
+from support.small_rules import BOUNDED, OVERRULED
 
 SECONDS = 120
 
@@ -22,6 +22,14 @@ FILE = "small_reactor.c"
 def questions(tmp_path_factory: pytest.TempPathFactory) -> Questions:
     path = tmp_path_factory.mktemp("rules") / "small.ross"
     path.write_text(BOUNDED)
+    return questions_of(path)
+
+
+@pytest.fixture(scope="module")
+def waiting(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+    """About rules of which some wait for what others have."""
+    path = tmp_path_factory.mktemp("waiting") / "small.ross"
+    path.write_text(OVERRULED)
     return questions_of(path)
 
 
@@ -53,6 +61,15 @@ def test_the_reactor_is_what_reactions_mean(
     prover: Prover, questions: Questions, name: str
 ) -> None:
     found = proofs(prover, questions, "Generated", "Generated", f"reactor_{name}")
+    assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["next_wake", *deep(["set_clock", "stage_over", "start", "escalate", "pass_on", "settle"])],
+)
+def test_what_waits_is_what_reactions_mean(prover: Prover, waiting: Questions, name: str) -> None:
+    found = proofs(prover, waiting, "Generated", "Generated", f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
@@ -118,8 +135,43 @@ FAULTS = (
     ("r->engaged[rule] && !goes_on", "!goes_on", "react", "an engaged rule is released"),
     ("if (starts[rule_order[i]])", "if (false)", "react_0", "what is engaged has started (R3)"),
     ("r->reported[task] = true;", ";", "report", "a reported success is kept"),
-    ("fail(r, (unsigned)task);", ";", "report", "a reported failure is one"),
+    ("fail(r, (unsigned)task, FAILED);", ";", "report", "a reported failure is one"),
 )
+
+
+QUICK_FAULTS_OF_WAITING = (
+    (
+        "if (due_ns > r->now_ns)\n            wake_ns",
+        "if (due_ns > r->now_ns && r->state[task] == RUNNING)\n            wake_ns",
+        "next_wake",
+        "no end is missed (R13)",
+    ),
+)
+FAULTS_OF_WAITING = (
+    ("== WAITING && r->now_ns >= due(r, task)", "== IDLE", "settle_ends", "waits in vain (R15)"),
+    ("if (is_late && !is_answered(r, m, task))", "if (is_late)", "settle_ends", "until then it"),
+    ("return is_confirmed(m, task);", "return true;", "settle_ends", "what waits in vain fails"),
+    ("|| r->state[task] == OVERDUE)", ")", "pass_on", "what waits waits for another rule (R8)"),
+    ("task_rule[task] || is_shared", "task_rule[task]", "pass_on", "the rule that overrules"),
+    (
+        "        if (r->state[*task] != IDLE)\n            continue;\n",
+        "",
+        "escalate",
+        "what does not follow from failures stays as it is",
+    ),
+    ("if (task_fails_at_once[task])", "if (false)", "start_2_0", "a task is in a state"),
+)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "name", "expected"), [*QUICK_FAULTS_OF_WAITING, *deep(FAULTS_OF_WAITING)]
+)
+def test_a_seeded_fault_of_waiting_is_refuted(
+    prover: Prover, waiting: Questions, old: str, new: str, name: str, expected: str
+) -> None:
+    found = proofs(prover, waiting, old, new, f"reactor_{name}")
+    reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
+    assert any(expected in reason for reason in reasons), found.outcomes
 
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])

@@ -1,7 +1,7 @@
 """The effects of rules in words: what is done, what is undone on release, what can go wrong.
 
-Takes a machine that `ir.verify` has passed; follows R4 to R11 of `docs/explanation/reactions.md`.
-Numbers are in the units of the messages that they go into.
+Takes a machine that `ir.verify` has passed; follows R4 to R11 and R15 of
+`docs/explanation/reactions.md`. Numbers are in the units of the messages that they go into.
 """
 
 from __future__ import annotations
@@ -10,17 +10,11 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from rossmarie import ir
-from rossmarie.ir import reactions
+from rossmarie.ir import overruled, reactions
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.report.safety.conditions import Conditions
 from rossmarie.report.safety.numbers import number, quantity
 from rossmarie.report.safety.phrase import Phrase, listed
-
-
-def can_fail(effect: reactions.Effect) -> bool:
-    """Whether a task with this effect can ever get the order FAILED (R4, R7, R8)."""
-    is_awaited = reactions.timeout_ns(effect) is not None
-    return is_awaited or (reactions.target_of(effect) is not None and not reactions.waits(effect))
 
 
 class Effects:
@@ -35,7 +29,7 @@ class Effects:
         """A task, and what follows if it fails."""
         task = self._found.tasks[index]
         action = self._found.actions[task.action]
-        parts = [*self._details(task.effect), *self._after(task)]
+        parts = [*self._details(task.effect), *self._waits(index), *self._after(task)]
         text = self._does(task.effect)
         return Phrase(f"{text}{':' if parts else ''}", tuple(parts), task.span, action.name)
 
@@ -140,9 +134,12 @@ class Effects:
     def _after(self, task: reactions.Task) -> list[Phrase]:
         """What follows if it fails."""
         followers = tuple(self.phrase(other) for other in task.otherwise)
-        if not can_fail(task.effect):
+        if not overruled.can_fail(task):
             text = "it cannot fail, so this never starts:"
             return [Phrase(text, followers)] if followers else []
+        if overruled.fails_at_once(task):
+            lost = f"if it loses {self._needed(task)} to another rule, this starts:"
+            return [Phrase(lost, followers)]
         ways = self._ways_to_fail(task)
         if followers:
             return [Phrase(f"if it {ways}, the rule goes no further, and this starts:", followers)]
@@ -154,8 +151,41 @@ class Effects:
         if timeout_ns is not None:
             ways += ["is refused", f"is not done within {duration_text(timeout_ns)}"]
         if task.resource is not None and not reactions.waits(task.effect):
-            ways.append(f"loses {self._found.resources[task.resource]} to another rule")
+            ways.append(f"loses {self._needed(task)} to another rule")
         return listed(tuple(ways), "or") or "fails"
+
+    def _waits(self, index: int) -> list[Phrase]:
+        """What becomes of it while another rule has what it needs, if it waits for that."""
+        task = self._found.tasks[index]
+        timeout_ns = reactions.timeout_ns(task.effect)
+        rivals = self._rivals(index)
+        if timeout_ns is None or not reactions.waits(task.effect) or not rivals:
+            return []
+        unless = ""
+        if reactions.confirmation(task.effect) is not None:
+            unless = ", unless the condition above holds"
+        elif any(overruled.does_the_same(self._found, index, rule) for rule in rivals):
+            unless = ", unless that rule does the same, and has done it"
+        return [
+            Phrase(
+                f"while another rule has {self._needed(task)} it waits, and starts afterwards; "
+                f"after {duration_text(timeout_ns)} it counts as failed{unless}"
+            )
+        ]
+
+    def _rivals(self, index: int) -> list[int]:
+        """The other rules that need the same."""
+        resource = self._found.tasks[index].resource
+        return [
+            rule
+            for rule, plan in enumerate(self._found.plans)
+            if index not in plan.tasks
+            and any(self._found.tasks[other].resource == resource for other in plan.tasks)
+        ]
+
+    def _needed(self, task: reactions.Task) -> str:
+        assert task.resource is not None, "only what needs something can lose it"
+        return self._found.resources[task.resource]
 
 
 def _bounded(command: reactions.CommandTopic, bound: reactions.Bound) -> str:

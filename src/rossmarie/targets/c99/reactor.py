@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rossmarie.ir import reactions
+from rossmarie.ir import overruled, reactions
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.text import lists, remarked_table, table
@@ -17,7 +17,7 @@ from rossmarie.targets.c99.types import duration, number
 def blanks(layout: Layout) -> dict[str, object]:
     """What both templates leave open."""
     found = layout.machine.reactions
-    is_confirmed = any(_confirmation(task.effect) is not None for task in found.tasks)
+    is_confirmed = any(reactions.confirmation(task.effect) is not None for task in found.tasks)
     return {
         "guard": f"{layout.name.upper()}_REACTOR_H",
         "upper": layout.name.upper(),
@@ -45,7 +45,7 @@ def _sizes(layout: Layout) -> str:
 def _tables(found: reactions.Reactions, *, is_confirmed: bool) -> list[str]:
     parts = [_task_tables(found), _plan_tables(found), _resource_tables(found)]
     if is_confirmed:
-        watches = [_confirmation(task.effect) for task in found.tasks]
+        watches = [reactions.confirmation(task.effect) for task in found.tasks]
         parts.append(table("index_t", "task_watch", _or_none(watches)))
     if found.commands:
         parts.append(_command_tables(found))
@@ -56,7 +56,7 @@ def _tables(found: reactions.Reactions, *, is_confirmed: bool) -> list[str]:
 
 
 def _task_tables(found: reactions.Reactions) -> str:
-    """How long the end of each is awaited, 0 if it is not; where it is then; whether it waits."""
+    """How long the end of each is awaited, 0 if it is not; where it is then; how it waits."""
     rows = [
         (duration(reactions.timeout_ns(task.effect) or 0), _remark(found, index))
         for index, task in enumerate(found.tasks)
@@ -64,15 +64,29 @@ def _task_tables(found: reactions.Reactions) -> str:
     rules = {task: rule for rule, plan in enumerate(found.plans) for task in plan.tasks}
     effects = [task.effect for task in found.tasks]
     ends = ["HOLDING" if reactions.is_lasting(effect) else "DONE" for effect in effects]
-    waiting = ["true" if reactions.waits(effect) else "false" for effect in effects]
+    waiting = [_truth(reactions.waits(effect)) for effect in effects]
+    numbers = _numbers_of_deeds(found)
+    deeds = [numbers.get(overruled.deed(effect)) for effect in effects]
+    answers = [
+        None
+        if task.resource is None
+        else numbers.get(overruled.only_deed(found, rules[index], task.resource))
+        for index, task in enumerate(found.tasks)
+    ]
+    failing = [_truth(overruled.fails_at_once(task)) for task in found.tasks]
     return "\n".join(
         [
             "/* Tasks: how long their end is awaited (0: it is not), what they are then, whether",
-            " * they wait while another rule has what they need, and what starts when they fail.",
+            " * they wait while another rule has what they need, whether they fail at once then,",
+            " * what they do to that (a number), the same if their rule does nothing else to it,",
+            " * and what starts when they fail.",
             " */",
             remarked_table("int64_t", "task_timeouts", rows),
             table("unsigned char", "task_end", ends),
             table("bool", "task_waits", waiting),
+            table("bool", "task_fails_at_once", failing),
+            table("index_t", "task_deed", _or_none(deeds)),
+            table("index_t", "task_answer", _or_none(answers)),
             table("index_t", "task_rule", [rules[index] for index in range(len(effects))]),
             table("index_t", "task_resource", _or_none(task.resource for task in found.tasks)),
             lists(
@@ -83,6 +97,13 @@ def _task_tables(found: reactions.Reactions) -> str:
             ),
         ]
     )
+
+
+def _numbers_of_deeds(found: reactions.Reactions) -> dict[overruled.Deed | None, int]:
+    """A number for each thing that tasks do."""
+    deeds = (overruled.deed(task.effect) for task in found.tasks)
+    known = dict.fromkeys(deed for deed in deeds if deed is not None)
+    return {deed: number for number, deed in enumerate(known)}
 
 
 def _remark(found: reactions.Reactions, index: int) -> str:
@@ -130,21 +151,29 @@ def _resource_tables(found: reactions.Reactions) -> str:
         ]
         for resource in range(len(found.resources))
     ]
+    numbers = _numbers_of_deeds(found)
+    deeds = [
+        numbers.get(overruled.only_deed(found, rule, resource))
+        for resource, rules in enumerate(claims)
+        for rule in rules
+    ]
     listed = [
         f" *   {index}: {names.comment(resource)}" for index, resource in enumerate(found.resources)
     ]
     return "\n".join(
         [
-            "/* What tasks need for themselves, and the rules that may claim it, the first first:",
+            "/* What tasks need for themselves, the rules that may claim it, the first first, and",
+            " * what these do to it if that is one thing only:",
             *(listed or [" *   nothing"]),
             " */",
             lists("index_t", "resource_rules", "claiming_rules", claims),
+            table("index_t", "claiming_deed", _or_none(deeds)),
         ]
     )
 
 
-def _confirmation(effect: reactions.Effect) -> int | None:
-    return effect.confirmation if isinstance(effect, reactions.CancelGoal) else None
+def _truth(value: bool) -> str:
+    return "true" if value else "false"
 
 
 def _or_none(indexes: Iterable[int | None]) -> list[str]:

@@ -37,11 +37,14 @@ enum {
     WAITING = reacting_TASK_WAITING,
     DONE = reacting_TASK_DONE,
     FAILED = reacting_TASK_FAILED,
+    OVERDUE = reacting_TASK_OVERDUE,
     NONE = 0xFFFF
 };
 
 /* Tasks: how long their end is awaited (0: it is not), what they are then, whether
- * they wait while another rule has what they need, and what starts when they fail.
+ * they wait while another rule has what they need, whether they fail at once then,
+ * what they do to that (a number), the same if their rule does nothing else to it,
+ * and what starts when they fail.
  */
 static const int64_t task_timeouts[7] = {
     INT64_C(0), /* actions.ross:2 act: limit /cmd_vel */
@@ -54,6 +57,9 @@ static const int64_t task_timeouts[7] = {
 };
 static const unsigned char task_end[7] = {HOLDING, HOLDING, HOLDING, HOLDING, DONE, DONE, HOLDING};
 static const bool task_waits[7] = {false, false, true, true, false, false, true};
+static const bool task_fails_at_once[7] = {false, false, false, false, false, false, false};
+static const index_t task_deed[7] = {NONE, NONE, 0, 1, NONE, NONE, 2};
+static const index_t task_answer[7] = {NONE, NONE, 0, 1, NONE, NONE, 2};
 static const index_t task_rule[7] = {0, 0, 0, 1, 1, 1, 1};
 static const index_t task_resource[7] = {NONE, NONE, 0, 1, 2, NONE, 0};
 static const index_t task_escalations[8] = {0, 0, 0, 0, 1, 2, 2, 2};
@@ -69,13 +75,15 @@ static const index_t staged_tasks[5] = {0, 1, 2, 3, 6};
 static const index_t rule_tasks[3] = {0, 3, 7};
 static const index_t planned_tasks[7] = {0, 1, 2, 3, 4, 5, 6};
 
-/* What tasks need for themselves, and the rules that may claim it, the first first:
+/* What tasks need for themselves, the rules that may claim it, the first first, and
+ * what these do to it if that is one thing only:
  *   0: parameter /cmd_vel
  *   1: server /move_base
  *   2: service /relay/off
  */
 static const index_t resource_rules[4] = {0, 2, 3, 4};
 static const index_t claiming_rules[4] = {1, 0, 1, 1};
+static const index_t claiming_deed[4] = {2, 0, 1, NONE};
 
 static const index_t task_watch[7] = {NONE, NONE, NONE, 0, NONE, NONE, NONE};
 
@@ -133,10 +141,11 @@ static bool set_clock(reactor *r, int64_t t_ns)
     return true;
 }
 
-/* When a task runs out of time. */
+/* When a task that runs or waits runs out of time. */
 static int64_t due(const reactor *r, unsigned task)
 {
-    return r->state[task] == RUNNING ? r->since_ns[task] + task_timeouts[task] : NEVER;
+    const bool is_open = r->state[task] == RUNNING || r->state[task] == WAITING;
+    return is_open && task_timeouts[task] != 0 ? r->since_ns[task] + task_timeouts[task] : NEVER;
 }
 
 /* --- tasks --------------------------------------------------------------------------------- */
@@ -146,7 +155,9 @@ static bool is_in_force(const reactor *r, unsigned task)
     return r->state[task] == RUNNING || r->state[task] == HOLDING;
 }
 
-/* The engaged rule that has what a task needs, -1 if that is the rule of the task. */
+/* The engaged rule that has what a task needs, -1 if that is the rule of the task, or publishes the
+ * same. Only what is published is done without being awaited.
+ */
 static int32_t overruler(const reactor *r, unsigned task)
 {
     const unsigned resource = task_resource[task];
@@ -154,8 +165,11 @@ static int32_t overruler(const reactor *r, unsigned task)
         return -1;
     for (unsigned i = resource_rules[resource]; i != resource_rules[resource + 1]; i++) {
         const unsigned rule = claiming_rules[i];
-        if (r->engaged[rule])
-            return rule == task_rule[task] ? -1 : (int32_t)rule;
+        const bool is_same = task_deed[task] != NONE && claiming_deed[i] == task_deed[task];
+        if (r->engaged[rule]) {
+            const bool is_shared = is_same && task_timeouts[task] == 0;
+            return rule == task_rule[task] || is_shared ? -1 : (int32_t)rule;
+        }
     }
     return -1;
 }
@@ -185,27 +199,39 @@ static void begin(reactor *r, unsigned task)
     decide(r, task, reacting_START, -1);
 }
 
-static void fail(reactor *r, unsigned task)
+static void fail(reactor *r, unsigned task, unsigned char state)
 {
-    r->state[task] = FAILED;
+    r->state[task] = state;
     r->failed[r->failed_count] = (index_t)task;
     r->failed_count++;
 }
 
-/* Tasks begin, but for those whose resource another rule has. */
+/* Another rule has what a task needs. Of a task that runs the time goes on. */
+static void give_way(reactor *r, unsigned task)
+{
+    if (r->state[task] != RUNNING)
+        r->since_ns[task] = r->now_ns;
+    r->state[task] = WAITING;
+    if (task_fails_at_once[task])
+        fail(r, task, OVERDUE);
+}
+
+/* Tasks begin, but for those whose resource another rule has, and those that have begun before. */
 static void start(reactor *r, const index_t *first, const index_t *end)
 {
     for (const index_t *task = first; task != end; task++) {
         const int32_t by_rule = overruler(r, *task);
+        if (r->state[*task] != IDLE)
+            continue;
         if (by_rule < 0) {
             begin(r, *task);
             continue;
         }
         decide(r, *task, reacting_OVERRULED, by_rule);
         if (task_waits[*task])
-            r->state[*task] = WAITING;
+            give_way(r, *task);
         else
-            fail(r, *task);
+            fail(r, *task, FAILED);
     }
 }
 
@@ -242,9 +268,9 @@ static void release(reactor *r, unsigned rule)
 static void give_up(reactor *r, unsigned task)
 {
     if (task_waits[task])
-        r->state[task] = WAITING;
+        give_way(r, task);
     else if (r->state[task] == RUNNING)
-        fail(r, task);
+        fail(r, task, FAILED);
     else
         r->state[task] = DONE;
 }
@@ -261,7 +287,7 @@ static void pass_resources_on(reactor *r)
     }
     escalate(r);
     for (unsigned task = 0; task != TASKS; task++)
-        if (r->state[task] == WAITING && overruler(r, task) < 0)
+        if ((r->state[task] == WAITING || r->state[task] == OVERDUE) && overruler(r, task) < 0)
             begin(r, task);
 }
 
@@ -282,7 +308,7 @@ static bool is_stage_over(const reactor *r, unsigned rule)
         return false;
     for (unsigned i = stage_tasks[stage]; i != stage_tasks[stage + 1]; i++) {
         const unsigned state = r->state[staged_tasks[i]];
-        if (state != HOLDING && state != WAITING && state != DONE)
+        if (state != HOLDING && state != WAITING && state != OVERDUE && state != DONE)
             return false;
     }
     return true;
@@ -291,6 +317,32 @@ static bool is_stage_over(const reactor *r, unsigned rule)
 static bool is_confirmed(const reacting_monitor *m, unsigned task)
 {
     return task_watch[task] == NONE || reacting_watch(m, task_watch[task]) == reacting_TRUE;
+}
+
+/* Whether what a waiting task is there for is so without it. */
+static bool is_answered(const reactor *r, const reacting_monitor *m, unsigned task)
+{
+    if (task_watch[task] != NONE)
+        return is_confirmed(m, task);
+    const int32_t owner = overruler(r, task);
+    if (owner < 0 || task_deed[task] == NONE)
+        return false;
+    for (unsigned i = rule_tasks[owner]; i != rule_tasks[owner + 1]; i++) {
+        const unsigned other = planned_tasks[i];
+        if (r->state[other] == HOLDING && task_answer[other] == task_deed[task])
+            return true;
+    }
+    return false;
+}
+
+/* What waits when its time is over fails, unless it is answered for. */
+static void settle_waits(reactor *r, const reacting_monitor *m)
+{
+    for (unsigned task = 0; task != TASKS; task++) {
+        const bool is_late = r->state[task] == WAITING && r->now_ns >= due(r, task);
+        if (is_late && !is_answered(r, m, task))
+            fail(r, task, OVERDUE);
+    }
 }
 
 /* Ends of tasks, then the stages that follow. */
@@ -303,8 +355,9 @@ static void settle(reactor *r, const reacting_monitor *m)
         if (r->now_ns <= due_ns && r->reported[task] && is_confirmed(m, task))
             r->state[task] = task_end[task];
         else if (r->now_ns >= due_ns)
-            fail(r, task);
+            fail(r, task, FAILED);
     }
+    settle_waits(r, m);
     escalate(r);
     for (unsigned i = 0; i != RULES; i++) {
         while (is_stage_over(r, rule_order[i])) {
@@ -420,7 +473,7 @@ void reacting_report(reactor *r, const reacting_monitor *m, int64_t t_ns, int ta
         if (success)
             r->reported[task] = true;
         else
-            fail(r, (unsigned)task);
+            fail(r, (unsigned)task, FAILED);
     }
     settle(r, m);
 }
@@ -430,7 +483,8 @@ int64_t reacting_reactor_next_wake(const reactor *r)
     int64_t wake_ns = NEVER;
     for (unsigned task = 0; task != TASKS; task++) {
         const int64_t due_ns = due(r, task);
-        wake_ns = due_ns < wake_ns ? due_ns : wake_ns;
+        if (due_ns > r->now_ns)
+            wake_ns = due_ns < wake_ns ? due_ns : wake_ns;
     }
     return wake_ns;
 }

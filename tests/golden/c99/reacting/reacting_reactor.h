@@ -38,7 +38,8 @@ enum reacting_task_state {
     reacting_TASK_HOLDING, /* in force, until it is stopped */
     reacting_TASK_WAITING, /* overruled; it starts again when its rule gets what it needs */
     reacting_TASK_DONE,
-    reacting_TASK_FAILED
+    reacting_TASK_FAILED,
+    reacting_TASK_OVERDUE /* overruled for longer than its time: it has failed, and still waits */
 };
 
 /* An order. `by_rule` is the rule that overrules, -1 if there is none. The orders of a call are given
@@ -58,7 +59,7 @@ typedef struct reacting_decision {
 /* The reactor. Its members are its own; only their size is public. */
 typedef struct reacting_reactor {
     int64_t now_ns;
-    int64_t since_ns[7]; /* when it started or, of a limit, was lifted */
+    int64_t since_ns[7]; /* when it started, began to wait or, of a limit, was lifted */
     unsigned char state[7];
     bool reported[7];
     bool engaged[2];
@@ -91,7 +92,7 @@ void reacting_react(reacting_reactor *r, const reacting_monitor *m, const unsign
 void reacting_report(reacting_reactor *r, const reacting_monitor *m, int64_t t_ns, int task,
         bool success);
 
-/* The earliest instant at which a task runs out of time, REACTING_NEVER if none can. */
+/* The earliest instant ahead at which a task runs out of time, REACTING_NEVER if none can. */
 int64_t reacting_reactor_next_wake(const reacting_reactor *r);
 
 /* Where a task stands: enum reacting_task_state. */

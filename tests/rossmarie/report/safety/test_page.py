@@ -21,9 +21,9 @@ from rossmarie.driver import compile_file
 from rossmarie.driver.report import safety_file
 from rossmarie.ir import reactions
 from rossmarie.ir.duration_text import duration_text
+from rossmarie.ir.overruled import can_fail, fails_at_once
 from rossmarie.report.safety import SafetyFile, open_points, render_safety_file
 from rossmarie.report.safety.conditions import Conditions
-from rossmarie.report.safety.effects import can_fail
 from rossmarie.report.safety.evidence import Evidence, EvidenceKind, Hashed, Result
 from rossmarie.report.safety.phrase import Phrase
 from rossmarie.report.safety.rules import rule_texts
@@ -114,17 +114,31 @@ def constant(machine: ir.Machine, signal: int) -> str:
 
 def expected_of_reactions(machine: ir.Machine) -> Iterator[str]:
     """Words that a page owes to what the rules do."""
-    for task in machine.reactions.tasks:
+    for index, task in enumerate(machine.reactions.tasks):
         target = reactions.target_of(task.effect)
         timeout_ns = reactions.timeout_ns(task.effect)
         yield "" if target is None else target.name
-        yield "the rule goes no further" if can_fail(task.effect) else ""
+        yield "the rule goes no further" if can_fail(task) and not fails_at_once(task) else ""
         yield "" if timeout_ns is None else f"not done within {duration_text(timeout_ns)}"
+        yield "to another rule, this starts:" if fails_at_once(task) else ""
+        if may_wait_too_long(machine, index):
+            yield "it waits, and starts afterwards"
+            yield f"after {duration_text(timeout_ns or 0)} it counts as failed"
         yield from expected_of_effect(machine, task.effect)
     for plan in machine.reactions.plans:
         for other in plan.unless:
             yield f"{machine.rules[other].name}"
             yield "none of this is carried out"
+
+
+def may_wait_too_long(machine: ir.Machine, index: int) -> bool:
+    """Whether its time can be over while another rule has what it needs."""
+    found = machine.reactions
+    task = found.tasks[index]
+    others = {each for plan in found.plans if index not in plan.tasks for each in plan.tasks}
+    is_contested = task.resource in {found.tasks[other].resource for other in others} - {None}
+    is_awaited = reactions.timeout_ns(task.effect) is not None
+    return is_awaited and reactions.waits(task.effect) and is_contested
 
 
 def expected_of_effect(machine: ir.Machine, effect: reactions.Effect) -> Iterator[str]:

@@ -1,0 +1,75 @@
+"""What becomes of tasks that wait while another rule has what they need: when they have failed.
+
+Written down in `docs/explanation/reactions.md` (R7, R8, R15).
+"""
+
+from __future__ import annotations
+
+from rossmarie.ir import reactions
+from rossmarie.ir.reactions import Effect, Reactions, Task
+
+
+def fails_at_once(task: Task) -> bool:
+    """Whether it fails as soon as it waits. Nobody awaits its end, so no time says when it has
+    waited too long; and something follows.
+    """
+    is_awaited = reactions.timeout_ns(task.effect) is not None
+    return reactions.waits(task.effect) and not is_awaited and bool(task.otherwise)
+
+
+def may_be_overdue(task: Task) -> bool:
+    """Whether it can fail while it waits."""
+    is_awaited = reactions.timeout_ns(task.effect) is not None
+    return fails_at_once(task) or (reactions.waits(task.effect) and is_awaited)
+
+
+def can_fail(task: Task) -> bool:
+    """Whether it can ever get the order FAILED."""
+    is_awaited = reactions.timeout_ns(task.effect) is not None
+    is_lost = task.resource is not None and not reactions.waits(task.effect)
+    return is_awaited or is_lost or fails_at_once(task)
+
+
+Deed = tuple[object, ...]
+
+
+def deed(effect: Effect) -> Deed | None:
+    """What an effect does to its resource, if several tasks can do that together, or one in the
+    place of another.
+    """
+    match effect:
+        case reactions.CancelGoal(server=server):
+            return ("cancel", server)
+        case reactions.SetParameter(node=node, parameter=parameter, value=value):
+            return ("set", node, parameter, type(value), value)
+        case reactions.SwitchControllers(manager=manager, start=start, stop=stop):
+            return ("switch", manager, frozenset(start), frozenset(stop))
+        case reactions.Publish(command=command):
+            return ("publish", effect) if command is None else None
+        case (
+            reactions.Limit() | reactions.Scale() | reactions.Call() | reactions.SendGoal()
+            | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+        ):  # fmt: skip
+            return None
+
+
+def only_deed(found: Reactions, rule: int, resource: int) -> Deed | None:
+    """What a rule does with a resource, if it does one thing only."""
+    tasks = (found.tasks[task] for task in found.plans[rule].tasks)
+    first, *others = {deed(task.effect) for task in tasks if task.resource == resource}
+    return None if others else first
+
+
+def does_the_same(found: Reactions, task: int, owner: int) -> bool:
+    """Whether all that the owner does with the resource of a task is what the task itself does."""
+    declared = found.tasks[task]
+    own = deed(declared.effect)
+    if own is None or declared.resource is None:
+        return False
+    return own == only_deed(found, owner, declared.resource)
+
+
+def is_shared(found: Reactions, task: int, owner: int) -> bool:
+    """Whether the owner of what a task needs lets it do so: both only publish the same (R2)."""
+    is_published = isinstance(found.tasks[task].effect, reactions.Publish)
+    return is_published and does_the_same(found, task, owner)
