@@ -19,6 +19,7 @@ from rossmarie.analysis.encoding import Questioned
 from rossmarie.analysis.failures import losses
 from rossmarie.analysis.implied import needs
 from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.latches import LATCHED, RESETTING, Release
 from rossmarie.analysis.rates import never_at_rate
 from rossmarie.analysis.recovery import is_cleared_within
 from rossmarie.analysis.solver import Outcome, ask
@@ -141,6 +142,32 @@ def test_a_rule_that_nothing_clears_is_never_cleared(
             take(monitor, step)
             assert all(monitor.active[rule] for rule in was_active)
             was_active |= {rule for rule in stuck if monitor.active[rule]}
+
+
+@unhurried
+@given(machines(max_nodes=8), st.data())
+def test_a_latch_that_no_reset_releases_is_not_released(
+    machine: ir.Machine, data: st.DataObject
+) -> None:
+    everywhere = range(len(machine.rules))
+    latched = [rule for rule in everywhere if machine.rules[rule].release is None]
+    pairs = [(one, two) for two in latched for one in everywhere]
+    parts = [Inquiry(machine).about(*pair) for pair in pairs]
+    kept = [
+        part.machine
+        for part in parts
+        if part.is_impossible(Release(part.machine, is_at_once=False).in_state)
+    ]
+    assume(kept)
+    part = data.draw(st.sampled_from(kept))
+    condition = part.rules[LATCHED].condition
+    for _ in range(4):
+        monitor = watching(part)
+        for step in data.draw(traces(part)):
+            take(monitor, step)
+            is_over = values_of(part, monitor)[condition] is TruthValue.FALSE
+            both = monitor.active[RESETTING] and monitor.active[LATCHED]
+            assert not (both and is_over)
 
 
 @st.composite

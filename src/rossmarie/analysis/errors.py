@@ -196,6 +196,19 @@ class OneMessageEnough(Warning, code="ROSS715", name="one-message-enough"):
 
 
 @dataclass(frozen=True, kw_only=True)
+class LatchReleased(Warning, code="ROSS716", name="latch-released"):
+    """A latched rule that the effect `reset` of a rule releases, where no operator looks."""
+
+    title = "rule `{rule}` can reset {latched} without an operator"
+    label = "its action `{action}` resets all latched rules"
+    help = "{advice}"
+    rule: str
+    latched: str
+    action: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class Undecided(Note, code="ROSS729", name="undecided"):
     """A question to which neither a proof nor a witness was found."""
 
@@ -223,5 +236,6 @@ ALL: tuple[type[Template], ...] = (
     NeverAtRate,
     LostBetweenMessages,
     OneMessageEnough,
+    LatchReleased,
     Undecided,
 )
