@@ -11,6 +11,7 @@ from written_page import written_page
 from rossmarie.analysis.conflict import find_conflicts
 from rossmarie.analysis.decided import find_decided
 from rossmarie.analysis.failures import find_unnoticed
+from rossmarie.analysis.feedback import find_alternating
 from rossmarie.analysis.holding import find_self_holding
 from rossmarie.analysis.implied import find_implied
 from rossmarie.analysis.inquiry import Inquiry
@@ -32,6 +33,7 @@ QUESTIONS = {
     "recoveries that are blocked (quick)": find_blocked,
     "rules that keep themselves active (quick)": find_self_holding,
     "latches that rules release (quick)": find_released_latches,
+    "rules that set each other off (quick)": find_alternating,
     "durations that do not fit rates (quick)": find_unfit_durations,
     "superfluous, or never its turn": find_implied,
     "never cleared": find_never_cleared,

@@ -222,6 +222,19 @@ class LimitHoldsRelease(Warning, code="ROSS717", name="limit-holds-release"):
 
 
 @dataclass(frozen=True, kw_only=True)
+class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
+    """Rules that become active again and again by what they publish."""
+
+    title = "{rules} {whom} off again and again by publishing"
+    label = "it publishes on {topic}, which {reader} reads"
+    help = "publish where none of these rules reads, or let a message make no other rule active"
+    rules: str
+    whom: str
+    topic: str
+    reader: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class Undecided(Note, code="ROSS729", name="undecided"):
     """A question to which neither a proof nor a witness was found."""
 
@@ -251,5 +264,6 @@ ALL: tuple[type[Template], ...] = (
     OneMessageEnough,
     LatchReleased,
     LimitHoldsRelease,
+    RulesAlternate,
     Undecided,
 )

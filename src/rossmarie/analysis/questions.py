@@ -10,6 +10,7 @@ from rossmarie.analysis.conflict import find_conflicts
 from rossmarie.analysis.decided import find_decided
 from rossmarie.analysis.errors import Undecided
 from rossmarie.analysis.failures import find_unnoticed
+from rossmarie.analysis.feedback import find_alternating
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.holding import find_self_holding
 from rossmarie.analysis.implied import find_implied
@@ -61,6 +62,7 @@ def _questions(thorough: bool, within_ns: int) -> dict[str, Question]:
         "which commands are blocked?": find_blocked,
         "which rules keep themselves active?": find_self_holding,
         "which latches do rules release?": find_released_latches,
+        "which rules set each other off?": find_alternating,
         "which durations do not fit the rates of messages?": find_unfit_durations,
     }
     slow: dict[str, Question] = {
