@@ -139,6 +139,7 @@ class Circle:
         """Whether it is proved that, whatever the same messages from outside are, not each of the
         rules can become active and be cleared.
         """
+        self._part.check_time()
         claims = []
         for place in range(len(self._rules)):
             for moment, claim in enumerate((becomes_active, is_cleared)):
@@ -164,6 +165,7 @@ class Circle:
     def _witness(self, start: int, beginning: _Beginning, world: _World) -> Witness | None:
         """A course that begins with one of the rules; the interpreter has the last word."""
         order = [*range(start, len(self._rules)), *range(start)]
+        self._part.check_time()
         is_whole = beginning in (_Beginning.TURNS, _Beginning.CIRCLE)
         course = Course(self._part.asked, self._truths, len(order) + 1 if is_whole else 1)
         claim = self._follows(course, order)

@@ -62,8 +62,8 @@ def _questions(thorough: bool, within_ns: int) -> dict[str, Question]:
         "which commands are blocked?": find_blocked,
         "which rules keep themselves active?": find_self_holding,
         "which latches do rules release?": find_released_latches,
-        "which rules set each other off?": find_alternating,
         "which durations do not fit the rates of messages?": find_unfit_durations,
+        "which rules set each other off?": find_alternating,
     }
     slow: dict[str, Question] = {
         "which rules add nothing?": find_implied,
