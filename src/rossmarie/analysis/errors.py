@@ -227,7 +227,7 @@ class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
 
     title = "{rules} {whom} off again and again by publishing"
     label = "it publishes on {topic}, which {reader} reads"
-    help = "publish where none of these rules reads, or let a message make no other rule active"
+    help = "publish on a topic that none of these rules reads, or leave room between conditions"
     rules: str
     whom: str
     topic: str
