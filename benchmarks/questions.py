@@ -11,10 +11,13 @@ from written_page import written_page
 from rossmarie.analysis.conflict import find_conflicts
 from rossmarie.analysis.decided import find_decided
 from rossmarie.analysis.failures import find_unnoticed
+from rossmarie.analysis.feedback import find_alternating
+from rossmarie.analysis.holding import find_self_holding
 from rossmarie.analysis.implied import find_implied
 from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.latches import find_released_latches
 from rossmarie.analysis.rates import find_unfit_durations
-from rossmarie.analysis.recovery import find_blocked, find_self_holding
+from rossmarie.analysis.recovery import find_blocked
 from rossmarie.analysis.release import find_never_cleared
 from rossmarie.driver import compile_file
 
@@ -28,7 +31,9 @@ QUESTIONS = {
     ),
     "whose loss nobody notices (quick)": find_unnoticed,
     "recoveries that are blocked (quick)": find_blocked,
-    "limits that hold their own rule (quick)": find_self_holding,
+    "rules that keep themselves active (quick)": find_self_holding,
+    "latches that rules release (quick)": find_released_latches,
+    "rules that set each other off (quick)": find_alternating,
     "durations that do not fit rates (quick)": find_unfit_durations,
     "superfluous, or never its turn": find_implied,
     "never cleared": find_never_cleared,

@@ -17,16 +17,17 @@ from rossmarie import ir
 from rossmarie.analysis.activity import is_cleared, together
 from rossmarie.analysis.encoding import Questioned
 from rossmarie.analysis.failures import losses
+from rossmarie.analysis.holding import Kept, is_ended, is_within
 from rossmarie.analysis.implied import needs
 from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.latches import LATCHED, RESETTING, Release
 from rossmarie.analysis.rates import never_at_rate
-from rossmarie.analysis.recovery import is_cleared_within
 from rossmarie.analysis.solver import Outcome, ask
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, TruthValue
-from rossmarie.ir.reactions import Bound
-from support.drafts import Draft
+from rossmarie.ir.reactions import CommandField, CommandTopic
+from support.drafts import NOWHERE, Draft
 from support.growing import NUMBERS, TICK, Growing, durations, scales, timeouts
 from support.machines import (
     Case,
@@ -143,6 +144,32 @@ def test_a_rule_that_nothing_clears_is_never_cleared(
             was_active |= {rule for rule in stuck if monitor.active[rule]}
 
 
+@unhurried
+@given(machines(max_nodes=8), st.data())
+def test_a_latch_that_no_reset_releases_is_not_released(
+    machine: ir.Machine, data: st.DataObject
+) -> None:
+    everywhere = range(len(machine.rules))
+    latched = [rule for rule in everywhere if machine.rules[rule].release is None]
+    pairs = [(one, two) for two in latched for one in everywhere]
+    parts = [Inquiry(machine).about(*pair) for pair in pairs]
+    kept = [
+        part.machine
+        for part in parts
+        if part.is_impossible(Release(part.machine, is_at_once=False).in_state)
+    ]
+    assume(kept)
+    part = data.draw(st.sampled_from(kept))
+    condition = part.rules[LATCHED].condition
+    for _ in range(4):
+        monitor = watching(part)
+        for step in data.draw(traces(part)):
+            take(monitor, step)
+            is_over = values_of(part, monitor)[condition] is TruthValue.FALSE
+            both = monitor.active[RESETTING] and monitor.active[LATCHED]
+            assert not (both and is_over)
+
+
 @st.composite
 def forgiving(draw: st.DrawFn) -> ir.Machine:
     """A machine with a rule whose condition asks, among others, that an input is not too old."""
@@ -226,6 +253,17 @@ def conditions(draw: st.DrawFn, draft: Draft, x: int, y: int) -> int:
     return draft.truth(draw(st.sampled_from(nodes)))
 
 
+COMMANDED = replace(
+    ir.NO_REACTIONS,
+    commands=(
+        CommandTopic(
+            "/topic_0", "std_msgs/Float64", (CommandField(("slot_0",), False, ""),), NOWHERE
+        ),
+    ),
+)
+"""The first number of the first topic is one of a command."""
+
+
 @unhurried
 @given(st.data())
 def test_a_limit_that_holds_its_rule_does(data: st.DataObject) -> None:
@@ -234,11 +272,15 @@ def test_a_limit_that_holds_its_rule_does(data: st.DataObject) -> None:
     x, y = draft.read(timeout_ns), draft.read()
     condition = data.draw(conditions(draft, x, y))
     calm = draft.truth(ir.Held(draft.truth(ir.Not(condition)), data.draw(durations)))
-    rule = draft.rules[draft.rule(condition, data.draw(st.sampled_from((None, calm))))]
+    moving = draft.above(x, data.draw(st.sampled_from((0.5, 1.0))))
+    rule = draft.rules[draft.rule(condition, data.draw(st.sampled_from((None, calm, moving))))]
     low, high = data.draw(st.sampled_from(((0.0, 1.0), (-1.0, 0.0), (0.0, 0.5), (-0.5, 0.0))))
-    bound = Bound(0, low, high, None)
-    machine = draft.machine()
-    claim = partial(is_cleared_within, rule=0, slot=0, bound=bound)
+    machine = replace(draft.machine(), reactions=COMMANDED)
+    kept = [Kept(0, 0, 0, low, high)]
+
+    def claim(state: ArbitraryState) -> z3.BoolRef:
+        return z3.And(is_ended(state, 0), is_within(state, kept))
+
     assume(Inquiry(machine).is_impossible(claim, settled=True))
     monitor = watching(machine)
     was_active = False

@@ -23,7 +23,7 @@ def find_conflicts(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
     """
     machine = inquiry.machine
     needs = [_needs(machine, rule) for rule in range(len(machine.rules))]
-    ordered = _ordered(machine)
+    ordered = ordered_pairs(machine)
     told: set[tuple[int, int]] = set()
     for second, needed in enumerate(needs):
         for resource, actions in needed.items():
@@ -52,7 +52,7 @@ def _needs(machine: Machine, rule: int) -> Needs:
     return {resource: frozenset(actions) for resource, actions in found.items()}
 
 
-def _ordered(machine: Machine) -> set[tuple[int, int]]:
+def ordered_pairs(machine: Machine) -> set[tuple[int, int]]:
     """The pairs of which the first is put over the second, by way of others too, or the second
     gives way to the first.
     """

@@ -127,13 +127,13 @@ class RecoveryBlocked(Warning, code="ROSS709", name="recovery-blocked"):
 
 @dataclass(frozen=True, kw_only=True)
 class LimitHoldsCondition(Warning, code="ROSS710", name="limit-holds-condition"):
-    """A limit that keeps the condition of its own rule from becoming false."""
+    """What a rule does to a command keeps its own condition from becoming false."""
 
-    title = "rule `{rule}` keeps itself active: it limits {field}, which its condition reads"
-    label = "within these bounds the rule is never cleared"
-    help = "read what the planner asks for or what the robot does, not what the limit lets pass"
+    title = "rule `{rule}` keeps itself active: it {does}, which its condition reads"
+    label = "so nothing clears the rule"
+    help = "read what the planner asks for or what the robot does, not what has passed the filter"
     rule: str
-    field: str
+    does: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -196,6 +196,45 @@ class OneMessageEnough(Warning, code="ROSS715", name="one-message-enough"):
 
 
 @dataclass(frozen=True, kw_only=True)
+class LatchReleased(Warning, code="ROSS716", name="latch-released"):
+    """A latched rule that the effect `reset` of a rule releases, where no operator looks."""
+
+    title = "rule `{rule}` can reset {latched} without an operator"
+    label = "its action `{action}` resets all latched rules"
+    help = "{advice}"
+    rule: str
+    latched: str
+    action: str
+    advice: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class LimitHoldsRelease(Warning, code="ROSS717", name="limit-holds-release"):
+    """What a rule does to a command keeps its own `clear when` from becoming true."""
+
+    title = "rule `{rule}` is never cleared: it {does}, and so `{release}` is {when}"
+    label = "so nothing clears the rule"
+    help = "read what the planner asks for or what the robot does, not what has passed the filter"
+    rule: str
+    does: str
+    release: str
+    when: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
+    """Rules that become active again and again by what they publish."""
+
+    title = "{rules} {whom} off again and again by publishing"
+    label = "it publishes on {topic}, which {reader} reads"
+    help = "publish on a topic that none of these rules reads, or leave room between conditions"
+    rules: str
+    whom: str
+    topic: str
+    reader: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class Undecided(Note, code="ROSS729", name="undecided"):
     """A question to which neither a proof nor a witness was found."""
 
@@ -223,5 +262,8 @@ ALL: tuple[type[Template], ...] = (
     NeverAtRate,
     LostBetweenMessages,
     OneMessageEnough,
+    LatchReleased,
+    LimitHoldsRelease,
+    RulesAlternate,
     Undecided,
 )

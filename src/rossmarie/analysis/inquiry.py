@@ -74,7 +74,7 @@ class Inquiry:
 
     def decide(self, question: Asked) -> Result:
         """All that can be found out, by what costs least."""
-        self._check_time()
+        self.check_time()
         state = ArbitraryState(self.asked)
         term = question.in_state(state)
         if ask(state.facts, term).outcome is Outcome.IMPOSSIBLE:
@@ -89,7 +89,7 @@ class Inquiry:
 
     def is_impossible(self, claim: StateClaim, *, settled: bool = False) -> bool:
         """Whether a claim is proved to hold in no state that any trace leads to."""
-        self._check_time()
+        self.check_time()
         state = ArbitraryState(self.asked, settled=settled)
         term = claim(state)
         return self._is_refuted(state, term)
@@ -134,7 +134,7 @@ class Inquiry:
     ) -> Witness | None:
         """A witness that the interpreter bears out: one in which all sensors work, if there is."""
         for legs, is_calm in _ATTEMPTS if attempts is None else attempts:
-            self._check_time()
+            self.check_time()
             course = Course(self.asked, question.truths, legs)
             witness = self._borne_out(course, question, is_calm)
             if witness is not None:
@@ -160,7 +160,7 @@ class Inquiry:
         self, truths: tuple[int, ...], legs: int, in_course: CourseClaim, in_view: Claim
     ) -> Witness | None:
         """A witness of single messages, one after the other, while all sensors work."""
-        self._check_time()
+        self.check_time()
         course = Course(self.asked, truths, legs, is_brief=True)
         claim = in_course(course)
         for hints in course.hints():
@@ -171,7 +171,8 @@ class Inquiry:
                 return shortened(self.machine, draft, replays)
         return None
 
-    def _check_time(self) -> None:
+    def check_time(self) -> None:
+        """Raises `OutOfTimeError` after the deadline."""
         if self.deadline_s is not None and time.process_time() > self.deadline_s:
             raise OutOfTimeError
 

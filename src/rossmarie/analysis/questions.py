@@ -10,11 +10,14 @@ from rossmarie.analysis.conflict import find_conflicts
 from rossmarie.analysis.decided import find_decided
 from rossmarie.analysis.errors import Undecided
 from rossmarie.analysis.failures import find_unnoticed
+from rossmarie.analysis.feedback import find_alternating
 from rossmarie.analysis.finding import Finding
+from rossmarie.analysis.holding import find_self_holding
 from rossmarie.analysis.implied import find_implied
 from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
+from rossmarie.analysis.latches import find_released_latches
 from rossmarie.analysis.rates import find_unfit_durations
-from rossmarie.analysis.recovery import find_blocked, find_self_holding
+from rossmarie.analysis.recovery import find_blocked
 from rossmarie.analysis.release import find_never_cleared
 from rossmarie.ir import Machine
 
@@ -57,8 +60,10 @@ def _questions(thorough: bool, within_ns: int) -> dict[str, Question]:
         "what is never or always so?": lambda asked: find_decided(asked, thorough=thorough),
         "whose loss does nobody notice?": find_unnoticed,
         "which commands are blocked?": find_blocked,
-        "which limits hold their own rule?": find_self_holding,
+        "which rules keep themselves active?": find_self_holding,
+        "which latches do rules release?": find_released_latches,
         "which durations do not fit the rates of messages?": find_unfit_durations,
+        "which rules set each other off?": find_alternating,
     }
     slow: dict[str, Question] = {
         "which rules add nothing?": find_implied,

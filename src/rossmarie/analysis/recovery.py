@@ -1,22 +1,15 @@
-"""Recoveries that fight their own rule: commands that a limit cuts to 0, and limits that keep the
-condition of their rule from becoming false.
-"""
+"""Recoveries that fight their own rule, or another one: commands that a limit cuts to 0."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
-
-import z3
 
 from dslkit.diagnostics import Label
-from rossmarie.analysis.activity import is_cleared, truths_of
-from rossmarie.analysis.errors import LimitHoldsCondition, RecoveryBlocked, Undecided
+from rossmarie.analysis.activity import truths_of
+from rossmarie.analysis.errors import RecoveryBlocked, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, Result, both_active
 from rossmarie.analysis.solver import Outcome
-from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.terms import constant
 from rossmarie.ir import Machine
 from rossmarie.ir.reactions import Bound, Limit, Publish, Task
 
@@ -109,52 +102,3 @@ def _blocked(
     witness = result.witness
     notes = () if witness is None else (witness_note(machine, witness, truths),)
     return Finding(finding.at(task.span, place, notes=notes), witness)
-
-
-# --- limits on what is read ------------------------------------------------------------------
-
-
-def find_self_holding(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each rule that is not cleared as long as what it reads obeys its own limits."""
-    machine = inquiry.machine
-    for rule, plan in enumerate(machine.reactions.plans):
-        if machine.rules[rule].release is None:
-            continue
-        for index in plan.tasks:
-            effect = machine.reactions.tasks[index].effect
-            for slot, bound in _read(machine, effect) if isinstance(effect, Limit) else ():
-                rests_on = inquiry.asked.supports.truths[machine.rules[rule].condition].slots
-                if slot not in rests_on:
-                    continue
-                held = partial(is_cleared_within, rule=rule, slot=slot, bound=bound)
-                free = partial(is_cleared, rule=rule)
-                if inquiry.is_impossible(held, settled=True) and not inquiry.is_impossible(free):
-                    yield _self_holding(machine, rule, index, bound)
-
-
-def _read(machine: Machine, limit: Limit) -> Iterator[tuple[int, Bound]]:
-    """The slots that carry a field that is limited."""
-    command = machine.reactions.commands[limit.topic]
-    for bound in limit.bounds:
-        for index, slot in enumerate(machine.slots):
-            topic = machine.channels[machine.inputs[slot.input].channel].topic
-            if topic == command.topic and slot.path == command.fields[bound.field].path:
-                yield index, bound
-
-
-def is_cleared_within(state: ArbitraryState, rule: int, slot: int, bound: Bound) -> z3.BoolRef:
-    """Whether a rule is cleared while a number that it reads lies within a bound."""
-    source, value = state.machine.slots[slot], state.slot(slot).value
-    low, high = (end * source.scale + source.offset for end in (bound.low, bound.high))
-    return z3.And(is_cleared(state, rule), value >= constant(low), value <= constant(high))
-
-
-def _self_holding(machine: Machine, rule: int, task: int, bound: Bound) -> Finding:
-    effect = machine.reactions.tasks[task].effect
-    assert isinstance(effect, Limit)
-    command = machine.reactions.commands[effect.topic]
-    path = ".".join(str(step) for step in command.fields[bound.field].path)
-    place = Label(machine.reactions.tasks[task].span, "the limit")
-    name = machine.rules[rule].name
-    finding = LimitHoldsCondition(rule=name, field=f"{path} on {command.topic}")
-    return Finding(finding.at(machine.rules[rule].head, place))

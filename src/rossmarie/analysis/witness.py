@@ -16,6 +16,8 @@ from rossmarie.ir import ChannelValues, Kind, Machine, TruthValue
 from rossmarie.ir.duration_text import duration_text
 
 SECOND = 1_000_000_000
+_MOST_ARRIVALS = 6
+_MOST_TOLD = 12
 
 
 @dataclass(frozen=True)
@@ -172,6 +174,8 @@ def told(machine: Machine, witness: Witness, signals: Sequence[int]) -> str:
     """
     if not witness.events:
         return "before any message"
+    if not signals:
+        return "; ".join([*_arrivals(machine, witness), f"until {duration_text(witness.end_ns)}"])
     parts = []
     before: list[str] | None = None
     for view in views(machine, witness):
@@ -180,7 +184,21 @@ def told(machine: Machine, witness: Witness, signals: Sequence[int]) -> str:
             parts.append(f"at {duration_text(view.at_ns)} {', '.join(now)}")
         before = now
     ends = duration_text(witness.end_ns)
+    if len(parts) > _MOST_TOLD:
+        parts = [*parts[:_MOST_TOLD], "and so on"]
     return "; ".join(parts) + (f"; until {ends}" if witness.end_ns else "")
+
+
+def _arrivals(machine: Machine, witness: Witness) -> Iterator[str]:
+    """When which messages arrive, where nothing is measured; of many on one topic the first."""
+    is_long = len(witness.events) > _MOST_ARRIVALS
+    before: frozenset[int] = frozenset()
+    for event in witness.events:
+        channels = frozenset(event.messages)
+        if channels != before or not is_long:
+            topics = ", ".join(machine.channels[channel].topic for channel in sorted(channels))
+            yield f"at {duration_text(event.at_ns)} {topics}"
+        before = channels
 
 
 def _shown(machine: Machine, index: int, view: View) -> str:

@@ -1,0 +1,135 @@
+"""Any state at any evaluation while nothing comes from outside but the same messages over and over,
+and the topics on which rules publish carry what these publish.
+
+It covers too much, as `ArbitraryState` does, on which it rests.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import z3
+
+from rossmarie.analysis.encoding import Questioned
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.terms import YES, Number, constant
+
+Ends = tuple[float, float]
+"""The least and the greatest raw number that a slot of a message may hold; NaN: it holds none."""
+
+
+@dataclass(frozen=True)
+class Carried:
+    """What arrives on a channel: messages that rules publish, each by its slots, and, where it is
+    open, the one from outside as well, which a filter may bring nearer to 0.
+    """
+
+    messages: Sequence[Mapping[int, Ends]]
+    is_open: bool
+
+
+Published = Mapping[int, Carried]
+"""The channels on which rules publish."""
+
+_OUTSIDE = ".outside"
+
+
+class ClosedState(ArbitraryState):
+    """A state in which the last message on some channels is one of those that rules publish."""
+
+    def __init__(self, asked: Questioned, published: Published) -> None:
+        super().__init__(asked)
+        self._published = published
+
+    def slot(self, index: int) -> Number:
+        """What rules publish, or what comes from outside."""
+        is_new = index not in self._slots
+        number = super().slot(index)
+        used = self.machine.slots[index].input
+        channel = self.machine.inputs[used].channel
+        if is_new and channel in self._published:
+            self.facts += self._carried(index, channel, number, self.is_fresh(used))
+        return number
+
+    def _carried(
+        self, index: int, channel: int, number: Number, fresh: z3.BoolRef
+    ) -> Iterator[z3.BoolRef]:
+        """That a slot is that of the message that arrived last, which is one for all slots."""
+        slot, carried = self.machine.slots[index], self._published[channel]
+        message = z3.Int(f"channel{channel}.message")
+        count = len(carried.messages)
+        yield z3.And(message >= 0, message < count + carried.is_open)
+        for place, ends in enumerate(each[index] for each in carried.messages):
+            low, high = sorted(end * slot.scale + slot.offset for end in ends)
+            if math.isnan(low):
+                yield z3.Implies(message == place, z3.Not(number.known))
+                continue
+            within = z3.And(number.value >= constant(low), number.value <= constant(high))
+            yield z3.Implies(message == place, z3.And(number.known == fresh, within))
+        sent, zero = z3.Real(f"slot{index}{_OUTSIDE}"), constant(slot.offset)
+        above = z3.And(zero <= number.value, number.value <= sent)
+        below = z3.And(sent <= number.value, number.value <= zero)
+        yield z3.Implies(message == count, z3.Or(above, below))
+
+    def has_arrived(self, channel: int) -> z3.BoolRef:
+        """What rules publish has; what comes from outside, either, at all moments."""
+        carried = self._published.get(channel)
+        if carried is not None and not carried.is_open:
+            return YES
+        return super().has_arrived(channel)
+
+    def age(self, channel: int) -> z3.ArithRef:
+        """What comes from outside does so often enough."""
+        is_new = channel not in self._ages
+        found = super().age(channel)
+        if is_new and channel not in self._published:
+            timeouts = [used.timeout_ns for used in self.machine.inputs if used.channel == channel]
+            self.facts += [found < each for each in timeouts if each is not None]
+        return found
+
+    def at(self, moment: int, claim: z3.BoolRef) -> z3.BoolRef:
+        """That a claim holds in a state like this at one moment. What comes from outside is the
+        same at all moments; all else is of this one.
+        """
+        term, shared = z3.And(*self.facts, claim), self._shared
+        constants = {each.decl().name(): each for each in _constants(term)}
+        own = [
+            (each, z3.Const(f"{name}@{moment}", each.sort()))
+            for name, each in constants.items()
+            if name not in shared and not name.endswith(_OUTSIDE)
+        ]
+        return z3.substitute(term, *own)
+
+    @property
+    def _shared(self) -> set[str]:
+        """The names of what comes from outside: what arrives at all, and its numbers."""
+        outside = {
+            index
+            for index in self._slots
+            if self.machine.inputs[self.machine.slots[index].input].channel not in self._published
+        }
+        numbers = [self._slots[index] for index in outside]
+        names = {number.value.decl().name() for number in numbers}
+        names |= {number.known.decl().name() for number in numbers}
+        for channel in range(len(self.machine.channels)):
+            arrived = self.has_arrived(channel)
+            names |= {each.decl().name() for each in _constants(arrived)}
+        return names
+
+
+def _constants(term: z3.ExprRef) -> list[z3.ExprRef]:
+    """All that a term leaves open, each once."""
+    found: dict[int, z3.ExprRef] = {}
+    seen: set[int] = set()
+    waiting = [term]
+    while waiting:
+        each = waiting.pop()
+        if each.get_id() in seen:
+            continue
+        seen.add(each.get_id())
+        if z3.is_const(each) and each.decl().kind() == z3.Z3_OP_UNINTERPRETED:
+            found[each.get_id()] = each
+        waiting += each.children()
+    return list(found.values())

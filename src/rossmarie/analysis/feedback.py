@@ -1,0 +1,388 @@
+"""Rules that set each other off by what they publish, or one rule that does so alone."""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import z3
+
+from dslkit.diagnostics import Label
+from rossmarie.analysis.activity import becomes_active, is_cleared, truths_of
+from rossmarie.analysis.closed_loop import Loop, Outside
+from rossmarie.analysis.closed_state import Carried, ClosedState, Ends, Published
+from rossmarie.analysis.course import Course, Leg
+from rossmarie.analysis.draft import Draft, drafted, witness_of
+from rossmarie.analysis.errors import RulesAlternate, Undecided
+from rossmarie.analysis.finding import Finding, witness_note
+from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.published import Publication, publications, values_of
+from rossmarie.analysis.shrink import Replays, shortened
+from rossmarie.analysis.solver import Outcome, ask
+from rossmarie.analysis.terms import constant
+from rossmarie.analysis.witness import Witness
+from rossmarie.ir import AgeReaches, ChannelValues, Held, Machine, Oscillates
+from rossmarie.ir.duration_text import duration_text
+from rossmarie.ir.reactions import Publish, timeout_ns
+
+SECOND = 1_000_000_000
+_MOST_RULES = 3
+"""In one circle."""
+
+_TIMES = 2
+"""How often each rule of a circle has to become active."""
+
+
+_MOST_TRIES = 40
+
+
+def find_alternating(inquiry: Inquiry) -> Iterator[Finding]:
+    """A warning of each group of rules that become active again and again by what they publish."""
+    published = list(publications(inquiry.machine))
+    circles = [Circle(inquiry, each, published) for each in _circles(inquiry, published)]
+    waiting = [each for each in circles if not each.is_impossible()]
+    shown: list[frozenset[int]] = []
+    for world in _World:
+        found = frozenset[int]().union(*shown)
+        for circle in waiting:
+            if circle.group <= found or any(each <= circle.group for each in shown):
+                continue
+            finding = circle.alternating(world)
+            if finding is not None:
+                shown.append(circle.group)
+                yield finding
+    opened = {each.group: each for each in reversed(waiting)}
+    told = frozenset[int]().union(*shown)
+    for group, circle in opened.items():
+        if not (group <= told or any(each <= group for each in shown)):
+            yield circle.open()
+
+
+def _circles(
+    inquiry: Inquiry, published: Sequence[Publication]
+) -> Iterator[tuple[Publication, ...]]:
+    """Circles of rules each of which publishes what the next one reads, the shortest first. None
+    of them is latched: those are not cleared.
+    """
+    machine = inquiry.machine
+    free = [each for each in published if machine.rules[each.rule].release is not None]
+    reads = {each.rule: _read(inquiry, each.rule) for each in free}
+    for length in range(1, _MOST_RULES + 1):
+        for first in free:
+            yield from _longer((first,), length, free, reads)
+
+
+def _longer(
+    path: tuple[Publication, ...],
+    length: int,
+    free: Sequence[Publication],
+    reads: Mapping[int, frozenset[int]],
+) -> Iterator[tuple[Publication, ...]]:
+    """The circles of some length that begin with a path; its first rule is the first of them."""
+    if len(path) == length:
+        if path[-1].channel in reads[path[0].rule]:
+            yield path
+        return
+    for each in free:
+        is_new = each.rule > path[0].rule and all(each.rule != other.rule for other in path)
+        if is_new and path[-1].channel in reads[each.rule]:
+            yield from _longer((*path, each), length, free, reads)
+
+
+def _read(inquiry: Inquiry, rule: int) -> frozenset[int]:
+    """The channels that a rule rests on."""
+    truths = truths_of(inquiry.machine, (rule,))
+    return frozenset().union(*(inquiry.asked.supports.truths[each].channels for each in truths))
+
+
+# --- one circle ------------------------------------------------------------------------------
+
+
+class Circle:
+    """Some rules, each of which publishes what the next one reads, and the part of the machine
+    that they rest on.
+    """
+
+    def __init__(
+        self, inquiry: Inquiry, circle: Sequence[Publication], published: Sequence[Publication]
+    ) -> None:
+        self._machine = inquiry.machine
+        self._circle = circle
+        self._rules = [each.rule for each in circle]
+        self._published = [each for each in published if each.rule in self._rules]
+        self._part = inquiry.about(*self._rules)
+        self._truths = truths_of(self._part.machine, tuple(range(len(circle))))
+
+    @property
+    def group(self) -> frozenset[int]:
+        """The rules."""
+        return frozenset(self._rules)
+
+    def alternating(self, world: _World) -> Finding | None:
+        """A warning with a witness in such a world."""
+        for beginning in _Beginning:
+            for start in range(len(self._circle)):
+                witness = self._witness(start, beginning, world)
+                if witness is not None:
+                    return _alternating(self._machine, self._circle, witness)
+        return None
+
+    def open(self) -> Finding:
+        """That it is undecided."""
+        return _open(self._machine, self._circle)
+
+    # --- the proof ---------------------------------------------------------------------------
+
+    def is_impossible(self) -> bool:
+        """Whether it is proved that, whatever the same messages from outside are, not each of the
+        rules can become active and be cleared.
+        """
+        self._part.check_time()
+        claims = []
+        for place in range(len(self._rules)):
+            for moment, claim in enumerate((becomes_active, is_cleared)):
+                state = ClosedState(self._part.asked, self._carried())
+                claims.append(state.at(2 * place + moment, claim(state, place)))
+        return ask([], z3.And(claims)).outcome is Outcome.IMPOSSIBLE
+
+    def _carried(self) -> Published:
+        found: dict[int, Carried] = {}
+        for each in self._published:
+            effect = self._machine.reactions.tasks[each.task].effect
+            assert isinstance(effect, Publish)
+            is_bounded = effect.command is not None
+            slots = values_of(self._machine, each.task, each.channel).slots
+            ends = {index: _ends(raw, is_bounded) for index, raw in slots.items()}
+            before = found.get(each.channel, Carried((), is_open=False))
+            is_open = before.is_open or is_bounded or not each.is_sure
+            found[each.channel] = Carried((*before.messages, ends), is_open)
+        return found
+
+    # --- the witness -------------------------------------------------------------------------
+
+    def _witness(self, start: int, beginning: _Beginning, world: _World) -> Witness | None:
+        """A course that begins with one of the rules; the interpreter has the last word."""
+        order = [*range(start, len(self._rules)), *range(start)]
+        self._part.check_time()
+        is_whole = beginning in (_Beginning.TURNS, _Beginning.CIRCLE)
+        course = Course(self._part.asked, self._truths, len(order) + 1 if is_whole else 1)
+        claim = self._follows(course, order)
+        if beginning is not _Beginning.ANY:
+            claim = z3.And(claim, course.is_active(start, 1))
+        if beginning is _Beginning.TURNS:
+            claim = z3.And(claim, _is_each_alone(course, order))
+        is_calm = world is not _World.SILENT
+        wishes = course.calm if is_calm else ()
+        for hints in course.hints():
+            answer = ask(course.facts, claim, *wishes, *hints)
+            if answer.model is None:
+                continue
+            whole = drafted(course, answer.model, is_calm=is_calm)
+            first = replace(whole.legs[0], length_ns=0, shakes={})
+            played = _Played(self._machine, self._part.machine, self._rules, world)
+            draft = replace(whole, legs=(first,))
+            witness = shortened(self._part.machine, draft, played)
+            if witness is not None:
+                return witness
+        return None
+
+    def _follows(self, course: Course, order: Sequence[int]) -> z3.BoolRef:
+        """What one rule publishes makes the next one active; the first one has been inactive when
+        it is its turn again.
+        """
+        found = [z3.BoolVal(True)]
+        for number in range(1, len(course.legs)):
+            message = self._circle[order[number - 1]]
+            found.append(self._brings(course.legs[number - 1], course.legs[number], message))
+            turn = order[number % len(order)]
+            found.append(course.is_active(turn, 2 * number + 1))
+        if len(course.legs) > 1:
+            later = range(2, len(course.moments))
+            found.append(z3.Or([z3.Not(course.is_active(order[0], each)) for each in later]))
+        return z3.And(found)
+
+    def _brings(self, before: Leg, leg: Leg, message: Publication) -> z3.BoolRef:
+        """That a leg brings a message of a rule, and what the leg before brought otherwise."""
+        machine = self._machine
+        values = values_of(machine, message.task, message.channel)
+        found = []
+        for channel, sends in leg.sends.items():
+            is_published = channel == message.channel
+            found.append(sends if is_published else sends == before.sends[channel])
+        for index, number in leg.slots.items():
+            slot, was = machine.slots[index], before.slots[index]
+            if machine.inputs[slot.input].channel != message.channel:
+                found += [number.known == was.known, number.value == was.value]
+            elif math.isnan(values.slots[index]):
+                found.append(z3.Not(number.known))
+            else:
+                value = constant(values.slots[index] * slot.scale + slot.offset)
+                found += [number.known, number.value == value]
+        for index, cells in leg.cells.items():
+            if machine.inputs[machine.arrays[index].input].channel != message.channel:
+                for cell, earlier in zip(cells, before.cells[index], strict=True):
+                    found.append(cell.is_there == earlier.is_there)
+                    found.append(cell.number.value == earlier.number.value)
+        return z3.And(found)
+
+
+def _is_each_alone(course: Course, order: Sequence[int]) -> z3.BoolRef:
+    """Whether at the end of each leg no rule is active but the one whose turn it is."""
+    ends = range(1, len(course.moments), 2)
+    turns = [order[number % len(order)] for number in range(len(course.legs))]
+    return z3.And(
+        [
+            z3.Not(course.is_active(other, end))
+            for turn, end in zip(turns, ends, strict=True)
+            for other in order
+            if other != turn
+        ]
+    )
+
+
+def _ends(raw: float, is_bounded: bool) -> Ends:
+    return (min(0.0, raw), max(0.0, raw)) if is_bounded else (raw, raw)
+
+
+class _World(enum.Enum):
+    """What is beside the rules. What they command in the place of others these command again as
+    soon as no rule does; what nobody has to send within a time is sent once.
+    """
+
+    OWN = "all sensors work, and nobody else sends once the rules do"
+    SHARED = "all sensors work, and where a timeout asks for messages somebody goes on to send them"
+    SILENT = "a sensor is missing, or falls silent"
+
+
+class _Beginning(enum.Enum):
+    """What is asked of the messages from outside that a course begins with."""
+
+    TURNS = "with what the rules publish after them, one rule after the other is active, alone"
+    CIRCLE = "with what the rules publish after them, each makes the next one active"
+    ACTIVE = "they make the first rule active"
+    ANY = "nothing"
+
+
+class _Played(Replays):
+    """Whether the rules alternate after the messages of a draft, tried out in a closed loop."""
+
+    def __init__(
+        self, machine: Machine, part: Machine, rules: Sequence[int], world: _World
+    ) -> None:
+        super().__init__(part, lambda _: False, ())
+        self._whole = machine
+        self._world = world
+        self._rules = rules
+        self._tries = _MOST_TRIES
+        self._until_ns = _long_enough(machine, part, rules)
+
+    def show(self, draft: Draft) -> Witness | None:
+        """The messages from outside and those of the rules, until each rule has become active
+        again; None if that does not happen, or happens without the messages of the rules as well.
+        """
+        events = witness_of(self._machine, draft).events
+        if self._tries <= 0 or not events:
+            return None
+        self._tries -= 1
+        ends = (True, False) if _awaits(self._whole, self._rules) else (True,)
+        for outside in self._outsides(events[0].messages, draft.period_ns):
+            for ends_well in ends:
+                loop = self._loop(outside, True, ends_well)
+                end_ns = loop.run(self._until_ns, _TIMES)
+                if end_ns is None or (draft.is_calm and loop.has_gap):
+                    continue
+                alone = self._loop(outside, False, ends_well)
+                alone.run(end_ns, _TIMES)
+                if all(len(starts) < _TIMES for starts in alone.starts.values()):
+                    return Witness(tuple(loop.sent), end_ns, draft.is_calm)
+        return None
+
+    def _outsides(self, messages: Mapping[int, ChannelValues], period_ns: int) -> Iterator[Outside]:
+        """What is sent on the topics of the rules, in ways that fit the world."""
+        commanded = {each.topic for each in self._whole.reactions.commands}
+        own = frozenset(
+            each.channel
+            for each in publications(self._whole)
+            if each.rule in self._rules
+            and self._whole.channels[each.channel].topic not in commanded
+        )
+        timed = own & {used.channel for used in self._whole.inputs if used.timeout_ns is not None}
+        nothing = frozenset[int]()
+        if self._world is _World.SHARED:
+            yield Outside(messages, period_ns, own - timed, nothing)
+            return
+        yield Outside(messages, period_ns, own, nothing)
+        if timed:
+            yield Outside(messages, period_ns, own - timed, timed)
+
+    def _loop(self, outside: Outside, is_closed: bool, ends_well: bool) -> Loop:
+        return Loop(self._whole, self._machine, self._rules, outside, is_closed, ends_well)
+
+
+def _awaits(machine: Machine, rules: Sequence[int]) -> bool:
+    tasks = [task for rule in rules for task in machine.reactions.plans[rule].tasks]
+    return any(timeout_ns(machine.reactions.tasks[task].effect) is not None for task in tasks)
+
+
+def _long_enough(machine: Machine, part: Machine, rules: Sequence[int]) -> int:
+    """The time in which each timer of some rules and their inputs runs out often enough."""
+    found = [used.timeout_ns or 0 for used in part.inputs]
+    for truth in part.truths:
+        match truth.node:
+            case Held(duration_ns=time_ns) | AgeReaches(age_ns=time_ns):
+                found.append(time_ns)
+            case Oscillates(window_ns=time_ns):
+                found.append(time_ns)
+    for rule in rules:
+        for task in machine.reactions.plans[rule].tasks:
+            effect = machine.reactions.tasks[task].effect
+            if isinstance(effect, Publish) and effect.period_ns is not None:
+                found.append(effect.period_ns)
+    return SECOND + 2 * _TIMES * sum(found)
+
+
+# --- words -----------------------------------------------------------------------------------
+
+
+def _alternating(machine: Machine, circle: Sequence[Publication], witness: Witness) -> Finding:
+    finding = RulesAlternate(
+        rules=_named(machine, circle),
+        whom="set each other" if circle[1:] else "sets itself",
+        topic=machine.channels[circle[0].channel].topic,
+        reader=_reader(machine, circle, 0),
+    )
+    places = [
+        Label(
+            machine.rules[each.rule].head,
+            f"this one publishes on {machine.channels[each.channel].topic}, which "
+            f"{_reader(machine, circle, place)} reads",
+        )
+        for place, each in enumerate(circle)
+        if place > 0
+    ]
+    truths = truths_of(machine, tuple(each.rule for each in circle))
+    note = witness_note(machine, witness, truths)
+    who = "each of them" if circle[1:] else "it"
+    often = f"{who} becomes active twice within {duration_text(witness.end_ns)}"
+    head = machine.rules[circle[0].rule].head
+    return Finding(finding.at(head, *places, notes=(note, often)), witness)
+
+
+def _named(machine: Machine, circle: Sequence[Publication]) -> str:
+    names = [f"`{machine.rules[each.rule].name}`" for each in circle]
+    return f"rules {', '.join(names[:-1])} and {names[-1]}" if names[1:] else f"rule {names[0]}"
+
+
+def _reader(machine: Machine, circle: Sequence[Publication], place: int) -> str:
+    following = circle[(place + 1) % len(circle)]
+    return "it" if len(circle) == 1 else f"`{machine.rules[following.rule].name}`"
+
+
+def _open(machine: Machine, circle: Sequence[Publication]) -> Finding:
+    whom = "each other" if circle[1:] else "itself"
+    question = f"can {_named(machine, circle)} set {whom} off by publishing?"
+    reason = "no short course of events does so, and no proof excludes it"
+    finding = Undecided(question=question, reason=reason)
+    return Finding(finding.at(machine.rules[circle[0].rule].head))

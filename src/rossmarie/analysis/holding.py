@@ -1,0 +1,247 @@
+"""Rules that hold themselves: what they do to a command keeps them from being cleared.
+
+An input may read the commands that have passed the filter. While a rule bounds such a command, or
+publishes it itself, the input brings numbers within known ends only.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import z3
+
+from dslkit.diagnostics import Diagnostic, Label
+from rossmarie.analysis.errors import LimitHoldsCondition, LimitHoldsRelease
+from rossmarie.analysis.finding import Finding
+from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.terms import YES, constant
+from rossmarie.ir import Array, Machine, Slot
+from rossmarie.ir.reactions import (
+    Call,
+    CancelGoal,
+    Diagnose,
+    Hook,
+    Limit,
+    Log,
+    Publish,
+    Reset,
+    Scale,
+    SendGoal,
+    SetParameter,
+    SwitchControllers,
+)
+
+
+@dataclass(frozen=True)
+class Kept:
+    """The ends between which a field of a command stays while a task is in force, in the unit of
+    the message.
+    """
+
+    task: int
+    command: int
+    field: int
+    low: float
+    high: float
+
+
+def find_self_holding(inquiry: Inquiry) -> Iterator[Finding]:
+    """A warning of each rule that is not cleared as long as its own tasks are in force."""
+    machine = inquiry.machine
+    for rule, plan in enumerate(machine.reactions.plans):
+        kept = [each for task in plan.tasks for each in _kept(machine, task)]
+        read = [each for each in kept if _is_read(inquiry, rule, each)]
+        if not read or inquiry.is_impossible(partial(is_ended, rule=rule)):
+            continue  # what is never cleared at all is said elsewhere
+        for together in _groups(plan.stages, read):
+            found = _judged(inquiry, rule, together)
+            if found is not None:
+                yield Finding(found)
+                break
+
+
+def _groups(stages: Sequence[Sequence[int]], read: Sequence[Kept]) -> Iterator[list[Kept]]:
+    """What can be in force together, the least first: one task, all of the plan without failures,
+    and these with one escalation.
+    """
+    planned = {task for stage in stages for task in stage}
+    tasks = list(dict.fromkeys(each.task for each in read))
+    groups = [{task} for task in tasks]
+    groups.append(planned)
+    groups += [planned | {task} for task in tasks if task not in planned]
+    for group in groups:
+        yield [each for each in read if each.task in group]
+
+
+# --- what is kept ----------------------------------------------------------------------------
+
+
+def _kept(machine: Machine, task: int) -> list[Kept]:
+    effect = machine.reactions.tasks[task].effect
+    match effect:
+        case Limit(topic=topic, bounds=bounds):
+            return [Kept(task, topic, each.field, each.low, each.high) for each in bounds]
+        case Scale(topic=topic, factor=factor):
+            fields = machine.reactions.commands[topic].fields if factor == 0.0 else ()
+            return [Kept(task, topic, field, 0.0, 0.0) for field in range(len(fields))]
+        case Publish():
+            return list(_published(machine, task, effect))
+        case (
+            Call()
+            | SetParameter()
+            | SwitchControllers()
+            | SendGoal()
+            | CancelGoal()
+            | Log()
+            | Diagnose()
+            | Hook()
+            | Reset()
+        ):
+            return []
+
+
+def _published(machine: Machine, task: int, effect: Publish) -> Iterator[Kept]:
+    """The fields of a command that a rule publishes at a rate, in the place of others. A bound
+    that lies on it as well contains 0, and so brings it nearer to that.
+    """
+    command = effect.command
+    if command is None or effect.period_ns is None:
+        return
+    given = {each.path: each.value for each in effect.assignments}
+    for field, declared in enumerate(machine.reactions.commands[command].fields):
+        value = given.get(declared.path, 0.0)
+        numbers = [float(each) for each in (value if isinstance(value, tuple) else (value,))]
+        yield Kept(task, command, field, min(0.0, *numbers), max(0.0, *numbers))
+
+
+# --- what is read ----------------------------------------------------------------------------
+
+
+def _is_read(inquiry: Inquiry, rule: int, kept: Kept) -> bool:
+    """Whether what clears a rule rests on a field."""
+    machine = inquiry.machine
+    declared = machine.rules[rule]
+    roots = [declared.condition] + ([] if declared.release is None else [declared.release])
+    supports = [inquiry.asked.supports.truths[root] for root in roots]
+    return any(
+        slot in support.slots for support in supports for slot in _slots(machine, kept)
+    ) or any(array in support.arrays for support in supports for array in _arrays(machine, kept))
+
+
+def _slots(machine: Machine, kept: Kept) -> Iterator[int]:
+    """The slots that carry a field, or an element of it."""
+    field = machine.reactions.commands[kept.command].fields[kept.field]
+    for index, slot in enumerate(machine.slots):
+        path = slot.path[:-1] if field.is_array else slot.path
+        if path == field.path and _is_on(machine, slot, kept):
+            yield index
+
+
+def _arrays(machine: Machine, kept: Kept) -> Iterator[int]:
+    """The arrays that carry a field."""
+    field = machine.reactions.commands[kept.command].fields[kept.field]
+    for index, array in enumerate(machine.arrays):
+        if field.is_array and array.path == field.path and _is_on(machine, array, kept):
+            yield index
+
+
+def _is_on(machine: Machine, source: Slot | Array, kept: Kept) -> bool:
+    topic = machine.channels[machine.inputs[source.input].channel].topic
+    return topic == machine.reactions.commands[kept.command].topic
+
+
+# --- claims ----------------------------------------------------------------------------------
+
+
+def is_ended(state: ArbitraryState, rule: int) -> z3.BoolRef:
+    """Whether an active rule is cleared by the evaluation, or by a reset right after it."""
+    return z3.And(state.truth(state.machine.rules[rule].condition).false, _is_free(state, rule))
+
+
+def _is_free(state: ArbitraryState, rule: int) -> z3.BoolRef:
+    """Whether nothing but its condition keeps a rule active."""
+    release = state.machine.rules[rule].release
+    return YES if release is None else state.truth(release).true
+
+
+def is_within(state: ArbitraryState, kept: Sequence[Kept]) -> z3.BoolRef:
+    """Whether all that is read of some fields lies between their ends."""
+    machine = state.machine
+    slots = [
+        _lies(machine.slots[slot], state.slot(slot).value, each)
+        for each in kept
+        for slot in _slots(machine, each)
+    ]
+    cells = [
+        _lies(machine.arrays[array], cell.number.value, each)
+        for each in kept
+        for array in _arrays(machine, each)
+        for cell in state.cells(array)
+    ]
+    return z3.And(slots + cells)
+
+
+def _lies(source: Slot | Array, value: z3.ArithRef, kept: Kept) -> z3.BoolRef:
+    ends = sorted(end * source.scale + source.offset for end in (kept.low, kept.high))
+    return z3.And(value >= constant(ends[0]), value <= constant(ends[1]))
+
+
+# --- findings --------------------------------------------------------------------------------
+
+
+def _judged(inquiry: Inquiry, rule: int, kept: Sequence[Kept]) -> Diagnostic | None:
+    """What a rule cannot do while some fields are kept: have a false condition, or be released."""
+
+    def never(claim: Callable[[ArbitraryState], z3.BoolRef]) -> bool:
+        return inquiry.is_impossible(
+            lambda state: z3.And(claim(state), is_within(state, kept)), settled=True
+        )
+
+    machine = inquiry.machine
+    declared = machine.rules[rule]
+    places = _places(machine, rule, kept)
+    does = _does(machine, kept)
+    if never(lambda state: state.truth(declared.condition).false):
+        finding = LimitHoldsCondition(rule=declared.name, does=does)
+        return finding.at(declared.head, *places)
+    release = declared.release
+    if release is None or not never(partial(is_ended, rule=rule)):
+        return None
+    is_never = never(lambda state: state.truth(release).true)
+    stuck = LimitHoldsRelease(
+        rule=declared.name,
+        does=does,
+        release=machine.truths[release].text,
+        when="never true" if is_never else "not true while the condition is false",
+    )
+    place = Label(machine.truths[release].span, "this is what clears the rule")
+    return stuck.at(declared.head, place, *places)
+
+
+def _places(machine: Machine, rule: int, kept: Sequence[Kept]) -> Iterator[Label]:
+    planned = {task for stage in machine.reactions.plans[rule].stages for task in stage}
+    for task in dict.fromkeys(each.task for each in kept):
+        escalated = "in force once what stands before its `else` has failed"
+        when = "in force while the rule is active" if task in planned else escalated
+        yield Label(machine.reactions.tasks[task].span, when)
+
+
+def _does(machine: Machine, kept: Sequence[Kept]) -> str:
+    """What a rule does to which fields: `limits linear.x and linear.y on /cmd_vel`."""
+    fields: dict[tuple[str, int], dict[str, None]] = {}
+    for each in kept:
+        effect = machine.reactions.tasks[each.task].effect
+        verb = "publishes" if isinstance(effect, Publish) else "limits"
+        path = machine.reactions.commands[each.command].fields[each.field].path
+        fields.setdefault((verb, each.command), {})[".".join(map(str, path))] = None
+    return " and ".join(
+        f"{verb} {_listed(list(names))} on {machine.reactions.commands[command].topic}"
+        for (verb, command), names in fields.items()
+    )
+
+
+def _listed(names: Sequence[str]) -> str:
+    return " and ".join([*([", ".join(names[:-1])] if names[1:] else []), names[-1]])

@@ -1,0 +1,174 @@
+"""Latches that a rule releases: its effect `reset` does what only an operator should have to do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import z3
+
+from dslkit.diagnostics import Label
+from rossmarie.analysis.activity import becomes_active, may_be_active, truths_of
+from rossmarie.analysis.conflict import ordered_pairs
+from rossmarie.analysis.course import Course
+from rossmarie.analysis.errors import LatchReleased, Undecided
+from rossmarie.analysis.finding import Finding, witness_note
+from rossmarie.analysis.inquiry import Asked, Inquiry, Result
+from rossmarie.analysis.solver import Outcome
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.witness import View
+from rossmarie.ir import Machine, TruthValue
+from rossmarie.ir.reactions import Reset, timeout_ns
+
+RESETTING, LATCHED = 0, 1
+"""The two rules in the part of a machine that is asked; those behind `unless` follow."""
+
+
+def find_released_latches(inquiry: Inquiry) -> Iterator[Finding]:
+    """A warning of each latched rule that another rule resets, or that resets itself. A user says
+    that it is meant by an order: `priority RESETTING over LATCHED`.
+    """
+    machine = inquiry.machine
+    meant = ordered_pairs(machine)
+    for rule, plan in enumerate(machine.reactions.plans):
+        resets = [task for task in plan.tasks if _resets(machine, task)]
+        for latched, declared in enumerate(machine.rules):
+            is_open = declared.release is None and (rule, latched) not in meant
+            if resets and is_open and latched not in plan.unless:
+                yield from _judged(inquiry, rule, latched, resets)
+
+
+def _resets(machine: Machine, task: int) -> bool:
+    return isinstance(machine.reactions.tasks[task].effect, Reset)
+
+
+def _judged(inquiry: Inquiry, rule: int, latched: int, resets: Sequence[int]) -> Iterator[Finding]:
+    """What the first of some tasks that releases a latch makes a finding, or that this is open."""
+    machine = inquiry.machine
+    part = inquiry.about(rule, latched, *machine.reactions.plans[rule].unless)
+    undecided: Finding | None = None
+    for task in resets:
+        result = part.decide(Release(part.machine, _is_at_once(machine, rule, task)).asked)
+        if result.outcome is Outcome.POSSIBLE:
+            yield _released(machine, rule, latched, task, result)
+            return
+        if result.outcome is Outcome.UNDECIDED:
+            undecided = undecided or _open(machine, rule, latched)
+    if undecided is not None:
+        yield undecided
+
+
+def _is_at_once(machine: Machine, rule: int, task: int) -> bool:
+    """Whether a task starts at the instant at which its rule is engaged: it is no escalation, and
+    nothing before it is awaited (R4, R5).
+    """
+    tasks = machine.reactions.tasks
+    for stage in machine.reactions.plans[rule].stages:
+        if task in stage:
+            return True
+        if any(timeout_ns(tasks[each].effect) is not None for each in stage):
+            return False
+    return False
+
+
+# --- the claim -------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Release:
+    """That a reset comes while the latched rule is active and its condition false (S38).
+    `is_at_once` says whether it comes at the instant at which its rule is engaged, or at any later
+    one.
+    """
+
+    part: Machine
+    is_at_once: bool
+
+    @property
+    def asked(self) -> Asked:
+        """The claim as it is asked."""
+        truths = truths_of(self.part, tuple(range(len(self.part.rules))))
+        return Asked(truths, self.in_state, self._in_course, self.in_view)
+
+    @property
+    def _condition(self) -> int:
+        return self.part.rules[LATCHED].condition
+
+    @property
+    def _unless(self) -> range:
+        return range(LATCHED + 1, len(self.part.rules))
+
+    def in_state(self, state: ArbitraryState) -> z3.BoolRef:
+        """Whether any state is so; before it the latched rule may have been active."""
+        is_start = self.is_at_once and not self._unless
+        engaged = (becomes_active if is_start else may_be_active)(state, RESETTING)
+        in_the_way = [becomes_active(state, other) for other in self._unless]
+        return z3.And(engaged, z3.Not(z3.Or(in_the_way)), state.truth(self._condition).false)
+
+    def _in_course(self, course: Course) -> z3.BoolRef:
+        return z3.Or([self._at(course, moment) for moment in range(1, len(course.moments))])
+
+    def _at(self, course: Course, moment: int) -> z3.BoolRef:
+        engaged = partial(_is_engaged, course, self._unless)
+        before = engaged(moment - 1) if self.is_at_once else z3.BoolVal(False)
+        is_over = course.moments[moment].truth(self._condition).false
+        return z3.And(engaged(moment), z3.Not(before), course.is_active(LATCHED, moment), is_over)
+
+    def in_view(self, seen: Sequence[View]) -> bool:
+        """Whether the last of some evaluations is so."""
+        now = seen[-1]
+        is_over = now.active[LATCHED] and now.truths[self._condition] is TruthValue.FALSE
+        if not is_over or not self._is_seen_engaged(now):
+            return False
+        return not self.is_at_once or (len(seen) > 1 and not self._is_seen_engaged(seen[-2]))
+
+    def _is_seen_engaged(self, view: View) -> bool:
+        return view.active[RESETTING] and not any(view.active[other] for other in self._unless)
+
+
+def _is_engaged(course: Course, unless: Sequence[int], moment: int) -> z3.BoolRef:
+    """R1."""
+    in_the_way = [course.is_active(other, moment) for other in unless]
+    return z3.And(course.is_active(RESETTING, moment), z3.Not(z3.Or(in_the_way)))
+
+
+# --- words -----------------------------------------------------------------------------------
+
+
+def _released(machine: Machine, rule: int, latched: int, task: int, result: Result) -> Finding:
+    one, two = machine.rules[rule], machine.rules[latched]
+    action = machine.reactions.tasks[task].action
+    finding = LatchReleased(
+        rule=one.name,
+        latched="its own latch" if rule == latched else f"the latched rule `{two.name}`",
+        action=machine.reactions.actions[action].name,
+        advice=_advice(machine, rule, latched),
+    )
+    assert result.witness is not None
+    conditions = tuple(dict.fromkeys((two.condition, one.condition)))
+    note = witness_note(machine, result.witness, conditions)
+    places = () if rule == latched else (Label(two.head, "this rule waits for a reset"),)
+    return Finding(finding.at(one.head, *places, notes=(note,)), result.witness)
+
+
+def _advice(machine: Machine, rule: int, latched: int) -> str:
+    one, two = machine.rules[rule], machine.rules[latched]
+    if rule == latched:
+        return "leave the reset to an operator, or leave `latched until reset` out"
+    if any(each.head.text != each.name for each in (one, two)):
+        return (
+            "leave the reset to an operator; or name both rules, and say that it is meant: "
+            "`priority RULE over RULE;`"
+        )
+    return (
+        f"leave the reset to an operator, or write `unless {two.name}` after the condition of "
+        f"`{one.name}`; if the reset is meant, say so: `priority {one.name} over {two.name};`"
+    )
+
+
+def _open(machine: Machine, rule: int, latched: int) -> Finding:
+    one, two = machine.rules[rule], machine.rules[latched]
+    question = f"can rule `{one.name}` reset the latched rule `{two.name}`?"
+    reason = "no short course of events does so, and no proof excludes it"
+    return Finding(Undecided(question=question, reason=reason).at(one.head))

@@ -1,0 +1,80 @@
+"""What rules publish on topics that rules read, as it arrives at the inputs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rossmarie.ir import Array, ChannelValues, Kind, Machine, Slot
+from rossmarie.ir.reactions import FieldPath, Publish, Scalar
+
+
+@dataclass(frozen=True)
+class Publication:
+    """A task of a rule that publishes on the topic of a channel. `is_sure` says whether it starts
+    whenever its rule does: nothing before it is awaited, and no failure has to come first.
+    """
+
+    rule: int
+    task: int
+    channel: int
+    is_sure: bool
+
+
+def publications(machine: Machine) -> Iterator[Publication]:
+    """All tasks that publish what an input reads."""
+    topics = {channel.topic: index for index, channel in enumerate(machine.channels)}
+    for rule, plan in enumerate(machine.reactions.plans):
+        first = plan.stages[0] if plan.stages else ()
+        for task in plan.tasks:
+            effect = machine.reactions.tasks[task].effect
+            if isinstance(effect, Publish) and effect.topic in topics:
+                yield Publication(rule, task, topics[effect.topic], task in first)
+
+
+def values_of(machine: Machine, task: int, channel: int) -> ChannelValues:
+    """The numbers of the message that a task publishes. Fields that it does not name are zero,
+    false or empty.
+    """
+    effect = machine.reactions.tasks[task].effect
+    assert isinstance(effect, Publish)
+    given = {each.path: each.value for each in effect.assignments}
+    slots = {
+        index: _number(machine, slot, given)
+        for index, slot in enumerate(machine.slots)
+        if machine.inputs[slot.input].channel == channel
+    }
+    arrays = {
+        index: _numbers(array, given)
+        for index, array in enumerate(machine.arrays)
+        if machine.inputs[array.input].channel == channel
+    }
+    return ChannelValues(slots, arrays)
+
+
+Given = dict[FieldPath, Scalar | tuple[Scalar, ...]]
+
+
+def _number(machine: Machine, slot: Slot, given: Given) -> float:
+    if slot.path and isinstance(slot.path[-1], int):
+        value = given.get(slot.path[:-1], ())
+        elements = value if isinstance(value, tuple) else (value,)
+        is_there = slot.path[-1] < len(elements)
+        return _raw(machine, slot.kind, elements[slot.path[-1]]) if is_there else math.nan
+    value = given.get(slot.path, "" if slot.kind is Kind.TEXT else 0.0)
+    return math.nan if isinstance(value, tuple) else _raw(machine, slot.kind, value)
+
+
+def _raw(machine: Machine, kind: Kind, value: Scalar) -> float:
+    match kind:
+        case Kind.TEXT:
+            is_known = value in machine.texts
+            return float(machine.texts.index(str(value))) if is_known else -1.0
+        case Kind.FLAG | Kind.REAL:
+            return float(value)
+
+
+def _numbers(array: Array, given: Given) -> list[float]:
+    value = given.get(array.path, ())
+    return [float(each) for each in (value if isinstance(value, tuple) else (value,))]
