@@ -10,7 +10,8 @@ import typer
 from dslkit.command_line import Format
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError
-from rossmarie.driver.build import ForeignFileError, build_files
+from rossmarie.driver.build import build_files
+from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.writing import reason
 
 
