@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
 from dslkit.diagnostics import Diagnostic
+from dslkit.source import SourceFile
 from rossmarie.driver.ownership import check_own
 from rossmarie.driver.package_folder import check_package_folder
 from rossmarie.driver.pipeline import RulesError, check_file, compile_checked, compile_file
@@ -14,6 +16,7 @@ from rossmarie.driver.writing import write_whole
 from rossmarie.ir import Machine
 from rossmarie.targets import c99, python, ros1, ros2
 from rossmarie.targets.base import Target
+from rossmarie.targets.manifest import OWN_PACKAGE, Placement
 
 TARGETS: Mapping[str, Target] = {
     target.name: target for target in (c99.TARGET, python.TARGET, ros1.TARGET, ros2.TARGET)
@@ -36,19 +39,24 @@ def check_for(
     return (*result.diagnostics, *TARGETS[target].unsupported(machine))
 
 
-def generate(machine: Machine, target: str) -> Mapping[str, str]:
+def generate(
+    machine: Machine, target: str, placement: Placement = OWN_PACKAGE
+) -> Mapping[str, str]:
     """The files of a machine, by name. Raises `RulesError` for what the target cannot do."""
     if refused := tuple(TARGETS[target].unsupported(machine)):
         raise RulesError(refused)
-    return TARGETS[target].generate(machine)
+    return TARGETS[target].generate(machine, placement)
 
 
 class Built(NamedTuple):
-    """The paths of what was generated, the warnings, and what comes next, if anything."""
+    """The paths of what was generated, the warnings, what comes next, if anything, and the files
+    that all of it rests on.
+    """
 
     written: Sequence[Path]
     warnings: tuple[Diagnostic, ...]
     next_step: str | None
+    sources: Sequence[SourceFile]
 
 
 def build_files(
@@ -58,8 +66,10 @@ def build_files(
     *,
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
+    name: str | None = None,
+    placement: Placement = OWN_PACKAGE,
 ) -> Built:
-    """Generate `target` for a rules file into `folder`.
+    """Generate `target` for a rules file into `folder`, with `name` instead of that of the file.
 
     A file whose content would not change is not touched, so that a build system sees no change;
     one that belongs to the user is not touched once it is there.
@@ -68,14 +78,17 @@ def build_files(
     rules (in all these cases nothing is written), and `OSError` if the folder cannot be written.
     """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders)
-    files = generate(compiled.machine, target)
+    machine = compiled.machine if name is None else replace(compiled.machine, name=name)
+    files = generate(machine, target, placement)
     if found := check_package_folder(folder, files, rules):
         raise RulesError((*compiled.warnings, found))
-    owned = {name for name in TARGETS[target].owned_by_user if (folder / name).exists()}
+    # In a part of a package the user's files lie elsewhere; those in the folder are examples.
+    of_user = TARGETS[target].owned_by_user if placement.part_of is None else ()
+    owned = {name for name in of_user if (folder / name).exists()}
     changing = {name: text for name, text in files.items() if name not in owned}
     written = write_generated(changing, folder, rules)
-    next_step = TARGETS[target].next_step(compiled.machine)
-    return Built(written, compiled.warnings, next_step)
+    next_step = TARGETS[target].next_step(machine) if placement.part_of is None else None
+    return Built(written, compiled.warnings, next_step, compiled.sources)
 
 
 def write_generated(files: Mapping[str, str], folder: Path, rules: Path) -> list[Path]:

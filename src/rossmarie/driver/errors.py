@@ -87,6 +87,18 @@ class MalformedPackageXml(Error, code="ROSS807", name="malformed-package-xml"):
     reason: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class BadPackageField(Error, code="ROSS808", name="bad-package-field"):
+    """A field of the package of the rules that a generated package cannot take over."""
+
+    title = "the generated package cannot take over this `{field}`"
+    label = "{form}"
+    note = "licence, maintainers and version come from the package.xml of the folder of the rules"
+    help = "correct it here; a licence and a maintainer can also be given as options of `build`"
+    field: str
+    form: str
+
+
 ALL: tuple[type[Template], ...] = (
     FileUnreadable,
     NotUtf8,
@@ -95,4 +107,5 @@ ALL: tuple[type[Template], ...] = (
     OtherGeneration,
     OtherPackage,
     MalformedPackageXml,
+    BadPackageField,
 )

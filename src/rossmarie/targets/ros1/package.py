@@ -6,6 +6,7 @@ Takes a machine that `ir.verify` has passed and for which `unsupported` found no
 from __future__ import annotations
 
 from rossmarie import ir
+from rossmarie.targets.manifest import Placement
 from rossmarie.targets.ros import names
 from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros1.dialect import ROS1
@@ -21,18 +22,17 @@ def next_step(_: ir.Machine) -> str:
     return "build it where ROS 1 is: `catkin_make` in its workspace"
 
 
-def generate(machine: ir.Machine) -> dict[str, str]:
+def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     """The files of the package, by their paths in it."""
-    writer = PackageWriter(machine, ROS1)
+    writer = PackageWriter(machine, ROS1, placement)
     package = names.package(machine)
     used = writer.packages() | _ALWAYS
+    components = "\n  ".join(sorted(used))
     topics = [command.topic for command in machine.reactions.commands]
     remaps = [f'    <remap from="{topic}" to="{names.unfiltered(topic)}"/>' for topic in topics]
-    depends = [f"  <depend>{name}</depend>" for name in sorted(used)]
     return {
-        "package.xml": writer.fill("package.xml", depends="\n".join(depends)),
-        "CMakeLists.txt": writer.fill("CMakeLists.txt", components="\n  ".join(sorted(used))),
-        "README.md": writer.readme(),
+        **writer.own_package(used, components=components),
+        "guard.cmake": writer.guard(used),
         f"launch/{package}.launch": writer.fill("launch/safety.launch", remaps="\n".join(remaps)),
         **{path: writer.fill(path) for path in _NODE},
         **writer.shared_files(),
