@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
@@ -82,24 +82,26 @@ def build_files(
     files = generate(machine, target, placement)
     if found := check_package_folder(folder, files, rules):
         raise RulesError((*compiled.warnings, found))
-    # In a part of a package the user's files lie elsewhere; those in the folder are examples.
-    of_user = TARGETS[target].owned_by_user if placement.part_of is None else ()
-    owned = {name for name in of_user if (folder / name).exists()}
-    changing = {name: text for name, text in files.items() if name not in owned}
-    written = write_generated(changing, folder, rules)
+    of_user = TARGETS[target].owned_by_user
+    kept = set() if placement.part_of else {name for name in of_user if (folder / name).exists()}
+    files = {name: text for name, text in files.items() if name not in kept}
+    # In a part of a package the files of the user lie elsewhere, and these are only examples.
+    written = write_generated(files, folder, rules, unnamed=of_user)
     next_step = TARGETS[target].next_step(machine) if placement.part_of is None else None
     return Built(written, compiled.warnings, next_step, compiled.sources)
 
 
-def write_generated(files: Mapping[str, str], folder: Path, rules: Path) -> list[Path]:
+def write_generated(
+    files: Mapping[str, str], folder: Path, rules: Path, *, unnamed: Collection[str] = ()
+) -> list[Path]:
     """Write what was generated from rules, by name, into a folder, and give the paths. Raises
-    as `build_files` does.
+    as `build_files` does; files that are `unnamed` do not say what they were generated from.
     """
     changed = {}
     for name, text in files.items():
         path = folder / name
         present = path.read_bytes() if path.exists() else None
-        if present is not None:
+        if present is not None and name not in unnamed:
             check_own(path, present, text, rules)
         if present != text.encode():
             changed[path] = text

@@ -100,10 +100,14 @@ class PackageWriter:
         found = {message_package(each) for each in used} | {"diagnostic_msgs"}
         return found.union(*(part.packages for part in self._parts()))
 
-    def guard(self, used: set[str]) -> str:
-        """The part of CMakeLists.txt that builds the node."""
+    def guard(self, used: set[str]) -> dict[str, str]:
+        """How the node is built, in its own package or in another."""
         hooks = " ".join(names.hooks(self._machine).values())
-        return self.fill("guard.cmake", components="\n  ".join(sorted(used)), hooks=hooks)
+        components = "\n  ".join(sorted(used))
+        return {
+            "needs.cmake": self.fill("needs.cmake", hooks=hooks, components=components),
+            "guard.cmake": self.fill("guard.cmake"),
+        }
 
     def own_package(self, used: set[str], **blanks: object) -> dict[str, str]:
         """The files that only a package of its own has: they say how to build it. `used` are the

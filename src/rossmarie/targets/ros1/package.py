@@ -32,7 +32,7 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     remaps = [f'    <remap from="{topic}" to="{names.unfiltered(topic)}"/>' for topic in topics]
     return {
         **writer.own_package(used, components=components),
-        "guard.cmake": writer.guard(used),
+        **writer.guard(used),
         f"launch/{package}.launch": writer.fill("launch/safety.launch", remaps="\n".join(remaps)),
         **{path: writer.fill(path) for path in _NODE},
         **writer.shared_files(),

@@ -37,7 +37,7 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     remaps = [f'    "{source}": "{front}",' for source, front in _remappings(machine).items()]
     return {
         **writer.own_package(used),
-        "guard.cmake": writer.guard(used),
+        **writer.guard(used),
         f"launch/{package}.launch.py": writer.fill(
             "launch/safety.launch.py", remaps="\n".join(remaps)
         ),
