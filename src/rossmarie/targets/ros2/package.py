@@ -34,7 +34,7 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     writer = PackageWriter(machine, ROS2, placement)
     package = names.package(machine)
     used = writer.packages() | _ALWAYS
-    remaps = [f'    "{source}": "{front}",' for source, front in _remappings(machine).items()]
+    remaps = [f"    '{source}': '{front}'," for source, front in _remappings(machine).items()]
     return {
         **writer.own_package(used),
         **writer.guard(used),
