@@ -29,8 +29,9 @@ def test_a_publisher_is_killed(robot: Robot, start: Start, publish: Publish) -> 
     assert "input orientation (/imu/data) is older than its timeout" in robot.call("why")["text"]
 
 
-def test_stamps_are_frozen(robot: Robot, start: Start) -> None:
-    start(header_stamps=["/imu/data"])
+@pytest.mark.parametrize("topic", ["/imu/data", "imu/data"])
+def test_stamps_are_frozen(robot: Robot, start: Start, topic: str) -> None:
+    start(header_stamps=[topic])
     robot.passes(1.0)
     robot.set(frozen=True)
     robot.passes(0.0)
@@ -108,6 +109,15 @@ def test_time_jumps_back(robot: Robot, start: Start) -> None:
     assert set(robot.heard("/cmd_vel")) == {0.2}
     robot.set(pitch=0.0)
     robot.passes(1.0)
+
+
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM], ids=str)
+def test_the_node_is_told_to_end(robot: Robot, start: Start, how: signal.Signals) -> None:
+    node = start()
+    robot.passes(1.0)
+    node.end(how)
+    until(lambda: robot.last("/cmd_vel") == 0.0, "the robot stands")
+    robot.silent("/cmd_vel")
 
 
 def test_the_node_is_killed(robot: Robot, start: Start) -> None:

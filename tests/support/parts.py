@@ -114,6 +114,11 @@ def _ros2() -> str | None:
     return missing()
 
 
+def _ament_lint() -> str | None:
+    linters = ("cppcheck", "flake8", "lint_cmake", "pep257", "xmllint")
+    return _program(*(f"ament_{linter}" for linter in linters))
+
+
 def _behavior_tree_cpp() -> str | None:
     from support.btcpp import missing
 
@@ -166,6 +171,9 @@ NM = Part("nm", partial(_program, "nm"), "apt-get install binutils")
 PROVER = Part("CBMC 6", _prover, "make prover")
 ROS1 = Part("ROS 1", _ros1, "make ros1")
 ROS2 = Part("ROS 2", _ros2, "source /opt/ros/DISTRO/setup.bash")
+AMENT_LINT = Part(
+    "the linters of ROS 2", _ament_lint, "apt-get install ros-$ROS_DISTRO-ament-lint-common"
+)
 CHROMIUM = Part("Chromium", _browser, "make browser")
 DISPLAY = Part("a display", partial(_program, "Xvfb"), "make display")
 EGL = Part("EGL", _egl, "make drawing")
@@ -190,7 +198,7 @@ PROC = Part("/proc", partial(_file, Path("/proc/self/task")), "run the tests on 
 FULL_DEVICE = Part("/dev/full", partial(_file, Path("/dev/full")), "run the tests on Linux")
 
 PARTS = (
-    *(C_COMPILER, GCC, GXX, CLANG, NM, PROVER, ROS1, ROS2, CHROMIUM, DISPLAY, EGL),
+    *(C_COMPILER, GCC, GXX, CLANG, NM, PROVER, ROS1, ROS2, AMENT_LINT, CHROMIUM, DISPLAY, EGL),
     *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP, PEERS),
     *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, PROC, FULL_DEVICE),
 )

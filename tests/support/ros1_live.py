@@ -158,8 +158,9 @@ class Ros1:
     def robot(self, namespace: str = "") -> Robot:
         """A new robot. It lives in real time, the node need not."""
         set_parameters(self.variables, self.vehicle.name, {}, use_sim_time=False)
-        command, variables, *rest = self._script("robot.log", str(_HERE / "ros1_robot.py"))
-        return Robot(command, {**variables, "ROBOT_NAMESPACE": namespace}, *rest)
+        script = str(_HERE / "ros1_robot.py")
+        command, variables, log, start = self._script("robot.log", script)
+        return Robot(command, {**variables, "ROBOT_NAMESPACE": namespace}, log, start)
 
     def ears(self, *arguments: str, script: str = "ears.py") -> Ears:
         """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""

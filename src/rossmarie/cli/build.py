@@ -3,35 +3,107 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import typer
 
 from dslkit.command_line import Format
 from rossmarie.cli.output import output
+from rossmarie.cli.saving import save
 from rossmarie.driver import RulesError
-from rossmarie.driver.build import ForeignFileError, build_files
+from rossmarie.driver.build import TARGETS, Built, build_files
+from rossmarie.driver.manifest import Described, describe
+from rossmarie.driver.ownership import ForeignFileError
+from rossmarie.driver.package_xml import BadPackageXmlError
 from rossmarie.driver.writing import reason
+from rossmarie.targets.manifest import OWN_PACKAGE, Person, Placement
+
+
+@dataclass(frozen=True)
+class PackageOptions:
+    """What was said about the package of a node."""
+
+    licenses: tuple[str, ...]
+    maintainers: tuple[Person, ...]
+    part_of: str | None
+
+    def given(self) -> list[str]:
+        """The options that were used."""
+        used = {
+            "--license": self.licenses,
+            "--maintainer": self.maintainers,
+            "--part-of": self.part_of,
+        }
+        return [option for option, value in used.items() if value]
 
 
 def run_build(
     rules: Path,
     out: Path,
     target: str,
+    package: PackageOptions,
+    name: str | None,
+    sources: Path | None,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
     """Write the files of a target into `out`, and say what comes next."""
+    described, placement = _placement(rules, target, package)
     try:
-        built = build_files(rules, target, out, systems=systems, message_folders=message_folders)
+        built = build_files(
+            rules,
+            target,
+            out,
+            systems=systems,
+            message_folders=message_folders,
+            name=name,
+            placement=placement,
+        )
     except RulesError as error:
         output.reject(error.diagnostics)
     except ForeignFileError as error:
         output.fail(f"{error}; remove it, or choose another --out", exit_code=2)
     except OSError as error:
         output.fail(f"cannot write to {out}: {reason(error)}", exit_code=2)
+    if sources is not None:
+        save(sources, "".join(f"{Path(each.path).absolute()}\n" for each in built.sources))
+    _tell(built, described)
+
+
+def _placement(
+    rules: Path, target: str, package: PackageOptions
+) -> tuple[Described | None, Placement]:
+    """Where the node goes, and what is known of its package, if it has one of its own."""
+    given = package.given()
+    if not TARGETS[target].is_package:
+        if given:
+            output.fail(f"{given[0]} is for packages: --target ros1 or ros2", exit_code=2)
+        return None, OWN_PACKAGE
+    if package.part_of is not None:
+        if given != ["--part-of"]:
+            told = f"{given[0]} is not for --part-of: the package.xml of {package.part_of} says it"
+            output.fail(told, exit_code=2)
+        return None, Placement(part_of=package.part_of)
+    try:
+        described = describe(rules, package.licenses, package.maintainers)
+    except BadPackageXmlError as error:
+        output.reject((error.diagnostic,))
+    except OSError as error:
+        output.fail(f"cannot read {error.filename}: {reason(error)}", exit_code=2)
+    return described, Placement(described.manifest)
+
+
+def _tell(built: Built, described: Described | None) -> None:
+    """The warnings, what was written, what its package lacks, and what comes next."""
     output.print_diagnostics(built.warnings, Format.TEXT, file_count=1)
     for path in built.written:
         typer.echo(f"wrote {path}")
+    if described is not None and described.missing:
+        options = " and ".join(f"--{field}" for field in described.missing)
+        typer.echo(
+            f"package.xml names no {' and no '.join(described.missing)}: "
+            f"give {options}, or put a package.xml that does beside the rules"
+        )
     if built.next_step:
         typer.echo(built.next_step)

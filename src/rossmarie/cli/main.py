@@ -7,14 +7,16 @@ Imports that only one subcommand needs are made in it, so that every other one s
 
 from __future__ import annotations
 
-import enum
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from dslkit.command_line import Format
+from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
+    Licenses,
+    Maintainers,
     MessageFolders,
     Recordings,
     Rules,
@@ -22,6 +24,7 @@ from rossmarie.cli.options import (
     Systems,
     TopicMap,
     choice,
+    ros_name,
     written,
 )
 from rossmarie.cli.output import output
@@ -47,39 +50,6 @@ def _set_up(wanted: bool) -> None:
 @app.callback()
 def rossmarie(version: Annotated[bool, output.version_option()] = False) -> None:
     """Safety rules for robots: check them, build their monitor, replay a recording."""
-
-
-class TargetName(str, enum.Enum):
-    """What `build` can generate."""
-
-    C99 = "c99"
-    PYTHON = "python"
-    ROS1 = "ros1"
-    ROS2 = "ros2"
-
-
-class StageName(str, enum.Enum):
-    """Where `dump` stops."""
-
-    PARSE = "parse"
-    CHECK = "check"
-    LOWER = "lower"
-    GENERATE = "generate"
-
-
-class GraphFormat(str, enum.Enum):
-    """How `graph` draws."""
-
-    TEXT = "text"
-    SVG = "svg"
-    DOT = "dot"
-
-
-class DumpFormat(str, enum.Enum):
-    """How `dump` writes."""
-
-    TEXT = "text"
-    JSON = "json"
 
 
 @app.command()
@@ -174,13 +144,38 @@ def build(
         Path, typer.Option("--out", "-o", metavar="DIR", help="Where to write.", parser=written)
     ],
     target: Annotated[TargetName, choice(TargetName, "What to generate.")] = TargetName.C99,
+    license: Licenses = None,  # noqa: A002
+    maintainer: Maintainers = None,
+    part_of: Annotated[
+        str | None,
+        typer.Option(
+            metavar="PACKAGE",
+            help="Generate a part of this ROS package, for its CMakeLists.txt to include.",
+            parser=ros_name,
+        ),
+    ] = None,
+    name: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME", help="Call the monitor so, not like the file.", parser=ros_name
+        ),
+    ] = None,
+    sources: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Also write a list of all files that the rules rest on.",
+            parser=written,
+        ),
+    ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Generate the monitor of a rules file."""
-    from rossmarie.cli.build import run_build
+    from rossmarie.cli.build import PackageOptions, run_build
 
-    run_build(rules, out, target.value, system or (), messages or ())
+    package = PackageOptions(tuple(license or ()), tuple(maintainer or ()), part_of)
+    run_build(rules, out, target.value, package, name, sources, system or (), messages or ())
 
 
 @app.command()

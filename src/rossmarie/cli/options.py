@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import enum
+import re
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+
+from rossmarie.targets.manifest import BadFieldError, Person, parse_license, parse_maintainer
 
 
 def written(text: str) -> Path:
@@ -14,6 +17,27 @@ def written(text: str) -> Path:
     if not text:
         raise typer.BadParameter("the path is empty")
     return Path(text)
+
+
+def ros_name(text: str) -> str:
+    """A name that ROS and CMake take for a package and for a node."""
+    if not re.fullmatch("[a-z][a-z0-9_]*", text):
+        raise typer.BadParameter(f"`{text}` is no name of a package: it takes a-z, 0-9 and _")
+    return text
+
+
+def _license(text: str) -> str:
+    try:
+        return parse_license(text)
+    except BadFieldError as error:
+        raise typer.BadParameter(str(error)) from None
+
+
+def _maintainer(text: str) -> Person:
+    try:
+        return parse_maintainer(text)
+    except BadFieldError as error:
+        raise typer.BadParameter(str(error)) from None
 
 
 def choice(kind: type[enum.Enum], text: str) -> Any:
@@ -51,6 +75,22 @@ MessageFolders = Annotated[
     list[Path] | None,
     typer.Option(
         "--messages", metavar="DIR", help="A folder with .msg files.", exists=True, file_okay=False
+    ),
+]
+
+Licenses = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--license", metavar="NAME", help="The licence of a package for ROS.", parser=_license
+    ),
+]
+Maintainers = Annotated[
+    list[Person] | None,
+    typer.Option(
+        "--maintainer",
+        metavar='"NAME <MAIL>"',
+        help="Who maintains a package for ROS.",
+        parser=_maintainer,
     ),
 ]
 

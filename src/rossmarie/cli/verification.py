@@ -17,7 +17,7 @@ from rossmarie.cli.output import output
 from rossmarie.cli.replay import told_progress
 from rossmarie.cli.saving import refuse_report, save
 from rossmarie.driver import RulesError
-from rossmarie.driver.build import ForeignFileError
+from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.verifying import (
     Questions,
     complaint,

@@ -51,4 +51,61 @@ class TooManyWarnings(Warning, code="ROSS804", name="too-many-warnings"):
     limit: int
 
 
-ALL: tuple[type[Template], ...] = (FileUnreadable, NotUtf8, ImportNotFound, TooManyWarnings)
+@dataclass(frozen=True, kw_only=True)
+class OtherGeneration(Error, code="ROSS805", name="other-generation"):
+    """A package of one generation of ROS where one of the other is to be generated."""
+
+    title = "`{folder}` holds a package for {found}, not for {wanted}"
+    label = "this makes it a package for {found}"
+    note = "files of the old package would stay beside the new ones, and {wanted} cannot build them"
+    help = "choose another folder by --out, or remove `{folder}`"
+    folder: str
+    found: str
+    wanted: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class OtherPackage(Error, code="ROSS806", name="other-package"):
+    """A package that was not generated from the rules, where theirs is to be generated."""
+
+    title = "`{folder}` holds the package `{package}`, which was not generated from {rules}"
+    label = "this package would be replaced"
+    help = "choose another folder by --out: a generated package has a folder of its own"
+    folder: str
+    package: str
+    rules: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class MalformedPackageXml(Error, code="ROSS807", name="malformed-package-xml"):
+    """A package.xml that is not well-formed XML."""
+
+    title = "this package.xml is not well-formed XML"
+    label = "{reason}"
+    note = "a build reads the package.xml in its folder, and the one of the package of the rules"
+    help = "correct the file at this place; `xmllint --noout package.xml` finds the next error"
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class BadPackageField(Error, code="ROSS808", name="bad-package-field"):
+    """A field of the package of the rules that a generated package cannot take over."""
+
+    title = "the generated package cannot take over this `{field}`"
+    label = "{form}"
+    note = "licence, maintainers and version come from the package.xml of the folder of the rules"
+    help = "correct it here; a licence and a maintainer can also be given as options of `build`"
+    field: str
+    form: str
+
+
+ALL: tuple[type[Template], ...] = (
+    FileUnreadable,
+    NotUtf8,
+    ImportNotFound,
+    TooManyWarnings,
+    OtherGeneration,
+    OtherPackage,
+    MalformedPackageXml,
+    BadPackageField,
+)

@@ -2,8 +2,8 @@
 
 The common messages are read from `messages.msg` (see `snapshot`), others from folders of .msg
 files. Of services and actions only what is sent counts, the request and the goal: the part of their
-file in front of the first `---`; those of the common services are in `services.msg`. Names are in
-the short form, `sensor_msgs/Imu`.
+file in front of the first `---`; those of common services and actions are in `services.msg` and
+`actions.msg`. Names are in the short form, `sensor_msgs/Imu`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from typing import Any, NamedTuple
 from dslkit.source import SourceFile
 
 STORED = Path(__file__).with_name("messages.msg")
-STORED_SERVICES = Path(__file__).with_name("services.msg")
 SEPARATOR = "=" * 80 + "\nMSG: "
 """Between two messages in concatenated .msg text, as in the headers of ROS 1 bags."""
 
@@ -50,6 +49,13 @@ class Kind(enum.Enum):
     ACTION = "action"
 
 
+_STORED = {
+    Kind.MESSAGE: STORED,
+    Kind.SERVICE: Path(__file__).with_name("services.msg"),
+    Kind.ACTION: Path(__file__).with_name("actions.msg"),
+}
+
+
 class MessageDefinitionError(Exception):
     """A definition that cannot be used: its file, at what line (None: as a whole), and why."""
 
@@ -70,15 +76,12 @@ def normalized(name: str) -> str | None:
 @cache
 def stored_texts(kind: Kind = Kind.MESSAGE) -> Mapping[str, str]:
     """The text of each common definition, by name; `read_stored` makes sense of it."""
-    if kind is Kind.ACTION:
-        return {}
-    stored = STORED if kind is Kind.MESSAGE else STORED_SERVICES
-    blocks = stored.read_text(encoding="utf-8").split(SEPARATOR)[1:]
+    blocks = _STORED[kind].read_text(encoding="utf-8").split(SEPARATOR)[1:]
     return dict(block.split("\n", 1) for block in blocks)
 
 
 def read_stored(name: str, kind: Kind = Kind.MESSAGE) -> Definition | None:
-    """The definition of a common message or service, None if it is not one."""
+    """The definition of a common message, service or action, None if it is not one."""
     text = stored_texts(kind).get(name)
     if text is None:
         return None

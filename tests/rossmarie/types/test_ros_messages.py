@@ -363,6 +363,16 @@ def test_requests_and_goals_end_at_the_first_dashes(tmp_path: Path) -> None:
         assert "my_msgs/Grip" in catalog.known_names(sent)
 
 
+def test_common_actions_are_known_without_a_file() -> None:
+    catalog = MessageCatalog()
+    arm = catalog.find_sent("control_msgs/action/FollowJointTrajectory", Kind.ACTION)
+    assert at(arm, "goal_time_tolerance") == quantity("s")
+    assert isinstance(at(arm, "path_tolerance"), Unsupported)
+    base = catalog.find_sent("nav2_msgs/NavigateToPose", Kind.ACTION)
+    assert at(base, "pose", "pose", "position") == Vector(quantity("m"))
+    assert catalog.find_sent("nav2_msgs/NavigateToPose", Kind.SERVICE) is None
+
+
 def test_goals_of_ros_1_are_messages() -> None:
     goal = MessageCatalog().find_sent("actionlib/TwoInts", Kind.ACTION)
     assert goal is not None

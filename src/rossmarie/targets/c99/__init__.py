@@ -4,6 +4,6 @@ from rossmarie.targets.base import Target
 from rossmarie.targets.c99.monitor import generate, generate_loadable
 from rossmarie.targets.c99.unsupported import unsupported
 
-TARGET = Target("c99", unsupported, generate)
+TARGET = Target("c99", unsupported, lambda machine, _: generate(machine))
 
 __all__ = ["TARGET", "generate", "generate_loadable", "unsupported"]

@@ -16,6 +16,6 @@ def generate(machine: ir.Machine) -> Mapping[str, str]:
 
 
 # Whatever `ir.verify` passes can be written in Python.
-TARGET = Target("python", lambda _: (), generate)
+TARGET = Target("python", lambda _: (), lambda machine, _: generate(machine))
 
 __all__ = ["TARGET", "generate", "source"]

@@ -13,12 +13,14 @@ from rossmarie import ir
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.targets import c99
 from rossmarie.targets.c99.layout import Layout, lay_out
+from rossmarie.targets.manifest import Placement
 from rossmarie.targets.ros import (
     actions,
     messages,
     names,
     needs,
     parameters,
+    placement,
     reaction_test,
     readme,
     tables,
@@ -48,9 +50,10 @@ _SHOWN_TEXT = """\
 class PackageWriter:
     """Fills in the templates for one machine in one dialect."""
 
-    def __init__(self, machine: ir.Machine, dialect: Dialect) -> None:
+    def __init__(self, machine: ir.Machine, dialect: Dialect, placed: Placement) -> None:
         self._machine = machine
         self._dialect = dialect
+        self._placed = placed
         self._layout: Layout = lay_out(machine)
         own, shared = (PackageLoader(each) for each in (dialect.templates, __package__ or ""))
         self._templates = Environment(
@@ -61,8 +64,11 @@ class PackageWriter:
         )
 
     def fill(self, template: str, **blanks: object) -> str:
-        """The text of a template."""
+        """The text of a template. `package` is the node, and its own package if it has one; `home`
+        is the package that it is built in.
+        """
         known = {
+            **placement.blanks(self._machine, self._placed),
             "name": self._layout.name,
             "upper": self._layout.name.upper(),
             "package": names.package(self._machine),
@@ -91,9 +97,28 @@ class PackageWriter:
         found = {message_package(each) for each in used} | {"diagnostic_msgs"}
         return found.union(*(part.packages for part in self._parts()))
 
-    def readme(self) -> str:
-        """The README of the package."""
-        return self.fill("README.md", **readme.blanks(self._machine, self._dialect))
+    def guard(self, used: set[str]) -> dict[str, str]:
+        """How the node is built, in its own package or in another."""
+        hooks = " ".join(names.hooks(self._machine).values())
+        components = "\n  ".join(sorted(used))
+        return {
+            "needs.cmake": self.fill("needs.cmake", hooks=hooks, components=components),
+            "guard.cmake": self.fill("guard.cmake"),
+        }
+
+    def own_package(self, used: set[str], **blanks: object) -> dict[str, str]:
+        """The files that only a package of its own has: they say how to build it. `used` are the
+        packages that the node needs.
+        """
+        if self._placed.part_of is not None:
+            return {}
+        fields = placement.manifest_fields(self._placed.manifest, _files(self._machine))
+        depends = "\n".join(f"  <depend>{name}</depend>" for name in sorted(used))
+        return {
+            "package.xml": self.fill("package.xml", depends=depends, **fields),
+            "CMakeLists.txt": self.fill("CMakeLists.txt", **blanks),
+            "README.md": self.fill("README.md", **readme.blanks(self._machine, self._dialect)),
+        }
 
     def _parts(self) -> list[Part]:
         return needs.parts(self._machine, self._dialect)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
+from rossmarie.targets.manifest import Placement
 from rossmarie.targets.ros import names
 from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros1.dialect import ROS1
@@ -23,20 +24,21 @@ def next_step(_: ir.Machine) -> str:
     return "build it where ROS 1 is: `catkin_make` in its workspace"
 
 
-def generate(machine: ir.Machine) -> dict[str, str]:
+def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     """The files of the package, by their paths in it."""
-    writer = PackageWriter(machine, ROS1)
+    writer = PackageWriter(machine, ROS1, placement)
     package = names.package(machine)
     used = writer.packages() | _ALWAYS
+    components = "\n  ".join(sorted(used))
     topics = [command.topic for command in machine.reactions.commands]
     remaps = [line for topic in topics for line in _remaps(topic)]
-    depends = [f"  <depend>{name}</depend>" for name in sorted(used)]
     return {
-        "package.xml": writer.fill("package.xml", depends="\n".join(depends)),
-        "CMakeLists.txt": writer.fill("CMakeLists.txt", components="\n  ".join(sorted(used))),
-        "README.md": writer.readme(),
+        **writer.own_package(used, components=components),
+        **writer.guard(used),
         f"launch/{package}.launch": writer.fill("launch/safety.launch"),
-        "launch/robot.launch": writer.fill("launch/robot.launch", remaps="\n".join(remaps)),
+        f"launch/{package}_robot.launch": writer.fill(
+            "launch/robot.launch", remaps="\n".join(remaps)
+        ),
         **{path: writer.fill(path) for path in _NODE},
         **writer.shared_files(),
     }

@@ -6,6 +6,7 @@ Takes a machine that `ir.verify` has passed and for which `unsupported` found no
 from __future__ import annotations
 
 from rossmarie import ir
+from rossmarie.targets.manifest import Placement
 from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros2.dialect import ROS2
@@ -28,17 +29,15 @@ def next_step(machine: ir.Machine) -> str:
     return f"build it where ROS 2 is: `colcon build --packages-select {package}` in its workspace"
 
 
-def generate(machine: ir.Machine) -> dict[str, str]:
+def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     """The files of the package, by their paths in it."""
-    writer = PackageWriter(machine, ROS2)
+    writer = PackageWriter(machine, ROS2, placement)
     package = names.package(machine)
     used = writer.packages() | _ALWAYS
     remaps = [f"    '{source}': '{front}'," for source, front in _remappings(machine).items()]
-    depends = [f"  <depend>{name}</depend>" for name in sorted(used)]
     return {
-        "package.xml": writer.fill("package.xml", depends="\n".join(depends)),
-        "CMakeLists.txt": writer.fill("CMakeLists.txt", components="\n  ".join(sorted(used))),
-        "README.md": writer.readme(),
+        **writer.own_package(used),
+        **writer.guard(used),
         f"launch/{package}.launch.py": writer.fill(
             "launch/safety.launch.py", remaps="\n".join(remaps)
         ),

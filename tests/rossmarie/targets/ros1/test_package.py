@@ -27,7 +27,7 @@ def test_packages_of_all_messages_are_named() -> None:
         "std_srvs",
     }
     for package in depends:
-        assert f"\n  {package}" in files["CMakeLists.txt"]
+        assert f"\n  {package}" in files["needs.cmake"]
 
 
 def test_the_planner_is_launched_behind_the_filter() -> None:

@@ -1,0 +1,60 @@
+"""Whether a package may be generated into a folder that holds one already."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import SourceFile, Span
+from rossmarie.driver.errors import OtherGeneration, OtherPackage
+from rossmarie.driver.ownership import is_of
+from rossmarie.driver.package_xml import (
+    PACKAGE_XML,
+    BadPackageXmlError,
+    Element,
+    PackageXml,
+    parse_package_xml,
+    read_package_xml,
+)
+
+
+def check_package_folder(folder: Path, files: Mapping[str, str], rules: Path) -> Diagnostic | None:
+    """The finding on a folder that `files`, generated from `rules`, must not be written into
+    because it holds another package, or the same one for another generation of ROS.
+    """
+    path = folder / PACKAGE_XML
+    if PACKAGE_XML not in files or not path.exists():
+        return None
+    try:
+        present = read_package_xml(path)
+    except BadPackageXmlError as error:
+        return error.diagnostic
+    text = files[PACKAGE_XML]
+    wanted = parse_package_xml(SourceFile(PACKAGE_XML, text))
+    generations = (present.generation(), wanted.generation())
+    if None not in generations and len(set(generations)) > 1:
+        return _other_generation(folder, present, wanted)
+    if not is_of(present.file.text, text, rules):
+        return _other_package(folder, present, rules)
+    return None
+
+
+def _other_generation(folder: Path, present: PackageXml, wanted: PackageXml) -> Diagnostic:
+    found, own = present.generation(), wanted.generation()
+    assert found is not None, "only a known generation is another one"
+    assert own is not None, "only a known generation is another one"
+    finding = OtherGeneration(folder=str(folder), found=found.value, wanted=own.value)
+    return finding.at(_place(present, present.build_system()))
+
+
+def _other_package(folder: Path, present: PackageXml, rules: Path) -> Diagnostic:
+    name = present.first("name")
+    called = name.text if name is not None else folder.name
+    finding = OtherPackage(folder=str(folder), package=called, rules=rules.name)
+    return finding.at(_place(present, name))
+
+
+def _place(present: PackageXml, element: Element | None) -> Span:
+    """An element, or the start of the file if there is none."""
+    return Span(present.file, 0, 0) if element is None else element.span

@@ -1,0 +1,39 @@
+"""What a placement means for a node: the blanks that name its package, and its package.xml."""
+
+from __future__ import annotations
+
+from rossmarie import ir
+from rossmarie.targets.manifest import Manifest, Person, Placement
+from rossmarie.targets.ros import names
+
+_VERSION = "0.1.0"
+_LICENSE = "to be chosen"
+_MAIL = "nobody@example.org"
+
+
+def blanks(machine: ir.Machine, placement: Placement) -> dict[str, str]:
+    """The package with the messages, launch file and settings of the node, and their names there.
+
+    Several nodes may be parts of one package, so there their files are called like the node.
+    """
+    node = names.package(machine)
+    if placement.part_of is None:
+        return {"home": node, "executable": "safety_node", "settings": "parameters.yaml"}
+    return {"home": placement.part_of, "executable": node, "settings": f"{node}.yaml"}
+
+
+def manifest_fields(manifest: Manifest, files: str) -> dict[str, str]:
+    """The fields of package.xml that the manifest says, as XML; `files` are those of the rules."""
+    nobody = Person(f"whoever maintains {files}", _MAIL)
+    maintainers = manifest.maintainers or (nobody,)
+    licenses = manifest.licenses or (_LICENSE,)
+    return {
+        "version": manifest.version or _VERSION,
+        "maintainers": "\n".join(map(_maintainer, maintainers)),
+        "licenses": "\n".join(f"  <license>{names.xml(each)}</license>" for each in licenses),
+    }
+
+
+def _maintainer(person: Person) -> str:
+    mail, name = names.xml(person.mail), names.xml(person.name)
+    return f'  <maintainer email="{mail}">{name}</maintainer>'
