@@ -10,11 +10,11 @@ from typing import TypeAlias, cast
 
 import pytest
 
-from support import ros1_live, ros2_live
+from support import ros1_build, ros1_live, ros2_build, ros2_live
 from support.live import LIMIT, Process, Robot, Ros, Wanted
 from support.live_cases import vehicle as machine_of_vehicle
 from support.parts import ROS1, ROS2, require
-from support.ros1_build import QUICK, Workspace
+from support.ros1_build import QUICK
 
 Needs: TypeAlias = Callable[[str], Sequence[Wanted]]
 """What is to be built for a test, in a generation of ROS."""
@@ -32,9 +32,7 @@ def pytest_configure(config: pytest.Config) -> None:
 def ros1(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros1_live.Ros1]:
     """ROS 1, with a running master. All workers of a run have one workspace."""
     require(ROS1)
-    own = tmp_path_factory.getbasetemp()
-    shared = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
-    workspace = Workspace(shared / "ros1_workspace", QUICK)
+    workspace = ros1_build.Workspace(of_all_workers(tmp_path_factory) / "ros1_workspace", QUICK)
     found = ros1_live.Ros1(tmp_path_factory.mktemp("ros1"), workspace)
     try:
         yield found
@@ -44,9 +42,16 @@ def ros1(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros1_live.Ros1]:
 
 @pytest.fixture(scope="session")
 def ros2(tmp_path_factory: pytest.TempPathFactory) -> ros2_live.Ros2:
-    """ROS 2."""
+    """ROS 2. All workers of a run have one workspace."""
     require(ROS2)
-    return ros2_live.Ros2(tmp_path_factory.mktemp("ros2"))
+    workspace = ros2_build.Workspace(of_all_workers(tmp_path_factory) / "ros2_workspace")
+    return ros2_live.Ros2(tmp_path_factory.mktemp("ros2"), workspace)
+
+
+def of_all_workers(factory: pytest.TempPathFactory) -> Path:
+    """A folder that the workers of a run share."""
+    own = factory.getbasetemp()
+    return own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
 
 
 @pytest.fixture(scope="module", params=["ros1", "ros2"])

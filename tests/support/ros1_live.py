@@ -17,8 +17,9 @@ from rossmarie import ir
 from rossmarie.driver.build import generate
 from support.live import Ears, Process, Robot, Start, Wanted, until
 from support.live_cases import PACKAGES, vehicle
-from support.ros1_build import VARIABLES, Workspace, files_of
+from support.ros1_build import VARIABLES, Workspace
 from support.ros1_python import PYTHON, Python
+from support.workspace import files_of
 
 TOOLS = ("rosmaster", "catkin_make", "cmake", "g++")
 _HERE = Path(__file__).parent

@@ -6,7 +6,6 @@ import json
 import os
 import random
 import shutil
-import subprocess
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
@@ -15,9 +14,10 @@ from pathlib import Path
 from rosbags.highlevel import AnyReader
 
 from rossmarie.driver.build import generate
-from support.c_compiler import write
 from support.live import Ears, Process, Robot, Wanted
 from support.live_cases import PACKAGES, vehicle
+from support.ros2_build import Workspace, is_installed
+from support.workspace import files_of
 
 _HERE = Path(__file__).parent
 _NEEDED = ("rclcpp_lifecycle", "rclcpp_components", "rclcpp_action", "rclpy", "launch_ros")
@@ -28,13 +28,8 @@ def missing() -> str | None:
     if os.environ.get("ROS_VERSION") != "2" or not os.environ.get("AMENT_PREFIX_PATH"):
         return "not sourced"
     lacking = [tool for tool in ("colcon", "ros2", "python3") if shutil.which(tool) is None]
-    lacking += [package for package in _NEEDED if not _is_installed(package)]
+    lacking += [package for package in _NEEDED if not is_installed(package)]
     return f"sourced, but lacks {', '.join(lacking)}" if lacking else None
-
-
-def _is_installed(package: str) -> bool:
-    prefixes = os.environ["AMENT_PREFIX_PATH"].split(":")
-    return any((Path(prefix) / "share" / package).is_dir() for prefix in prefixes)
 
 
 class Ros2:
@@ -42,13 +37,11 @@ class Ros2:
 
     name = "ros2"
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, workspace: Workspace) -> None:
+        """The workspace may be one that others share."""
         self._folder = folder
-        self._workspace = folder / "workspace"
-        for package in PACKAGES["ros2"].iterdir():
-            if not _is_installed(package.name):
-                shutil.copytree(package, self._workspace / "src" / package.name)
-        self._make()
+        self._workspace = workspace
+        self.prepare([])
         self.variables = self._sourced()
 
     @cached_property
@@ -138,40 +131,23 @@ class Ros2:
 
     def prepare(self, wanted: Sequence[Wanted]) -> list[Path]:
         """Build all of these at once: the programs of nodes, and where those of packages are."""
+        own = (each for each in PACKAGES["ros2"].iterdir() if not is_installed(each.name))
+        packages = {each.name: files_of(each) for each in own}
         found = []
         for each in wanted:
-            name = each.name if isinstance(each, Path) else f"{each.name}_safety"
-            source, programs = (
-                self._workspace / "src" / name,
-                self._workspace / "install/lib" / name,
-            )
             if isinstance(each, Path):
-                shutil.copytree(each, source, dirs_exist_ok=True)
-                found.append(programs)
+                packages[each.name] = files_of(each)
+                found.append(self._workspace.programs(each.name))
             else:
-                write(generate(each, "ros2"), source)
-                found.append(programs / "safety_node")
-        self._make()
+                name = f"{each.name}_safety"
+                packages[name] = dict(generate(each, "ros2"))
+                found.append(self._workspace.programs(name) / "safety_node")
+        self._workspace.build(packages)
         return found
-
-    def _make(self) -> None:
-        """Build all packages of the workspace, without a warning."""
-        command = ["colcon", "build", "--merge-install", "--executor", "sequential"]
-        python = f"-DPython3_EXECUTABLE={shutil.which('python3')}"
-        done = subprocess.run(
-            [*command, "--cmake-args", python],
-            cwd=self._workspace,
-            capture_output=True,
-            text=True,
-        )
-        assert done.returncode == 0, done.stdout + done.stderr
-        assert "warning:" not in done.stderr, done.stderr
 
     def _sourced(self) -> dict[str, str]:
         """The environment with the workspace, on this machine only, in a domain of its own."""
-        script = f". {self._workspace}/install/local_setup.bash && env -0"
-        done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True)
-        found = dict(line.split("=", 1) for line in done.stdout.split("\0") if line)
+        found = self._workspace.variables()
         found["ROS_DOMAIN_ID"] = str(random.randint(1, 100))
         found["ROS_LOG_DIR"] = str(self._folder / "log")
         found["ROS_HOME"] = str(self._folder / "home")
