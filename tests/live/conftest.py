@@ -41,11 +41,15 @@ def ros1(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros1_live.Ros1]:
 
 
 @pytest.fixture(scope="session")
-def ros2(tmp_path_factory: pytest.TempPathFactory) -> ros2_live.Ros2:
+def ros2(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros2_live.Ros2]:
     """ROS 2. All workers of a run have one workspace."""
     require(ROS2)
     workspace = ros2_build.Workspace(of_all_workers(tmp_path_factory) / "ros2_workspace")
-    return ros2_live.Ros2(tmp_path_factory.mktemp("ros2"), workspace)
+    found = ros2_live.Ros2(tmp_path_factory.mktemp("ros2"), workspace)
+    try:
+        yield found
+    finally:
+        found.end()
 
 
 def of_all_workers(factory: pytest.TempPathFactory) -> Path:

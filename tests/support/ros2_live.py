@@ -6,6 +6,7 @@ import json
 import os
 import random
 import shutil
+import subprocess
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
@@ -14,7 +15,7 @@ from pathlib import Path
 from rosbags.highlevel import AnyReader
 
 from rossmarie.driver.build import generate
-from support.live import Ears, Process, Robot, Wanted
+from support.live import LIMIT, Ears, Process, Robot, Wanted
 from support.live_cases import PACKAGES, vehicle
 from support.ros2_build import Workspace, is_installed
 from support.workspace import files_of
@@ -85,14 +86,21 @@ class Ros2:
         self, folder: Path, parameters: Mapping[str, object], namespace: str = ""
     ) -> Process:
         """Launch the node with a planner that wants 0.7 m/s; `folder` is for files of the test."""
-        planner, settings = folder / "planner.launch.py", folder / "parameters.yaml"
-        planner.write_text(_PLANNER, encoding="utf-8")
+        arguments = {"namespace": namespace} if namespace else {}
+        return self.launch_behind(_PLANNER, folder, parameters, **arguments)
+
+    def launch_behind(
+        self, planner: str, folder: Path, parameters: Mapping[str, object], **arguments: str
+    ) -> Process:
+        """Launch the node with this launch file of a planner, and further arguments."""
+        behind, settings = folder / "planner.launch.py", folder / "parameters.yaml"
+        behind.write_text(planner, encoding="utf-8")
         given = {"/**": {"ros__parameters": dict(parameters)}}
         settings.write_text(json.dumps(given), encoding="utf-8")
         command = ["ros2", "launch", "vehicle_safety", "vehicle_safety.launch.py"]
-        arguments = [f"commands:={planner}", f"parameters:={settings}"]
-        arguments += [f"namespace:={namespace}"] if namespace else []
-        return Process([*command, *arguments], self.variables, self._folder / "launch.log")
+        all_arguments = {"commands": str(behind), "parameters": str(settings), **arguments}
+        pairs = [f"{name}:={value}" for name, value in all_arguments.items()]
+        return Process([*command, *pairs], self.variables, self._folder / "launch.log")
 
     def node_process(self) -> int | None:
         """The process of the node of the vehicle, None if there is none."""
@@ -101,6 +109,13 @@ class Ros2:
                 if (process / "exe").resolve() == self.vehicle.resolve():
                     return int(process.name)
         return None
+
+    def command(self, *arguments: str) -> str:
+        """What a command of ROS 2 says."""
+        done = subprocess.run(
+            ["ros2", *arguments], env=self.variables, capture_output=True, text=True, timeout=LIMIT
+        )
+        return done.stdout + done.stderr
 
     def play(self, recording: Path) -> Process:
         """Play a recording with simulated time."""
@@ -127,7 +142,8 @@ class Ros2:
         return f"{package}/msg/{bare}"
 
     def end(self) -> None:
-        """Nothing of it runs by itself."""
+        """Commands of ROS 2 leave a daemon behind."""
+        subprocess.run(["ros2", "daemon", "stop"], env=self.variables, capture_output=True)
 
     def prepare(self, wanted: Sequence[Wanted]) -> list[Path]:
         """Build all of these at once: the programs of nodes, and where those of packages are."""

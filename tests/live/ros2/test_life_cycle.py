@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
@@ -17,31 +16,23 @@ Start = Callable[..., Process]
 NODE = "/vehicle_safety"
 
 
-def command(ros2: Ros2, *arguments: str) -> str:
-    """What a command of ROS 2 says."""
-    done = subprocess.run(
-        ["ros2", *arguments], env=ros2.variables, capture_output=True, text=True, timeout=60
-    )
-    return done.stdout + done.stderr
-
-
 def test_a_node_without_autostart_waits(ros2: Ros2, robot: Robot, start: Start) -> None:
     start(autostart=False)
-    until(lambda: "unconfigured" in command(ros2, "lifecycle", "get", NODE), "it is there")
+    until(lambda: "unconfigured" in ros2.command("lifecycle", "get", NODE), "it is there")
     assert robot.commands(0.5) == []
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "configure")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "configure")
     assert robot.commands(0.5) == []
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "activate")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "activate")
     robot.passes(1.0)
 
 
 def test_a_node_that_is_deactivated_stops_the_robot(ros2: Ros2, robot: Robot, start: Start) -> None:
     start()
     robot.passes(1.0)
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "deactivate")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "deactivate")
     assert robot.last("/cmd_vel") == 0.0
     assert robot.commands(0.5) == []
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "activate")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "activate")
     robot.passes(1.0)
 
 
@@ -50,7 +41,7 @@ def test_goals_do_not_go_on_without_the_node(ros2: Ros2, robot: Robot, start: St
     robot.passes(1.0)
     robot.ask(goal=7)
     until(lambda: robot.heard("/arm") == [["begins", 7]], "the arm begins")
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "deactivate")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "deactivate")
     until(lambda: robot.last("/arm") == ["is cancelled", 7], "it is cancelled")
 
 
@@ -64,7 +55,7 @@ def test_a_node_that_cannot_keep_its_latched_rules_stays_active(
     shutil.rmtree(folder)
     robot.set(pitch=40.0)
     robot.passes(0.0)
-    assert "failed" in command(ros2, "lifecycle", "set", NODE, "deactivate").lower()
+    assert "failed" in ros2.command("lifecycle", "set", NODE, "deactivate").lower()
     assert "latched rules cannot be kept" in node.said()
     robot.stays_at(0.0)
 
@@ -72,27 +63,27 @@ def test_a_node_that_cannot_keep_its_latched_rules_stays_active(
 def test_parameters_are_fixed_while_it_runs(ros2: Ros2, robot: Robot, start: Start) -> None:
     start(patience=5)
     robot.passes(1.0)
-    assert "clean it up first" in command(ros2, "param", "set", NODE, "patience", "100.0")
+    assert "clean it up first" in ros2.command("param", "set", NODE, "patience", "100.0")
 
 
 def test_parameters_can_be_set_after_a_cleanup(ros2: Ros2, robot: Robot, start: Start) -> None:
     start(patience="a while")
-    until(lambda: "unconfigured" in command(ros2, "lifecycle", "get", NODE), "it says why")
-    assert "Set parameter successful" in command(ros2, "param", "set", NODE, "patience", "50.0")
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "configure")
-    assert "clean it up first" in command(ros2, "param", "set", NODE, "patience", "60.0")
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "cleanup")
-    assert "Set parameter successful" in command(ros2, "param", "set", NODE, "patience", "60.0")
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "configure")
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "activate")
+    until(lambda: "unconfigured" in ros2.command("lifecycle", "get", NODE), "it says why")
+    assert "Set parameter successful" in ros2.command("param", "set", NODE, "patience", "50.0")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "configure")
+    assert "clean it up first" in ros2.command("param", "set", NODE, "patience", "60.0")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "cleanup")
+    assert "Set parameter successful" in ros2.command("param", "set", NODE, "patience", "60.0")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "configure")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "activate")
     robot.passes(1.0)
 
 
 def test_parameters_have_defaults_and_descriptions(ros2: Ros2, robot: Robot, start: Start) -> None:
     start()
     robot.passes(1.0)
-    assert "0.5" in command(ros2, "param", "get", NODE, "command_timeout")
-    told = command(ros2, "param", "describe", NODE, "filter_rate")
+    assert "0.5" in ros2.command("param", "get", NODE, "command_timeout")
+    told = ros2.command("param", "describe", NODE, "filter_rate")
     assert "How often (Hz)" in told
     assert "1000.0" in told
 
@@ -117,7 +108,7 @@ def test_a_node_with_a_wrong_parameter_stays_unconfigured(
     """Messages come meanwhile, and the process does not end."""
     node = start(**parameters)
     until(lambda: complaint in node.said(), complaint)
-    until(lambda: "unconfigured" in command(ros2, "lifecycle", "get", NODE), "it is there")
+    until(lambda: "unconfigured" in ros2.command("lifecycle", "get", NODE), "it is there")
     assert robot.commands(1.0) == []
     assert node.running.poll() is None
 
@@ -127,14 +118,14 @@ def test_a_node_whose_activation_fails_takes_no_messages(
 ) -> None:
     """A file that cannot be written keeps it from being active; then a manager tries again."""
     node = start(state_file=str(tmp_path / "no folder" / "latched"), autostart=False)
-    until(lambda: "unconfigured" in command(ros2, "lifecycle", "get", NODE), "it is there")
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "configure")
+    until(lambda: "unconfigured" in ros2.command("lifecycle", "get", NODE), "it is there")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "configure")
     for _ in range(3):
-        assert "failed" in command(ros2, "lifecycle", "set", NODE, "activate").lower()
+        assert "failed" in ros2.command("lifecycle", "set", NODE, "activate").lower()
     assert "cannot write" in node.said()
     assert robot.commands(1.0) == []
     (tmp_path / "no folder").mkdir()
-    assert "successful" in command(ros2, "lifecycle", "set", NODE, "activate")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "activate")
     robot.passes(1.0)
 
 
@@ -152,7 +143,7 @@ def test_the_node_is_a_component(
         "vehicle_safety::SafetyNode",
     ]
     settings = ["-p", f"state_file:={tmp_path / 'latched'}"]
-    until(lambda: "Loaded component" in command(ros2, *load, *settings), "it is loaded")
+    until(lambda: "Loaded component" in ros2.command(*load, *settings), "it is loaded")
     robot.passes(1.0)
     robot.set(pitch=15.0)
     robot.passes(0.2)

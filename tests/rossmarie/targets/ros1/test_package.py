@@ -31,12 +31,16 @@ def test_packages_of_all_messages_are_named() -> None:
 
 
 def test_the_planner_is_launched_behind_the_filter() -> None:
-    launch = ET.fromstring(generate(vehicle(), "ros1")["launch/vehicle_safety.launch"])
+    """In the namespace of the node, and by the full name."""
+    launch = ET.fromstring(generate(vehicle(), "ros1")["launch/vehicle_safety_robot.launch"])
     group = launch.find("group")
     assert group is not None
+    space = "$(eval ('/' + arg('namespace').strip('/')).rstrip('/') + '%s')"
     assert [dict(each.attrib) for each in group.iter("remap")] == [
-        {"from": "/cmd_vel", "to": "/unfil_cmd_vel"},
-        {"from": "/arm_vel", "to": "/unfil_arm_vel"},
+        {"from": "cmd_vel", "to": "unfil_cmd_vel"},
+        {"from": space % "/cmd_vel", "to": space % "/unfil_cmd_vel"},
+        {"from": "arm_vel", "to": "unfil_arm_vel"},
+        {"from": space % "/arm_vel", "to": space % "/unfil_arm_vel"},
     ]
     assert [each.attrib["respawn"] for each in launch.iter("node")] == ["true"]
 
@@ -81,6 +85,6 @@ def test_what_only_some_effects_need_is_there_for_these_only(effect: str) -> Non
 def test_what_other_nodes_have_to_offer_is_listed() -> None:
     effects = "call /lamp : std_srvs/Trigger {}; cancel /arm within 1 sec; set /planner.x to 1"
     files = generate(acting(effects), "ros1")
-    assert '{"action server /arm", "/arm/status", false},' in files["src/descriptions.h"]
-    assert '{"service /lamp", "/lamp", true},' in files["src/descriptions.h"]
+    assert '{"action server /arm", "arm/status", false},' in files["src/descriptions.h"]
+    assert '{"service /lamp", "lamp", true},' in files["src/descriptions.h"]
     assert "- parameter /planner.x: service `/planner/set_parameters`" in files["README.md"]

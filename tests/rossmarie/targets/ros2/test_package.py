@@ -33,6 +33,7 @@ def test_packages_of_all_messages_are_named() -> None:
     assert depends == {
         "action_msgs",
         "arm_msgs",
+        "bondcpp",
         "builtin_interfaces",
         "controller_manager_msgs",
         "diagnostic_msgs",
@@ -95,6 +96,7 @@ EFFECTS = {
     'log info "x"': (set(), set()),
 }
 ALWAYS = {
+    "bondcpp",
     "builtin_interfaces",
     "diagnostic_msgs",
     "geometry_msgs",
@@ -103,6 +105,7 @@ ALWAYS = {
     "rclcpp",
     "rclcpp_components",
     "rclcpp_lifecycle",
+    "std_msgs",
 }
 
 

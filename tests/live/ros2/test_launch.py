@@ -1,0 +1,96 @@
+"""The launch file: its arguments, and what it refuses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from support.live import LIMIT, Process, Robot, until
+from support.ros2_live import Ros2
+
+PROCESS = """\
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+PUBLISH = ["ros2", "topic", "pub", "--rate", "20", "/cmd_vel", "geometry_msgs/msg/Twist"]
+
+
+def generate_launch_description():
+    return LaunchDescription([ExecuteProcess(cmd=[*PUBLISH, "{linear: {x: 0.9}}"])])
+"""
+NOTHING = """\
+from launch import LaunchDescription
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
+NODE = "/vehicle_safety"
+Launch = Callable[..., Process]
+
+
+def settings(folder: Path) -> dict[str, object]:
+    return {"state_file": str(folder / "latched"), "patience": LIMIT}
+
+
+def test_a_process_that_cannot_be_renamed_is_refused(
+    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+) -> None:
+    robot.set(speed=None)
+    started.append(ros2.launch_behind(PROCESS, tmp_path, settings(tmp_path)))
+    launch = started[-1]
+    until(lambda: launch.running.poll() is not None, "the launch file ends")
+    assert launch.running.poll() != 0
+    assert "cannot be put behind the filter of vehicle_safety" in launch.said()
+
+
+def test_arguments_reach_the_node(
+    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+) -> None:
+    robot.set(clock=1000.0)
+    arguments = {"use_sim_time": "true", "autostart": "false", "log_level": "debug"}
+    launch = ros2.launch_behind(NOTHING, tmp_path, settings(tmp_path), **arguments)
+    started.append(launch)
+    until(lambda: "unconfigured" in ros2.command("lifecycle", "get", NODE), "it waits")
+    assert "True" in ros2.command("param", "get", NODE, "use_sim_time")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "configure")
+    assert "successful" in ros2.command("lifecycle", "set", NODE, "activate")
+    robot.passes(1.0)
+    until(lambda: robot.state().get("at", 0.0) >= 1000.0, "its time is simulated")
+    assert robot.state()["at"] < 1e6
+    launch.end_gently()
+
+
+def test_the_node_is_loaded_into_a_container(
+    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+) -> None:
+    log = Path(ros2.variables["ROS_LOG_DIR"]) / "container.log"
+    container = ["ros2", "run", "rclcpp_components", "component_container"]
+    started.append(Process(container, ros2.variables, log))
+    arguments = {"container": "/ComponentManager"}
+    launch = ros2.launch_behind(NOTHING, tmp_path, settings(tmp_path), **arguments)
+    started.append(launch)
+    robot.passes(1.0)
+    robot.set(pitch=15.0)
+    robot.passes(0.2)
+    launch.end_gently()
+
+
+def test_a_node_of_another_name_logs_under_it(
+    ros2: Ros2, robot: Robot, start: Launch, started: list[Process]
+) -> None:
+    ears = ros2.ears("/rosout", "rcl_interfaces/msg/Log")
+    started.append(ears)
+    started.append(
+        Process(
+            [str(ros2.vehicle), "--ros-args", "-r", "__node:=guard", "-p", "filter_rate:=0.0"],
+            ros2.variables,
+            Path(ros2.variables["ROS_LOG_DIR"]) / "guard.log",
+        )
+    )
+
+    def complaints() -> list[str]:
+        told = ears.heard("/rosout")
+        return [each["name"] for each in told if "filter_rate" in each["msg"]]
+
+    until(lambda: complaints() == ["guard"], "it says why it does not start")
