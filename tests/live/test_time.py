@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from support.live import SOME, Process, Robot, until
+from support.live import LIMIT, SOME, Process, Robot, until
 
 Start = Callable[..., Process]
 
@@ -65,6 +65,16 @@ def test_nothing_passes_while_the_clock_stands_still_and_an_input_is_silent(
     robot.set(clock=1010.0, pitch=0.0)
     until(lambda: robot.call("reset", rule="")["success"], "it is safe")
     robot.passes(1.0)
+
+
+def test_a_clock_may_stand_still_for_as_long_as_is_said(robot: Robot, start: Start) -> None:
+    """For a simulation that waits for others."""
+    robot.set(clock=1000.0)
+    start(use_sim_time=True, clock_timeout=LIMIT)
+    robot.passes(1.0)
+    robot.set(clock=None)
+    time.sleep(4.0)  # longer than the timeout of the input
+    robot.stays_at(1.0)
 
 
 def test_nothing_passes_while_the_clock_stands_still(robot: Robot, start: Start) -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from rossmarie.driver.replay import replay_file
 from rossmarie.ir import Verdict
-from support.live import Process, Ros, until
+from support.live import LIMIT, Process, Ros, until
 
 Changes = list[tuple[str, int, Any]]
 """Rules, how they changed, and when, in s of the recording's clock."""
@@ -45,7 +45,9 @@ def says(
     package = program.parent.name
     verdicts = f"/{package}/verdicts"
     with ExitStack() as started:
-        node = ros.begin(program, {"state_file": str(latched)}, use_sim_time=True)
+        # What is played waits for the node, as long as that takes.
+        parameters = {"state_file": str(latched), "clock_timeout": LIMIT}
+        node = ros.begin(program, parameters, use_sim_time=True)
         started.callback(node.end)
         ears = ros.ears(verdicts, ros.ros_type(f"{package}/Verdict"))
         started.callback(ears.end)

@@ -18,7 +18,7 @@ from heron.experiments.arms import NAVIGATION_RULES, machine_of
 from heron.ros1 import Ros1Error, Ros1Link
 from heron.tasks import Status, TreeSkill
 from heron.variants import Arm, Terrain
-from support.live import Process, Wanted, until
+from support.live import LIMIT, Process, Wanted, until
 from support.ros1_live import Ros1
 
 SEED = 3
@@ -109,5 +109,5 @@ def test_a_node_that_has_been_on_guard_is_refused(
 
 def begin(ros1: Ros1, program: Path, started: list[Process], folder: Path) -> None:
     """A new node on guard."""
-    parameters = {"state_file": str(folder / "latched")}
+    parameters = {"state_file": str(folder / "latched"), "clock_timeout": LIMIT}
     started.append(ros1.begin(program, parameters, use_sim_time=True))

@@ -63,6 +63,12 @@ def parameters(package: str) -> tuple[Parameter, ...]:
             *("grace_period", 0.0, 0.0, 1e6),
             about="After this (s) commands pass even if inputs have never arrived; 0 is never.",
         ),
+        Number(
+            *("clock_timeout", 0.0, 0.0, 1e6),
+            about="No command passes while ROS time stands still for longer than this (s) by the "
+            "wall clock; 0 is the shortest timeout of an input. A simulation that waits for the "
+            "node, or for the machine, needs more.",
+        ),
         Text(
             *("state_file", f"/var/lib/{package}.latched"),
             about="The file that keeps latched rules over a restart, of this node alone; empty for "
