@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 
-from support.live import LIMIT, Process, Robot, until
+from support.live import LIMIT, Ears, Process, Robot, until
 from support.ros2_live import Ros2
 
 PROCESS = """\
@@ -26,7 +25,6 @@ def generate_launch_description():
     return LaunchDescription([])
 """
 NODE = "/vehicle_safety"
-Launch = Callable[..., Process]
 
 
 def settings(folder: Path) -> dict[str, object]:
@@ -41,14 +39,16 @@ def test_a_process_that_cannot_be_renamed_is_refused(
     launch = started[-1]
     until(lambda: launch.running.poll() is not None, "the launch file ends")
     assert launch.running.poll() != 0
-    assert "cannot be put behind the filter of vehicle_safety" in launch.said()
+    assert launch.running.stdout is not None
+    said = launch.running.stdout.read()
+    assert "cannot be put behind the filter of vehicle_safety" in said
 
 
 def test_arguments_reach_the_node(
     ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
 ) -> None:
     robot.set(clock=1000.0)
-    arguments = {"use_sim_time": "true", "autostart": "false", "log_level": "debug"}
+    arguments = {"use_sim_time": "true", "autostart": "false", "log_level": "warn"}
     launch = ros2.launch_behind(NOTHING, tmp_path, settings(tmp_path), **arguments)
     started.append(launch)
     until(lambda: "unconfigured" in ros2.command("lifecycle", "get", NODE), "it waits")
@@ -77,20 +77,21 @@ def test_the_node_is_loaded_into_a_container(
 
 
 def test_a_node_of_another_name_logs_under_it(
-    ros2: Ros2, robot: Robot, start: Launch, started: list[Process]
+    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
 ) -> None:
-    ears = ros2.ears("/rosout", "rcl_interfaces/msg/Log")
-    started.append(ears)
-    started.append(
-        Process(
-            [str(ros2.vehicle), "--ros-args", "-r", "__node:=guard", "-p", "filter_rate:=0.0"],
-            ros2.variables,
-            Path(ros2.variables["ROS_LOG_DIR"]) / "guard.log",
-        )
-    )
+    started.append(ros2.ears("/rosout", "rcl_interfaces/msg/Log"))
+    ears = started[-1]
+    assert isinstance(ears, Ears)
+    parameters = ["-p", f"state_file:={tmp_path / 'latched'}", "-r", "__node:=guard"]
+    command = [str(ros2.vehicle), "--ros-args", *parameters]
+    started.append(Process(command, ros2.variables, tmp_path / "guard.log"))
+    robot.passes(1.0)
+    robot.set(pitch=15.0)
 
-    def complaints() -> list[str]:
+    def names() -> set[str]:
         told = ears.heard("/rosout")
-        return [each["name"] for each in told if "filter_rate" in each["msg"]]
+        return {each["name"] for each in told if "rule tilted is active" in each["msg"]}
 
-    until(lambda: complaints() == ["guard"], "it says why it does not start")
+    until(lambda: bool(names()), "it is told that a rule is active")
+    assert names() == {"guard"}
+    assert "rule tilted is active: abs(orientation.pitch()) = 15 deg" in started[-1].said()
