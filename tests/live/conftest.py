@@ -122,11 +122,11 @@ def vehicle(built: Built) -> Path:
 
 @pytest.fixture(autouse=True)
 def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
-    """After a test that ran on ROS 1, who was killed in it is forgotten."""
+    """After a test, who was killed in it is forgotten."""
     yield
     used = {id(each): each for each in request.node.funcargs.values()}
     for each in used.values():
-        if isinstance(each, ros1_live.Ros1):
+        if isinstance(each, (ros1_live.Ros1, ros2_live.Ros2)):
             each.forget_all()
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
 import random
 import shutil
 import subprocess
+import tempfile
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import cached_property
@@ -33,6 +35,27 @@ def missing() -> str | None:
     return f"sourced, but lacks {', '.join(lacking)}" if lacking else None
 
 
+class Domain:
+    """A domain that no other run of tests on this machine uses meanwhile."""
+
+    def __init__(self) -> None:
+        for number in random.sample(range(1, 101), 100):
+            lock = (Path(tempfile.gettempdir()) / f"rossmarie_domain_{number}.lock").open("a")
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except OSError:
+                lock.close()
+                continue
+            self.number = number
+            self._lock = lock
+            return
+        raise AssertionError("no domain is free")
+
+    def leave(self) -> None:
+        """Others may use it."""
+        self._lock.close()
+
+
 class Ros2:
     """A workspace with the node of the vehicle, and the environment to run it in."""
 
@@ -44,6 +67,9 @@ class Ros2:
         self._workspace = workspace
         self.prepare([])
         self.variables = self._sourced()
+        self._has_daemon = False
+        self._domain = Domain()
+        self.variables["ROS_DOMAIN_ID"] = str(self._domain.number)
 
     @cached_property
     def vehicle(self) -> Path:
@@ -112,6 +138,7 @@ class Ros2:
 
     def command(self, *arguments: str) -> str:
         """What a command of ROS 2 says."""
+        self._has_daemon = True
         done = subprocess.run(
             ["ros2", *arguments], env=self.variables, capture_output=True, text=True, timeout=LIMIT
         )
@@ -141,9 +168,18 @@ class Ros2:
         package, _, bare = name.partition("/")
         return f"{package}/msg/{bare}"
 
+    def forget_all(self) -> None:
+        """Another domain: in this one, who was killed counts as alive until its lease is over."""
+        self.end()
+        self._domain = Domain()
+        self.variables["ROS_DOMAIN_ID"] = str(self._domain.number)
+
     def end(self) -> None:
         """Commands of ROS 2 leave a daemon behind."""
-        subprocess.run(["ros2", "daemon", "stop"], env=self.variables, capture_output=True)
+        if self._has_daemon:
+            subprocess.run(["ros2", "daemon", "stop"], env=self.variables, capture_output=True)
+        self._has_daemon = False
+        self._domain.leave()
 
     def prepare(self, wanted: Sequence[Wanted]) -> list[Path]:
         """Build all of these at once: the programs of nodes, and where those of packages are."""
@@ -162,9 +198,8 @@ class Ros2:
         return found
 
     def _sourced(self) -> dict[str, str]:
-        """The environment with the workspace, on this machine only, in a domain of its own."""
+        """The environment with the workspace, on this machine only."""
         found = self._workspace.variables()
-        found["ROS_DOMAIN_ID"] = str(random.randint(1, 100))
         found["ROS_LOG_DIR"] = str(self._folder / "log")
         found["ROS_HOME"] = str(self._folder / "home")
         found.setdefault("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST")
