@@ -37,3 +37,12 @@ rule wild: if speed > 4 then { halt; };
 rule loud: if speed > 5 then { quit; beep else stop; };
 """
 """Rules of which the first keeps the others from what they need."""
+
+CALLS = """\
+input speed = topic /speed : std_msgs/Float64 .data;
+action ask { call /ask : std_srvs/Trigger within 1 sec; }
+action also { call /ask : std_srvs/Trigger within 1 sec; }
+rule fast: if speed > 3 then { ask; };
+rule wild: if speed > 5 then { also; };
+"""
+"""Rules of which the first keeps the other from a service, so that its task fails at once."""
