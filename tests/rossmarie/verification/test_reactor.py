@@ -150,7 +150,6 @@ FAULTS = (
         "nothing else changes",
     ),
     ("decide(r, task, small_FAILED, -1);", "", "escalate", "no longer in force was told so"),
-    ("give_up(r, task);", "", "pass_on", "what is in force was told to start"),
     ("task_rule[task] || is_shared", "task_rule[task]", "pass_on", "the rule that overrules"),
     ("r->failed_count++;", "", "settle_ends", "no longer in force was told so"),
     ("now_ns >= due_ns)", "now_ns > due_ns)", "settle_ends", "fails when its time is up (R4)"),
@@ -180,6 +179,7 @@ FAULTS_OF_WAITING = (
     ("return is_confirmed(m, task);", "return true;", "settle_ends", "what waits in vain fails"),
 )
 FAULTS_OF_WHAT_IS_LATE = (
+    ("give_up(r, task);", "", "pass_on", "what is in force was told to start"),
     ("|| r->state[task] == OVERDUE)", ")", "pass_on", "what waits waits for another rule (R8)"),
     ("is_same && task_timeouts[task] == 0", "is_same", "pass_on", "what is in force has what it"),
     (
