@@ -37,3 +37,28 @@ rule wild: if speed > 4 then { halt; };
 rule loud: if speed > 5 then { quit; beep else stop; };
 """
 """Rules of which the first keeps the others from what they need."""
+
+AT_ONCE = """\
+input speed = topic /speed : std_msgs/Float64 .data;
+action free {
+    call /ask : std_srvs/Trigger within 1 sec;
+    publish /horn : std_msgs/Bool { data = true; } at 5 Hz;
+}
+action ask { call /ask : std_srvs/Trigger within 1 sec; }
+action beep { publish /horn : std_msgs/Bool { data = true; } at 2 Hz; }
+action stop { block /cmd_vel : geometry_msgs/Twist; }
+rule fast: if speed > 3 then { free; };
+rule wild: if speed > 4 then { ask; };
+rule loud: if speed > 5 then { beep else stop; };
+"""
+"""Rules of which the first keeps the others from what they need, so that they fail at once."""
+
+LATE = """\
+input speed = topic /speed : std_msgs/Float64 .data;
+action free { cancel /arm within 1 sec; }
+action quit { cancel /arm within 0.5 sec else stop; }
+action stop { block /cmd_vel : geometry_msgs/Twist; }
+rule fast: if speed > 3 then { free; };
+rule wild: if speed > 4 then { quit; };
+"""
+"""Rules of which the first keeps the other waiting until its time is over and it fails."""

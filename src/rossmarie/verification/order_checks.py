@@ -187,8 +187,7 @@ class OrderChecks:
         if stage == len(self._found.plans[rule].stages):
             about = f"nothing follows the last stage of rule {self._names[rule]}"
         plan = self._found.plans[rule]
-        lines = [_WITHIN, f"    const unsigned rule = {rule};"]
-        lines.append(f"    __CPROVER_assume(r->stage[rule] == {stage} && r->failed_count == 0);")
+        lines = [_AT_STAGE.format(rule=rule, stage=stage)]
         lines.append("    suppose_startable(r, rule);\n    suppose_owned(r);")
         lines.append(_CALL.format(call="start_stage(&s, rule)"))
         lines.append(_STARTED)
@@ -225,6 +224,16 @@ _WITHIN = """\
     const reactor *const r = &s;
     told = any_orders();
     suppose_within(r);"""
+
+# The stage is set and not supposed: so it is known which tasks start.
+_AT_STAGE = """\
+    const unsigned rule = {rule};
+    reactor s = any();
+    const reactor *const r = &s;
+    s.stage[rule] = {stage};
+    told = any_orders();
+    suppose_within(r);
+    __CPROVER_assume(r->failed_count == 0);"""
 
 _CALL = """\
     const reactor old = s;

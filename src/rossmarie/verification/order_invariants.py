@@ -154,6 +154,9 @@ class OrderInvariants:
             was_listed = self._is_listed(task).replace("r->", "old->")
             yield Sentence("what has not failed is told nothing",
                            f"{may_begin} || {was_listed} || ({_untold(task)})")  # fmt: skip
+            if task in self._can_fail:
+                yield Sentence("what has failed is told so at last (R6)",
+                               f"!{was_listed} || told.last[{task}] == GIVEN_UP")  # fmt: skip
             if task in self._follows:
                 free = f"spec_overruler(r, {task}) < 0"
                 fits = f"(!{in_force(task)} || {free}) && (!{lacks(task)} || !({free}))"

@@ -11,7 +11,7 @@ from rossmarie.report.proofs import Proofs
 from rossmarie.verification.prover import Prover, Verdict
 from support.depth import deep
 from support.provers import real_prover
-from support.small_rules import BOUNDED, OVERRULED
+from support.small_rules import AT_ONCE, BOUNDED, LATE, OVERRULED
 
 SECONDS = 120
 
@@ -30,6 +30,22 @@ def waiting(tmp_path_factory: pytest.TempPathFactory) -> Questions:
     """About rules of which some wait for what others have."""
     path = tmp_path_factory.mktemp("waiting") / "small.ross"
     path.write_text(OVERRULED)
+    return questions_of(path)
+
+
+@pytest.fixture(scope="module")
+def late(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+    """The same, so few that faults of what takes long to prove are found soon."""
+    path = tmp_path_factory.mktemp("late") / "small.ross"
+    path.write_text(LATE)
+    return questions_of(path)
+
+
+@pytest.fixture(scope="module")
+def failing(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+    """About rules of which some fail at once, as another has what they need."""
+    path = tmp_path_factory.mktemp("failing") / "small.ross"
+    path.write_text(AT_ONCE)
     return questions_of(path)
 
 
@@ -70,6 +86,14 @@ def test_the_reactor_is_what_reactions_mean(
 )
 def test_what_waits_is_what_reactions_mean(prover: Prover, waiting: Questions, name: str) -> None:
     found = proofs(prover, waiting, "Generated", "Generated", f"reactor_{name}")
+    assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
+
+
+@pytest.mark.parametrize("name", deep(["start", "escalate", "pass_on"]))
+def test_what_fails_at_once_is_what_reactions_mean(
+    prover: Prover, failing: Questions, name: str
+) -> None:
+    found = proofs(prover, failing, "Generated", "Generated", f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
@@ -126,7 +150,7 @@ FAULTS = (
         "nothing else changes",
     ),
     ("decide(r, task, small_FAILED, -1);", "", "escalate", "no longer in force was told so"),
-    ("give_up(r, task);", "", "pass_on", "what is in force was told to start"),
+    ("task_rule[task] || is_shared", "task_rule[task]", "pass_on", "the rule that overrules"),
     ("r->failed_count++;", "", "settle_ends", "no longer in force was told so"),
     ("now_ns >= due_ns)", "now_ns > due_ns)", "settle_ends", "fails when its time is up (R4)"),
     ("HOLDING && state != WAITING", "HOLDING", "stage_over", "a stage is over if all of it"),
@@ -148,18 +172,22 @@ QUICK_FAULTS_OF_WAITING = (
     ),
 )
 FAULTS_OF_WAITING = (
-    ("== WAITING && r->now_ns >= due(r, task)", "== IDLE", "settle_ends", "waits in vain (R15)"),
+    ("== WAITING && r->now_ns >= due(r, task)", "== IDLE", "settle_ends", "waits in vain fails"),
+    ("r->now_ns >= due(r, task)", "r->now_ns > due(r, task)", "settle_ends", "waits in vain fails"),
+    ("r->state[other] == HOLDING && ", "", "settle_ends", "what waits in vain fails"),
     ("if (is_late && !is_answered(r, m, task))", "if (is_late)", "settle_ends", "until then it"),
     ("return is_confirmed(m, task);", "return true;", "settle_ends", "what waits in vain fails"),
+)
+FAULTS_OF_WHAT_IS_LATE = (
+    ("give_up(r, task);", "", "pass_on", "what is in force was told to start"),
     ("|| r->state[task] == OVERDUE)", ")", "pass_on", "what waits waits for another rule (R8)"),
-    ("task_rule[task] || is_shared", "task_rule[task]", "pass_on", "the rule that overrules"),
+    ("is_same && task_timeouts[task] == 0", "is_same", "pass_on", "what is in force has what it"),
     (
         "        if (r->state[*task] != IDLE)\n            continue;\n",
         "",
         "escalate",
         "what does not follow from failures stays as it is",
     ),
-    ("if (task_fails_at_once[task])", "if (false)", "start_2_0", "a task is in a state"),
 )
 
 
@@ -170,6 +198,25 @@ def test_a_seeded_fault_of_waiting_is_refuted(
     prover: Prover, waiting: Questions, old: str, new: str, name: str, expected: str
 ) -> None:
     found = proofs(prover, waiting, old, new, f"reactor_{name}")
+    reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
+    assert any(expected in reason for reason in reasons), found.outcomes
+
+
+@pytest.mark.deep
+def test_a_seeded_fault_of_what_fails_at_once_is_refuted(
+    prover: Prover, failing: Questions
+) -> None:
+    fault = "if (task_fails_at_once[task])"
+    found = proofs(prover, failing, fault, "if (false)", "reactor_start_2_0")
+    reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
+    assert any("a task is in a state" in reason for reason in reasons), found.outcomes
+
+
+@pytest.mark.parametrize(("old", "new", "name", "expected"), deep(FAULTS_OF_WHAT_IS_LATE))
+def test_a_seeded_fault_of_what_is_late_is_refuted(
+    prover: Prover, late: Questions, old: str, new: str, name: str, expected: str
+) -> None:
+    found = proofs(prover, late, old, new, f"reactor_{name}")
     reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
     assert any(expected in reason for reason in reasons), found.outcomes
 
