@@ -69,8 +69,8 @@ _DURATIONS = (
     ),
     Fault(
         "a duration of another condition",
-        "INT64_C(1000000000), /* rules.ross:43",
-        "INT64_C(1100000000), /* rules.ross:43",
+        "INT64_C(1000000000), /* rules.ross:55",
+        "INT64_C(1100000000), /* rules.ross:55",
     ),
     Fault("a duration is not begun anew", "operand == TRUE ? due_ns : NEVER", "due_ns"),
     Fault(
