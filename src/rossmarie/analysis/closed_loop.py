@@ -1,4 +1,4 @@
-"""What rules do with nothing from outside but the same messages over and over: what they publish
+"""Rules with nothing from outside but the same messages over and over: what they publish
 arrives at their own inputs.
 
 The monitor is the interpreter, and its reactor decides what is published. All that a node would
@@ -59,7 +59,7 @@ class Loop:
     sent: list[Sending] = field(default_factory=list)
     starts: dict[int, list[int]] = field(default_factory=dict)
     has_gap: bool = False
-    """Whether an input was lost that had arrived."""
+    """Tell whether an input was lost that had arrived."""
 
     def __post_init__(self) -> None:
         self._monitor = Interpreter(self.part)
@@ -121,8 +121,8 @@ class Loop:
         self._deliver(at_ns, messages)
 
     def _is_taken(self, channel: int) -> bool:
-        """Whether what rules publish at a rate is in the place of others: its topic passes through
-        the filter.
+        """Tell whether the messages that rules publish at a rate take the place of others: their
+        topic passes through the filter.
         """
         if channel in self._sent_by_rules and channel in self.outside.given_up:
             return True
@@ -174,7 +174,7 @@ class Loop:
         return ChannelValues(slots, arrays)
 
     def _is_outside(self, at_ns: int) -> bool:
-        """Whether messages come from outside at an instant that others can avoid."""
+        """Tell whether messages come from outside at an instant that others can avoid."""
         period_ns = self.outside.period_ns
         return period_ns > 2 * _STEP_NS and at_ns % period_ns == 0
 
@@ -206,7 +206,7 @@ class Loop:
             orders = following
 
     def _start(self, at_ns: int, task: int) -> list[Order]:
-        """What follows from a task that starts: it publishes, or it ends at once."""
+        """Perform a task that starts: it publishes, or it ends at once."""
         effect = self.machine.reactions.tasks[task].effect
         if isinstance(effect, Publish):
             self._publish(at_ns, task)

@@ -22,7 +22,7 @@ Ends = tuple[float, float]
 
 @dataclass(frozen=True)
 class Carried:
-    """What arrives on a channel: messages that rules publish, each by its slots, and, where it is
+    """The arrivals on a channel: messages that rules publish, each by its slots, and, where it is
     open, the one from outside as well, which a filter may bring nearer to 0.
     """
 
@@ -44,7 +44,7 @@ class ClosedState(ArbitraryState):
         self._published = published
 
     def slot(self, index: int) -> Number:
-        """What rules publish, or what comes from outside."""
+        """The number in a slot, of a message of rules or of one from outside."""
         is_new = index not in self._slots
         number = super().slot(index)
         used = self.machine.slots[index].input
@@ -56,7 +56,7 @@ class ClosedState(ArbitraryState):
     def _carried(
         self, index: int, channel: int, number: Number, fresh: z3.BoolRef
     ) -> Iterator[z3.BoolRef]:
-        """That a slot is that of the message that arrived last, which is one for all slots."""
+        """Claim that a slot is of the message that arrived last, which is one for all slots."""
         slot, carried = self.machine.slots[index], self._published[channel]
         message = z3.Int(f"channel{channel}.message")
         count = len(carried.messages)
@@ -74,14 +74,14 @@ class ClosedState(ArbitraryState):
         yield z3.Implies(message == count, z3.Or(above, below))
 
     def has_arrived(self, channel: int) -> z3.BoolRef:
-        """What rules publish has; what comes from outside, either, at all moments."""
+        """Messages of rules have it; those from outside, either, at all moments."""
         carried = self._published.get(channel)
         if carried is not None and not carried.is_open:
             return YES
         return super().has_arrived(channel)
 
     def age(self, channel: int) -> z3.ArithRef:
-        """What comes from outside does so often enough."""
+        """Messages from outside come often enough."""
         is_new = channel not in self._ages
         found = super().age(channel)
         if is_new and channel not in self._published:
@@ -90,8 +90,8 @@ class ClosedState(ArbitraryState):
         return found
 
     def at(self, moment: int, claim: z3.BoolRef) -> z3.BoolRef:
-        """That a claim holds in a state like this at one moment. What comes from outside is the
-        same at all moments; all else is of this one.
+        """Claim that a claim holds in a state like this at one moment. Messages from outside are
+        the same at all moments; all else is of this one.
         """
         term, shared = z3.And(*self.facts, claim), self._shared
         constants = {each.decl().name(): each for each in _constants(term)}

@@ -130,14 +130,14 @@ class Circle:
         return None
 
     def open(self) -> Finding:
-        """That it is undecided."""
+        """Claim that it is undecided."""
         return _open(self._machine, self._circle)
 
     # --- the proof ---------------------------------------------------------------------------
 
     def is_impossible(self) -> bool:
-        """Whether it is proved that, whatever the same messages from outside are, not each of the
-        rules can become active and be cleared.
+        """Tell whether a proof says that not each of the rules can become active and be cleared,
+        whatever the same messages from outside are.
         """
         self._part.check_time()
         claims = []
@@ -204,7 +204,7 @@ class Circle:
         return z3.And(found)
 
     def _brings(self, before: Leg, leg: Leg, message: Publication) -> z3.BoolRef:
-        """That a leg brings a message of a rule, and what the leg before brought otherwise."""
+        """Claim that a leg brings a message of a rule, and else the messages of the leg before."""
         machine = self._machine
         values = values_of(machine, message.task, message.channel)
         found = []
@@ -229,7 +229,7 @@ class Circle:
 
 
 def _is_each_alone(course: Course, order: Sequence[int]) -> z3.BoolRef:
-    """Whether at the end of each leg no rule is active but the one whose turn it is."""
+    """Tell whether at the end of each leg no rule is active but the one whose turn it is."""
     ends = range(1, len(course.moments), 2)
     turns = [order[number % len(order)] for number in range(len(course.legs))]
     return z3.And(
@@ -266,7 +266,7 @@ class _Beginning(enum.Enum):
 
 
 class _Played(Replays):
-    """Whether the rules alternate after the messages of a draft, tried out in a closed loop."""
+    """Tries out in a closed loop whether the rules alternate after the messages of a draft."""
 
     def __init__(
         self, machine: Machine, part: Machine, rules: Sequence[int], world: _World

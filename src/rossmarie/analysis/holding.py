@@ -121,7 +121,7 @@ def _published(machine: Machine, task: int, effect: Publish) -> Iterator[Kept]:
 
 
 def _is_read(inquiry: Inquiry, rule: int, kept: Kept) -> bool:
-    """Whether what clears a rule rests on a field."""
+    """Tell whether what clears a rule rests on a field."""
     machine = inquiry.machine
     declared = machine.rules[rule]
     roots = [declared.condition] + ([] if declared.release is None else [declared.release])
@@ -157,18 +157,18 @@ def _is_on(machine: Machine, source: Slot | Array, kept: Kept) -> bool:
 
 
 def is_ended(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Whether an active rule is cleared by the evaluation, or by a reset right after it."""
+    """Tell whether an active rule is cleared by the evaluation, or by a reset right after it."""
     return z3.And(state.truth(state.machine.rules[rule].condition).false, _is_free(state, rule))
 
 
 def _is_free(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Whether nothing but its condition keeps a rule active."""
+    """Tell whether nothing but its condition keeps a rule active."""
     release = state.machine.rules[rule].release
     return YES if release is None else state.truth(release).true
 
 
 def is_within(state: ArbitraryState, kept: Sequence[Kept]) -> z3.BoolRef:
-    """Whether all that is read of some fields lies between their ends."""
+    """Tell whether all that is read of some fields lies between their ends."""
     machine = state.machine
     slots = [
         _lies(machine.slots[slot], state.slot(slot).value, each)

@@ -60,8 +60,8 @@ def _judged(inquiry: Inquiry, rule: int, latched: int, resets: Sequence[int]) ->
 
 
 def _is_at_once(machine: Machine, rule: int, task: int) -> bool:
-    """Whether a task starts at the instant at which its rule is engaged: it is no escalation, and
-    nothing before it is awaited (R4, R5).
+    """Tell whether a task starts at the instant at which its rule is engaged: it is no escalation,
+    and nothing before it is awaited (R4, R5).
     """
     tasks = machine.reactions.tasks
     for stage in machine.reactions.plans[rule].stages:
@@ -77,7 +77,7 @@ def _is_at_once(machine: Machine, rule: int, task: int) -> bool:
 
 @dataclass(frozen=True)
 class Release:
-    """That a reset comes while the latched rule is active and its condition false (S38).
+    """Claim that a reset comes while the latched rule is active and its condition false (S38).
     `is_at_once` says whether it comes at the instant at which its rule is engaged, or at any later
     one.
     """
@@ -100,7 +100,7 @@ class Release:
         return range(LATCHED + 1, len(self.part.rules))
 
     def in_state(self, state: ArbitraryState) -> z3.BoolRef:
-        """Whether any state is so; before it the latched rule may have been active."""
+        """Tell whether any state is so; before it the latched rule may have been active."""
         is_start = self.is_at_once and not self._unless
         engaged = (becomes_active if is_start else may_be_active)(state, RESETTING)
         in_the_way = [becomes_active(state, other) for other in self._unless]
@@ -116,7 +116,7 @@ class Release:
         return z3.And(engaged(moment), z3.Not(before), course.is_active(LATCHED, moment), is_over)
 
     def in_view(self, seen: Sequence[View]) -> bool:
-        """Whether the last of some evaluations is so."""
+        """Tell whether the last of some evaluations is so."""
         now = seen[-1]
         is_over = now.active[LATCHED] and now.truths[self._condition] is TruthValue.FALSE
         if not is_over or not self._is_seen_engaged(now):

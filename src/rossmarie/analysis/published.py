@@ -1,4 +1,4 @@
-"""What rules publish on topics that rules read, as it arrives at the inputs."""
+"""Messages that rules publish on topics that rules read, as they arrive at the inputs."""
 
 from __future__ import annotations
 
