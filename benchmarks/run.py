@@ -17,7 +17,7 @@ from pathlib import Path
 import compiler_speed
 import numpy as np
 import peers_run
-import ros1_node
+import ros_nodes
 from generated import (
     from_python_columns,
     from_python_steps,
@@ -238,7 +238,7 @@ def main() -> None:
         *scaling(columns),
         *compiler_speed.lines(BENCH / "generated"),
         "",
-        *ros1_node.lines(BENCH / "ros1"),
+        *ros_nodes.lines(BENCH / "ros"),
     ]
     text = "\n".join(lines) + "\n"
     out.write_text(text, encoding="utf-8")

@@ -47,6 +47,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         metavar="SECONDS",
         help="for how long a node runs in the test of endurance; 600 before a release",
     )
+    parser.addoption(
+        "--sanitize",
+        action="store_true",
+        help="build the nodes of live tests with AddressSanitizer and UndefinedBehaviorSanitizer",
+    )
 
 
 def pytest_configure(config: pytest.Config) -> None:

@@ -59,6 +59,11 @@ def parts(soak: int, fuzz: int) -> tuple[Part, ...]:
             ("make", "test", f"OPTIONS={options}"),
             60,
         ),
+        Part(
+            "Live tests, with nodes built by AddressSanitizer and UndefinedBehaviorSanitizer",
+            ("make", "test", "OPTIONS=--sanitize tests/live"),
+            1,
+        ),
         Part("[Proofs of all examples](performance-proofs.md)", (sys.executable, *proofs), 0),
         Part(f"Damaged rules files for {fuzz} s", ("make", "fuzz", f"SECONDS={fuzz}"), 1),
     )

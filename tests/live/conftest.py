@@ -10,11 +10,10 @@ from typing import TypeAlias, cast
 
 import pytest
 
-from support import ros1_build, ros1_live, ros2_build, ros2_live
+from support import ros1_build, ros1_live, ros2_build, ros2_live, workspace
 from support.live import LIMIT, Process, Robot, Ros, Wanted
 from support.live_cases import vehicle as machine_of_vehicle
 from support.parts import ROS1, ROS2, require
-from support.ros1_build import QUICK
 
 Needs: TypeAlias = Callable[[str], Sequence[Wanted]]
 """What is to be built for a test, in a generation of ROS."""
@@ -29,11 +28,20 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 @pytest.fixture(scope="session")
-def ros1(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros1_live.Ros1]:
+def sanitizing(pytestconfig: pytest.Config) -> Sequence[str]:
+    """Arguments of cmake that build nodes with sanitizers, if this run wants that."""
+    return workspace.SANITIZED if pytestconfig.getoption("--sanitize") else ()
+
+
+@pytest.fixture(scope="session")
+def ros1(
+    tmp_path_factory: pytest.TempPathFactory, sanitizing: Sequence[str]
+) -> Iterator[ros1_live.Ros1]:
     """ROS 1, with a running master. All workers of a run have one workspace."""
     require(ROS1)
-    workspace = ros1_build.Workspace(of_all_workers(tmp_path_factory) / "ros1_workspace", QUICK)
-    found = ros1_live.Ros1(tmp_path_factory.mktemp("ros1"), workspace)
+    folder = of_all_workers(tmp_path_factory) / "ros1_workspace"
+    built = ros1_build.Workspace(folder, (*ros1_build.QUICK, *sanitizing))
+    found = ros1_live.Ros1(tmp_path_factory.mktemp("ros1"), built)
     try:
         yield found
     finally:
@@ -41,11 +49,14 @@ def ros1(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros1_live.Ros1]:
 
 
 @pytest.fixture(scope="session")
-def ros2(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ros2_live.Ros2]:
+def ros2(
+    tmp_path_factory: pytest.TempPathFactory, sanitizing: Sequence[str]
+) -> Iterator[ros2_live.Ros2]:
     """ROS 2. All workers of a run have one workspace."""
     require(ROS2)
-    workspace = ros2_build.Workspace(of_all_workers(tmp_path_factory) / "ros2_workspace")
-    found = ros2_live.Ros2(tmp_path_factory.mktemp("ros2"), workspace)
+    folder = of_all_workers(tmp_path_factory) / "ros2_workspace"
+    built = ros2_build.Workspace(folder, (*ros2_build.QUICK, *sanitizing))
+    found = ros2_live.Ros2(tmp_path_factory.mktemp("ros2"), built)
     try:
         yield found
     finally:
@@ -122,12 +133,13 @@ def vehicle(built: Built) -> Path:
 
 @pytest.fixture(autouse=True)
 def forgotten(request: pytest.FixtureRequest) -> Iterator[None]:
-    """After a test, who was killed in it is forgotten."""
+    """After a test, who was killed in it is forgotten; no node of it had undefined behavior."""
     yield
     used = {id(each): each for each in request.node.funcargs.values()}
     for each in used.values():
         if isinstance(each, (ros1_live.Ros1, ros2_live.Ros2)):
             each.forget_all()
+            assert not each.faults.new()
 
 
 @pytest.fixture

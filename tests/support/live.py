@@ -99,6 +99,28 @@ class Process:
             self.end()
 
 
+class Faults:
+    """What sanitizers wrote into the logs of a folder."""
+
+    _MARKS = ("ERROR: AddressSanitizer", "ERROR: LeakSanitizer", "runtime error: ")
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._known: set[tuple[Path, int]] = set()
+
+    def new(self) -> list[str]:
+        """The lines that were not there the last time."""
+        found = {
+            (log, number): line
+            for log in self._folder.rglob("*.log")
+            for number, line in enumerate(log.read_text("utf-8", "replace").splitlines())
+            if any(mark in line for mark in self._MARKS)
+        }
+        lines = [line for place, line in found.items() if place not in self._known]
+        self._known.update(found)
+        return lines
+
+
 class Ears(Process):
     """A node that remembers what it hears, and questions to it."""
 
@@ -202,6 +224,7 @@ class Ros(Protocol):
     """A generation of ROS with the node of the vehicle, built."""
 
     name: str
+    faults: Faults
 
     @property
     def variables(self) -> dict[str, str]:

@@ -119,6 +119,14 @@ def _ament_lint() -> str | None:
     return _program(*(f"ament_{linter}" for linter in linters))
 
 
+def _nav2() -> str | None:
+    from support.ros2_build import is_installed
+    from support.ros2_live import missing
+
+    lacking = "not installed: nav2_lifecycle_manager"
+    return missing() or (None if is_installed("nav2_lifecycle_manager") else lacking)
+
+
 def _behavior_tree_cpp() -> str | None:
     from support.btcpp import missing
 
@@ -174,6 +182,11 @@ ROS2 = Part("ROS 2", _ros2, "source /opt/ros/DISTRO/setup.bash")
 AMENT_LINT = Part(
     "the linters of ROS 2", _ament_lint, "apt-get install ros-$ROS_DISTRO-ament-lint-common"
 )
+NAV2 = Part(
+    "the lifecycle manager of Nav2",
+    _nav2,
+    "apt-get install ros-$ROS_DISTRO-nav2-lifecycle-manager",
+)
 CHROMIUM = Part("Chromium", _browser, "make browser")
 DISPLAY = Part("a display", partial(_program, "Xvfb"), "make display")
 EGL = Part("EGL", _egl, "make drawing")
@@ -198,7 +211,8 @@ PROC = Part("/proc", partial(_file, Path("/proc/self/task")), "run the tests on 
 FULL_DEVICE = Part("/dev/full", partial(_file, Path("/dev/full")), "run the tests on Linux")
 
 PARTS = (
-    *(C_COMPILER, GCC, GXX, CLANG, NM, PROVER, ROS1, ROS2, AMENT_LINT, CHROMIUM, DISPLAY, EGL),
+    *(C_COMPILER, GCC, GXX, CLANG, NM, PROVER, ROS1, ROS2, AMENT_LINT, NAV2),
+    *(CHROMIUM, DISPLAY, EGL),
     *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP, PEERS),
     *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, PROC, FULL_DEVICE),
 )

@@ -13,9 +13,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, cast
 
-from rossmarie import ir
 from rossmarie.driver.build import generate
-from support.live import Ears, Process, Robot, Start, Wanted, until
+from support.live import Ears, Faults, Process, Robot, Start, Wanted, until
 from support.live_cases import PACKAGES, vehicle
 from support.ros1_build import VARIABLES, Workspace
 from support.ros1_python import PYTHON, Python
@@ -108,6 +107,7 @@ class Ros1:
     def __init__(self, folder: Path, workspace: Workspace | None = None) -> None:
         """The workspace may be one that others share."""
         self._folder = folder
+        self.faults = Faults(folder)
         self._workspace = workspace or Workspace(folder / "workspace")
         self._python = Python(environment(folder, 0, self._workspace))
         self._master, self._next_master = self._new_master(), self._new_master()
@@ -121,7 +121,7 @@ class Ros1:
     @cached_property
     def vehicle(self) -> Path:
         """The program of the node of the vehicle."""
-        return self.build(vehicle())
+        return self.prepare([vehicle()])[0]
 
     @contextmanager
     def without_master(self) -> Iterator[None]:
@@ -225,14 +225,6 @@ class Ros1:
         self._master.end()
         self._next_master.end()
         self._python.end()
-
-    def build(self, machine: ir.Machine) -> Path:
-        """Build the node of a machine; its program."""
-        return self.prepare([machine])[0]
-
-    def build_package(self, source: Path) -> Path:
-        """Build a package of this repository, called like its folder; where its programs are."""
-        return self.prepare([source])[0]
 
     def prepare(self, wanted: Sequence[Wanted]) -> list[Path]:
         """Build all of these at once: the programs of nodes, and where those of packages are."""

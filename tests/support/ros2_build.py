@@ -5,11 +5,12 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
 from support import workspace
 
-_QUICK = (
+QUICK = (
     "-DBUILD_TESTING=OFF",
     "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG -pipe",
     "-DCMAKE_C_FLAGS_RELEASE=-O1 -DNDEBUG -pipe",
@@ -19,12 +20,29 @@ _QUICK = (
 
 def is_installed(package: str) -> bool:
     """Whether ROS, as it is sourced, has a package."""
-    prefixes = os.environ["AMENT_PREFIX_PATH"].split(":")
-    return any((Path(prefix) / "share" / package).is_dir() for prefix in prefixes)
+    return _prefix(package) is not None
+
+
+def folder_of(package: str) -> Path:
+    """The folder of the programs of a package that is installed."""
+    prefix = _prefix(package)
+    assert prefix is not None, package
+    return prefix / "lib" / package
+
+
+def _prefix(package: str) -> Path | None:
+    """Where a package is installed."""
+    prefixes = map(Path, os.environ["AMENT_PREFIX_PATH"].split(":"))
+    return next((each for each in prefixes if (each / "share" / package).is_dir()), None)
 
 
 class Workspace(workspace.Workspace):
     """A workspace of colcon."""
+
+    def __init__(self, folder: Path, arguments: Sequence[str] = ()) -> None:
+        """The arguments are those of cmake."""
+        super().__init__(folder)
+        self._arguments = arguments
 
     def programs(self, package: str) -> Path:
         """The folder of the programs of a package."""
@@ -40,7 +58,7 @@ class Workspace(workspace.Workspace):
         command = ["colcon", "build", "--merge-install", "--executor", "sequential"]
         python = f"-DPython3_EXECUTABLE={shutil.which('python3')}"
         done = subprocess.run(
-            [*command, "--cmake-args", python, *_QUICK],
+            [*command, "--cmake-args", python, *self._arguments],
             cwd=self._folder,
             capture_output=True,
             text=True,

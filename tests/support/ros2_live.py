@@ -17,7 +17,7 @@ from pathlib import Path
 from rosbags.highlevel import AnyReader
 
 from rossmarie.driver.build import generate
-from support.live import LIMIT, Ears, Process, Robot, Wanted
+from support.live import LIMIT, Ears, Faults, Process, Robot, Wanted
 from support.live_cases import PACKAGES, vehicle
 from support.ros2_build import Workspace, is_installed
 from support.workspace import files_of
@@ -64,6 +64,7 @@ class Ros2:
     def __init__(self, folder: Path, workspace: Workspace) -> None:
         """The workspace may be one that others share."""
         self._folder = folder
+        self.faults = Faults(folder)
         self._workspace = workspace
         self.prepare([])
         self.variables = self._sourced()

@@ -13,6 +13,9 @@ from pathlib import Path
 
 from support.c_compiler import write
 
+SANITIZED = (f"-DCMAKE_PROJECT_INCLUDE_BEFORE={Path(__file__).with_name('sanitized.cmake')}",)
+"""Arguments of cmake with which nodes end at undefined behavior, and say where it is."""
+
 
 class Workspace(ABC):
     """A workspace in a folder, which several processes may share."""

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
-from support.live import LIMIT, Process, Robot, until
+import pytest
+
+from support.live import LIMIT, Process, Robot, Wanted, until
 from support.ros2_live import Ros2
 
 PROCESS = """\
@@ -17,6 +20,22 @@ PUBLISH = ["ros2", "topic", "pub", "--rate", "20", "/cmd_vel", "geometry_msgs/ms
 def generate_launch_description():
     return LaunchDescription([ExecuteProcess(cmd=[*PUBLISH, "{linear: {x: 0.9}}"])])
 """
+COMPONENTS = """\
+from launch import LaunchDescription
+from launch_ros.actions import ComposableNodeContainer, LoadComposableNodes
+from launch_ros.descriptions import ComposableNode
+
+PLANNER = ComposableNode(package="ros2_planner", plugin="ros2_planner::Planner")
+
+
+def generate_launch_description():
+    if not LOADED:
+        return LaunchDescription([ComposableNodeContainer(
+            name="planning", namespace="", package="rclcpp_components",
+            executable="component_container", composable_node_descriptions=[PLANNER])])
+    return LaunchDescription([LoadComposableNodes(
+        target_container="/ComponentManager", composable_node_descriptions=[PLANNER])])
+"""
 NOTHING = """\
 from launch import LaunchDescription
 
@@ -25,6 +44,11 @@ def generate_launch_description():
     return LaunchDescription([])
 """
 NODE = "/vehicle_safety"
+
+
+def needs(generation: str) -> Sequence[Wanted]:
+    """A planner that is a component."""
+    return [Path(__file__).parents[2] / "support" / f"{generation}_planner"]
 
 
 def settings(folder: Path) -> dict[str, object]:
@@ -62,17 +86,37 @@ def test_arguments_reach_the_node(
 
 
 def test_the_node_is_loaded_into_a_container(
-    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
+    ros2: Ros2, robot: Robot, started: list[Process], container: str, tmp_path: Path
 ) -> None:
-    log = Path(ros2.variables["ROS_LOG_DIR"]) / "container.log"
-    container = ["ros2", "run", "rclcpp_components", "component_container"]
-    started.append(Process(container, ros2.variables, log))
-    arguments = {"container": "/ComponentManager"}
-    launch = ros2.launch_behind(NOTHING, tmp_path, settings(tmp_path), **arguments)
+    launch = ros2.launch_behind(NOTHING, tmp_path, settings(tmp_path), container=container)
     started.append(launch)
     robot.passes(1.0)
     robot.set(pitch=15.0)
     robot.passes(0.2)
+    launch.end_gently()
+
+
+@pytest.mark.builds(by=needs)
+@pytest.mark.parametrize("is_running", [False, True])
+def test_a_planner_in_a_container_is_behind_the_filter(
+    ros2: Ros2,
+    robot: Robot,
+    started: list[Process],
+    container: str,
+    programs: Sequence[Path],
+    tmp_path: Path,
+    is_running: bool,
+) -> None:
+    """Whether the launch file starts the container or loads the planner into one that runs."""
+    assert programs
+    robot.set(speed=None)
+    planner = COMPONENTS.replace("LOADED", repr(is_running)).replace("/ComponentManager", container)
+    launch = ros2.launch_behind(planner, tmp_path, settings(tmp_path))
+    started.append(launch)
+    robot.passes(0.7)
+    robot.set(pitch=15.0)
+    robot.passes(0.2)
+    robot.stays_at(0.2)
     launch.end_gently()
 
 

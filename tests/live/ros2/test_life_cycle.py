@@ -129,19 +129,8 @@ def test_a_node_whose_activation_fails_takes_no_messages(
     robot.passes(1.0)
 
 
-def test_the_node_is_a_component(
-    ros2: Ros2, robot: Robot, started: list[Process], tmp_path: Path
-) -> None:
-    log = Path(ros2.variables["ROS_LOG_DIR"]) / "container.log"
-    container = ["ros2", "run", "rclcpp_components", "component_container_mt"]
-    started.append(Process(container, ros2.variables, log))
-    load = [
-        "component",
-        "load",
-        "/ComponentManager",
-        "vehicle_safety",
-        "vehicle_safety::SafetyNode",
-    ]
+def test_the_node_is_a_component(ros2: Ros2, robot: Robot, container: str, tmp_path: Path) -> None:
+    load = ["component", "load", container, "vehicle_safety", "vehicle_safety::SafetyNode"]
     settings = ["-p", f"state_file:={tmp_path / 'latched'}"]
     until(lambda: "Loaded component" in ros2.command(*load, *settings), "it is loaded")
     robot.passes(1.0)

@@ -1,4 +1,4 @@
-"""The generated ROS 1 node: how late commands and actions come out of it, and what it costs."""
+"""The generated nodes: how late commands and actions come out of them, and what they cost."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ import signal
 import statistics
 import subprocess
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from rossmarie.ir import Machine
+from support import ros1_build, ros1_live, ros2_build, ros2_live
 from support.compiled import machine_of
-from support.live import Process
+from support.live import Process, Ros
 from support.live_cases import sensors
-from support.ros1_live import Ros1, missing
 
 HERE = Path(__file__).parent
-TALKER = HERE.parent / "tests" / "support" / "ros1_talker"
+SUPPORT = HERE.parent / "tests" / "support"
 RELAY = Path("/usr/lib/topic_tools/relay")
 ROUNDS = 6
 VIOLATIONS = 1000  # a round
@@ -42,21 +42,42 @@ rule overload: if load > 1 then { slow; };
 RELAYED = ("/relay_in", "/relay_out")
 PLAIN = ("/plain_in", "/plain_out")
 FILTERED = ("/unfil_cmd_vel", "/cmd_vel")
-PATHS: Mapping[str, tuple[str, str]] = {
-    "relay of topic_tools": RELAYED,
-    "hand-written relay": PLAIN,
-    "**generated node**": FILTERED,
-}
-"""What is measured, and the topics on which a command enters and leaves it."""
-
+TOPIC_TOOLS = "relay of topic_tools"
+HAND_WRITTEN = "hand-written relay"
+NODE = "**generated node**"
 
 PREFACE = """\
-Command in to command out, over the loopback. Commands go along the three paths in turn, from one
-process; medians of {rounds} rounds, the maximum and the loss of all. The hand-written relay knows
-the type and asks for TCP_NODELAY, as the node does. A command is lost when a process was not
-scheduled for so long that a queue was full.
+Command in to command out, over the loopback. Commands go along the paths in turn, from one process;
+medians of {rounds} rounds, the maximum and the loss of all. A command is lost when a process was
+not scheduled for so long that a queue was full. {about}
 All processes have {priority}.
 """
+
+
+@dataclass(frozen=True)
+class Generation:
+    """What is measured in a generation of ROS, and beside which path."""
+
+    title: str
+    name: str
+    about: str
+    paths: Mapping[str, tuple[str, str]]
+    """The topics on which a command enters a path and leaves it; the first is the yardstick."""
+
+
+ROS1 = Generation(
+    "ROS 1",
+    "ros1",
+    "The hand-written relay\nknows the type and asks for TCP_NODELAY, as the node does.",
+    {TOPIC_TOOLS: RELAYED, HAND_WRITTEN: PLAIN, NODE: FILTERED},
+)
+ROS2 = Generation(
+    "ROS 2",
+    "ros2",
+    f"The middleware is {os.environ.get('RMW_IMPLEMENTATION', 'the default')}. The hand-written\n"
+    "relay has the quality of service of the node.",
+    {HAND_WRITTEN: PLAIN, NODE: FILTERED},
+)
 
 
 @dataclass(frozen=True)
@@ -71,48 +92,69 @@ class Lateness:
 
 
 def lines(folder: Path) -> Iterator[str]:
-    """The section on the node; one sentence where ROS 1 is not installed."""
-    lacking = missing() or (None if RELAY.exists() else f"there is no {RELAY}")
-    yield "## The ROS 1 node"
+    """The sections on the nodes; one sentence for a generation that is not installed."""
+    shutil.rmtree(folder, ignore_errors=True)
+    lacking = ros1_live.missing() or (None if RELAY.exists() else f"there is no {RELAY}")
+    yield from _section(ROS1, lacking, lambda: _ros1(folder.resolve() / "ros1"))
+    yield ""
+    yield from _section(ROS2, ros2_live.missing(), lambda: _ros2(folder.resolve() / "ros2"))
+
+
+def _section(
+    generation: Generation, lacking: str | None, begin: Callable[[], Ros]
+) -> Iterator[str]:
+    yield f"## The {generation.title} node"
     yield ""
     if lacking:
-        yield f"Not measured: {lacking}."
+        yield f"Not measured: {generation.title} is {lacking}."
         return
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    ros1 = Ros1(folder.resolve())
+    ros = begin()
     try:
-        measured = _Node(ros1)
+        measured = _Node(generation, ros)
         yield from measured.commands()
         yield from measured.figures()
     finally:
-        ros1.end()
+        ros.end()
+
+
+def _ros1(folder: Path) -> ros1_live.Ros1:
+    folder.mkdir(parents=True)
+    return ros1_live.Ros1(folder, ros1_build.Workspace(folder / "workspace"))
+
+
+def _ros2(folder: Path) -> ros2_live.Ros2:
+    folder.mkdir(parents=True)
+    return ros2_live.Ros2(folder, ros2_build.Workspace(folder / "workspace"))
 
 
 class _Node:
     """Generated nodes with their programs beside them, built."""
 
-    def __init__(self, ros1: Ros1) -> None:
-        self._ros1 = ros1
-        self._probe = ros1.build_package(HERE / "ros1_probe")
-        self._talker = ros1.build_package(TALKER) / "talker"
-        self._node = ros1.build(_machine("latency", RULES))
-        self._watching = ros1.build(_machine("sensors", sensors(TOPICS)))
+    def __init__(self, generation: Generation, ros: Ros) -> None:
+        self._generation = generation
+        self._ros = ros
+        probe, talker = HERE / f"{generation.name}_probe", SUPPORT / f"{generation.name}_talker"
+        machines = (_machine("latency", RULES), _machine("sensors", sensors(TOPICS)))
+        self._node, self._watching, self._probe, talkers = ros.prepare([*machines, probe, talker])
+        self._talker = talkers / "talker"
 
     def commands(self) -> Iterator[str]:
         """The table of commands: all paths are measured in turn, command by command."""
-        yield PREFACE.format(rounds=ROUNDS, priority=_priority())
-        yield "| | Hz | p50, us | p99, us | max, us | lost | p99 against topic_tools | to reach |"
+        paths = self._generation.paths
+        base = next(iter(paths))
+        about = self._generation.about
+        yield PREFACE.format(rounds=ROUNDS, about=about, priority=_priority())
+        yield f"| | Hz | p50, us | p99, us | max, us | lost | p99 against {base} | to reach |"
         yield "|---|---|---|---|---|---|---|---|"
         for rate, count in ((100, 1000), (1000, 5000)):
             rounds = [self._command_round(rate, count) for _ in range(ROUNDS)]
-            found = {name: _median([each[name] for each in rounds]) for name in PATHS}
-            base = found["relay of topic_tools"].p99
+            found = {name: _median([each[name] for each in rounds]) for name in paths}
             for name, late in found.items():
                 lost = _lost(late, ROUNDS * count)
                 figures = f"{late.p50:.0f} | {late.p99:.0f} | {late.most:.0f} | {lost}"
-                wanted = "at most 1.2" if PATHS[name] == FILTERED else ""
-                yield f"| {name} | {rate} | {figures} | {late.p99 / base:.2f} | {wanted} |"
+                ratio = f"{late.p99 / found[base].p99:.2f}"
+                wanted = "at most 1.2" if name == NODE else ""
+                yield f"| {name} | {rate} | {figures} | {ratio} | {wanted} |"
         yield ""
 
     def figures(self) -> Iterator[str]:
@@ -129,13 +171,18 @@ class _Node:
         yield f"| program of that node, stripped | {_stripped_kib(self._watching):.0f} KiB |"
 
     def _command_round(self, rate: int, count: int) -> dict[str, Lateness]:
+        paths = self._generation.paths
+        programs = {
+            RELAYED: (RELAY, *RELAYED),
+            PLAIN: (self._probe / "plain_relay", *PLAIN),
+            FILTERED: (self._node,),
+        }
         with ExitStack() as stack:
-            stack.enter_context(self._running(RELAY, *RELAYED))
-            stack.enter_context(self._running(self._probe / "plain_relay", *PLAIN))
-            stack.enter_context(self._running(self._node))
-            ends = [topic for path in PATHS.values() for topic in path]
+            for path in paths.values():
+                stack.enter_context(self._running(*programs[path]))
+            ends = [topic for path in paths.values() for topic in path]
             found = self._measured("commands", rate, count, *ends)
-        return dict(zip(PATHS, found, strict=True))
+        return dict(zip(paths, found, strict=True))
 
     def _violation_round(self) -> Lateness:
         with self._running(self._node):
@@ -147,12 +194,13 @@ class _Node:
         command = [str(self._probe / "commands"), "100", "400", *FILTERED]
         with self._running(self._node) as node:
             probe = subprocess.Popen(
-                command, env=self._ros1.variables, stdout=subprocess.PIPE, text=True
+                command, env=self._ros.variables, stdout=subprocess.PIPE, text=True
             )
             time.sleep(4.0)
             killed_s = time.monotonic()  # the clock of the probe, too
             os.kill(node.running.pid, signal.SIGKILL)
             output, _ = probe.communicate(timeout=60)
+        self._ros.forget_all()
         late = _lateness(output)
         assert 0 < late.count < 400, "the node was killed on the way"
         return max(0.0, 1e3 * (late.last_s - killed_s))
@@ -170,8 +218,8 @@ class _Node:
 
     @contextmanager
     def _running(self, program: Path, *arguments: str) -> Iterator[Process]:
-        log = Path(self._ros1.variables["HOME"]) / f"{program.name}.log"
-        process = Process([str(program), *arguments], self._ros1.variables, log)
+        log = Path(self._ros.variables["HOME"]) / f"{program.name}.log"
+        process = Process([str(program), *arguments], self._ros.variables, log)
         try:
             yield process
         finally:
@@ -181,7 +229,7 @@ class _Node:
         """What a program of the probe says, a line for each path."""
         command = [str(self._probe / program), *map(str, arguments)]
         done = subprocess.run(
-            command, env=self._ros1.variables, capture_output=True, text=True, timeout=300
+            command, env=self._ros.variables, capture_output=True, text=True, timeout=300
         )
         assert done.returncode == 0, done.stderr
         return list(map(_lateness, done.stdout.splitlines()))

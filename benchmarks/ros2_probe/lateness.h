@@ -1,0 +1,1 @@
+../ros1_probe/lateness.h
