@@ -33,13 +33,15 @@ void activity(size_t, int64_t *, double *, double *, double *, double *, uint8_t
 # into it. `steps` is timed: with three rules their activity is written and counted, as the
 # hand-written loop does. `activity` counts that of any number of rules, and is not timed.
 HARNESS = """
+#include <stdlib.h>
 #include <string.h>
 #include "{name}_monitor.h"
 
 static {name}_monitor m;
 
 #define RUN(RECORD) \\
-    {name}_init(&m, NULL, NULL); \\
+    if ({name}_init(&m, NULL, NULL)) \\
+        abort(); \\
     memset(counts, 0, 3 * sizeof *counts); \\
     for (size_t i = 0; i < n; i++) {{ \\
         {name}_update_reading(&m, t[i], {arguments}); \\

@@ -68,7 +68,8 @@ int main(void)
 {
     NAME_reactor *r = (NAME_reactor *)malloc(sizeof *r);
     NAME_monitor *m = NULL;
-    NAME_reactor_init(r, print_order, NULL);
+    if (NAME_reactor_init(r, print_order, NULL))
+        return EXIT_FAILURE;
     for (int64_t left = read_integer(); left > 0; left--) {
         const int64_t opens = read_integer(), t_ns = read_integer(), task = read_integer();
         const bool success = read_integer() != 0;

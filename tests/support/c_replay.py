@@ -133,7 +133,8 @@ static void run_trace(void)
 {
     NAME_monitor *m = (NAME_monitor *)malloc(sizeof *m);
     (void)read_array; /* not every machine has arrays */
-    NAME_init(m, print, NULL);
+    if (NAME_init(m, print, NULL))
+        abort();
     for (int64_t left = read_integer(); left > 0; left--)
         NAME_latch(m, (int)read_integer());
     print_state(m);

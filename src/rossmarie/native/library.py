@@ -51,6 +51,10 @@ class Library:
         """Whether a pointer leads nowhere."""
         return bool(pointer == self._ffi.NULL)
 
+    def text_at(self, pointer: Pointer) -> str | None:
+        """A copy of a string; None for a pointer that leads nowhere."""
+        return None if self.is_null(pointer) else bytes(self._ffi.string(pointer)).decode()
+
     def bytes_at(self, pointer: Pointer, size: int) -> bytes:
         """A copy of some memory."""
         return bytes(self._ffi.buffer(pointer, size)) if size else b""

@@ -78,6 +78,7 @@ class NativeMonitor:
     """
 
     def __init__(self, machine: ir.Machine, library: Library, reader: EventReader) -> None:
+        """Raises `OSError` if the arithmetic of the library is not that of IEEE 754."""
         self._machine = machine
         self.library = library
         self._reader = reader
@@ -86,6 +87,8 @@ class NativeMonitor:
         if library.is_null(made):
             raise MemoryError
         self.host = library.owned(made, library.function("host_free"))
+        if fault := library.text_at(library.function("host_fault")(self.host)):
+            raise OSError(f"the compiled monitor computes wrongly: {fault}")
         self._run = library.function("host_run")
         self._event_count = library.function("host_event_count")
         self._failed = library.function("host_failed")

@@ -20,6 +20,7 @@ typedef struct host_table {
 } host_table;
 host *host_new(void);
 void host_free(host *);
+char *host_fault(host *);
 size_t host_event_size(void);
 size_t host_event_count(host *);
 void *host_events(host *);

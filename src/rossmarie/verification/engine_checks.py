@@ -157,7 +157,8 @@ class EngineChecks:
         return f"""\
 {ANY}
     (void)t_ns;
-    {name}_init(m, base.on_event, base.user);
+    const char *const fault = {name}_init(m, base.on_event, base.user);
+    __CPROVER_assert(!fault, "its arithmetic is that of IEEE 754");
     __CPROVER_assert(m->on_event == base.on_event && m->user == base.user, "it has its listener");
     __CPROVER_assert(!m->started && {name}_next_wake(m) == NEVER, "it waits for nothing");
     for (int rule = 0; rule != RULES; rule++)

@@ -240,7 +240,8 @@ _REACT = """\
 _INIT = """\
     reactor s = any();
     const reactor *const r = &s;
-    {name}_reactor_init(&s, perform, NULL);
+    const char *const fault = {name}_reactor_init(&s, perform, NULL);
+    __CPROVER_assert(!fault, "its arithmetic is that of IEEE 754");
     __CPROVER_assert(!r->opened, "it is not open (R12)");
     must_fit(r);"""
 

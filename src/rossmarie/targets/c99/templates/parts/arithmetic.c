@@ -1,0 +1,29 @@
+/* Volatile, so that no compiler knows these numbers. */
+static volatile const double given[] = {
+    NAN, INFINITY, 1.0, 3.0, -0.0, 1.0 + 0x1p-27, 1.0 + 0x1p-26, DBL_EPSILON / 4.0, DBL_MIN,
+};
+
+/* Why numbers are not those of IEEE 754 here, NULL if they are. Flags of compilers that no macro tells
+ * show in results, as do the modes of the processor in this thread.
+ */
+static const char *arithmetic_fault(void)
+{
+    const double nan = given[0], infinite = given[1], one = given[2], three = given[3];
+    const double minus_zero = given[4], factor = given[5], square = given[6];
+    const double little = given[7], least = given[8];
+    return 0.1 == (double)0.1f ? "constants are float (-fsingle-precision-constant)"
+           : one + little != one || -one - little != -one || one - little / 2.0 != one
+               ? "results are not rounded to nearest"
+           : nan == nan || nan >= one || nan <= one || !isnan(nan)
+               ? "NaN counts as a number (-ffinite-math-only, -fno-honor-nans)"
+           : !(infinite > DBL_MAX) || !isinf(infinite)
+               ? "infinity counts as a number (-ffinite-math-only, -fno-honor-infinities)"
+           : (one + 0x1p53) - 0x1p53 != 0.0 ? "sums are regrouped (-fassociative-math)"
+           : three / 10.0 != 0.3            ? "divisions are multiplications (-freciprocal-math)"
+           : 1.0 / (minus_zero + 0.0) < 0.0 ? "zeros have no sign (-fno-signed-zeros)"
+           : factor * factor - square != 0.0
+               ? "products and sums are contracted: compile with -ffp-contract=off"
+           : least / 2.0 == 0.0 || least / 2.0 * 2.0 != least
+               ? "subnormal numbers count as 0 (-ffast-math of any library, -mdaz-ftz)"
+               : NULL;
+}
