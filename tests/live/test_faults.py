@@ -26,7 +26,8 @@ def test_a_publisher_is_killed(robot: Robot, start: Start, publish: Publish) -> 
     sensor.end(signal.SIGKILL)
     robot.passes(0.0)
     robot.stays_at(0.0)
-    assert "input orientation (/imu/data) is older than its timeout" in robot.call("why")["text"]
+    why = robot.call("why")["text"]
+    assert "it began with: input orientation (/imu/data) is older than its timeout" in why
 
 
 @pytest.mark.parametrize("topic", ["/imu/data", "imu/data"])

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import subprocess
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from support.live import Process, Robot, Ros, until
+from support.parts import GCC, X86, needs
 
 Start = Callable[..., Process]
+FLUSHING = """\
+#include <xmmintrin.h>
+__attribute__((constructor)) static void flush(void) { _mm_setcsr(_mm_getcsr() | 0x8040); }
+"""
+"""Libraries that gcc links with -ffast-math do so, whoever loads them."""
 SOON = 10.0
 """Seconds, of the node; it looks every two, and a busy machine lets it wait."""
 STATUS = {"ros1": "/status", "ros2": "/_action/status"}
@@ -89,3 +97,21 @@ def test_the_launch_file_puts_the_planner_behind_the_filter(robot: Robot) -> Non
     robot.set(pitch=15.0)
     robot.passes(0.2)
     robot.stays_at(0.2)
+
+
+@needs(GCC)
+@needs(X86)
+def test_a_node_that_computes_wrongly_does_not_begin(
+    ros: Ros, robot: Robot, start: Start, tmp_path: Path
+) -> None:
+    (tmp_path / "flushing.c").write_text(FLUSHING, encoding="utf-8")
+    library = tmp_path / "flushing.so"
+    command = ["gcc", "-shared", "-fPIC", "flushing.c", "-o", str(library)]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    ros.variables["LD_PRELOAD"] = str(library)
+    try:
+        node = start()
+    finally:
+        del ros.variables["LD_PRELOAD"]
+    until(lambda: "computes wrongly: subnormal numbers count as 0" in node.said(), "it says why")
+    assert robot.commands(1.0) == []

@@ -8,6 +8,7 @@ another way, so that `support/lacking.py` can tell what a machine lacks.
 from __future__ import annotations
 
 import os
+import platform
 import shutil
 import subprocess
 import sys
@@ -145,6 +146,11 @@ def _peers() -> str | None:
     return f"no {', '.join(lacking)} in build/bench" if lacking else None
 
 
+def _x86() -> str | None:
+    found = platform.machine()
+    return None if found in ("x86_64", "AMD64", "i686") else f"this is {found}"
+
+
 def _is_root() -> bool:
     return hasattr(os, "geteuid") and os.geteuid() == 0
 
@@ -207,6 +213,7 @@ ONTOLOGIES = Part("the ontologies of SkiROS2", partial(_file, SKIROS2_ONTOLOGIES
 ROOT = Part("root", _root, "run the tests as root")
 MOUNTS = Part("mounts", _mounts, "run the tests as root, in a container with --privileged")
 PERMISSIONS = Part("permissions that bind", _permissions, "apt-get install util-linux")
+X86 = Part("an x86 processor", _x86, "run the tests on one")
 PROC = Part("/proc", partial(_file, Path("/proc/self/task")), "run the tests on Linux")
 FULL_DEVICE = Part("/dev/full", partial(_file, Path("/dev/full")), "run the tests on Linux")
 
@@ -214,6 +221,6 @@ PARTS = (
     *(C_COMPILER, GCC, GXX, CLANG, NM, PROVER, ROS1, ROS2, AMENT_LINT, NAV2),
     *(CHROMIUM, DISPLAY, EGL),
     *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP, PEERS),
-    *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, PROC, FULL_DEVICE),
+    *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, X86, PROC, FULL_DEVICE),
 )
 """All of them, in the order in which they are told."""

@@ -53,7 +53,10 @@ class Library:
 
     def text_at(self, pointer: Pointer) -> str | None:
         """A copy of a string; None for a pointer that leads nowhere."""
-        return None if self.is_null(pointer) else bytes(self._ffi.string(pointer)).decode()
+        if self.is_null(pointer):
+            return None
+        text = self._ffi.string(pointer)
+        return text.decode("utf-8") if isinstance(text, bytes) else text
 
     def bytes_at(self, pointer: Pointer, size: int) -> bytes:
         """A copy of some memory."""

@@ -13,7 +13,7 @@ import pytest
 from rossmarie.driver.verifying import questions_of
 from rossmarie.verification.prover import Prover, _unwound
 from support.provers import real_prover
-from support.small_rules import BOUNDED, OVERRULED, TILTED
+from support.small_rules import BOUNDED, LATE, OVERRULED, TILTED
 
 pytestmark = pytest.mark.deep
 
@@ -98,7 +98,7 @@ def test_every_line_of_a_reactor_is_looked_at(prover: Prover, tmp_path: Path) ->
     """What one machine has no use for, another has."""
     found: set[Line] = set()
     reached: set[Line] = set()
-    for rules in (BOUNDED, SHARED, OVERRULED):
+    for rules in (BOUNDED, SHARED, OVERRULED, LATE):
         there, seen = looked_at(prover, tmp_path, rules, "reactor")
         found, reached = found | there, reached | seen
     assert len(reached) > 100

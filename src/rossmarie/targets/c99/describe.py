@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.layout import Layout
 
@@ -19,7 +20,7 @@ def rule_enumeration(layout: Layout) -> str:
     if not rules:
         return ""
     rows = [
-        f"    {layout.name}_{name} = {index}, /* {names.comment(_remark(layout, index))} */"
+        f"    {layout.name}_{name} = {index}, /* {comments.in_c(_remark(layout, index))} */"
         for index, name in enumerate(layout.rule_names)
     ]
     body = "\n".join(rows)

@@ -7,11 +7,10 @@ as the interpreter does, bit for bit; `docs/decisions/0004-c99-target.md` says h
 
 from __future__ import annotations
 
-from pathlib import PurePath
-
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
+from rossmarie.targets import comments
 from rossmarie.targets.c99 import describe, host, reactor, state, tables
 from rossmarie.targets.c99.layout import lay_out
 from rossmarie.targets.c99.messages import Messages
@@ -72,7 +71,10 @@ class _Writer:
         return self._fill("host.c.j2", **host.blanks(self._layout, self._messages))
 
     def _fill(self, template: str, **blanks: object) -> str:
-        known = {"name": self._layout.name, "files": _files(self._layout.machine)}
+        known = {
+            "name": self._layout.name,
+            "files": comments.in_c(comments.rules_files(self._layout.machine)),
+        }
         return self._templates.get_template(template).render(**known, **blanks)
 
     def _part(self, name: str) -> str:
@@ -127,8 +129,3 @@ class _Writer:
             tables=tables.tables(layout),
             functions="\n".join([*map(self._part, parts), engine]),
         )
-
-
-def _files(machine: ir.Machine) -> str:
-    found = {PurePath(rule.span.file.path).name for rule in machine.rules}
-    return ", ".join(sorted(found)) or machine.name

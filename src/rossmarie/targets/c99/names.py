@@ -37,13 +37,13 @@ _GENERATED = """
 # What the names that the generated C keeps to itself begin with, up to the first underscore; a test
 # collects them.
 _PRIVATE = """
-    age always append array at before begins by catch change claiming column command covered cross
-    dbl due earliest element engages factor failed flag flt forget fp from gain gap give goes guard
-    has held host how index input int32 int64 is late latest leaf limit look lose lost maximum
-    minimum never no node now oldest on opposite or others pass pitch planned rate receive report
-    resource roll row rule sampled samples scale set settle shown since size slot stage staged stamp
-    start started swings t take task term text texts topic truth truths turn uint16 uint64 uint8
-    unknown unknowns value values wake was watched width yaw yields
+    age always append arithmetic array at before begins by catch change claiming column command
+    covered cross dbl due earliest element engages factor failed flag flt forget fp from gain gap
+    give goes guard has held host how index input int32 int64 is late latest leaf limit look lose
+    lost maximum minimum never no node now oldest on opposite or others pass pitch planned rate
+    receive report resource roll row rule sampled samples scale set settle shown since size slot
+    stage staged stamp start started swings t take task term text texts topic truth truths turn
+    uint16 uint64 uint8 unknown unknowns value values wake was watched width yaw yields
 """
 
 _RESERVED = frozenset((_LANGUAGE + _GENERATED).split())
@@ -88,13 +88,6 @@ class Family:
             candidate = f"{word}_{self._numbers[word]}"
         self._given.update(candidate + ending for ending in ("", *endings))
         return candidate
-
-
-def comment(text: str) -> str:
-    """The text as the inside of a comment: on one line, with nothing that ends or hides it."""
-    joined = " ".join(text.split())
-    visible = "".join("?" if unicodedata.category(x)[0] == "C" else x for x in joined)
-    return visible.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
 
 
 def place(span: Span) -> str:

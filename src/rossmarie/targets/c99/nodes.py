@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rossmarie import ir
+from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.layout import Layout
 
@@ -16,7 +17,7 @@ def derive(layout: Layout) -> tuple[str, set[str]]:
     cases = []
     for index in marked:
         truth = layout.machine.truths[index]
-        remark = names.comment(f"{names.place(truth.span)}  {truth.text}")
+        remark = comments.in_c(f"{names.place(truth.span)}  {truth.text}")
         cases.append(f"    case {layout.truth_names[index]}: /* {remark} */")
         cases.append(f"        return {_expression(layout, index, truth.node, parts)};")
     unused = [] if layout.held or layout.oscillations else ["    (void)t_ns;"]

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rossmarie.ir import overruled, reactions
+from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.text import lists, remarked_table, table
@@ -35,7 +36,7 @@ def _sizes(layout: Layout) -> str:
     found = layout.machine.reactions
     rows = [("TASKS", len(found.tasks), ""), ("COMMANDS", len(found.commands), "")]
     for index, command in enumerate(found.commands):
-        remark = f" /* {names.comment(f'{names.place(command.span)}  {command.topic}')} */"
+        remark = f" /* {comments.in_c(f'{names.place(command.span)}  {command.topic}')} */"
         rows.append((f"FIELDS_{index}", len(command.fields), remark))
     lines = [f"    {layout.name}_{name} = {size},{remark}" for name, size, remark in rows]
     lines[-1] = lines[-1].replace(",", "", 1)
@@ -158,7 +159,7 @@ def _resource_tables(found: reactions.Reactions) -> str:
         for rule in rules
     ]
     listed = [
-        f" *   {index}: {names.comment(resource)}" for index, resource in enumerate(found.resources)
+        f" *   {index}: {comments.in_c(resource)}" for index, resource in enumerate(found.resources)
     ]
     return "\n".join(
         [

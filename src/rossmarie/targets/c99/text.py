@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Sequence
 
-from rossmarie.targets.c99 import names
+from rossmarie.targets import comments
 
 
 def indented(lines: Iterable[str], levels: int = 1) -> str:
@@ -27,13 +27,13 @@ def remarked_table(kind: str, name: str, rows: Sequence[tuple[str, str]]) -> str
     """A constant table with a remark on every entry."""
     if not rows:
         return table(kind, name, ())
-    lines = indented(f"{entry}, /* {names.comment(remark)} */" for entry, remark in rows)
+    lines = indented(f"{entry}, /* {comments.in_c(remark)} */" for entry, remark in rows)
     return f"static const {kind} {name}[{len(rows)}] = {{\n{lines}\n}};"
 
 
 def enumeration(rows: Sequence[tuple[str, str]], count: str) -> str:
     """Names for 0, 1, 2 ... with a remark on each, and one for how many there are."""
-    listed = [f"{name}, /* {names.comment(remark)} */" for name, remark in rows]
+    listed = [f"{name}, /* {comments.in_c(remark)} */" for name, remark in rows]
     return f"enum {{\n{indented([*listed, count])}\n}};"
 
 

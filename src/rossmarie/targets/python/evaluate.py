@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator, Sequence
 
 from rossmarie import ir
+from rossmarie.targets import comments
 from rossmarie.targets.python import expressions, names, state
 from rossmarie.targets.python.channels import calm_channels
 from rossmarie.targets.python.function import Function
@@ -63,7 +64,7 @@ def _steps(layout: Layout) -> Iterator[Function]:
 
 
 def _remark(function: Function, thing: ir.Signal | ir.Truth | ir.Rule, text: str) -> None:
-    function.line(names.comment(f"{names.place(thing.span)}  {text}"))
+    function.line(f"# {comments.after_hash(f'{names.place(thing.span)}  {text}')}")
 
 
 # --- signals ---------------------------------------------------------------------------------

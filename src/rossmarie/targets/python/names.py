@@ -41,13 +41,6 @@ def different(prefix: str, texts: Iterable[str]) -> list[str]:
     return found
 
 
-def comment(text: str) -> str:
-    """The text as a comment: on one line, with nothing in it that ends or hides it."""
-    joined = " ".join(text.split())
-    visible = "".join("?" if unicodedata.category(x)[0] == "C" else x for x in joined)
-    return f"# {visible}"
-
-
 def place(span: Span) -> str:
     """`file.ross:12`, without the folders, which differ from machine to machine."""
     return f"{PurePath(span.file.path).name}:{span.begin.line}"

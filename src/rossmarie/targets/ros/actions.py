@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.ir import reactions
-from rossmarie.targets.c99.names import comment, place, string
+from rossmarie.targets import comments
+from rossmarie.targets.c99.names import place, string
 from rossmarie.targets.c99.text import indented
 from rossmarie.targets.c99.types import duration
 from rossmarie.targets.ros import names, needs
@@ -123,7 +124,7 @@ class TasksText:
         kind = self._message_type(task.effect)
         lines = map(_assignment, task.effect.assignments)
         body = indented([f"{kind} message;", *lines, "return message;"])
-        words = comment(f"{place(task.span)}  {effect_words(self.machine, task.effect)}")
+        words = comments.in_c(f"{place(task.span)}  {effect_words(self.machine, task.effect)}")
         return f"// {words}\ninline {kind} {self._makers()[index]}()\n{{\n{body}\n}}\n"
 
     def _task(self, index: int) -> list[str]:
@@ -135,7 +136,7 @@ class TasksText:
         words = f"{place(task.span)}  rule {rule}, {action}: {effect_words(machine, task.effect)}"
         kind, arguments = self._object(index)
         lines = _call(f"tasks.push_back(std::make_unique<{kind}>(", arguments, "));")
-        return [f"// {index}: {comment(words)}", *lines]
+        return [f"// {index}: {comments.in_c(words)}", *lines]
 
     def _object(self, index: int) -> tuple[str, list[str]]:
         """The class of a task, and what it is made of."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
 
 from rossmarie import ir
 from rossmarie.ir import reactions
@@ -78,11 +77,6 @@ def shared(machine: ir.Machine) -> dict[int, str]:
 def member(path: Sequence[str | int]) -> str:
     """A path into a message: `.twist.linear.x`, `.covariance.at(0)`."""
     return "".join(f".at({step})" if isinstance(step, int) else f".{step}" for step in path)
-
-
-def xml(text: str) -> str:
-    """The text as it may stand in XML, comments included."""
-    return escape(text).replace("--", "- -")
 
 
 def _capitalized(word: str) -> str:

@@ -5,13 +5,11 @@ Takes a machine that `ir.verify` has passed and for which `unsupported` found no
 
 from __future__ import annotations
 
-from pathlib import PurePath
-
 from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
 from rossmarie.ir.reactions import CommandTopic
-from rossmarie.targets import c99
+from rossmarie.targets import c99, comments
 from rossmarie.targets.c99.layout import Layout, lay_out
 from rossmarie.targets.manifest import Placement
 from rossmarie.targets.ros import (
@@ -72,8 +70,7 @@ class PackageWriter:
             "name": self._layout.name,
             "upper": self._layout.name.upper(),
             "package": names.package(self._machine),
-            "files": _files(self._machine),
-            "files_in_xml": names.xml(_files(self._machine)),
+            "files": comments.inside(template, comments.rules_files(self._machine)),
             "primitives": self._dialect.primitives,
             "generation": self._dialect.generation,
         }
@@ -112,7 +109,9 @@ class PackageWriter:
         """
         if self._placed.part_of is not None:
             return {}
-        fields = placement.manifest_fields(self._placed.manifest, _files(self._machine))
+        fields = placement.manifest_fields(
+            self._placed.manifest, comments.rules_files(self._machine)
+        )
         depends = "\n".join(f"  <depend>{name}</depend>" for name in sorted(used))
         return {
             "package.xml": self.fill("package.xml", depends=depends, **fields),
@@ -191,8 +190,3 @@ def _hook_definition(hook: str) -> str:
         f"    say::information(moment == Moment::START ?"
         f' "hook {hook} starts" : "hook {hook} ends");\n}}\n'
     )
-
-
-def _files(machine: ir.Machine) -> str:
-    found = {PurePath(rule.span.file.path).name for rule in machine.rules}
-    return ", ".join(sorted(found)) or machine.name

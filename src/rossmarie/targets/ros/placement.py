@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rossmarie import ir
+from rossmarie.targets import comments
 from rossmarie.targets.manifest import Manifest, Person, Placement
 from rossmarie.targets.ros import names
 
@@ -30,10 +31,10 @@ def manifest_fields(manifest: Manifest, files: str) -> dict[str, str]:
     return {
         "version": manifest.version or _VERSION,
         "maintainers": "\n".join(map(_maintainer, maintainers)),
-        "licenses": "\n".join(f"  <license>{names.xml(each)}</license>" for each in licenses),
+        "licenses": "\n".join(f"  <license>{comments.in_xml(each)}</license>" for each in licenses),
     }
 
 
 def _maintainer(person: Person) -> str:
-    mail, name = names.xml(person.mail), names.xml(person.name)
+    mail, name = comments.in_xml(person.mail), comments.in_xml(person.name)
     return f'  <maintainer email="{mail}">{name}</maintainer>'

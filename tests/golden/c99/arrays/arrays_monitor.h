@@ -96,8 +96,13 @@ typedef struct arrays_monitor {
     void *user;
 } arrays_monitor;
 
-/* Forgets everything. `on_event` may be NULL. */
-void arrays_init(arrays_monitor *m, arrays_callback on_event, void *user);
+/* Forgets everything. `on_event` may be NULL. Returns NULL; or why the arithmetic of this program is
+ * not that of IEEE 754: then verdicts can be wrong, so whoever calls it must not go on.
+ */
+#if defined(__GNUC__)
+__attribute__((__warn_unused_result__))
+#endif
+const char *arrays_init(arrays_monitor *m, arrays_callback on_event, void *user);
 
 /* A message on /topic_0 (std_msgs/Float64). */
 int arrays_update_topic_0(arrays_monitor *m, int64_t t_ns, const double *array_0,

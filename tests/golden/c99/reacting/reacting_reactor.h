@@ -75,8 +75,11 @@ typedef struct reacting_reactor {
     void *user;
 } reacting_reactor;
 
-/* Forgets everything. `perform` is called with `user` for every order. */
-void reacting_reactor_init(reacting_reactor *r, reacting_perform perform, void *user);
+/* Forgets everything. `perform` is called with `user` for every order. Returns what the monitor's does. */
+#if defined(__GNUC__)
+__attribute__((__warn_unused_result__))
+#endif
+const char *reacting_reactor_init(reacting_reactor *r, reacting_perform perform, void *user);
 
 /* Until this is called, once, every field of every command is bounded to zero. */
 void reacting_reactor_open(reacting_reactor *r);

@@ -99,8 +99,13 @@ typedef struct thresholds_monitor {
     void *user;
 } thresholds_monitor;
 
-/* Forgets everything. `on_event` may be NULL. */
-void thresholds_init(thresholds_monitor *m, thresholds_callback on_event, void *user);
+/* Forgets everything. `on_event` may be NULL. Returns NULL; or why the arithmetic of this program is
+ * not that of IEEE 754: then verdicts can be wrong, so whoever calls it must not go on.
+ */
+#if defined(__GNUC__)
+__attribute__((__warn_unused_result__))
+#endif
+const char *thresholds_init(thresholds_monitor *m, thresholds_callback on_event, void *user);
 
 /* A message on /topic_0 (std_msgs/Float64). */
 int thresholds_update_topic_0(thresholds_monitor *m, int64_t t_ns, double slot_0, bool slot_1);

@@ -15,8 +15,9 @@
 #if FLT_EVAL_METHOD != 0
 #error "needs IEEE 754 binary64 without excess precision, as with -msse2 -mfpmath=sse"
 #endif
-#if defined(__FAST_MATH__)
-#error "needs IEEE 754 semantics: compile without -ffast-math"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "needs IEEE 754 semantics: compile without -ffast-math, and without any part of it"
 #endif
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
@@ -731,7 +732,37 @@ int timeouts_step(timeouts_monitor *m, int64_t t_ns, const timeouts_values *v)
 
 /* --- the rest of the interface ------------------------------------------------------------- */
 
-void timeouts_init(monitor *m, timeouts_callback on_event, void *user)
+/* Volatile, so that no compiler knows these numbers. */
+static volatile const double given[] = {
+    NAN, INFINITY, 1.0, 3.0, -0.0, 1.0 + 0x1p-27, 1.0 + 0x1p-26, DBL_EPSILON / 4.0, DBL_MIN,
+};
+
+/* Why numbers are not those of IEEE 754 here, NULL if they are. Flags of compilers that no macro tells
+ * show in results, as do the modes of the processor in this thread.
+ */
+static const char *arithmetic_fault(void)
+{
+    const double nan = given[0], infinite = given[1], one = given[2], three = given[3];
+    const double zero = given[4], factor = given[5], square = given[6];
+    const double little = given[7], least = given[8];
+    return 0.1 == (double)0.1f ? "constants are float (-fsingle-precision-constant)"
+           : one + little != one || -one - little != -one || one - little / 2.0 != one
+               ? "results are not rounded to nearest"
+           : nan == nan || nan >= one || nan <= one || !isnan(nan)
+               ? "NaN counts as a number (-ffinite-math-only, -fno-honor-nans)"
+           : !(infinite > DBL_MAX) || !isinf(infinite)
+               ? "infinity counts as a number (-ffinite-math-only, -fno-honor-infinities)"
+           : (one + 0x1p53) - 0x1p53 != 0.0 ? "sums are regrouped (-fassociative-math)"
+           : three / 10.0 != 0.3            ? "divisions are multiplications (-freciprocal-math)"
+           : 1.0 / (zero + 0.0) < 0.0 ? "zeros have no sign (-fno-signed-zeros)"
+           : factor * factor - square != 0.0
+               ? "products and sums are contracted: compile with -ffp-contract=off"
+           : least / 2.0 == 0.0 || least / 2.0 * 2.0 != least
+               ? "subnormal numbers count as 0 (-ffast-math of any library, -mdaz-ftz)"
+               : NULL;
+}
+
+const char *timeouts_init(monitor *m, timeouts_callback on_event, void *user)
 {
     memset(m, 0, sizeof *m);
     m->on_event = on_event;
@@ -739,6 +770,7 @@ void timeouts_init(monitor *m, timeouts_callback on_event, void *user)
     m->wake_ns = INT64_MIN;
     for (unsigned i = 0; i != 2; i++)
         m->value[i] = NAN;
+    return arithmetic_fault();
 }
 
 int timeouts_advance(monitor *m, int64_t t_ns)

@@ -98,8 +98,13 @@ typedef struct timeouts_monitor {
     void *user;
 } timeouts_monitor;
 
-/* Forgets everything. `on_event` may be NULL. */
-void timeouts_init(timeouts_monitor *m, timeouts_callback on_event, void *user);
+/* Forgets everything. `on_event` may be NULL. Returns NULL; or why the arithmetic of this program is
+ * not that of IEEE 754: then verdicts can be wrong, so whoever calls it must not go on.
+ */
+#if defined(__GNUC__)
+__attribute__((__warn_unused_result__))
+#endif
+const char *timeouts_init(timeouts_monitor *m, timeouts_callback on_event, void *user);
 
 /* A message on /topic_0 (std_msgs/Float64). */
 int timeouts_update_topic_0(timeouts_monitor *m, int64_t t_ns, double slot_0);

@@ -9,7 +9,7 @@ static volatile const double given[] = {
 static const char *arithmetic_fault(void)
 {
     const double nan = given[0], infinite = given[1], one = given[2], three = given[3];
-    const double minus_zero = given[4], factor = given[5], square = given[6];
+    const double zero = given[4], factor = given[5], square = given[6];
     const double little = given[7], least = given[8];
     return 0.1 == (double)0.1f ? "constants are float (-fsingle-precision-constant)"
            : one + little != one || -one - little != -one || one - little / 2.0 != one
@@ -20,7 +20,7 @@ static const char *arithmetic_fault(void)
                ? "infinity counts as a number (-ffinite-math-only, -fno-honor-infinities)"
            : (one + 0x1p53) - 0x1p53 != 0.0 ? "sums are regrouped (-fassociative-math)"
            : three / 10.0 != 0.3            ? "divisions are multiplications (-freciprocal-math)"
-           : 1.0 / (minus_zero + 0.0) < 0.0 ? "zeros have no sign (-fno-signed-zeros)"
+           : 1.0 / (zero + 0.0) < 0.0 ? "zeros have no sign (-fno-signed-zeros)"
            : factor * factor - square != 0.0
                ? "products and sums are contracted: compile with -ffp-contract=off"
            : least / 2.0 == 0.0 || least / 2.0 * 2.0 != least
