@@ -28,7 +28,9 @@ _TO_END_S = 10.0
 _OTHERWISE = (
     "install the packages cbmc, cadical and z3 of Debian 13, or use the Docker image debian:trixie"
 )
-_PRIVATE = f"name a folder of root's by XDG_CACHE_HOME, or {_OTHERWISE}"
+_PRIVATE = (
+    f"make it root's alone (chown, chmod go-w), name another by XDG_CACHE_HOME, or {_OTHERWISE}"
+)
 
 
 class NoProverError(Exception):
@@ -50,7 +52,7 @@ def provide_prover(tell: Callable[[str], None]) -> Prover:
     _check_means()
     try:
         root = own_root()
-        root.parent.mkdir(parents=True, exist_ok=True)
+        root.parent.mkdir(mode=0o755, parents=True, exist_ok=True)
         if not belongs_to_us(root.parent):
             raise NoProverError(f"other users can change what is in {root.parent}", _PRIVATE)
         with _alone(root, tell) as lock:
