@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-import concurrent.futures
 import multiprocessing
 import os
 import signal
+import time
+from collections import deque
 from collections.abc import Generator, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from multiprocessing import resource_tracker
+from multiprocessing.connection import Connection, wait
+from threading import Thread
 
-from pebble import ProcessExpired, ProcessPool
+from campaign.workers import Result, Work
 
-from campaign.workers import Result, Value, Work
+# Spawned, not forked: what draws the bar in this process has threads.
+_CONTEXT = multiprocessing.get_context("spawn")
+_LOOK_S = 0.2
+"""How often processes are looked at that say nothing."""
 
 
 @dataclass(frozen=True)
@@ -32,29 +38,104 @@ class Processes:
 
     def results(self, work: Work, keys: Sequence[str]) -> Generator[Result, None, None]:
         """One result for each key, as they come."""
-        # Spawned, not forked: what draws the bar in this process has threads.
-        context = multiprocessing.get_context("spawn")
-        pool = ProcessPool(min(self.count, len(keys)) or 1, context=context)
+        waiting = deque(keys)
+        busy: list[_Process] = []
+        idle: list[_Process] = []
         try:
-            with _undisturbed():
-                waiting: dict[concurrent.futures.Future[Value], str] = {
-                    pool.schedule(work, args=[key], timeout=self.limit_s): key for key in keys
-                }
-            for future in concurrent.futures.as_completed(waiting):
-                yield self._result(waiting[future], future)
+            while waiting or busy:
+                while waiting and len(busy) < max(1, self.count):
+                    busy.append(idle.pop() if idle else _Process(work, self.limit_s))
+                    busy[-1].begin(waiting.popleft())
+                wait([process.pipe for process in busy], _LOOK_S)
+                for process, result in [(each, each.result()) for each in busy]:
+                    if result is not None:
+                        busy.remove(process)
+                        idle += [process] if process.is_alive() else []
+                        yield result
         finally:
-            pool.stop()  # type: ignore[no-untyped-call]
-            pool.join()
+            for process in (*busy, *idle):
+                process.end()
 
-    def _result(self, key: str, future: concurrent.futures.Future[Value]) -> Result:
-        try:
-            return Result(key, future.result())
-        except concurrent.futures.TimeoutError:  # not that of Python 3.10
-            return Result(key, None, f"took longer than {self.limit_s:g} s")
-        except ProcessExpired as expired:
-            return Result(key, None, f"its process ended with exit code {expired.exitcode}")
-        except Exception as error:
-            return Result(key, None, f"{type(error).__name__}: {error}")
+
+class _Process:
+    """A process that runs one episode after another."""
+
+    def __init__(self, work: Work, limit_s: float | None) -> None:
+        self.pipe, theirs = _CONTEXT.Pipe()
+        self._limit_s = limit_s
+        self._process = _CONTEXT.Process(target=_serve, args=(work, theirs), daemon=True)
+        with _undisturbed():
+            self._process.start()
+        theirs.close()  # so that its end is seen here
+
+    def begin(self, key: str) -> None:
+        """Give it an episode."""
+        self._key = key
+        self._begun_s: float | None = None
+        with suppress(OSError):  # it has ended, which `result` tells
+            self.pipe.send(key)
+
+    def result(self) -> Result | None:
+        """What became of the episode; None if it still runs."""
+        has_ended = not self.is_alive()  # asked first: it may say something and end
+        with suppress(EOFError, OSError):  # it ended while it spoke
+            while self.pipe.poll():
+                said = self.pipe.recv()
+                if isinstance(said, Result):
+                    return said
+                self._begun_s = time.monotonic()
+        if has_ended:
+            self._process.join()
+            return self._failed(f"its process ended with exit code {self._process.exitcode}")
+        if self._is_late():
+            self.end()
+            return self._failed(f"took longer than {self._limit_s:g} s")
+        return None
+
+    def is_alive(self) -> bool:
+        """Whether it can run another episode."""
+        return self._process.is_alive()
+
+    def end(self) -> None:
+        """End it, whatever it does."""
+        self._process.kill()
+        self._process.join()
+        self.pipe.close()
+
+    def _is_late(self) -> bool:
+        # Counted from when the process has the episode: to start takes some time as well.
+        if self._limit_s is None or self._begun_s is None:
+            return False
+        return time.monotonic() - self._begun_s > self._limit_s
+
+    def _failed(self, why: str) -> Result:
+        return Result(self._key, None, why)
+
+
+_BEGUN = None
+"""What a process says when it has an episode."""
+
+
+def _serve(work: Work, pipe: Connection[Result | None, str]) -> None:
+    """Run the episodes that come, until nobody is there who could send one."""
+    Thread(target=_end_with_parent, daemon=True).start()
+    with suppress(EOFError, OSError):
+        while True:
+            key = pipe.recv()
+            pipe.send(_BEGUN)
+            try:
+                result = Result(key, work(key))
+            except Exception as error:
+                result = Result(key, None, f"{type(error).__name__}: {error}")
+            pipe.send(result)
+
+
+def _end_with_parent() -> None:
+    """Whatever ends the campaign ends its episodes, too."""
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    parent.join()
+    os._exit(1)
 
 
 @contextmanager

@@ -17,7 +17,7 @@ from rich.console import Console
 
 from campaign import Bar, BusyError, Campaign, ForeignError, Journal, Processes, run
 from support import campaigns
-from support.campaigns import work
+from support.campaigns import SlowToArrive, work
 
 SLOW = [f"slow:{number}" for number in range(30)]
 
@@ -71,11 +71,11 @@ def test_what_is_done_is_not_done_again(tmp_path: Path) -> None:
     assert "2 of 3 are done already" in shown
 
 
-def started(path: Path) -> subprocess.Popen[str]:
+def started(path: Path, *keys: str) -> subprocess.Popen[str]:
     """A campaign in a process group of its own, with its first results."""
     environment = {**os.environ, "PYTHONPATH": str(Path(campaigns.__file__).parents[1])}
     running = subprocess.Popen(
-        [sys.executable, campaigns.__file__, path], env=environment, start_new_session=True,
+        [sys.executable, campaigns.__file__, path, *keys], env=environment, start_new_session=True,
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
     )  # fmt: skip
     until = time.monotonic() + 60
@@ -122,6 +122,18 @@ def test_a_campaign_that_was_ended_goes_on(tmp_path: Path, how: signal.Signals) 
     assert len(found.values) == 30
     assert f"{len(done)} of 30 are done already" in shown
     assert sorted(keys_in(path)) == sorted(SLOW)
+
+
+def test_episodes_end_with_the_campaign_whatever_they_do(tmp_path: Path) -> None:
+    running = started(tmp_path / "journal.jsonl", "a:", "b:", "c:", "hang:")
+    running.kill()
+    running.communicate(timeout=30)
+    assert all_have_ended(running.pid)
+
+
+def test_the_time_to_start_a_process_does_not_count() -> None:
+    found = Processes(2, limit_s=1.0).results(SlowToArrive(), ["a:", "b:"])
+    assert [result.failure for result in found] == ["", ""]
 
 
 def test_a_line_that_was_not_finished_is_dropped(tmp_path: Path) -> None:

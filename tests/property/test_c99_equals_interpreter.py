@@ -49,8 +49,8 @@ def quickly_built(machine: ir.Machine) -> Callable[[], NativeMonitor]:
     """As `load_native` does, but less optimized and without Python's headers; built once, for as
     many monitors as are asked for.
     """
-    path = build(generate_loadable(machine), "host.c", "-O1")
-    library = Library(path, declarations(fields_of(machine)) + _PACKED)
+    content = build(generate_loadable(machine), "host.c", "-O1")
+    library = Library(content, declarations(fields_of(machine)) + _PACKED)
     return lambda: NativeMonitor(machine, library, EventReader(machine))
 
 

@@ -29,9 +29,25 @@ def work(key: str) -> Value:
     return {"key_was": key, "number": len(key)}
 
 
+class SlowToArrive:
+    """Work that a process needs two seconds to receive."""
+
+    def __call__(self, key: str) -> Value:
+        """The same."""
+        return work(key)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (_arrived, ())
+
+
+def _arrived() -> SlowToArrive:
+    time.sleep(2.0)
+    return SlowToArrive()
+
+
 def main() -> None:
-    """A campaign that takes its time, for those who interrupt it."""
-    keys = [f"slow:{number}" for number in range(30)]
+    """A campaign of the keys that are given, or one that takes its time, to be interrupted."""
+    keys = sys.argv[2:] or [f"slow:{number}" for number in range(30)]
     with (
         Journal(Path(sys.argv[1]), "test") as journal,
         Bar(Console(), "slow") as bar,

@@ -35,7 +35,6 @@ _PACKAGES = {
 """Of which packages a command has all modules imported. Those of heron look at the environment."""
 _MODULES = {
     "ezskiros": ("typer._adapters",),
-    "ezskiros plan": ("unified_planning.shortcuts",),
     "heron": ("heron.cli.main", "typer._adapters"),
     "rossmarie": ("_cffi_backend", "cffi.cparser", "typer._adapters"),
 }

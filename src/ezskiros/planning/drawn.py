@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from ezskiros.drawing.outline import TOKENS, Box, Line, Outline, Role
 from ezskiros.planning.facts import spelled
+from ezskiros.planning.pddl import Step
 from ezskiros.planning.plan import Plan
-from ezskiros.planning.solve import Step
 from ezskiros.skills.nodes import Flow
 
 

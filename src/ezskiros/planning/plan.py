@@ -16,10 +16,11 @@ from ezskiros.planning import errors
 from ezskiros.planning.actions import Action, actions
 from ezskiros.planning.facts import Literal, is_so, spelled
 from ezskiros.planning.goals import Goal, GoalError, goals
+from ezskiros.planning.pddl import Problem, Step
 from ezskiros.planning.reach import Missing, Reach
 from ezskiros.planning.reach import TimeOverError as ReachTimeOverError
 from ezskiros.planning.scene import Scene, read_scene
-from ezskiros.planning.solve import Step, TimeOverError, shortened, solve, tried
+from ezskiros.planning.solve import TimeOverError, shortened, solve, tried
 from ezskiros.skills.load_errors import NoFile
 from ezskiros.trees.library import Library
 
@@ -94,7 +95,7 @@ class _Search:
             ]
             if blocked:
                 return None, blocked
-            steps = solve(self.actions, wanted, world, things, self.seconds)
+            steps = solve(Problem(self.actions, wanted, world, things), self.seconds)
         except (TimeOverError, ReachTimeOverError):
             return None, [errors.PlanningTimeOver(seconds=self.seconds).at(span)]
         if steps is None:

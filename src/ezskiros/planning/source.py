@@ -21,8 +21,8 @@ from ezskiros.ontology.python_names import identifier, identifiers
 from ezskiros.ontology.statements import Comparison, HasProperty, Relation, Statement
 from ezskiros.ontology.world import Namespace
 from ezskiros.planning.facts import EVERYTHING, About, Literal, is_so
+from ezskiros.planning.pddl import Step
 from ezskiros.planning.plan import Plan
-from ezskiros.planning.solve import Step
 from ezskiros.skills.importing import module_name
 from ezskiros.skills.interface import Parameter
 

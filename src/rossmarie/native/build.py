@@ -1,4 +1,4 @@
-"""C text in, the path of a shared library out.
+"""C text in, the content of a shared library out.
 
 Libraries are kept in the user's cache folder under a name that tells their text, the compiler and
 its options, so that the same text is compiled once; several processes may build at once.
@@ -15,7 +15,7 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from rossmarie.cache import cache_folder
+from rossmarie.cache import kept
 
 OPTIONS = ("-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared")
 
@@ -50,18 +50,15 @@ def _named() -> list[list[str]]:
         raise NoCompilerError(f"no C compiler found (CC is {named!r}: {error})") from error
 
 
-def build(files: Mapping[str, str], main: str, *more_options: str, rebuild: bool = False) -> Path:
+def build(files: Mapping[str, str], main: str, *more_options: str, rebuild: bool = False) -> bytes:
     """Compile the file `main` among `files` to a shared library, unless that was done before.
 
-    Raises `NoCompilerError`, or `BuildError` with what the compiler said, or `OSError` if the cache
-    cannot be written.
+    Raises `NoCompilerError`, or `BuildError` with what the compiler said, or `OSError` if there is
+    no room to compile.
     """
     command = [*compiler(), *OPTIONS, *more_options]
-    library = cache_folder() / f"{_digest(files, main, command)}.so"
-    if rebuild or not library.is_file():
-        library.parent.mkdir(parents=True, exist_ok=True)
-        _compile(files, main, command, library)
-    return library
+    name = f"{_digest(files, main, command)}.so"
+    return kept(name, lambda: _compiled(files, main, command), anew=rebuild)
 
 
 def _digest(files: Mapping[str, str], main: str, command: Sequence[str]) -> str:
@@ -75,9 +72,8 @@ def _digest(files: Mapping[str, str], main: str, command: Sequence[str]) -> str:
     return digest.hexdigest()[:32]
 
 
-def _compile(files: Mapping[str, str], main: str, command: Sequence[str], library: Path) -> None:
-    """Build aside and move into place, so that nobody ever sees half a library."""
-    with tempfile.TemporaryDirectory(dir=library.parent) as folder:
+def _compiled(files: Mapping[str, str], main: str, command: Sequence[str]) -> bytes:
+    with tempfile.TemporaryDirectory(prefix="rossmarie_") as folder:
         for name, text in files.items():
             (Path(folder) / name).write_text(text, encoding="utf-8")
         built = Path(folder) / "built.so"
@@ -86,4 +82,4 @@ def _compile(files: Mapping[str, str], main: str, command: Sequence[str], librar
         if result.returncode != 0:
             said = result.stderr.decode("utf-8", "replace").strip()
             raise BuildError(said or f"{call[0]} failed")
-        built.replace(library)
+        return built.read_bytes()

@@ -1,12 +1,17 @@
 """The only place that speaks to C: a loaded library, with types.
 
-Takes the path of a library built from `host.c`, or from `fastcall.c`, which includes it.
+Takes the content of a library built from `host.c`, or from `fastcall.c`, which includes it.
 """
 
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable
+import os
+import sys
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -19,12 +24,13 @@ Pointer = Any
 class Library:
     """A library of one machine, and the memory that is handed to it."""
 
-    def __init__(self, path: Path, declarations: str) -> None:
-        """Raises `OSError` if the file is no library."""
+    def __init__(self, content: bytes, declarations: str) -> None:
+        """Raises `OSError` if the content is no library."""
+        self._python = _loaded(content)
         self._ffi = cffi.FFI()
         self._ffi.cdef(declarations)
-        self._functions: Any = self._ffi.dlopen(str(path))
-        self._path = path
+        handle: Any = self._ffi.cast("void *", self._python._handle)  # noqa: SLF001 - documented
+        self._functions: Any = self._ffi.dlopen(handle)
         self.null: Pointer = self._ffi.NULL
 
     def function(self, name: str) -> Callable[..., Any]:
@@ -89,7 +95,7 @@ class Library:
         self, name: str, kinds: list[Any], *arguments: object
     ) -> Callable[..., Any] | None:
         try:
-            make = getattr(ctypes.PyDLL(str(self._path)), name)
+            make = getattr(self._python, name)
         except AttributeError:
             return None
         make.argtypes = kinds
@@ -99,3 +105,52 @@ class Library:
 
     def _address(self, pointer: Pointer) -> int:
         return int(self._ffi.cast("intptr_t", pointer))
+
+
+@cache
+def _loaded(content: bytes) -> ctypes.PyDLL:
+    """The library with this content. It is loaded once, and stays: functions of `fastcall.c` may
+    outlive everybody who knows of the library.
+    """
+    with _file_of(content) as path:
+        return ctypes.PyDLL(str(path))
+
+
+@contextmanager
+def _file_of(content: bytes) -> Iterator[Path]:
+    """A file with this content that nobody can change, for the system's loader, which takes names
+    only. No two such files have one name, by which the loader knows what it has loaded.
+    """
+    with tempfile.TemporaryDirectory(prefix="rossmarie_") as folder:
+        path = Path(folder) / "monitor.so"
+        try:
+            memory = _in_memory(content)
+        except OSError:  # then the folder protects it, to which only this user has access
+            path.write_bytes(content)
+            yield path
+            return
+        try:
+            path.symlink_to(f"/proc/self/fd/{memory}")
+            yield path
+        finally:
+            os.close(memory)
+
+
+def _in_memory(content: bytes) -> int:
+    """A sealed file in memory. Where programs must not lie among temporary files, this one can be
+    loaded all the same.
+    """
+    if sys.platform != "linux" or not Path("/proc/self/fd").exists():
+        raise OSError("this system has no files in memory that have a name")
+    import fcntl
+
+    memory = os.memfd_create("rossmarie", os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING)
+    try:
+        with os.fdopen(memory, "wb", closefd=False) as file:
+            file.write(content)
+        seals = fcntl.F_SEAL_WRITE | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_SEAL
+        fcntl.fcntl(memory, fcntl.F_ADD_SEALS, seals)
+    except OSError:
+        os.close(memory)
+        raise
+    return memory

@@ -40,7 +40,7 @@ def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
     """Build the files (`host.c` among them) and give a monitor that has seen nothing.
 
     A library in the cache that cannot be loaded is built again. Raises `NoCompilerError`,
-    `BuildError`, or `OSError` if the cache cannot be written.
+    `BuildError`, or `OSError` if there is no room to build, or if the library cannot be loaded.
     """
     declared = declarations(fields_of(machine))
     reader = EventReader(machine)
@@ -52,7 +52,7 @@ def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
     return NativeMonitor(machine, library, reader)
 
 
-def _built(files: Mapping[str, str], *, rebuild: bool = False) -> Path:
+def _built(files: Mapping[str, str], *, rebuild: bool = False) -> bytes:
     """With functions for Python if its headers are at hand and serve, else without."""
     if (_HEADERS / "Python.h").is_file():
         glue = resources.files(__package__).joinpath("fastcall.c").read_text(encoding="utf-8")

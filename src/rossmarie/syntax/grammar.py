@@ -6,6 +6,8 @@ what the parser can take at that point. Values come from the methods of a builde
 
 from __future__ import annotations
 
+import hashlib
+import io
 import re
 import sys
 from collections.abc import Collection, Iterable, Mapping
@@ -14,9 +16,10 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
+import lark
 from lark import Lark, Transformer, UnexpectedInput
 
-from rossmarie.cache import cache_folder
+from rossmarie.cache import kept
 from rossmarie.syntax.scan import Scan, Token
 from rossmarie.syntax.words import (
     COMPARISONS,
@@ -107,31 +110,29 @@ def load_grammar() -> Grammar:
 
     Raises lark's `GrammarError` if it is not LALR(1).
     """
-    lark = Lark(
-        (Path(__file__).parent / "ross.lark").read_text(encoding="utf-8"),
+    text = (Path(__file__).parent / "ross.lark").read_text(encoding="utf-8")
+    loaded = Lark.load(io.BytesIO(kept(_name_of_tables(text), lambda: _tables(text))))
+    literals = {term.name: str(term.pattern.value) for term in loaded.terminals}
+    return Grammar(loaded, literals, {literal: name for name, literal in literals.items()})
+
+
+def _name_of_tables(grammar: str) -> str:
+    """Other tables have another name: those of another grammar, another lark, another Python."""
+    makers = (grammar, *START_RULES, lark.__version__, sys.version)
+    return f"{hashlib.sha256(repr(makers).encode()).hexdigest()[:32]}.tables"
+
+
+def _tables(grammar: str) -> bytes:
+    built = Lark(
+        grammar,
         parser="lalr",
         start=list(START_RULES),
         keep_all_tokens=True,
         maybe_placeholders=False,
-        cache=_kept_tables(),
     )
-    literals = {term.name: str(term.pattern.value) for term in lark.terminals}
-    return Grammar(lark, literals, {literal: name for name, literal in literals.items()})
-
-
-def _kept_tables() -> str | bool:
-    """The file that lark keeps its tables in, for this Python; False if there is no place for it.
-
-    Lark builds them anew if the file is of another grammar, of another lark, or broken.
-    """
-    try:
-        folder = cache_folder()
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        can_others_write = folder.stat().st_mode & 0o002
-    except OSError:
-        return False
-    # The tables are code: nobody else may put them there.
-    return not can_others_write and str(folder / f"ross.{sys.implementation.cache_tag}.tables")
+    file = io.BytesIO()
+    built.save(file)
+    return file.getvalue()
 
 
 class _Terminal(Token):

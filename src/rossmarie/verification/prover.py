@@ -21,7 +21,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from rossmarie.cache import cache_folder
+from rossmarie.cache import belongs_to_us, cache_folder
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.solver_scripts import SCRIPTS
@@ -315,7 +315,10 @@ def find_prover() -> Prover | None:
 
 
 def _can_enter(root: Path) -> bool:
-    return (root / "usr/bin/cbmc").exists() and hasattr(os, "geteuid") and os.geteuid() == 0
+    """Whether this is root, who alone may, and nobody else had a hand in what is there."""
+    is_root = hasattr(os, "geteuid") and os.geteuid() == 0
+    is_ours = belongs_to_us(root.parent) and belongs_to_us(root)
+    return is_root and is_ours and (root / "usr/bin/cbmc").exists()
 
 
 def _unwound(check: Check) -> list[str]:

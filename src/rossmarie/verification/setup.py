@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from rossmarie.cache import belongs_to_us
 from rossmarie.verification.prover import Prover, find_prover, own_root
 
 _DEBOOTSTRAP = (
@@ -26,6 +27,9 @@ _MOST_SECONDS = 900.0
 _TO_END_S = 10.0
 _OTHERWISE = (
     "install the packages cbmc, cadical and z3 of Debian 13, or use the Docker image debian:trixie"
+)
+_PRIVATE = (
+    f"make it root's alone (chown, chmod go-w), name another by XDG_CACHE_HOME, or {_OTHERWISE}"
 )
 
 
@@ -48,7 +52,9 @@ def provide_prover(tell: Callable[[str], None]) -> Prover:
     _check_means()
     try:
         root = own_root()
-        root.parent.mkdir(parents=True, exist_ok=True)
+        root.parent.mkdir(mode=0o755, parents=True, exist_ok=True)
+        if not belongs_to_us(root.parent):
+            raise NoProverError(f"other users can change what is in {root.parent}", _PRIVATE)
         with _alone(root, tell) as lock:
             return find_prover() or _made(root, lock, tell)
     except OSError as error:

@@ -12,8 +12,9 @@ import pytest
 from ezskiros.driver import Checked
 from ezskiros.planning import solve as planner
 from ezskiros.planning.facts import is_so
+from ezskiros.planning.pddl import Problem, Step
 from ezskiros.planning.plan import Plan
-from ezskiros.planning.solve import Step, tried
+from ezskiros.planning.solve import tried
 from ezskiros.planning.source import source
 from support import command_line
 from support.golden import assert_golden
@@ -70,6 +71,16 @@ def test_functional_relations_push_out_the_old_value(tmp_path: Path) -> None:
     """A robot is at one place: driving to the second leaves the first."""
     found, scene = world(tmp_path, ROBOT, DRIVE)
     plan, _ = planned(found, "(not (at cora:Robot-9 skiros:Location-1))", scene)
+    assert names(plan) == ["Drive"]
+
+
+def test_a_goal_that_is_met_and_that_no_skill_is_about_does_no_harm(tmp_path: Path) -> None:
+    scene_text = ROBOT + "skiros:Location-3 skiros:contain skiros:Product-5 .\n"
+    found, scene = world(tmp_path, scene_text, DRIVE)
+    goal = (
+        "(skiros:contain skiros:Location-3 skiros:Product-5), (at cora:Robot-9 skiros:Location-2)"
+    )
+    plan, _ = planned(found, goal, scene)
     assert names(plan) == ["Drive"]
 
 
@@ -219,6 +230,26 @@ def test_the_planner_is_ended(gripping: Checked) -> None:
     assert [each.code for each in said] == ["EZS855"]
 
 
+def test_nothing_of_the_planner_runs_in_this_process(lab: Path) -> None:
+    """It is under another licence, and a program of its own."""
+    program = (
+        "import atexit, sys\n"
+        "from ezskiros.cli.main import main\n"
+        "tops = lambda: {name.partition('.')[0] for name in sys.modules}\n"
+        "atexit.register(lambda: print('modules:', *sorted(tops())))\n"
+        f"sys.argv = {['ezskiros', 'plan', *GOAL, '--ontology', str(HALL)]!r}\n"
+        "main()\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], cwd=lab, capture_output=True, text=True, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    *plan, modules = done.stdout.splitlines()
+    assert "Release" in "\n".join(plan)
+    assert "ezskiros" in modules.split()
+    assert not {"fast_downward", "up_fast_downward", "driver", "translate"} & {*modules.split()}
+
+
 def test_without_the_planner_it_is_said_how_to_install_it(
     gripping: Checked, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -230,8 +261,8 @@ def test_without_the_planner_it_is_said_how_to_install_it(
 def test_a_plan_that_the_world_model_denies_is_not_given(
     gripping: Checked, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def half(*arguments: object) -> list[Step]:
-        return real(*arguments)[-1:]  # type: ignore[arg-type, index]
+    def half(problem: Problem, seconds: float) -> list[Step]:
+        return (real(problem, seconds) or [])[-1:]
 
     real = planner.solve
     monkeypatch.setattr("ezskiros.planning.plan.solve", half)
@@ -243,10 +274,10 @@ def test_a_plan_that_the_world_model_denies_is_not_given(
 def test_steps_that_need_not_be_are_left_out(
     gripping: Checked, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def with_detour(*arguments: object) -> list[Step]:
-        steps = real(*arguments)  # type: ignore[arg-type]
+    def with_detour(problem: Problem, seconds: float) -> list[Step]:
+        steps = real(problem, seconds)
         assert steps is not None
-        (approach,) = (each for each in arguments[0] if each.skill.name == "Approach")  # type: ignore[attr-defined]
+        (approach,) = (each for each in problem.actions if each.skill.name == "Approach")
         there = {
             "Gripper": steps[0].things["Gripper"],
             "Target": "http://rvmi.aau.dk/ontologies/skiros.owl#Location-1",

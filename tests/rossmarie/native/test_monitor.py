@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import gc
+import subprocess
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,13 +15,14 @@ import pytest
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Event
-from rossmarie.native import ColumnError, NativeMonitor, load_native
+from rossmarie.native import ColumnError, NativeMonitor, build, load_native
 from rossmarie.native import monitor as native_monitor
 from rossmarie.targets.c99 import generate_loadable
 from support.c99_cases import CASES
 from support.c_compiler import needs_c
 from support.drafts import SECOND
 from support.machines import exactly
+from support.parts import MOUNTS, needs
 
 pytestmark = needs_c
 
@@ -297,15 +301,16 @@ def test_lost_events_of_fast_calls_are_told(monkeypatch: pytest.MonkeyPatch) -> 
 # --- the cache -------------------------------------------------------------------------------
 
 
-def test_a_corrupt_library_is_built_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    load("thresholds")
-    (made,) = (tmp_path / "rossmarie").iterdir()
-    # Another file takes its place: the loaded library must not change under its users.
-    made.unlink()
-    made.write_bytes(b"\x7fELF and then nothing")
-    monitor = load("thresholds")
-    assert monitor.run(TIMES, columns()).events
+def test_a_library_that_cannot_be_loaded_is_built_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    calls: list[bool] = []
+
+    def once_broken(*arguments: Any, rebuild: bool) -> bytes:
+        calls.append(rebuild)
+        return build(*arguments, rebuild=rebuild) if rebuild else b"\x7fELF and then nothing"
+
+    monkeypatch.setattr(native_monitor, "build", once_broken)
+    assert load("thresholds").run(TIMES, columns()).events
+    assert calls == [False, True]
 
 
 def test_what_cannot_be_compiled_is_compiled_once(
@@ -322,3 +327,19 @@ def test_what_cannot_be_compiled_is_compiled_once(
     with pytest.raises(PermissionError):
         load("thresholds")
     assert len(calls) == 1
+
+
+@needs(MOUNTS)
+def test_temporary_files_need_not_be_executable(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As in a container with `--read-only --tmpfs /tmp`."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    machine = CASES["thresholds"]()
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "noexec", "tmpfs", tmp_path], check=True)
+    try:
+        files = generate_loadable(machine)
+        another = files["host.c"] + "int never_loaded_before;\n"
+        assert load_native(machine, {**files, "host.c": another}).run(TIMES, columns()).events
+    finally:
+        subprocess.run(["umount", "--lazy", tmp_path], check=True)

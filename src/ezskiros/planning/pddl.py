@@ -1,0 +1,148 @@
+"""A planning problem in PDDL, and the plan that a planner found for it.
+
+All things are of one type, and classes are facts that never change: a class of OWL can have several
+superclasses, a type of PDDL one. What follows from an effect, by inverses, special cases and
+functional relations, is an effect as well. Names are numbers: PDDL does not tell `a` from `A`.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from ezskiros.engine.world import World
+from ezskiros.planning.actions import Action
+from ezskiros.planning.facts import EVERYTHING, About, Fluent, Literal, is_so
+
+_REQUIREMENTS = (
+    ":strips", ":typing", ":equality", ":negative-preconditions", ":disjunctive-preconditions",
+    ":conditional-effects", ":universal-preconditions",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Step:
+    """A skill with the things that its parameters stand for, as IRIs."""
+
+    action: Action
+    things: Mapping[str, str]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Goals of a world, and the actions that may lead to them."""
+
+    actions: Sequence[Action]
+    goals: Sequence[Literal]
+    world: World
+    things: Sequence[str]
+
+    def domain(self) -> str:
+        """The file of the domain: facts and actions."""
+        predicates = [
+            f"({name} {_typed(f'?thing_{number}' for number in range(_arity(fluent)))})"
+            for fluent, name in self._fluents.items()
+        ]
+        actions = [self._action(*each) for each in enumerate(self.actions)]
+        parts = (
+            f"(:requirements {' '.join(_REQUIREMENTS)})",
+            "(:types thing)",
+            f"(:predicates {' '.join(predicates)})",
+            *actions,
+        )
+        return "\n".join(("(define (domain skills)", *parts, ")\n"))
+
+    def problem(self) -> str:
+        """The file of the problem: things, the start, and the goals."""
+        parts = (
+            "(:domain skills)",
+            f"(:objects {_typed(self._objects.values())})",
+            f"(:init {' '.join(self._so_at_the_start())})",
+            f"(:goal {_all(self._literal(each, self._objects) for each in self.goals)})",
+        )
+        return "\n".join(("(define (problem plan)", *parts, ")\n"))
+
+    def steps(self, plan: str) -> list[Step]:
+        """The steps of a plan, as a planner writes it: `(skill_0 thing_1 thing_2)` in each line."""
+        iris = {name: iri for iri, name in self._objects.items()}
+        lines = [line.split(";")[0].strip("() \r") for line in plan.splitlines()]
+        return [self._step(*line.split(), iris=iris) for line in lines if line]
+
+    def _step(self, name: str, *given: str, iris: Mapping[str, str]) -> Step:
+        action = self.actions[int(name.rpartition("_")[2])]
+        names = (each.name for each in action.things)
+        return Step(action, dict(zip(names, (iris[each] for each in given), strict=True)))
+
+    @cached_property
+    def _objects(self) -> Mapping[str, str]:
+        return {iri: f"thing_{number}" for number, iri in enumerate(self.things)}
+
+    @cached_property
+    def _fluents(self) -> Mapping[Fluent, str]:
+        """Everything that actions and goals are about."""
+        of_actions = (
+            each
+            for action in self.actions
+            for each in (*itertools.chain(*action.needs), *action.effects)
+        )
+        about = dict.fromkeys(each.fluent for each in (*of_actions, *self.goals))
+        return {fluent: f"fact_{number}" for number, fluent in enumerate(about)}
+
+    def _so_at_the_start(self) -> Iterator[str]:
+        for fluent in self._fluents:
+            for arguments in itertools.product(self.things, repeat=_arity(fluent)):
+                literal = Literal(fluent, arguments)
+                if is_so(literal, self.world):
+                    yield self._literal(literal, self._objects)
+
+    def _literal(self, literal: Literal, names: Mapping[str, str]) -> str:
+        """`names` are those of things and parameters."""
+        ends = (names.get(each) or self._objects[each] for each in literal.arguments)
+        fact = f"({self._fluents[literal.fluent]} {' '.join(ends)})"
+        return fact if literal.is_true else _not(fact)
+
+    def _action(self, number: int, action: Action) -> str:
+        names = {each.name: f"?given_{index}" for index, each in enumerate(action.things)}
+        needs = [
+            f"(or {' '.join(self._literal(each, names) for each in clause)})"
+            for clause in action.needs
+        ]
+        apart = [_not(f"(= {names[one]} {names[other]})") for one, other in action.apart]
+        effects = (self._effect(action, each, names) for each in action.effects)
+        return (
+            f"(:action skill_{number} :parameters ({_typed(names.values())})"
+            f"\n :precondition {_all((*needs, *apart))}\n :effect {_all(effects)})"
+        )
+
+    def _effect(self, action: Action, effect: Literal, names: Mapping[str, str]) -> str:
+        """An effect; of a functional relation the old value goes, and the new one stays."""
+        if EVERYTHING not in effect.arguments:
+            return self._literal(effect, names)
+        free = effect.arguments.index(EVERYTHING)
+        differs = [
+            _not(f"(= ?other {names[each.arguments[free]]})")
+            for each in action.effects
+            if each.is_true
+            and each.fluent == effect.fluent
+            and each.arguments[1 - free] == effect.arguments[1 - free]
+        ]
+        gone = self._literal(effect, {**names, EVERYTHING: "?other"})
+        return f"(forall (?other - thing) (when {_all(differs)} {gone}))"
+
+
+def _arity(fluent: Fluent) -> int:
+    return 2 if fluent.about is About.RELATION else 1
+
+
+def _typed(names: Iterable[str]) -> str:
+    return " ".join(f"{name} - thing" for name in names)
+
+
+def _not(fact: str) -> str:
+    return f"(not {fact})"
+
+
+def _all(facts: Iterable[str]) -> str:
+    return f"(and {' '.join(facts)})"
