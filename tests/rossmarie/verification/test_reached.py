@@ -29,7 +29,10 @@ priority quiet over loud;
 """
 
 NEVER = {("derive", "return UNKNOWN;")}
-"""What no state leads to."""
+"""What no state of a monitor leads to."""
+
+NEVER_IN_REACTORS = {("is_answered", "return false;")}
+"""What waits and has a time limit has a deed, and another rule owns what it needs."""
 
 
 _FUNCTION = re.compile(r"^\w[^;{}=#]*?\b(\w+)\([^;{}]*\)\s*\{", re.MULTILINE)
@@ -102,4 +105,4 @@ def test_every_line_of_a_reactor_is_looked_at(prover: Prover, tmp_path: Path) ->
         there, seen = looked_at(prover, tmp_path, rules, "reactor")
         found, reached = found | there, reached | seen
     assert len(reached) > 100
-    assert found - reached == set()
+    assert found - reached == NEVER_IN_REACTORS
