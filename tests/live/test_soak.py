@@ -6,7 +6,9 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -43,13 +45,15 @@ def test_a_node_runs_for_long(
     program, talkers = programs
     stamped = [f"/sensor_{i}" for i in range(TOPICS)]
     latched = str(tmp_path / "latched")
-    node = ros.begin(program, {"header_stamps": stamped, "state_file": latched})
-    ears = ros.ears(VERDICTS, ros.ros_type("sensors_safety/Verdict"))
+    with ahead_of_others():
+        node = ros.begin(program, {"header_stamps": stamped, "state_file": latched})
+        ears = ros.ears(VERDICTS, ros.ros_type("sensors_safety/Verdict"))
     recording = tmp_path / "sent.csv"
     try:
         ears.connected(VERDICTS)
         command = f"exec {talkers / 'talker'} {TOPICS} {RATE} {seconds} >{recording}"
-        talking = Process(["/bin/sh", "-c", command], ros.variables, tmp_path / "log")
+        with ahead_of_others():
+            talking = Process(["/bin/sh", "-c", command], ros.variables, tmp_path / "log")
         try:
             until(lambda: ears.count(VERDICTS) >= WARM, "it is at work")
             before_kib = resident_kib(node.running.pid)
@@ -66,6 +70,20 @@ def test_a_node_runs_for_long(
     finally:
         ears.end()
         node.end()
+
+
+@contextmanager
+def ahead_of_others() -> Iterator[None]:
+    """What starts within goes before all other work of the machine, where this user may say so: a
+    node that has no time for a second misses what happens in it.
+    """
+    usual = os.sched_getscheduler(0), os.sched_getparam(0)
+    with suppress(PermissionError):
+        os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(1))
+    try:
+        yield
+    finally:
+        os.sched_setscheduler(0, *usual)
 
 
 def heard(ears: Ears) -> list[Change]:
