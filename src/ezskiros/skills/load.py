@@ -6,6 +6,7 @@ by stand-ins. A module that cannot be run does not hide the others.
 
 from __future__ import annotations
 
+import errno
 import importlib
 import os
 import re
@@ -26,9 +27,10 @@ from ezskiros.skills import errors as skill_errors
 from ezskiros.skills import load_errors as errors
 from ezskiros.skills.blame import said, user_files, user_place, user_steps
 from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.encoding import unreadable
 from ezskiros.skills.guard import (
     Guard,
-    Interrupted,
+    ProcessEndError,
     SideEffectError,
     TimeOverError,
     guarded,
@@ -145,6 +147,7 @@ def _module(file: Path, endless: dict[str, str]) -> ModuleType | None:
         return None
     is_again, known = True, dict(sys.modules)
     while is_again:
+        session.come_to(str(file))
         with importing(file), _without(endless):
             module, problem, guard, found = _imported(module_name(file)[0])
         is_open = module is None and not isinstance(problem, TimeOverError)
@@ -158,9 +161,21 @@ def _module(file: Path, endless: dict[str, str]) -> ModuleType | None:
         session.report(errors.ImportSideEffect(deed=refusal.deed).at(refusal.span))
     if isinstance(problem, TimeOverError):
         endless.update([_module_of(problem)])
-    if problem is not None:
+    unread = _unreadable(file, known)
+    for diagnostic in unread.values():
+        session.report(diagnostic)
+    if problem is not None and not (isinstance(problem, SyntaxError) and unread):
         session.report(_failed(problem, file, endless))
-    return module
+    return None if str(file) in unread else module
+
+
+def _unreadable(file: Path, known: Mapping[str, ModuleType]) -> dict[str, Diagnostic]:
+    """What cannot be read of a file, and of those that it imports since only `known` were."""
+    new = (module for name, module in list(sys.modules.items()) if known.get(name) is not module)
+    imported = (getattr(module, "__file__", None) or "" for module in new)
+    paths = [str(file), *(path for path in imported if path.endswith(".py"))]
+    found = ((path, unreadable(path)) for path in dict.fromkeys(paths) if session.is_of_user(path))
+    return {path: diagnostic for path, diagnostic in found if diagnostic is not None}
 
 
 def _imported(name: str) -> tuple[ModuleType | None, BaseException | None, Guard, Collector]:
@@ -169,7 +184,9 @@ def _imported(name: str) -> tuple[ModuleType | None, BaseException | None, Guard
     with session.trying() as found, guarded(SECONDS, is_import=True) as guard:
         try:
             module = importlib.import_module(name)
-        except (Exception, SystemExit, Interrupted) as raised:
+        except KeyboardInterrupt:
+            raise
+        except BaseException as raised:
             problem = raised
     return module, problem, guard, found
 
@@ -235,10 +252,20 @@ def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> D
     exception, why = type(problem).__name__, said(problem)
     if isinstance(problem, SideEffectError):
         exception, why = f"it {problem.deed}", "not done: a check does nothing to the world"
+    elif isinstance(problem, ProcessEndError):
+        exception, why = "it ends the process", "nothing is imported after this"
     elif isinstance(problem, ModuleNotFoundError) and problem.name in endless:
         why = f"the import of `{problem.name}` does not end"
     help = _star_help(source) if isinstance(problem, NameError) else None
+    if isinstance(problem, PermissionError) and problem.errno == errno.EPERM:
+        help = _REFUSED
     return errors.ModuleFailed(exception=exception, said=why).at(span, help=help)
+
+
+_REFUSED = (
+    "a check changes no file, starts no process and uses no network: import what does in the "
+    "methods that use it"
+)
 
 
 def _star_help(source: SourceFile) -> str | None:

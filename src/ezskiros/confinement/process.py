@@ -1,0 +1,175 @@
+"""A child process whose every message is read, and of which nothing is left afterwards."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import os
+import select
+import signal
+import sys
+import time
+from collections.abc import Callable, Generator, Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any, NoReturn
+
+Send = Callable[[list[Any]], None]
+
+_LONGEST = 1 << 26
+"""Bytes of a message: more than this comes from no check."""
+_LOOK_S = 0.1
+"""How often a silent child is looked after."""
+_END_S = 1.0
+_SET_DEATH_SIGNAL, _SET_SUBREAPER = 1, 36
+
+
+class BrokenOffError(Exception):
+    """The child cannot be asked any further; the text says why."""
+
+
+def messages(work: Callable[[Send], None], patience: float) -> Generator[list[Any], None, None]:
+    """What `work` sends from a child process.
+
+    Raises `BrokenOffError` when the child has ended, when it is silent for `patience` seconds, and
+    when it sends what is no message. Whoever has heard enough closes the iterator: then the child
+    and all processes that it has started are killed.
+    """
+    known = _descendants()
+    with _adopting():
+        child, reading = _started(work)
+        try:
+            yield from _messages(child, reading, patience)
+        finally:
+            os.close(reading)
+            _kill(child, known)
+
+
+def _messages(child: int, reading: int, patience: float) -> Iterator[list[Any]]:
+    last, rest, has_ended = time.monotonic(), bytearray(), False
+    while True:
+        ready, _, _ = select.select([reading], [], [], 0 if has_ended else _LOOK_S)
+        part = os.read(reading, 1 << 16) if ready else b""
+        if part:
+            rest += part
+            if b"\n" in part:
+                *lines, rest = rest.split(b"\n")
+                yield from map(_message, lines)
+                last = time.monotonic()
+        elif has_ended:
+            raise BrokenOffError(_cause(child))
+        else:
+            has_ended = bool(ready) or _has_ended(child)
+        if time.monotonic() - last > patience:
+            raise BrokenOffError(f"it did not go on for {patience:g} s")
+        if len(rest) > _LONGEST:
+            raise BrokenOffError("it sent what is no message")
+
+
+def _message(line: bytearray) -> list[Any]:
+    try:
+        found = json.loads(line)
+    except (ValueError, RecursionError):
+        found = None
+    if not isinstance(found, list) or not found:
+        raise BrokenOffError("it wrote into the report of the check")
+    return found
+
+
+def _has_ended(child: int) -> bool:
+    return os.waitid(os.P_PID, child, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
+
+
+def _cause(child: int) -> str:
+    """Why there is no more to read from a child. Its files are closed a little before it has ended."""
+    limit = time.monotonic() + _END_S
+    while not _has_ended(child):
+        if time.monotonic() > limit:
+            return "it closed the report of the check"
+        time.sleep(_LOOK_S / 10)
+    found = os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT)
+    if found is None or found.si_code == os.CLD_EXITED:
+        return f"it ended the process, with exit code {found.si_status if found else 0}"
+    name = signal.Signals(found.si_status).name
+    hint = ": perhaps there was no more memory" if name == "SIGKILL" else ""
+    return f"the process was ended by {name}{hint}"
+
+
+# --- the child ------------------------------------------------------------------------------------
+
+
+def _started(work: Callable[[Send], None]) -> tuple[int, int]:
+    """A child that works, and where its messages can be read."""
+    for stream in filter(None, (sys.stdout, sys.stderr)):
+        stream.flush()
+    reading, writing = os.pipe()
+    parent = os.getpid()
+    child = os.fork()
+    if child == 0:
+        _work(work, writing, parent)
+    os.close(writing)
+    return child, reading
+
+
+def _work(work: Callable[[Send], None], writing: int, parent: int) -> NoReturn:
+    """Work in a session without a terminal, with no file open but for messages."""
+    try:
+        os.setsid()
+        nowhere = os.open(os.devnull, os.O_RDWR)
+        for number in range(3):
+            os.dup2(nowhere, number)
+        os.closerange(3, writing)
+        os.closerange(writing + 1, os.sysconf("SC_OPEN_MAX"))
+        _system_call(_SET_DEATH_SIGNAL, signal.SIGKILL)
+        if os.getppid() == parent:
+            work(lambda message: _write(writing, message))
+    finally:
+        os._exit(0)  # at once: nothing that users' code has left for the end is done
+
+
+def _write(file: int, message: list[Any]) -> None:
+    left = json.dumps(message).encode() + b"\n"
+    while left:
+        left = left[os.write(file, left) :]
+
+
+# --- its end --------------------------------------------------------------------------------------
+
+
+@contextmanager
+def _adopting() -> Iterator[None]:
+    """Within, processes that lose their parent become children of this one."""
+    _system_call(_SET_SUBREAPER, 1)
+    try:
+        yield
+    finally:
+        _system_call(_SET_SUBREAPER, 0)
+
+
+def _system_call(option: int, value: int) -> None:
+    """`prctl`, where there is one."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(option, value, 0, 0, 0)
+
+
+def _kill(child: int, known: frozenset[int]) -> None:
+    """Kill a child and all that it has started; some become children of this process on the way."""
+    with suppress(ProcessLookupError, PermissionError):
+        os.killpg(child, signal.SIGKILL)
+    left = frozenset({child})
+    while left:
+        known |= left  # each once: what cannot be killed is another user's
+        for process in left:
+            with suppress(ProcessLookupError, PermissionError, ChildProcessError):
+                os.kill(process, signal.SIGKILL)
+                os.waitpid(process, 0)
+        left = _descendants() - known
+
+
+def _descendants() -> frozenset[int]:
+    """The children of this process, as far as the system tells."""
+    found: set[int] = set()
+    for file in Path("/proc/self/task").glob("*/children"):
+        with suppress(OSError):
+            found.update(map(int, file.read_text().split()))
+    return frozenset(found)
