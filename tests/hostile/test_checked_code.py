@@ -151,7 +151,9 @@ HANGS = {
     "an ignored alarm": (
         "import signal\nsignal.signal(signal.SIGALRM, signal.SIG_IGN)\nwhile True: pass"
     ),
-    "a slow pattern": "import re\nre.match('(a+)+b', 'a' * 99)",
+    "a loop in C": (
+        "import collections, itertools\ncollections.deque(itertools.repeat(0), maxlen=0)"
+    ),
     "a stop": "import signal\nsignal.raise_signal(signal.SIGSTOP)",
 }
 

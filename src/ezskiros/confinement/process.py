@@ -81,7 +81,7 @@ def _has_ended(child: int) -> bool:
 
 
 def _cause(child: int) -> str:
-    """Why there is no more to read from a child. Its files are closed a little before it has ended."""
+    """Why there is no more to read from a child, whose files are closed a little before its end."""
     limit = time.monotonic() + _END_S
     while not _has_ended(child):
         if time.monotonic() > limit:

@@ -1,19 +1,22 @@
-"""Whether the bytes of a module are of its encoding (PEP 263).
+"""Refuses modules whose bytes are not of their encoding (PEP 263), wherever they are imported.
 
-Python decodes a module less strictly when it imports it than when it runs it: in a comment, some
-versions let any byte pass.
+Some versions of Python let any byte pass in a comment, others refuse it: so does a check.
 """
 
 from __future__ import annotations
 
 import io
 import tokenize
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
+from importlib.machinery import SourceFileLoader
+from types import CodeType
 
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile, Span
 from dslkit.source.paths import shown
+from ezskiros import session
 from ezskiros.skills.load_errors import NoPython
 
 _DEFAULT = "utf-8"
@@ -32,15 +35,39 @@ class _Fault:
     help: str | None = None
 
 
-def unreadable(path: str) -> Diagnostic | None:
-    """The finding for a file that Python cannot read; None if it can, or if there is no file."""
+class UnreadableError(SyntaxError):
+    """A module that cannot be read; `diagnostic` says where."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        super().__init__(diagnostic.title)
+        self.diagnostic = diagnostic
+
+
+_get_code = SourceFileLoader.get_code
+
+
+def _strict_code(loader: SourceFileLoader, name: str) -> CodeType | None:
+    """The code of a module, if Python can read all of it, whatever it has compiled before."""
+    path = loader.get_filename(name)
+    if session.is_of_user(path):
+        content = loader.get_data(path)
+        fault = _fault(content)
+        if fault is not None:
+            raise UnreadableError(_finding(path, content, fault))
+    return _get_code(loader, name)
+
+
+@contextmanager
+def reading_strictly() -> Iterator[None]:
+    """Within, the import of a module that cannot be read raises `UnreadableError`."""
+    SourceFileLoader.get_code = _strict_code  # type: ignore[assignment,method-assign]
     try:
-        content = Path(path).read_bytes()
-    except OSError:
-        return None
-    fault = _fault(content)
-    if fault is None:
-        return None
+        yield
+    finally:
+        SourceFileLoader.get_code = _get_code  # type: ignore[method-assign]
+
+
+def _finding(path: str, content: bytes, fault: _Fault) -> Diagnostic:
     file = SourceFile(shown(path), _text(content, fault.encoding))
     start = len(_text(content[: fault.place], fault.encoding))
     span = Span(file, start, min(start + 1, len(file.text)))

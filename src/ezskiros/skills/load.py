@@ -27,7 +27,7 @@ from ezskiros.skills import errors as skill_errors
 from ezskiros.skills import load_errors as errors
 from ezskiros.skills.blame import said, user_files, user_place, user_steps
 from ezskiros.skills.description import SkillDescription
-from ezskiros.skills.encoding import unreadable
+from ezskiros.skills.encoding import UnreadableError
 from ezskiros.skills.guard import (
     Guard,
     ProcessEndError,
@@ -161,21 +161,9 @@ def _module(file: Path, endless: dict[str, str]) -> ModuleType | None:
         session.report(errors.ImportSideEffect(deed=refusal.deed).at(refusal.span))
     if isinstance(problem, TimeOverError):
         endless.update([_module_of(problem)])
-    unread = _unreadable(file, known)
-    for diagnostic in unread.values():
-        session.report(diagnostic)
-    if problem is not None and not (isinstance(problem, SyntaxError) and unread):
+    if problem is not None:
         session.report(_failed(problem, file, endless))
-    return None if str(file) in unread else module
-
-
-def _unreadable(file: Path, known: Mapping[str, ModuleType]) -> dict[str, Diagnostic]:
-    """What cannot be read of a file, and of those that it imports since only `known` were."""
-    new = (module for name, module in list(sys.modules.items()) if known.get(name) is not module)
-    imported = (getattr(module, "__file__", None) or "" for module in new)
-    paths = [str(file), *(path for path in imported if path.endswith(".py"))]
-    found = ((path, unreadable(path)) for path in dict.fromkeys(paths) if session.is_of_user(path))
-    return {path: diagnostic for path, diagnostic in found if diagnostic is not None}
+    return module
 
 
 def _imported(name: str) -> tuple[ModuleType | None, BaseException | None, Guard, Collector]:
@@ -235,7 +223,7 @@ def _syntax_error(problem: SyntaxError, file: Path) -> Diagnostic:
     source = source_file(problem.filename or str(file)) or SourceFile(str(file), "")
     line = line_span(source, problem.lineno or 1)
     start = min(
-        source.line_starts[source.position(line.start).line - 1] + (problem.offset or 1) - 1,
+        source.line_starts[source.position(line.start).line - 1] + max(problem.offset or 1, 1) - 1,
         len(source.text),
     )
     return errors.NoPython(said=problem.msg).at(Span(source, start, max(start, line.end)))
@@ -243,6 +231,8 @@ def _syntax_error(problem: SyntaxError, file: Path) -> Diagnostic:
 
 def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> Diagnostic:
     """The finding for a module that raised, at the last line of the user's code."""
+    if isinstance(problem, UnreadableError):
+        return problem.diagnostic
     if isinstance(problem, SyntaxError):
         return _syntax_error(problem, file)
     source = source_file(str(file)) or SourceFile(str(file), "")
