@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import secrets
+import os
 import sys
 import traceback
 from collections.abc import Callable, Sequence
@@ -58,7 +58,7 @@ def confined(work: Work, patience: float = PATIENCE_S, *, may_act: bool = False)
     Whatever users' code does to the child, the report has the findings until then, and an error if
     something is missing. A child that does not go on for `patience` seconds is ended.
     """
-    mark = secrets.token_hex()
+    mark = os.urandom(16).hex()
     listener = _Listener(mark)
     child = _Child(work, mark, may_act)
     try:
