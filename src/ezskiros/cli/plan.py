@@ -45,8 +45,9 @@ def plan(
     from ezskiros.cli.outlines import console_for_outlines
 
     console = console_for_outlines()
+    # What is out of reach, and the plan, may take this long each.
     search = _Search(paths, scene, goal, seconds, write, console)
-    found, report = asked(search.run, seconds, may_act=True)
+    found, report = asked(search.run, 2 * seconds, may_act=True)
     output.print_findings(report.diagnostics)
     if not found["has_plan"]:
         raise typer.Exit(output.exit_code(report.diagnostics) or 1)

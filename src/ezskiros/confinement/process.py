@@ -118,13 +118,20 @@ def _work(work: Callable[[Send], None], writing: int, parent: int) -> NoReturn:
         nowhere = os.open(os.devnull, os.O_RDWR)
         for number in range(3):
             os.dup2(nowhere, number)
-        os.closerange(3, writing)
-        os.closerange(writing + 1, os.sysconf("SC_OPEN_MAX"))
+        _close_all_but(writing)
         _system_call(_SET_DEATH_SIGNAL, signal.SIGKILL)
         if os.getppid() == parent:
             work(lambda message: _write(writing, message))
     finally:
         os._exit(0)  # at once: nothing that users' code has left for the end is done
+
+
+def _close_all_but(kept: int) -> None:
+    """Close all files but this one, and the first three."""
+    for number in map(int, os.listdir("/dev/fd")):  # noqa: PTH208
+        if number > 2 and number != kept:
+            with suppress(OSError):
+                os.close(number)
 
 
 def _write(file: int, message: list[Any]) -> None:

@@ -208,11 +208,11 @@ def guarding_sleep() -> Iterator[None]:
 def _guarding_python() -> Iterator[None]:
     """Within, the process cannot be ended; afterwards Python recurses as deep as before."""
     depth = sys.getrecursionlimit()
-    os._exit = _guarded_exit
+    before, os._exit = os._exit, _guarded_exit
     try:
         yield
     finally:
-        os._exit = _exit
+        os._exit = before
         sys.setrecursionlimit(depth)
 
 

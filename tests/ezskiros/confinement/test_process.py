@@ -15,6 +15,9 @@ import pytest
 from ezskiros.confinement.process import BrokenOffError, Send, messages
 from support.parts import PROC, needs
 
+# pytest may have threads, of which Python 3.12 warns; a command has one.
+pytestmark = pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+
 
 def heard(work: Callable[[Send], None], patience: float = 20.0) -> tuple[list[Any], str]:
     """The messages of a child, and why there were no more."""
