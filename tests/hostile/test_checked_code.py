@@ -7,16 +7,20 @@ mistakes that have to be told, and `c.py` has another one.
 
 from __future__ import annotations
 
+import re
+import signal
 import subprocess
+import sys
 import sysconfig
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from support import command_line
 from support.ontologies import HALL
-from support.parts import C_COMPILER, SECCOMP, needs
+from support.parts import C_COMPILER, PROC, SECCOMP, needs
 from support.skill_files import HEADER, WRONG, skill
 
 FIRST = skill(WRONG) + "skiros.Nonsense\n"
@@ -167,6 +171,40 @@ def test_nothing_hangs(tmp_path: Path, attack: str) -> None:
     assert "error[EZS240]" in done.stdout
     assert "it did not go on for 60 s" in done.stdout
     assert time.monotonic() - start < 100
+
+
+@needs(PROC)
+@pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGTERM, signal.SIGKILL])
+def test_a_check_that_is_ended_leaves_no_process(tmp_path: Path, sent: signal.Signals) -> None:
+    (tmp_path / "endless.py").write_text(HANGS["an ignored alarm"])
+    command = [str(Path(sys.executable).with_name("ezskiros")), "check", "endless.py"]
+    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE) as process:
+        children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+        wait_until(lambda: children.read_text() != "")
+        child = Path(f"/proc/{children.read_text().strip()}")
+        wait_until(lambda: _ignores_alarms(child))  # it is in the loop
+        process.send_signal(sent)
+        assert process.wait(60) != 0
+    wait_until(lambda: "State:\tZ" in status(child) or status(child) == "")
+
+
+def _ignores_alarms(process: Path) -> bool:
+    found = re.search(r"SigIgn:\s*(\w+)", status(process))
+    return found is not None and bool(int(found[1], 16) & 1 << signal.SIGALRM - 1)
+
+
+def status(process: Path) -> str:
+    try:
+        return (process / "status").read_text()
+    except OSError:
+        return ""
+
+
+def wait_until(is_so: Callable[[], bool]) -> None:
+    limit = time.monotonic() + command_line.TIME_LIMIT_S
+    while not is_so():
+        assert time.monotonic() < limit
+        time.sleep(0.05)
 
 
 MADE = "(__import__('pathlib').Path(__file__).parents[1] / 'made')"
