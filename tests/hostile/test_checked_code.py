@@ -124,6 +124,24 @@ def test_a_check_ends_with_an_error_that_says_why(
         assert " own/b.py:" in done.stdout
 
 
+MEMORY = """\
+found, size = [], 1 << 30
+while size:
+    try:
+        found.append(bytes(size))
+    except MemoryError:
+        size //= 4
+"""
+
+
+@needs(SECCOMP)  # the limit binds on Linux
+def test_no_memory_is_no_defect_of_ours(tmp_path: Path) -> None:
+    done = check(tmp_path, MEMORY)
+    assert done.returncode == 1
+    assert "skiros.Nonsense" in done.stdout
+    assert "error[EZS240]" in done.stdout
+
+
 FINDINGS = """\
 import gc
 from dslkit.diagnostics import Collector

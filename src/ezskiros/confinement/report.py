@@ -19,7 +19,7 @@ from dslkit.source.call_site import line_span
 from dslkit.source.paths import shown
 from ezskiros import session
 from ezskiros.confinement.errors import BrokenOff, CheckerChanged
-from ezskiros.confinement.limits import confine
+from ezskiros.confinement.limits import MEMORY, confine
 from ezskiros.confinement.own_modules import Seal
 from ezskiros.confinement.process import BrokenOffError, Send, messages
 from ezskiros.confinement.unconfined import UnconfinedError
@@ -162,6 +162,8 @@ class _Child:
             end = ["end", self.mark, sent.count, value]
         except RefusedError as problem:
             end = ["refused", self.mark, str(problem)]
+        except MemoryError:
+            end = ["raised", f"it needed more than {MEMORY >> 30} GiB of memory"]
         except Exception:
             end = ["defect", traceback.format_exc()]
         except BaseException as problem:
