@@ -124,6 +124,17 @@ def test_a_check_ends_with_an_error_that_says_why(
         assert " own/b.py:" in done.stdout
 
 
+@pytest.mark.parametrize("closed", ["<&-", ">&-", "2>&-", "<&- >&- 2>&-"])
+def test_closed_streams_do_not_matter(tmp_path: Path, closed: str) -> None:
+    (tmp_path / "right.py").write_text(skill("self.post_conditions += Place.contain(Object)"))
+    (tmp_path / "wrong.py").write_text(FIRST)
+    program = Path(sys.executable).with_name("ezskiros")
+    for name, code in (("right.py", 0), ("wrong.py", 1)):
+        command = f"{program} check --ontology {HALL} {name} {closed}"
+        done = subprocess.run(["sh", "-c", command], cwd=tmp_path, capture_output=True, check=False)
+        assert done.returncode == code
+
+
 MEMORY = """\
 found, size = [], 1 << 30
 while size:
@@ -187,7 +198,7 @@ def test_nothing_hangs(tmp_path: Path, attack: str) -> None:
     done = check(tmp_path, attack)
     assert done.returncode == 1
     assert "error[EZS240]" in done.stdout
-    assert "it did not go on for 60 s" in done.stdout
+    assert "the code did not go on for 60 s" in done.stdout
     assert time.monotonic() - start < 100
 
 

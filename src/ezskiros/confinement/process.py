@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import fcntl
 import json
 import os
 import select
@@ -42,10 +43,11 @@ def messages(work: Callable[[Send], None], patience: float) -> Generator[list[An
             yield from _messages(child, reading, patience)
         finally:
             os.close(reading)
-            _kill(child, known)
+            child.end()
+            _kill_orphans(known)
 
 
-def _messages(child: int, reading: int, patience: float) -> Iterator[list[Any]]:
+def _messages(child: _Process, reading: int, patience: float) -> Iterator[list[Any]]:
     last, rest, has_ended = time.monotonic(), bytearray(), False
     while True:
         ready, _, _ = select.select([reading], [], [], 0 if has_ended else _LOOK_S)
@@ -57,13 +59,13 @@ def _messages(child: int, reading: int, patience: float) -> Iterator[list[Any]]:
                 yield from map(_message, lines)
                 last = time.monotonic()
         elif has_ended:
-            raise BrokenOffError(_cause(child))
+            raise BrokenOffError(child.cause())
         else:
-            has_ended = bool(ready) or _has_ended(child)
+            has_ended = bool(ready) or child.has_ended()
         if time.monotonic() - last > patience:
-            raise BrokenOffError(f"it did not go on for {patience:g} s")
+            raise BrokenOffError(f"the code did not go on for {patience:g} s")
         if len(rest) > _LONGEST:
-            raise BrokenOffError("it sent what is no message")
+            raise BrokenOffError("the code sent what is no message")
 
 
 def _message(line: bytearray) -> list[Any]:
@@ -72,33 +74,50 @@ def _message(line: bytearray) -> list[Any]:
     except (ValueError, RecursionError):
         found = None
     if not isinstance(found, list) or not found:
-        raise BrokenOffError("it wrote into the report of the check")
+        raise BrokenOffError("the code wrote into the report of the check")
     return found
 
 
-def _has_ended(child: int) -> bool:
-    return os.waitid(os.P_PID, child, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
+class _Process:
+    """A child of this process; `os.waitid` would keep its status, but macOS has none."""
 
+    def __init__(self, number: int) -> None:
+        self.number = number
+        self._status: int | None = None
 
-def _cause(child: int) -> str:
-    """Why there is no more to read from a child, whose files are closed a little before its end."""
-    limit = time.monotonic() + _END_S
-    while not _has_ended(child):
-        if time.monotonic() > limit:
-            return "it closed the report of the check"
-        time.sleep(_LOOK_S / 10)
-    found = os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT)
-    if found is None or found.si_code == os.CLD_EXITED:
-        return f"it ended the process, with exit code {found.si_status if found else 0}"
-    name = signal.Signals(found.si_status).name
-    hint = ": perhaps there was no more memory" if name == "SIGKILL" else ""
-    return f"the process was ended by {name}{hint}"
+    def has_ended(self, options: int = os.WNOHANG) -> bool:
+        if self._status is None:
+            found, status = os.waitpid(self.number, options)
+            self._status = status if found else None
+        return self._status is not None
+
+    def end(self) -> None:
+        """Kill it, and what has stayed in its group."""
+        with suppress(ProcessLookupError, PermissionError):
+            os.killpg(self.number, signal.SIGKILL)
+        if not self.has_ended():
+            os.kill(self.number, signal.SIGKILL)
+            self.has_ended(0)
+
+    def cause(self) -> str:
+        """Why there is no more to read from it, whose files are closed a little before its end."""
+        limit = time.monotonic() + _END_S
+        while not self.has_ended():
+            if time.monotonic() > limit:
+                return "the code closed the report of the check"
+            time.sleep(_LOOK_S / 10)
+        code = os.waitstatus_to_exitcode(self._status or 0)
+        if code >= 0:
+            return f"the code ended the process, with exit code {code}"
+        name = signal.Signals(-code).name
+        hint = ": perhaps there was no more memory" if name == "SIGKILL" else ""
+        return f"the process was ended by {name}{hint}"
 
 
 # --- the child ------------------------------------------------------------------------------------
 
 
-def _started(work: Callable[[Send], None]) -> tuple[int, int]:
+def _started(work: Callable[[Send], None]) -> tuple[_Process, int]:
     """A child that works, and where its messages can be read."""
     for stream in filter(None, (sys.stdout, sys.stderr)):
         stream.flush()
@@ -108,13 +127,14 @@ def _started(work: Callable[[Send], None]) -> tuple[int, int]:
     if child == 0:
         _work(work, writing, parent)
     os.close(writing)
-    return child, reading
+    return _Process(child), reading
 
 
 def _work(work: Callable[[Send], None], writing: int, parent: int) -> NoReturn:
     """Work in a session without a terminal, with no file open but for messages."""
     try:
         os.setsid()
+        writing = fcntl.fcntl(writing, fcntl.F_DUPFD, 3)  # who calls us may have closed the first
         nowhere = os.open(os.devnull, os.O_RDWR)
         for number in range(3):
             os.dup2(nowhere, number)
@@ -159,18 +179,14 @@ def _system_call(option: int, value: int) -> None:
         ctypes.CDLL(None).prctl(option, value, 0, 0, 0)
 
 
-def _kill(child: int, known: frozenset[int]) -> None:
-    """Kill a child and all that it has started; some become children of this process on the way."""
-    with suppress(ProcessLookupError, PermissionError):
-        os.killpg(child, signal.SIGKILL)
-    left = frozenset({child})
-    while left:
+def _kill_orphans(known: frozenset[int]) -> None:
+    """Kill all children but those that are known; theirs become children of this process then."""
+    while left := _descendants() - known:
         known |= left  # each once: what cannot be killed is another user's
         for process in left:
             with suppress(ProcessLookupError, PermissionError, ChildProcessError):
                 os.kill(process, signal.SIGKILL)
                 os.waitpid(process, 0)
-        left = _descendants() - known
 
 
 def _descendants() -> frozenset[int]:

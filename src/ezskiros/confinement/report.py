@@ -89,7 +89,7 @@ class _Listener:
         try:
             return self._hear(*message)
         except (ValueError, TypeError):
-            raise BrokenOffError("it wrote into the report of the check") from None
+            raise BrokenOffError("the code wrote into the report of the check") from None
 
     def _hear(self, kind: str, *rest: Any) -> bool:
         match kind, rest:
@@ -163,7 +163,7 @@ class _Child:
         except RefusedError as problem:
             end = ["refused", self.mark, str(problem)]
         except MemoryError:
-            end = ["raised", f"it needed more than {MEMORY >> 30} GiB of memory"]
+            end = ["raised", f"the code needed more than {MEMORY >> 30} GiB of memory"]
         except Exception:
             end = ["defect", traceback.format_exc()]
         except BaseException as problem:
