@@ -310,6 +310,25 @@ def test_a_compiled_library_does_nothing(tmp_path: Path) -> None:
     assert not made.exists()
 
 
+BEHIND = """\
+try:
+    import vendor
+except PermissionError:
+    raise OSError("there is no folder for fonts")
+"""
+
+
+@needs(SECCOMP)
+@pytest.mark.parametrize("attack", ["import vendor", BEHIND], ids=["itself", "another error"])
+def test_what_the_system_refuses_is_told(tmp_path: Path, attack: str) -> None:
+    (tmp_path / "vendor.py").write_text(DEEDS["by a program"])
+    (tmp_path / "b.py").write_text(attack)
+    done = command_line.run("ezskiros", "check", "b.py", folder=tmp_path)
+    assert done.returncode == 1
+    assert "error[EZS003]" in done.stdout
+    assert "a check changes no file, starts no process" in done.stdout
+
+
 OTHERS = {
     "explain": ("explain", "Skill", "own"),
     "show": ("show", "Skill", "own"),

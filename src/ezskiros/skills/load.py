@@ -247,7 +247,7 @@ def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> D
     elif isinstance(problem, ModuleNotFoundError) and problem.name in endless:
         why = f"the import of `{problem.name}` does not end"
     help = _star_help(source) if isinstance(problem, NameError) else None
-    if isinstance(problem, PermissionError) and problem.errno == errno.EPERM:
+    if _was_refused(problem):
         help = _REFUSED
     return errors.ModuleFailed(exception=exception, said=why).at(span, help=help)
 
@@ -256,6 +256,15 @@ _REFUSED = (
     "a check changes no file, starts no process and uses no network: import what does in the "
     "methods that use it"
 )
+
+
+def _was_refused(problem: BaseException | None) -> bool:
+    """Whether the system refused something, on which a library may say something else."""
+    while problem is not None:
+        if isinstance(problem, PermissionError) and problem.errno == errno.EPERM:
+            return True
+        problem = problem.__cause__ or problem.__context__
+    return False
 
 
 def _star_help(source: SourceFile) -> str | None:
