@@ -57,15 +57,19 @@ def _without_collections() -> Iterator[None]:
             gc.enable()
 
 
-def check_paths(paths: Iterable[Path], values: Path | None = None) -> Checked:
+def check_paths(
+    paths: Iterable[Path], values: Path | None = None, collector: Collector | None = None
+) -> Checked:
     """Check the skills of files, folders and packages, and scenes; what skills print is dropped.
 
-    `values` is a file of values of parameters that are known at launch.
+    `values` is a file of values of parameters that are known at launch; findings are put into
+    `collector` as they come up. This runs the modules in this process: unlike `ezskiros check`, it
+    trusts them.
     """
     paths = list(paths)
     scenes = [path for path in paths if path.suffix == SCENE]
     paths = [path for path in paths if path.suffix != SCENE]
-    collector = Collector()
+    collector = Collector() if collector is None else collector
     files = module_files(paths)
     with (
         session.collecting(collector),
@@ -90,9 +94,9 @@ def check_paths(paths: Iterable[Path], values: Path | None = None) -> Checked:
     return Checked([*files, *scenes], skills, collector.sorted(), library, trees)
 
 
-def missing_conditions(paths: Iterable[Path]) -> list[Missing]:
+def missing_conditions(paths: Iterable[Path], collector: Collector | None = None) -> list[Missing]:
     """The pre-conditions that compound skills lack, in files, folders and packages."""
-    checked = check_paths(paths)
+    checked = check_paths(paths, collector=collector)
     return missing_pre_conditions(checked.trees, checked.library)
 
 
@@ -128,9 +132,9 @@ class UnknownSkillError(LookupError):
     """There is no such skill; the text says so, and which one may be meant."""
 
 
-def explain_skill(name: str, paths: Iterable[Path]) -> str:
+def explain_skill(name: str, paths: Iterable[Path], collector: Collector | None = None) -> str:
     """How each inferred parameter of a skill gets its value. Raises `UnknownSkillError`."""
-    skills = {each.name: each for each in check_paths(paths).skills}
+    skills = {each.name: each for each in check_paths(paths, collector=collector).skills}
     if name not in skills:
         near = difflib.get_close_matches(name, skills, n=1)
         hint = f"; did you mean `{near[0]}`?" if near else ""

@@ -8,7 +8,7 @@ import os
 import site
 import sys
 import sysconfig
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
@@ -34,6 +34,7 @@ LIBRARIES = tuple(
 """Where Python's own modules are, and installed ones."""
 _checked: ContextVar[tuple[str, ...]] = ContextVar("checked", default=())
 _collector: ContextVar[Collector | None] = ContextVar("collector", default=None)
+_follower: ContextVar[Callable[[str], object] | None] = ContextVar("follower", default=None)
 NOWHERE = Span(SourceFile("<no source>", ""), 0, 0)
 
 
@@ -71,6 +72,23 @@ def checking(beginnings: Iterable[str]) -> Iterator[None]:
         yield
     finally:
         _checked.reset(token)
+
+
+@contextmanager
+def following(tell: Callable[[str], object]) -> Iterator[None]:
+    """Within, `tell` hears of each file that the check comes to."""
+    token = _follower.set(tell)
+    try:
+        yield
+    finally:
+        _follower.reset(token)
+
+
+def come_to(path: str) -> None:
+    """Tell who follows the check that it has come to a file."""
+    tell = _follower.get()
+    if tell is not None:
+        tell(path)
 
 
 def is_of_user(path: str) -> bool:

@@ -71,6 +71,7 @@ EZSKIROS = Tool(
     "EZS",
     {
         "skills": {0, 2, 5},
+        "confinement": {2},
         "ontology": {1, 3},
         "trees": {5},
         "check": {3, 4, 5, 6},

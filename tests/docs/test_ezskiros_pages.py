@@ -19,7 +19,8 @@ from support import transcript
 from support.markdown import Block, blocks, replace_block
 from support.skills import ONTOLOGY, codes_in, compare_files, findings
 
-ELSEWHERE = {f"EZS{number}" for number in (*range(700, 800), *range(830, 890))}
+_STAGES = (*range(240, 250), *range(700, 800), *range(830, 890))
+ELSEWHERE = {f"EZS{number}" for number in _STAGES}
 """Those of other stages: their own test_pages.py in tests/ezskiros takes care of them."""
 PAGES = [
     page

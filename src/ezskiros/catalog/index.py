@@ -8,6 +8,7 @@ from ezskiros.catalog import errors as catalog_errors
 from ezskiros.check import errors as check_errors
 from ezskiros.check import scene_errors, world_errors
 from ezskiros.check import tree_errors as tree_check_errors
+from ezskiros.confinement import errors as confinement_errors
 from ezskiros.contracts import errors as contract_errors
 from ezskiros.drawing import errors as drawing_errors
 from ezskiros.hosts import skiros2_errors
@@ -25,6 +26,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *ontology_errors.ALL,
     *skills_errors.ALL,
     *parameter_errors.ALL,
+    *confinement_errors.ALL,
     *condition_errors.ALL,
     *world_errors.ALL,
     *tree_errors.ALL,

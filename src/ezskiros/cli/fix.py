@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import typer
 
+from ezskiros.cli.checking import asked
 from ezskiros.cli.output import output
 
 if TYPE_CHECKING:  # what checks skills is loaded when it is needed
@@ -28,16 +29,18 @@ def fix(paths: Sequence[Path]) -> None:
     """Repair what pre-conditions repair, and say so; ends the run if a file cannot be written."""
     from ezskiros.driver import missing_conditions
 
-    for repair in _repairs(missing_conditions(paths)):
-        _write(repair)
+    repairs, _ = asked(lambda collector: _repairs(missing_conditions(paths, collector)))
+    for path, skill, conditions in repairs:
+        _write(Repair(Path(path), skill, conditions))
 
 
-def _repairs(missing: Sequence[Missing]) -> Iterator[Repair]:
-    """By skills."""
-    skills = dict.fromkeys((each.skill.span.file.path, each.skill.name) for each in missing)
-    for path, name in skills:
-        texts = [each.text for each in missing if each.skill.name == name]
-        yield Repair(Path(path), name, list(dict.fromkeys(texts)))
+def _repairs(missing: Sequence[Missing]) -> list[tuple[str, str, list[str]]]:
+    """By skills: the file, the name, and the conditions."""
+    found: dict[tuple[str, str], dict[str, None]] = {}
+    for each in missing:
+        place = (each.skill.span.file.path, each.skill.name)
+        found.setdefault(place, {})[each.text] = None
+    return [(*place, list(texts)) for place, texts in found.items()]
 
 
 def _write(repair: Repair) -> None:

@@ -6,7 +6,6 @@ itself was called wrongly or a file could not be read, 70 a defect of this tool.
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -15,6 +14,7 @@ import typer
 
 from dslkit.command_line import Format
 from ezskiros.cli.arguments import Folders, Skills, name_ontology
+from ezskiros.cli.checking import asked, print_check
 from ezskiros.cli.output import output
 from ezskiros.cli.plan import plan
 from ezskiros.cli.run import run
@@ -66,8 +66,6 @@ def check(
     ] = False,
 ) -> None:
     """Check the skills of Python files: all that is wrong with them, without ROS."""
-    from ezskiros.driver import check_paths
-
     name_ontology(ontology)
     if fixed:
         from ezskiros.cli.fix import fix
@@ -75,13 +73,10 @@ def check(
         if watched:
             output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
         fix(paths)
-        raise typer.Exit(_check_in_new_process(paths, ontology or [], values, form))
     if watched:
         _check_again_and_again(paths, ontology or [], values, form)
         return
-    found = check_paths(paths, values)
-    output.print_diagnostics(found.diagnostics, form, file_count=len(found.files))
-    raise typer.Exit(output.exit_code(found.diagnostics))
+    raise typer.Exit(print_check(paths, values, form))
 
 
 @app.command()
@@ -96,13 +91,11 @@ def explain(
     if not paths:
         output.explain(what)
         return
-    from ezskiros.driver import UnknownSkillError, explain_skill
+    from ezskiros.driver import explain_skill
 
     name_ontology(ontology)
-    try:
-        typer.echo(explain_skill(what, paths))
-    except UnknownSkillError as problem:
-        output.fail(str(problem), exit_code=2)
+    text, _ = asked(lambda collector: explain_skill(what, paths, collector))
+    typer.echo(text)
 
 
 app.command()(show)
@@ -206,20 +199,10 @@ def stubs(
         output.fail(f"{out} cannot be used: {reason}", exit_code=2)
 
 
-def _check_in_new_process(
-    paths: list[Path], ontology: list[Path], values: Path | None, form: Format
-) -> int:
-    """The exit code of a check that knows nothing of what has been imported."""
-    named = [text for path in ontology for text in ("--ontology", str(path))]
-    config = ["--config", str(values)] if values else []
-    arguments = ["check", *map(str, paths), *named, *config, "--format", form.value]
-    return subprocess.run([sys.executable, "-m", "ezskiros", *arguments], check=False).returncode
-
-
 def _check_again_and_again(
     paths: list[Path], ontology: list[Path], values: Path | None, form: Format
 ) -> None:
-    """In a process of its own each time: Python keeps the modules that it has imported."""
+    """Each time from the start: what has been imported is forgotten with the process."""
     from ezskiros.cli.watch import watch
     from ezskiros.ontology.read import find
     from ezskiros.skills.load import module_files
@@ -230,7 +213,8 @@ def _check_again_and_again(
         return [*module_files(paths), *filter(Path.is_file, named), *find(known)]
 
     def check_once() -> None:
-        _check_in_new_process(paths, ontology, values, form)
+        print_check(paths, values, form)
+        sys.stdout.flush()
 
     watch(files, check_once)
 

@@ -12,12 +12,19 @@ from ezskiros.drawing.terminal import terminal_tree
 _WIDE = 10_000
 
 
-def print_outlines(outlines: Sequence[Outline]) -> None:
-    """Print some trees; lines are broken only where a terminal says how wide it is."""
+def console_for_outlines() -> Console:
+    """Lines are broken only where a terminal says how wide it is."""
     console = Console(highlight=False)
     if not console.is_terminal:
-        console = Console(highlight=False, width=_WIDE)
-    for number, found in enumerate(outlines):
-        if number:
-            console.print()
-        console.print(terminal_tree(found))
+        return Console(highlight=False, width=_WIDE)
+    return Console(highlight=False, width=console.width, force_terminal=True)
+
+
+def outlines_text(outlines: Sequence[Outline], console: Console) -> str:
+    """Some trees as the text that a console prints, its colours included."""
+    with console.capture() as captured:
+        for number, found in enumerate(outlines):
+            if number:
+                console.print()
+            console.print(terminal_tree(found))
+    return captured.get()

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from rich.console import Console
 
+from dslkit.command_line import Format
+from dslkit.diagnostics import Collector
 from ezskiros.cli.arguments import Folders, OptionalSkills, name_ontology
+from ezskiros.cli.checking import asked, checked, print_check
 from ezskiros.cli.output import output
 
 
@@ -32,38 +35,66 @@ def plan(
     ontology: Folders = None,
 ) -> None:
     """Find skills that lead from a scene to a goal: a behavior tree, checked and tried out."""
-    from ezskiros.driver import check_paths
-    from ezskiros.planning.plan import find_plan
-    from ezskiros.planning.solve import NoPlannerError
-
     if write is not None and (write.suffix != ".py" or not write.stem.isidentifier()):
         output.fail(f"`{write}` is no file for a module of Python, such as plan.py", exit_code=2)
     name_ontology(ontology)
     paths = paths or [Path()]
-    checked = check_paths(paths)
-    if output.exit_code(checked.diagnostics):
-        output.reject(checked.diagnostics)
-    try:
-        found, said = find_plan(checked.library, scene, goal, seconds)
-    except NoPlannerError as problem:
-        output.fail(str(problem), exit_code=2)
-    output.print_findings(said)
-    if found is None:
-        raise typer.Exit(output.exit_code(said) or 1)
-    if not found.steps:
-        return
-    from ezskiros.cli.outlines import print_outlines
-    from ezskiros.planning.drawn import drawn
-    from ezskiros.planning.source import other_folder, source
+    report = checked(paths)
+    if output.exit_code(report.diagnostics):
+        output.reject(report.diagnostics)
+    from ezskiros.cli.outlines import console_for_outlines
 
-    print_outlines([drawn(found)])
-    if write is not None:
-        folder = other_folder(found, write)
-        if folder is not None:
-            output.fail(
-                f"from {write} the skills cannot be imported: write to {folder}", exit_code=2
-            )
-        _write(write, source(found, write.stem, goal), paths)
+    console = console_for_outlines()
+    # What is out of reach, and the plan, may take this long each.
+    search = _Search(paths, scene, goal, seconds, write, console)
+    found, report = asked(search.run, 2 * seconds, may_act=True)
+    output.print_findings(report.diagnostics)
+    if not found["has_plan"]:
+        raise typer.Exit(output.exit_code(report.diagnostics) or 1)
+    typer.echo(found["text"], nl=False, color=console.is_terminal)
+    if write is None or not found["text"]:
+        return
+    if found["folder"]:
+        folder = found["folder"]
+        output.fail(f"from {write} the skills cannot be imported: write to {folder}", exit_code=2)
+    _write(write, found["source"], paths)
+
+
+@dataclass(frozen=True)
+class _Search:
+    """What is to be planned. The process that runs this starts the planner, so that it may act."""
+
+    paths: list[Path]
+    scene: Path
+    goal: str
+    seconds: float
+    write: Path | None
+    console: Console
+
+    def run(self, collector: Collector) -> dict[str, Any]:
+        """The plan as text, and as source if that is to be written."""
+        from ezskiros.cli.outlines import outlines_text
+        from ezskiros.confinement import RefusedError
+        from ezskiros.driver import check_paths
+        from ezskiros.planning.drawn import drawn
+        from ezskiros.planning.plan import find_plan
+        from ezskiros.planning.solve import NoPlannerError
+        from ezskiros.planning.source import other_folder, source
+
+        library = check_paths(self.paths).library
+        try:
+            plan, said = find_plan(library, self.scene, self.goal, self.seconds)
+        except NoPlannerError as problem:
+            raise RefusedError(str(problem)) from None
+        collector.extend(said)
+        found: dict[str, Any] = {"has_plan": plan is not None, "text": ""}
+        if plan is not None and plan.steps:
+            found["text"] = outlines_text([drawn(plan)], self.console)
+            if self.write is not None:
+                folder = other_folder(plan, self.write)
+                found["folder"] = str(folder) if folder else None
+                found["source"] = "" if folder else source(plan, self.write.stem, self.goal)
+        return found
 
 
 def _write(path: Path, text: str, paths: list[Path]) -> None:
@@ -73,7 +104,4 @@ def _write(path: Path, text: str, paths: list[Path]) -> None:
     except OSError as problem:
         reason = (problem.strerror or "it is not there").lower()
         output.fail(f"{path} cannot be written: {reason}", exit_code=2)
-    # In a process of its own: here the modules of the skills are known, wherever they are.
-    command = [sys.executable, "-m", "ezskiros", "check", *map(str, (path, *paths))]
-    done = subprocess.run(command, check=False)
-    raise typer.Exit(done.returncode)
+    raise typer.Exit(print_check([path, *paths], None, Format.TEXT))

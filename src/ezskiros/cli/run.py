@@ -8,13 +8,15 @@ from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import FrameType
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 from rich.console import Console
 
 from dslkit.command_line import Format
+from dslkit.diagnostics import Diagnostic
 from ezskiros.cli.arguments import Folders, name_ontology
+from ezskiros.cli.checking import checked, file_count
 from ezskiros.cli.output import output
 
 if TYPE_CHECKING:  # the engine is loaded only where it is needed
@@ -79,6 +81,7 @@ def run(
 
     texts = [each for each in words or [] if _GIVEN.match(each)]
     paths = [Path(each) for each in words or [] if not _GIVEN.match(each)] or [Path()]
+    _check(paths)
     ready = _ready(skill, paths, scene, texts)
     if not simulate:
         _refuse_half_modules(ready)
@@ -98,6 +101,19 @@ def run(
     raise typer.Exit(0 if outcome.is_success else 1)
 
 
+def _check(paths: list[Path]) -> None:
+    """End the run if the files have errors: users' code is trusted after that, and not before."""
+    report = checked(paths)
+    if output.exit_code(report.diagnostics):
+        _give_up(report.diagnostics, file_count(report, paths))
+
+
+def _give_up(found: Sequence[Diagnostic], count: int) -> NoReturn:
+    output.print_diagnostics(found, Format.TEXT, file_count=count)
+    output.complain("nothing is run: there are errors")
+    raise typer.Exit(2)
+
+
 def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) -> Ready:
     """What can be run; else the run ends with the reason."""
     from ezskiros.driver import UnknownSkillError
@@ -107,9 +123,7 @@ def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) 
     try:
         ready = prepare(skill, paths, scene, texts)
     except FaultyError as problem:
-        output.print_diagnostics(problem.diagnostics, Format.TEXT, file_count=problem.file_count)
-        output.complain("nothing is run: there are errors")
-        raise typer.Exit(2) from None
+        _give_up(problem.diagnostics, problem.file_count)
     except (UnknownSkillError, WrongArgumentError) as problem:
         output.fail(str(problem), exit_code=2)
     except OSError as problem:
@@ -123,14 +137,18 @@ def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) 
 
 
 def _refuse_half_modules(ready: Ready) -> None:
-    """End the run if modules were not run whole: primitives would work with mocks."""
-    from ezskiros.skills.load_errors import ImportSideEffect
+    """End the run if modules were not run whole, or on stand-ins: primitives would work with mocks,
+    and succeed with what they did not do.
+    """
+    from ezskiros.skills.load_errors import ClientStandIn, ImportSideEffect, StandIn
 
-    left_out = [each for each in ready.warnings if each.code == ImportSideEffect.code]
-    if left_out:
-        output.print_findings(left_out)
+    codes = (ClientStandIn.code, ImportSideEffect.code, StandIn.code)
+    lacking = [each for each in ready.warnings if each.code in codes]
+    if lacking:
+        output.print_findings(lacking)
         output.fail(
-            "nothing is run: primitives need what these modules do; `--simulate` runs without them",
+            "nothing is run: primitives need what is missing here, or not done; install it, or "
+            "import it in the methods that use it; `--simulate` runs without",
             exit_code=2,
         )
 

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
+from rich.console import Console
 
+from dslkit.diagnostics import Collector, Diagnostic
 from ezskiros.cli.arguments import Folders, OptionalSkills, name_ontology
+from ezskiros.cli.checking import asked
 from ezskiros.cli.output import output
-
-if TYPE_CHECKING:  # users wait for what is imported
-    from ezskiros.driver import Checked
-    from ezskiros.trees.tree import Tree
 
 
 def show(
@@ -36,45 +37,69 @@ def show(
     ontology: Folders = None,
 ) -> None:
     """Draw the behavior trees of a compound skill: several if `expandBT` branches."""
-    from ezskiros.drawing.outline import outline
-    from ezskiros.driver import UnknownSkillError, check_paths, trees_of
+    from ezskiros.cli.outlines import console_for_outlines
 
     name_ontology(ontology)
-    checked = check_paths(paths or [Path()])
-    try:
-        trees = trees_of(skill, checked)
-    except UnknownSkillError as problem:
-        output.print_findings(checked.diagnostics)
-        output.fail(str(problem), exit_code=2)
+    console = console_for_outlines() if svg is None and btcpp is None else None
+    picture = _Picture(skill, paths or [Path()], depth, conditions, console, btcpp is not None)
+    drawn, report = asked(picture.drawn)
     if btcpp is not None:
-        _export(checked, trees, btcpp, depth)
-    outlines = [
-        outline(tree, checked.trees, checked.library, depth=depth, has_conditions=conditions)
-        for tree in trees
-    ]
+        _export(drawn["btcpp"], report.diagnostics, btcpp)
     if svg is not None:
-        from ezskiros.drawing.svg import svg as picture
-
-        _write(svg, picture(outlines))
-    if svg is None and btcpp is None:
-        from ezskiros.cli.outlines import print_outlines
-
-        print_outlines(outlines)
-    if output.exit_code(checked.diagnostics):
+        _write(svg, drawn["svg"])
+    if console is not None:
+        typer.echo(drawn["text"], nl=False, color=console.is_terminal)
+    if output.exit_code(report.diagnostics):
         output.complain("there are errors in these files: run `ezskiros check`, then look again")
-    raise typer.Exit(output.exit_code(checked.diagnostics))
+    raise typer.Exit(output.exit_code(report.diagnostics))
 
 
-def _export(checked: Checked, trees: list[Tree], path: Path, depth: int) -> None:
+@dataclass(frozen=True)
+class _Picture:
+    """What is to be drawn: as text if there is a console, and for BehaviorTree.CPP if exported."""
+
+    skill: str
+    paths: list[Path]
+    depth: int
+    has_conditions: bool
+    console: Console | None
+    is_exported: bool
+
+    def drawn(self, collector: Collector) -> dict[str, str]:
+        """The texts of it; of what has errors there is none for BehaviorTree.CPP."""
+        from ezskiros.cli.outlines import outlines_text
+        from ezskiros.drawing.btcpp import export
+        from ezskiros.drawing.outline import outline
+        from ezskiros.drawing.svg import svg
+        from ezskiros.driver import check_paths, trees_of
+
+        checked = check_paths(self.paths, collector=collector)
+        trees = trees_of(self.skill, checked)
+        depth, library = self.depth, checked.library
+        outlines = [
+            outline(tree, checked.trees, library, depth=depth, has_conditions=self.has_conditions)
+            for tree in trees
+        ]
+        found = {"svg": svg(outlines), "btcpp": ""}
+        if self.console is not None:
+            found["text"] = outlines_text(outlines, self.console)
+        if self.is_exported and not output.exit_code(checked.diagnostics):
+            found["btcpp"], wrong = export(trees, checked.trees, library, depth=depth)
+            collector.extend(wrong)
+        return found
+
+
+def _export(text: str, found: Sequence[Diagnostic], path: Path) -> None:
     """Write XML for BehaviorTree.CPP; ends the run if that cannot be."""
-    from ezskiros.drawing.btcpp import export
+    from ezskiros.drawing import errors
 
-    if output.exit_code(checked.diagnostics):
-        output.reject(checked.diagnostics)
-    text, found = export(trees, checked.trees, checked.library, depth=depth)
-    output.print_findings(found)
-    if output.exit_code(found):
-        raise typer.Exit(output.exit_code(found))
+    if not text:
+        output.reject(found)
+    own = {each.code for each in errors.ALL}
+    wrong = [each for each in found if each.code in own]
+    output.print_findings(wrong)
+    if output.exit_code(wrong):
+        raise typer.Exit(output.exit_code(wrong))
     _write(path, text)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from dslkit.diagnostics import Diagnostic, Severity, listed
+from ezskiros import session
 from ezskiros.check.calls import check_calls
 from ezskiros.check.dataflow import check_dataflow
 from ezskiros.contracts.children import Children, SkillOf, names_of_tree
@@ -46,6 +47,7 @@ def check_contracts(
     missing: dict[tuple[str, object], Missing] = {}
     trees = list(trees)
     for tree in trees:
+        session.come_to(tree.span.file.path)
         if is_sound(tree, library):
             findings = check_tree(tree, library, changed, branch=_branch(tree, trees))
             for key, diagnostic in findings.found.items() if findings else ():

@@ -18,7 +18,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
-from typing import Any, SupportsIndex
+from typing import Any, NoReturn, SupportsIndex
 
 from dslkit.source import Span
 from ezskiros import session
@@ -66,6 +66,10 @@ class SideEffectError(Interrupted):
 
 class TimeOverError(Interrupted):
     """The code under check runs for too long."""
+
+
+class ProcessEndError(Interrupted):
+    """The code under check was about to end its process, which no check goes on after."""
 
 
 @dataclass(frozen=True)
@@ -127,7 +131,7 @@ def _is_plain(path: Any) -> bool:
     return os.path.isfile(path) or not os.path.exists(path)  # noqa: PTH110, PTH113
 
 
-def _stop(deed: str, frame: FrameType) -> None:
+def _stop(deed: str, frame: FrameType | None) -> None:
     """Stop what a frame is about to do, if it is code under check."""
     if files := list(_files_of_user(frame)):
         _guards[-1].files.update(dict.fromkeys(files))
@@ -156,10 +160,20 @@ _sleep = time.sleep
 
 def _guarded_sleep(seconds: float | SupportsIndex, /) -> None:
     """Before Python 3.13 no hook is told of sleeping. Nothing comes of it: all goes on at once."""
-    if any(_files_of_user(sys._getframe(1))):  # noqa: SLF001
+    if any(_files_of_user(sys._getframe().f_back)):  # noqa: SLF001
         _guards[-1].replaced.setdefault(Refusal("sleeps", session.here()))
     else:
         _sleep(seconds)
+
+
+_exit = os._exit
+
+
+def _guarded_exit(status: int) -> NoReturn:
+    """No hook is told of the end of the process either."""
+    if any(_files_of_user(sys._getframe().f_back)):  # noqa: SLF001
+        raise ProcessEndError(f"os._exit({status})")
+    _exit(status)
 
 
 _start = threading.Thread.start
@@ -167,7 +181,7 @@ _start = threading.Thread.start
 
 def _guarded_start(thread: threading.Thread) -> None:
     """What a thread does is done when nobody looks any more."""
-    _stop("starts a thread", sys._getframe(1))  # noqa: SLF001
+    _stop("starts a thread", sys._getframe().f_back)  # noqa: SLF001
     _start(thread)
 
 
@@ -191,6 +205,18 @@ def guarding_sleep() -> Iterator[None]:
 
 
 @contextmanager
+def _guarding_python() -> Iterator[None]:
+    """Within, the process cannot be ended; afterwards Python recurses as deep as before."""
+    depth = sys.getrecursionlimit()
+    before, os._exit = os._exit, _guarded_exit
+    try:
+        yield
+    finally:
+        os._exit = before
+        sys.setrecursionlimit(depth)
+
+
+@contextmanager
 def guarded(seconds: float, *, is_import: bool = False) -> Iterator[Guard]:
     """Within, side effects raise `SideEffectError`, and code that takes longer than `seconds` is
     ended by `TimeOverError` (in the main thread of systems that have timers).
@@ -199,7 +225,7 @@ def guarded(seconds: float, *, is_import: bool = False) -> Iterator[Guard]:
     guard = Guard(is_import)
     _guards.append(guard)
     try:
-        with guarding_sleep(), _guarding_threads(), _limited(seconds):
+        with guarding_sleep(), _guarding_threads(), _guarding_python(), _limited(seconds):
             yield guard
     finally:
         _guards.pop()

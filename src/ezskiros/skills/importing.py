@@ -17,6 +17,7 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from ezskiros import session
 from ezskiros.skills import load_errors as errors
+from ezskiros.skills.encoding import reading_strictly
 from ezskiros.skills.intercept import Finder
 from ezskiros.skills.stand_ins import is_installed, standing_in
 
@@ -38,7 +39,8 @@ def importing(file: Path) -> Iterator[None]:
     """
     _, root = module_name(file)
     finder, found = Finder(), list[Diagnostic]()
-    with _importable_from(root), standing_in(lambda *told: found.append(_stand_in(*told))):
+    telling = standing_in(lambda *told: found.append(_stand_in(*told)))
+    with _importable_from(root), telling, reading_strictly():
         sys.meta_path.insert(0, finder)
         try:
             yield

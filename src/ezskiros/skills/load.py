@@ -6,6 +6,7 @@ by stand-ins. A module that cannot be run does not hide the others.
 
 from __future__ import annotations
 
+import errno
 import importlib
 import os
 import re
@@ -26,9 +27,10 @@ from ezskiros.skills import errors as skill_errors
 from ezskiros.skills import load_errors as errors
 from ezskiros.skills.blame import said, user_files, user_place, user_steps
 from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.encoding import UnreadableError
 from ezskiros.skills.guard import (
     Guard,
-    Interrupted,
+    ProcessEndError,
     SideEffectError,
     TimeOverError,
     guarded,
@@ -145,6 +147,7 @@ def _module(file: Path, endless: dict[str, str]) -> ModuleType | None:
         return None
     is_again, known = True, dict(sys.modules)
     while is_again:
+        session.come_to(str(file))
         with importing(file), _without(endless):
             module, problem, guard, found = _imported(module_name(file)[0])
         is_open = module is None and not isinstance(problem, TimeOverError)
@@ -169,7 +172,9 @@ def _imported(name: str) -> tuple[ModuleType | None, BaseException | None, Guard
     with session.trying() as found, guarded(SECONDS, is_import=True) as guard:
         try:
             module = importlib.import_module(name)
-        except (Exception, SystemExit, Interrupted) as raised:
+        except KeyboardInterrupt:
+            raise
+        except BaseException as raised:
             problem = raised
     return module, problem, guard, found
 
@@ -218,7 +223,7 @@ def _syntax_error(problem: SyntaxError, file: Path) -> Diagnostic:
     source = source_file(problem.filename or str(file)) or SourceFile(str(file), "")
     line = line_span(source, problem.lineno or 1)
     start = min(
-        source.line_starts[source.position(line.start).line - 1] + (problem.offset or 1) - 1,
+        source.line_starts[source.position(line.start).line - 1] + max(problem.offset or 1, 1) - 1,
         len(source.text),
     )
     return errors.NoPython(said=problem.msg).at(Span(source, start, max(start, line.end)))
@@ -226,6 +231,8 @@ def _syntax_error(problem: SyntaxError, file: Path) -> Diagnostic:
 
 def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> Diagnostic:
     """The finding for a module that raised, at the last line of the user's code."""
+    if isinstance(problem, UnreadableError):
+        return problem.diagnostic
     if isinstance(problem, SyntaxError):
         return _syntax_error(problem, file)
     source = source_file(str(file)) or SourceFile(str(file), "")
@@ -235,10 +242,29 @@ def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> D
     exception, why = type(problem).__name__, said(problem)
     if isinstance(problem, SideEffectError):
         exception, why = f"it {problem.deed}", "not done: a check does nothing to the world"
+    elif isinstance(problem, ProcessEndError):
+        exception, why = "it ends the process", "nothing is imported after this"
     elif isinstance(problem, ModuleNotFoundError) and problem.name in endless:
         why = f"the import of `{problem.name}` does not end"
     help = _star_help(source) if isinstance(problem, NameError) else None
+    if _was_refused(problem):
+        help = _REFUSED
     return errors.ModuleFailed(exception=exception, said=why).at(span, help=help)
+
+
+_REFUSED = (
+    "a check changes no file, starts no process and uses no network: import what does in the "
+    "methods that use it"
+)
+
+
+def _was_refused(problem: BaseException | None) -> bool:
+    """Whether the system refused something, on which a library may say something else."""
+    while problem is not None:
+        if isinstance(problem, PermissionError) and problem.errno == errno.EPERM:
+            return True
+        problem = problem.__cause__ or problem.__context__
+    return False
 
 
 def _star_help(source: SourceFile) -> str | None:

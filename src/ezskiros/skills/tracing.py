@@ -20,7 +20,7 @@ from ezskiros.ontology.things import UNKNOWN
 from ezskiros.skills import errors
 from ezskiros.skills.blame import said, user_files, user_place
 from ezskiros.skills.description import CONDITIONS
-from ezskiros.skills.guard import Interrupted, SideEffectError, TimeOverError, guarded
+from ezskiros.skills.guard import SideEffectError, TimeOverError, guarded
 from ezskiros.skills.importing import forget_since, importing
 from ezskiros.skills.intercept import intercept
 from ezskiros.skills.syntax import definition, file_of
@@ -74,6 +74,7 @@ def ways(
     count = 0
     while planned is not None:
         names = len(substitutes)
+        session.come_to(str(file))
         with importing(file), session.trying() as found:
             way, to_intercept = _way(method, make, run, Decisions(planned), substitutes)
         if intercept(to_intercept):
@@ -105,7 +106,9 @@ def _way(
         try:
             instance = make()
             run(instance, _with_names(method.function, substitutes))
-        except (Exception, SystemExit, Interrupted) as raised:
+        except KeyboardInterrupt:
+            raise
+        except BaseException as raised:
             problem = raised
     for refusal in guard.refusals():
         found = errors.SideEffect(method=method.called, deed=refusal.deed, advice=method.advice)

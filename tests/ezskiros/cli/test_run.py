@@ -219,3 +219,24 @@ def test_a_module_that_was_not_run_whole_is_only_simulated(tmp_path: Path) -> No
     assert "EZS231" in done.stderr + done.stdout
     assert "nothing is run" in done.stderr
     assert run("Work", "--simulate", folder=tmp_path).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("module", "code"), [("rospy", "EZS004"), ("of_a_vendor", "EZS004"), ("actionlib", "EZS233")]
+)
+def test_primitives_on_stand_ins_are_only_simulated(tmp_path: Path, module: str, code: str) -> None:
+    (tmp_path / "skills.py").write_text(
+        SKILLS.replace("class work", f"import {module}\n\nclass work").replace(
+            'return self.step("at it")', f"{module}.stop(); return self.success()"
+        ),
+        encoding="utf-8",
+    )
+    if code == "EZS233":  # it is installed
+        (tmp_path / f"{module}.py").write_text("def stop(): raise OSError", encoding="utf-8")
+    done = run("Work", "skills.py", folder=tmp_path)
+    assert done.returncode == 2
+    assert code in done.stdout
+    assert f"import {module}" in done.stdout
+    assert "has succeeded" not in done.stdout
+    assert "import it in the methods that use it; `--simulate` runs without" in done.stderr
+    assert run("Work", "skills.py", "--simulate", folder=tmp_path).returncode == 0

@@ -1,0 +1,71 @@
+"""Checks for commands: users' code runs in a child process, and this one prints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from dslkit.command_line import Format
+from dslkit.diagnostics import Collector, Severity
+from ezskiros.cli.output import output
+
+if TYPE_CHECKING:  # users wait for what is imported
+    from ezskiros.confinement import Report
+
+Work = Callable[[Collector], Any]
+
+
+def reported(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> Report:
+    """Have work done that runs users' code; ends the run if what was asked for is not there.
+
+    `seconds` is what a step of it may take longer than the steps of a check. What it finds is not
+    printed.
+    """
+    from ezskiros import confinement
+    from ezskiros.confinement.report import PATIENCE_S
+    from ezskiros.driver import UnknownSkillError
+
+    def refusing(collector: Collector) -> Any:
+        try:
+            return work(collector)
+        except UnknownSkillError as problem:
+            raise confinement.RefusedError(str(problem)) from None
+
+    report = confinement.confined(refusing, PATIENCE_S + seconds, may_act=may_act)
+    if report.unconfined is not None:
+        output.complain(f"this check runs code without confinement: {report.unconfined}")
+    if report.refused is not None:
+        errors = [each for each in report.diagnostics if each.severity is Severity.ERROR]
+        output.print_findings(errors)
+        output.fail(report.refused, exit_code=2)
+    return report
+
+
+def asked(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> tuple[Any, Report]:
+    """What the work gives; ends the run with what was found if it did not come to its end."""
+    report = reported(work, seconds, may_act=may_act)
+    if report.value is None:
+        output.reject(report.diagnostics)
+    return report.value, report
+
+
+def checked(paths: Sequence[Path], values: Path | None = None) -> Report:
+    """Check files; the value is the number of them."""
+    from ezskiros.driver import check_paths
+
+    return reported(lambda collector: len(check_paths(paths, values, collector).files))
+
+
+def print_check(paths: Sequence[Path], values: Path | None, form: Format) -> int:
+    """Check, print what is found, and give the exit code."""
+    report = checked(paths, values)
+    output.print_diagnostics(report.diagnostics, form, file_count=file_count(report, paths))
+    return output.exit_code(report.diagnostics)
+
+
+def file_count(report: Report, paths: Sequence[Path]) -> int:
+    """Of how many files a report is."""
+    from ezskiros.skills.load import module_files
+
+    return report.value if isinstance(report.value, int) else len(module_files(paths))

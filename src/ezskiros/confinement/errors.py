@@ -1,0 +1,30 @@
+"""EZS24x: users' code that keeps a check from coming to its end."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class BrokenOff(Error, code="EZS240", name="check-broken-off"):
+    """A check without a whole report."""
+
+    title = "the check was broken off here: {reason}"
+    note = "what was found before is shown; what comes after it is not checked"
+    help = "find what this file, or a module that it imports, does when it is run; then check again"
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class CheckerChanged(Error, code="EZS241", name="checker-changed"):
+    """Users' code that changes the modules of the checker."""
+
+    title = "the checked code changed the checker: `{part}` is not what it was"
+    note = "a finding may be missing, so that this check says nothing of these files"
+    help = "leave the modules of `ezskiros` and of Python as they are"
+    part: str
+
+
+ALL: tuple[type[Template], ...] = (BrokenOff, CheckerChanged)

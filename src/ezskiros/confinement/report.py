@@ -1,0 +1,196 @@
+"""What a check in a child process reports, and whether the report is whole."""
+
+from __future__ import annotations
+
+import os
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+from types import CodeType
+from typing import Any
+
+from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.diagnostics.wire import Receiver, Sender
+from dslkit.source import SourceFile, Span
+from dslkit.source.call_site import line_span
+from dslkit.source.paths import shown
+from ezskiros import session
+from ezskiros.confinement.errors import BrokenOff, CheckerChanged
+from ezskiros.confinement.limits import MEMORY, confine
+from ezskiros.confinement.own_modules import Seal
+from ezskiros.confinement.process import BrokenOffError, Send, messages
+from ezskiros.confinement.unconfined import UnconfinedError
+
+PATIENCE_S = 60.0
+"""For one step: one module, or one way through one method, may take a third of that."""
+
+Work = Callable[[Collector], Any]
+"""Puts what it finds into the collector, and gives what JSON can say."""
+
+
+class RefusedError(Exception):
+    """Raised by work: what was asked for cannot be done; the text says why, to the user."""
+
+
+class DefectError(Exception):
+    """A defect of ours in the child; the text is its traceback."""
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was found, and what the work gave: None if it was broken off, or `refused` to go on.
+
+    `unconfined` says why the system does not confine the work, if it should.
+    """
+
+    diagnostics: Sequence[Diagnostic]
+    value: Any
+    refused: str | None
+    unconfined: str | None
+
+
+def confined(work: Work, patience: float = PATIENCE_S, *, may_act: bool = False) -> Report:
+    """Have `work` done in a child process, which cannot do anything to the world unless it may.
+
+    Whatever users' code does to the child, the report has the findings until then, and an error if
+    something is missing. A child that does not go on for `patience` seconds is ended.
+    """
+    mark = os.urandom(16).hex()
+    listener = _Listener(mark)
+    child = _Child(work, mark, may_act)
+    try:
+        with closing(messages(child.do, patience)) as heard:
+            for message in heard:
+                if listener.hears_the_end(message):
+                    break
+    except BrokenOffError as problem:
+        listener.note(BrokenOff(reason=str(problem)).at(listener.place()))
+    return listener.report()
+
+
+class _Listener:
+    """Keeps what the child says: nothing can take it back."""
+
+    def __init__(self, mark: str) -> None:
+        self._mark = mark
+        self._receiver = Receiver()
+        self._collector = Collector()
+        self._count = 0
+        self._at: str | None = None
+        self._unconfined: str | None = None
+        self._refused: str | None = None
+        self._value: Any = None
+
+    def hears_the_end(self, message: list[Any]) -> bool:
+        """Take in a message; true if the report is whole."""
+        try:
+            return self._hear(*message)
+        except (ValueError, TypeError):
+            raise BrokenOffError("the code wrote into the report of the check") from None
+
+    def _hear(self, kind: str, *rest: Any) -> bool:
+        match kind, rest:
+            case (("file" | "finding"), _):
+                found = self._receiver.receive([kind, *rest])
+                if found is not None:
+                    self._count += 1
+                    self.note(found)
+            case "at", (str(path),):
+                self._at = path
+            case "unconfined", (str(reason),):
+                self._unconfined = reason
+            case "raised", (str(reason),):
+                raise BrokenOffError(reason)
+            case "changed", (str(part), str(path), int(line)):
+                self.note(CheckerChanged(part=part).at(line_span(_file(path), line)))
+                return True
+            case "defect", (str(text),):
+                raise DefectError(text)
+            case "refused", (self._mark, str(text)):
+                self._refused = text
+                return True
+            case "end", (self._mark, self._count, value):
+                self._value = value
+                return True
+            case _:
+                raise ValueError(kind)
+        return False
+
+    def note(self, found: Diagnostic) -> None:
+        self._collector.add(found)
+
+    def place(self) -> Span:
+        """The beginning of the file that the child has come to."""
+        return session.NOWHERE if self._at is None else Span(_file(self._at), 0, 0)
+
+    def report(self) -> Report:
+        return Report(self._collector.sorted(), self._value, self._refused, self._unconfined)
+
+
+def _file(path: str) -> SourceFile:
+    """A file of the user; no more than its name if it cannot be read."""
+    try:
+        text = Path(path).read_bytes().decode("utf-8", "replace")
+    except (OSError, ValueError):
+        text = ""
+    return SourceFile(shown(path), text)
+
+
+@dataclass(frozen=True)
+class _Child:
+    """The other side, in the child process."""
+
+    work: Work
+    mark: str
+    may_act: bool
+
+    def do(self, send: Send) -> None:
+        """Work, and say how that ended."""
+        try:
+            if not self.may_act:
+                sys.dont_write_bytecode = True
+                confine()
+        except UnconfinedError as problem:
+            send(["unconfined", str(problem)])
+        seal, sent = Seal(), _Sent(send)
+        try:
+            with session.following(lambda path: send(["at", path])):
+                value = self.work(sent)
+            end = ["end", self.mark, sent.count, value]
+        except RefusedError as problem:
+            end = ["refused", self.mark, str(problem)]
+        except MemoryError:
+            end = ["raised", f"the code needed more than {MEMORY >> 30} GiB of memory"]
+        except Exception:
+            end = ["defect", traceback.format_exc()]
+        except BaseException as problem:
+            end = ["raised", f"`{type(problem).__name__}` was raised"]
+        changed = seal.broken()
+        send(end if changed is None else ["changed", changed[0], *_place(changed[1])])
+
+
+def _place(part: object) -> tuple[str, int]:
+    """File and line of a function; of other things Python does not tell who made them."""
+    code = getattr(part, "__code__", None)
+    if not isinstance(code, CodeType):
+        return session.NOWHERE.file.path, 1
+    return code.co_filename, code.co_firstlineno
+
+
+class _Sent(Collector):
+    """Sends each finding when it is found."""
+
+    def __init__(self, send: Send) -> None:
+        super().__init__()
+        self._sender = Sender(send)
+        self.count = 0
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        """Keep a finding, and send it if it is a new one."""
+        if diagnostic not in self._found:
+            super().add(diagnostic)
+            self.count += 1
+            self._sender.send(diagnostic)

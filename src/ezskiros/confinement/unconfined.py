@@ -1,0 +1,7 @@
+"""Why a process cannot be confined."""
+
+from __future__ import annotations
+
+
+class UnconfinedError(Exception):
+    """The system offers no confinement; the text says why."""

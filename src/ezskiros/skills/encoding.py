@@ -1,0 +1,100 @@
+"""Refuses modules whose bytes are not of their encoding (PEP 263), wherever they are imported.
+
+Some versions of Python let any byte pass in a comment, others refuse it: so does a check.
+"""
+
+from __future__ import annotations
+
+import io
+import tokenize
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from importlib.machinery import SourceFileLoader
+from types import CodeType
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import SourceFile, Span
+from dslkit.source.paths import shown
+from ezskiros import session
+from ezskiros.skills.load_errors import NoPython
+
+_DEFAULT = "utf-8"
+_HELP = (
+    "save the file in UTF-8, or say what it is in by its first line: `# -*- coding: latin-1 -*-`"
+)
+
+
+@dataclass(frozen=True)
+class _Fault:
+    """What is wrong, and at which byte."""
+
+    said: str
+    place: int
+    encoding: str = _DEFAULT
+    help: str | None = None
+
+
+class UnreadableError(SyntaxError):
+    """A module that cannot be read; `diagnostic` says where."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        super().__init__(diagnostic.title)
+        self.diagnostic = diagnostic
+
+
+_get_code = SourceFileLoader.get_code
+
+
+def _strict_code(loader: SourceFileLoader, name: str) -> CodeType | None:
+    """The code of a module, if Python can read all of it, whatever it has compiled before."""
+    path = loader.get_filename(name)
+    if session.is_of_user(path):
+        content = loader.get_data(path)
+        fault = _fault(content)
+        if fault is not None:
+            raise UnreadableError(_finding(path, content, fault))
+    return _get_code(loader, name)
+
+
+@contextmanager
+def reading_strictly() -> Iterator[None]:
+    """Within, the import of a module that cannot be read raises `UnreadableError`."""
+    SourceFileLoader.get_code = _strict_code  # type: ignore[assignment,method-assign]
+    try:
+        yield
+    finally:
+        SourceFileLoader.get_code = _get_code  # type: ignore[method-assign]
+
+
+def _finding(path: str, content: bytes, fault: _Fault) -> Diagnostic:
+    file = SourceFile(shown(path), _text(content, fault.encoding))
+    start = len(_text(content[: fault.place], fault.encoding))
+    span = Span(file, start, min(start + 1, len(file.text)))
+    return NoPython(said=fault.said).at(span, help=fault.help)
+
+
+def _fault(content: bytes) -> _Fault | None:
+    null = content.find(b"\0")
+    if null >= 0:
+        return _Fault("there is a null byte", null)
+    try:
+        encoding, _ = tokenize.detect_encoding(io.BytesIO(content).readline)
+    except SyntaxError as problem:
+        # It looks at two lines only; what is no UTF-8 there is told with its place.
+        return _undecodable(content, _DEFAULT) or _Fault(str(problem), 0)
+    return _undecodable(content, encoding)
+
+
+def _undecodable(content: bytes, encoding: str) -> _Fault | None:
+    try:
+        content.decode(encoding)
+    except UnicodeDecodeError as problem:
+        said = f"the byte 0x{content[problem.start]:02x} is not of {encoding}"
+        return _Fault(said, problem.start, encoding, _HELP)
+    return None
+
+
+def _text(content: bytes, encoding: str) -> str:
+    """With a mark in the place of what cannot be decoded, and lines as Python counts them."""
+    return content.decode(encoding, "replace").replace("\r\n", "\n").replace("\r", "\n")
