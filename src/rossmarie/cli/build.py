@@ -9,6 +9,7 @@ from pathlib import Path
 import typer
 
 from dslkit.command_line import Format
+from dslkit.writing import reason
 from rossmarie.cli.output import output
 from rossmarie.cli.saving import save
 from rossmarie.driver import RulesError
@@ -16,7 +17,6 @@ from rossmarie.driver.build import TARGETS, Built, build_files
 from rossmarie.driver.manifest import Described, describe
 from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.package_xml import BadPackageXmlError
-from rossmarie.driver.writing import reason
 from rossmarie.targets.manifest import OWN_PACKAGE, Person, Placement
 
 

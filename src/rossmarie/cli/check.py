@@ -9,9 +9,9 @@ import typer
 
 from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
+from dslkit.writing import reason, write_whole
 from rossmarie.cli.output import each_once, output
 from rossmarie.driver.analyze import Analysis, analyze_file, write_witnesses
-from rossmarie.driver.writing import reason, write_whole
 
 
 def run_check(

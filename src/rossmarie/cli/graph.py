@@ -8,9 +8,9 @@ from pathlib import Path
 import typer
 from rich.console import Console
 
+from dslkit.writing import reason, write_whole
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError, compile_file
-from rossmarie.driver.writing import reason, write_whole
 from rossmarie.report.wiring import Wiring, wiring_dot, wiring_of, wiring_svg, wiring_text
 
 _RULES = ".ross"

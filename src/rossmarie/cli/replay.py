@@ -12,12 +12,12 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
+from dslkit.writing import reason, write_whole
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.monitor import NATIVE
 from rossmarie.driver.replay import replay_file
-from rossmarie.driver.writing import reason, write_whole
 from rossmarie.recordings import RecordingError, open_recording, write_model
 from rossmarie.report import Replay, render_timeline, verdict_lines, write_table
 

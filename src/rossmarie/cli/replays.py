@@ -16,12 +16,12 @@ from rich.console import Console
 
 from campaign import Campaign, Journal, Processes, Result, Value, run
 from dslkit.command_line import INTERNAL_ERROR
+from dslkit.writing import reason
 from rossmarie.cli.output import output
 from rossmarie.cli.replay import check_folder, refusing, topic_pairs, write_reports
 from rossmarie.driver import compile_file
 from rossmarie.driver.monitor import start_engine
 from rossmarie.driver.replay import replay_file
-from rossmarie.driver.writing import reason
 from rossmarie.recordings import RecordingError
 from rossmarie.report import Replay, write_table
 from rossmarie.report.spans import summarize

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import typer
 
+from dslkit.writing import reason, write_whole
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError
 from rossmarie.driver.report import safety_file
-from rossmarie.driver.writing import reason, write_whole
 from rossmarie.report.safety import open_points, render_safety_file
 from rossmarie.report.safety.errors import EvidenceError
 

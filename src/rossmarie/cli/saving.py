@@ -6,8 +6,8 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
+from dslkit.writing import reason, try_writing, write_whole
 from rossmarie.cli.output import output
-from rossmarie.driver.writing import reason, try_writing, write_whole
 
 
 def save(path: Path, text: str) -> None:

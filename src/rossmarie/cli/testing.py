@@ -8,6 +8,7 @@ from pathlib import Path
 
 import typer
 
+from dslkit.writing import reason
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
 from rossmarie.cli.replay import refusing, told_progress, topic_pairs
@@ -16,7 +17,6 @@ from rossmarie.driver import RulesError
 from rossmarie.driver.coverage import Exercised, cover_recordings, coverage_report
 from rossmarie.driver.generating import generate_tests
 from rossmarie.driver.testing import Outcome, UnknownTestError, run_test_file, tests_beside
-from rossmarie.driver.writing import reason
 from rossmarie.ir import near_name
 from rossmarie.report.coverage import write_coverage
 from rossmarie.report.margins import write_margins

@@ -13,6 +13,7 @@ import typer
 
 from dslkit.diagnostics import Template
 from dslkit.source import Span
+from dslkit.writing import reason
 from rossmarie.cli.output import output
 from rossmarie.cli.replay import told_progress
 from rossmarie.cli.saving import refuse_report, save
@@ -26,7 +27,6 @@ from rossmarie.driver.verifying import (
     questions_of,
     verification_report,
 )
-from rossmarie.driver.writing import reason
 from rossmarie.report.proofs import Proofs, refutations, write_proofs
 from rossmarie.report.safety.errors import at_file
 from rossmarie.verification.errors import NoProver, ProgramRefused

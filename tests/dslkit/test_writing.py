@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rossmarie.driver.writing import write_whole
+from dslkit.writing import write_whole
 
 
 def test_a_file_is_written(tmp_path: Path) -> None:
