@@ -17,7 +17,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TextIO
 
 import typer
 from rich.console import Console
@@ -209,17 +209,22 @@ class CommandLine:
         if (interrupted := signals.exit_code()) is not None:
             return interrupted
         if isinstance(error, BrokenPipeError) and error.filename is None:
-            _drop_output()
+            _drop(sys.stdout)
             return _UNHEARD
-        if isinstance(error, OSError) and _is_about_output(error):
-            _drop_output()
-            self.complain(f"cannot write the output: {reason(error)}")
-            return 2
-        if isinstance(error, FileNotFoundError) and not _has_folder():
-            self.complain("the current folder is gone: change to another one")
-            return 2
-        self._tell_defect(traceback.format_exc())
-        return INTERNAL_ERROR
+        code = INTERNAL_ERROR
+        try:
+            if isinstance(error, OSError) and _is_about_output(error):
+                code = 2
+                _drop(sys.stdout)
+                self.complain(f"cannot write the output: {reason(error)}")
+            elif isinstance(error, FileNotFoundError) and not _has_folder():
+                code = 2
+                self.complain("the current folder is gone: change to another one")
+            else:
+                self._tell_defect(traceback.format_exc())
+        except OSError:
+            _drop(sys.stderr)
+        return code
 
     def _tell_defect(self, detail: str) -> None:
         """Say that the tool is at fault, with what its makers need to know."""
@@ -229,10 +234,10 @@ class CommandLine:
         sys.stderr.write(detail)
 
 
-def _drop_output() -> None:
-    """What is left for standard output: otherwise Python fails once more when it ends."""
+def _drop(stream: TextIO) -> None:
+    """Drop what is left for a stream: otherwise Python fails once more when it ends."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, sys.stdout.fileno())
+    os.dup2(nowhere, stream.fileno())
     os.close(nowhere)
 
 

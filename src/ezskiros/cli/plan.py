@@ -38,6 +38,8 @@ def plan(
 
     if write is not None and (write.suffix != ".py" or not write.stem.isidentifier()):
         output.fail(f"`{write}` is no file for a module of Python, such as plan.py", exit_code=2)
+    if write is not None:
+        output.try_file(write)
     name_ontology(ontology)
     paths = paths or [Path()]
     checked = check_paths(paths)
@@ -68,11 +70,7 @@ def plan(
 
 def _write(path: Path, text: str, paths: list[Path]) -> None:
     """Write a plan as a skill, and check it with the skills that it is made of."""
-    try:
-        path.write_text(text, encoding="utf-8", newline="\n")
-    except OSError as problem:
-        reason = (problem.strerror or "it is not there").lower()
-        output.fail(f"{path} cannot be written: {reason}", exit_code=2)
+    output.save(path, text)
     # In a process of its own: here the modules of the skills are known, wherever they are.
     command = [sys.executable, "-m", "ezskiros", "check", *map(str, (path, *paths))]
     done = subprocess.run(command, check=False)

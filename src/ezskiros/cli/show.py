@@ -39,6 +39,9 @@ def show(
     from ezskiros.drawing.outline import outline
     from ezskiros.driver import UnknownSkillError, check_paths, trees_of
 
+    for path in (svg, btcpp):
+        if path is not None:
+            output.try_file(path)
     name_ontology(ontology)
     checked = check_paths(paths or [Path()])
     try:
@@ -55,7 +58,7 @@ def show(
     if svg is not None:
         from ezskiros.drawing.svg import svg as picture
 
-        _write(svg, picture(outlines))
+        output.save(svg, picture(outlines))
     if svg is None and btcpp is None:
         from ezskiros.cli.outlines import print_outlines
 
@@ -75,13 +78,4 @@ def _export(checked: Checked, trees: list[Tree], path: Path, depth: int) -> None
     output.print_findings(found)
     if output.exit_code(found):
         raise typer.Exit(output.exit_code(found))
-    _write(path, text)
-
-
-def _write(path: Path, text: str) -> None:
-    """Write a file; ends the run if that fails."""
-    try:
-        path.write_text(text, encoding="utf-8", newline="\n")
-    except OSError as problem:
-        reason = (problem.strerror or "it is not there").lower()
-        output.fail(f"{path} cannot be written: {reason}", exit_code=2)
+    output.save(path, text)

@@ -1,4 +1,4 @@
-"""Reports that commands write where the user says."""
+"""Reports that commands write beside what they print."""
 
 from __future__ import annotations
 
@@ -6,16 +6,7 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
-from dslkit.writing import reason, try_writing, write_whole
 from rossmarie.cli.output import output
-
-
-def save(path: Path, text: str) -> None:
-    """Write a file; the run ends if that cannot be done."""
-    try:
-        write_whole(path, text)
-    except OSError as error:
-        output.fail(f"cannot write {path}: {reason(error)}", exit_code=2)
 
 
 def refuse_report(report: Path, read: Sequence[Path]) -> None:
@@ -24,7 +15,4 @@ def refuse_report(report: Path, read: Sequence[Path]) -> None:
     """
     if any(os.path.realpath(report) == os.path.realpath(each) for each in read):
         output.fail(f"{report} is what is read; choose another --json", exit_code=2)
-    try:
-        try_writing(report)
-    except OSError as error:
-        output.fail(f"cannot write {report}: {reason(error)}", exit_code=2)
+    output.try_file(report)
