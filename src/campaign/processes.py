@@ -36,7 +36,7 @@ class Processes:
         context = multiprocessing.get_context("spawn")
         pool = ProcessPool(min(self.count, len(keys)) or 1, context=context)
         try:
-            with _undisturbed():
+            with undisturbed():
                 waiting: dict[concurrent.futures.Future[Value], str] = {
                     pool.schedule(work, args=[key], timeout=self.limit_s): key for key in keys
                 }
@@ -58,7 +58,7 @@ class Processes:
 
 
 @contextmanager
-def _undisturbed() -> Iterator[None]:
+def undisturbed() -> Iterator[None]:
     """Whoever interrupts means the campaign, which ends its workers: those that are started within
     this do not hear of it, not even before they have begun.
     """
