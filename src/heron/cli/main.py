@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import enum
 import os
+import re
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -217,6 +218,8 @@ def _workers(jobs: int | None, ray: str | None) -> Workers:
 
     if ray is None:
         return Processes(jobs or Processes.cores(), _LIMIT_S)
+    if not re.fullmatch(r"\S+:\d+", ray):
+        output.fail(f"--ray needs HOST:PORT, not `{ray}`", exit_code=2)
     if find_spec("ray") is None:
         output.fail("--ray needs the extra of that name: pip install 'rossmarie[ray]'", exit_code=2)
     from campaign.ray_cluster import RayCluster
