@@ -10,9 +10,6 @@ from rossmarie.cli.output import output
 
 
 def refuse_report(report: Path, read: Sequence[Path]) -> None:
-    """End the run, before it takes its time, if the report could not be written after it, or would
-    replace something that it is about.
-    """
+    """End the run, before it takes its time, if the report would replace what it is about."""
     if any(os.path.realpath(report) == os.path.realpath(each) for each in read):
         output.fail(f"{report} is what is read; choose another --json", exit_code=2)
-    output.try_file(report)

@@ -91,6 +91,7 @@ def run_coverage(
     """
     pairs = topic_pairs(topic_map)
     if report is not None:
+        output.try_file(report)
         refuse_report(report, (rules, *recordings))
     with refusing(), told_progress("moving thresholds") as on_progress:
         found = cover_recordings(

@@ -43,6 +43,8 @@ def run_verify(
     """Prove, print what came of it, and end with 0 only if everything is proved; write a `report`
     as JSON, and what the prover gets into the folder `kept`.
     """
+    if report is not None:
+        output.try_file(report)
     if kept is not None:
         output.try_folder(kept)
     try:
