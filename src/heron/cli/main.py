@@ -37,6 +37,7 @@ def _catalog() -> Catalog:
 
 _LIMIT_S = 600.0  # of one episode
 _PARTS = {"MuJoCo": "mujoco", "Matplotlib": "matplotlib", "Pillow": "PIL", "SciPy": "scipy"}
+_VERSION = sys.version_info[:2]
 _OLDEST = (3, 11)  # for which MuJoCo has wheels
 output = CommandLine(
     tool="heron",
@@ -251,10 +252,13 @@ def _require_simulation() -> None:
     missing = [name for name, module in _PARTS.items() if find_spec(module) is None]
     if not missing:
         return
-    python = f"Python {sys.version_info.major}.{sys.version_info.minor}"
     reason = f"the simulation needs {', '.join(missing)}, not installed for {sys.executable}"
-    if "MuJoCo" in missing and sys.version_info < _OLDEST:
-        reason = f"the simulation needs MuJoCo, which needs Python 3.11 or later; this is {python}"
+    if "MuJoCo" in missing and _VERSION < _OLDEST:
+        python, oldest = (".".join(map(str, each)) for each in (_VERSION, _OLDEST))
+        reason = (
+            f"the simulation needs MuJoCo, which needs Python {oldest} or later; "
+            f"this is Python {python}"
+        )
     output.fail(f"{reason}: pip install 'rossmarie[heron]'", exit_code=2)
 
 
