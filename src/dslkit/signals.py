@@ -51,8 +51,8 @@ def _interrupt_again(lost: sys.UnraisableHookArgs) -> None:
     a traceback and go on.
     """
     if _came and issubclass(lost.exc_type, KeyboardInterrupt):
-        from threading import Timer
+        from threading import Timer, main_thread
 
-        Timer(_AGAIN_S, signal.raise_signal, (_came[0],)).start()
+        Timer(_AGAIN_S, signal.pthread_kill, (main_thread().ident, _came[0])).start()
     else:
         sys.__unraisablehook__(lost)

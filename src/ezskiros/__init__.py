@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+TYPE_CHECKING = False  # not from `typing`: while Python imports that, Ctrl-C is a traceback
 if TYPE_CHECKING:
     from ezskiros.skills import (
         CONSUME,
