@@ -5,7 +5,7 @@ was told is on disk, and a campaign that was interrupted goes on where it was.
 """
 
 from campaign.journal import BusyError, ForeignError, Journal
-from campaign.processes import Processes
+from campaign.processes import Processes, undisturbed
 from campaign.progress import Bar
 from campaign.runner import Campaign, Failure, run
 from campaign.workers import Result, UnreachableError, Value, Work, Workers
@@ -24,4 +24,5 @@ __all__ = [
     "Work",
     "Workers",
     "run",
+    "undisturbed",
 ]

@@ -64,7 +64,7 @@ class _Process:
         self.pipe, theirs = _CONTEXT.Pipe()
         self._limit_s = limit_s
         self._process = _CONTEXT.Process(target=_serve, args=(work, theirs), daemon=True)
-        with _undisturbed():
+        with undisturbed():
             self._process.start()
         theirs.close()  # so that its end is seen here
 
@@ -139,7 +139,7 @@ def _end_with_parent() -> None:
 
 
 @contextmanager
-def _undisturbed() -> Iterator[None]:
+def undisturbed() -> Iterator[None]:
     """Whoever interrupts means the campaign, which ends its workers: those that are started within
     this do not hear of it, not even before they have begun.
     """

@@ -9,25 +9,32 @@ from __future__ import annotations
 import enum
 import errno
 import os
+import signal
 import sys
 import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.metadata import version
-from typing import Any, NoReturn
+from pathlib import Path
+from typing import Any, NoReturn, TextIO
 
 import typer
 from rich.console import Console
 
+from dslkit import signals, streams
 from dslkit.catalog import Catalog
 from dslkit.diagnostics import Diagnostic, Severity, summary
+from dslkit.writing import reason, try_folder, try_writing, write_whole
 
 INTERNAL_ERROR = 70
 """The exit code for a defect of the tool (sysexits: EX_SOFTWARE)."""
 
-_OUTPUT_FAILURES = frozenset(
-    (errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG, errno.EPIPE, errno.EBADF)
-)
+INTERRUPTED = 128 + signal.SIGINT
+"""The exit code of a run that somebody has interrupted."""
+
+_UNHEARD = 141  # that of a program which SIGPIPE ends: 128 + 13
+_OUTPUT_FAILURES = frozenset((errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG, errno.EBADF))
 
 
 class Format(str, enum.Enum):
@@ -137,27 +144,87 @@ class CommandLine:
         self.complain(message)
         raise typer.Exit(exit_code)
 
+    # --- what is written --------------------------------------------------------------------------
+
+    def try_file(self, path: Path) -> None:
+        """End the run, before it takes its time, if a file could not be written after it."""
+        with self.writing(path):
+            try_writing(path)
+
+    def try_folder(self, folder: Path) -> None:
+        """End the run, before it takes its time, if files could not be written into a folder."""
+        with self.writing_to(folder):
+            try_folder(folder)
+
+    def save(self, path: Path, text: str) -> None:
+        """Write a file; the run ends if that cannot be done."""
+        with self.writing(path):
+            write_whole(path, text)
+
+    @contextmanager
+    def writing(self, path: Path) -> Iterator[None]:
+        """Within, a file that cannot be written ends the run."""
+        try:
+            yield
+        except OSError as error:
+            self.fail(f"cannot write {path}: {reason(error)}", exit_code=2)
+
+    @contextmanager
+    def writing_to(self, folder: Path) -> Iterator[None]:
+        """Within, a folder that cannot be written to ends the run."""
+        try:
+            yield
+        except OSError as error:
+            self.fail(f"cannot write to {folder}: {reason(error)}", exit_code=2)
+
+    # --- how it ends ------------------------------------------------------------------------------
+
     def run(self, app: Callable[[], None]) -> None:
         """Run the command; a defect of ours is reported as one."""
+        streams.make_ready()
+        try:
+            signals.raise_interrupts()
+            code = self._exit_code_of(app)
+            signals.end_at_once()
+        except KeyboardInterrupt:
+            signals.end_at_once()
+            code = INTERRUPTED
+        sys.exit(signals.exit_code() or code)
+
+    def _exit_code_of(self, app: Callable[[], None]) -> int | str | None:
         try:
             try:
                 app()
             finally:
-                if sys.stdout is not None:  # closed by the caller
-                    sys.stdout.flush()
+                sys.stdout.flush()
+        except SystemExit as ended:
+            # Typer ends the run so if nobody reads what it writes.
+            return _UNHEARD if isinstance(ended.__context__, BrokenPipeError) else ended.code
         except Exception as error:
-            if isinstance(error, OSError) and _is_about_output(error):
-                self._give_up_output(error)
-                sys.exit(2)
-            self._tell_defect(traceback.format_exc())
-            sys.exit(INTERNAL_ERROR)
+            return self._exit_code_after(error)
+        return 0
 
-    def _give_up_output(self, error: OSError) -> None:
-        """Say that standard output cannot be written to, and drop what is left for it."""
-        nowhere = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nowhere, sys.stdout.fileno())  # otherwise Python fails once more when it ends
-        os.close(nowhere)
-        self.complain(f"cannot write the output: {(error.strerror or 'it is gone').lower()}")
+    def _exit_code_after(self, error: Exception) -> int:
+        """Say what is wrong, unless it comes from an interrupt or nobody listens."""
+        if (interrupted := signals.exit_code()) is not None:
+            return interrupted
+        if isinstance(error, BrokenPipeError) and error.filename is None:
+            _drop(sys.stdout)
+            return _UNHEARD
+        code = INTERNAL_ERROR
+        try:
+            if isinstance(error, OSError) and _is_about_output(error):
+                code = 2
+                _drop(sys.stdout)
+                self.complain(f"cannot write the output: {reason(error)}")
+            elif isinstance(error, FileNotFoundError) and not _has_folder():
+                code = 2
+                self.complain("the current folder is gone: change to another one")
+            else:
+                self._tell_defect(traceback.format_exc())
+        except OSError:
+            _drop(sys.stderr)
+        return code
 
     def _tell_defect(self, detail: str) -> None:
         """Say that the tool is at fault, with what its makers need to know."""
@@ -165,6 +232,22 @@ class CommandLine:
         typer.echo(f"error[{self.internal_code}]: {title}", err=True)
         typer.echo("please report it, with the file that you checked and these lines:", err=True)
         sys.stderr.write(detail)
+
+
+def _drop(stream: TextIO) -> None:
+    """Drop what is left for a stream: otherwise Python fails once more when it ends."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, stream.fileno())
+    os.close(nowhere)
+
+
+def _has_folder() -> bool:
+    """Whether the current folder is still there."""
+    try:
+        Path.cwd()
+    except FileNotFoundError:
+        return False
+    return True
 
 
 def _is_about_output(error: OSError) -> bool:

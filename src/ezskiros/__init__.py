@@ -1,20 +1,24 @@
 """Skills for SkiROS2 as typed Python: checked against the ontology before the robot is launched."""
 
-from ezskiros.skills import (
-    CONSUME,
-    INFERRED,
-    LOCK,
-    OPTIONAL,
-    OUTPUT,
-    RESPECT_TYPE,
-    UNSPECIFY,
-    Key,
-    SkillDescription,
-    abstract,
-    generated,
-    of_type,
-    specified,
-)
+from __future__ import annotations
+
+TYPE_CHECKING = False  # not from `typing`: while Python imports that, Ctrl-C is a traceback
+if TYPE_CHECKING:
+    from ezskiros.skills import (
+        CONSUME,
+        INFERRED,
+        LOCK,
+        OPTIONAL,
+        OUTPUT,
+        RESPECT_TYPE,
+        UNSPECIFY,
+        Key,
+        SkillDescription,
+        abstract,
+        generated,
+        of_type,
+        specified,
+    )
 
 __all__ = [
     "CONSUME",
@@ -31,3 +35,12 @@ __all__ = [
     "of_type",
     "specified",
 ]
+
+
+def __getattr__(name: str) -> object:
+    """Import what skills need only when one asks for it: every subpackage imports this one."""
+    if name in __all__:
+        from ezskiros import skills
+
+        return getattr(skills, name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,5 +1,17 @@
-"""`python -m ezskiros` is the command `ezskiros`."""
+"""The command `ezskiros`, which is also `python -m ezskiros`."""
 
-from ezskiros.cli.main import main
+from __future__ import annotations
 
-main()
+from dslkit.signals import end_at_once
+
+
+def main() -> None:
+    """Run the command line. What is imported for it takes a while, and may be interrupted."""
+    end_at_once()
+    from ezskiros.cli.main import main as run
+
+    run()
+
+
+if __name__ == "__main__":
+    main()

@@ -94,5 +94,5 @@ def _found(name: str, library: Library) -> tuple[type[SkillDescription], str | N
         return known[name]
     near = difflib.get_close_matches(name, known, n=1)
     listed = ", ".join(sorted(each for each in known if known[each][1] is None))
-    hint = f"did you mean `{near[0]}`?" if near else f"there is {listed}"
+    hint = f"did you mean `{near[0]}`?" if near else f"there is {listed or 'none'}"
     raise UnknownSkillError(f"there is no skill `{name}` in these files; {hint}")

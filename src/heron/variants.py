@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+from collections.abc import Mapping
 
 
 class Arm(str, enum.Enum):
@@ -34,3 +35,11 @@ class Person(str, enum.Enum):
 
     OUTSIDE = "outside"  # past the open door: whatever a monitor restricts here is without need
     INSIDE = "inside"  # into the room, close to the arm, and out again
+
+
+VARIANTS: Mapping[str, tuple[enum.Enum, ...]] = {
+    "nav": (Terrain.GENTLE, Terrain.STEEP, Terrain.FLAT),
+    "place": (Table.HIGH, Table.HURRIED, Table.EXPECTED),
+    "human": (Person.INSIDE, Person.OUTSIDE),
+}
+"""Of each experiment, by its name. The first one is run if none is named."""

@@ -5,8 +5,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+TYPE_CHECKING = False  # not from `typing`: while Python imports that, Ctrl-C is a traceback
 if TYPE_CHECKING:
     from rossmarie.driver.monitor import Monitor, load
     from rossmarie.driver.pipeline import RulesError

@@ -22,7 +22,7 @@ require(RAY)
 
 from rich.console import Console
 
-from campaign import Bar, Journal, UnreachableError, run
+from campaign import Bar, Journal, UnreachableError, ray_cluster, run
 from campaign.ray_cluster import RayCluster
 from campaign.workers import Result
 from support import campaigns
@@ -77,10 +77,11 @@ def free_port() -> int:
 
 
 class Killer:
-    """A witness that ends a node when some episodes are done."""
+    """A witness that ends a node when `count` episodes are done."""
 
-    def __init__(self, victim: subprocess.Popen[str]) -> None:
+    def __init__(self, victim: subprocess.Popen[str], count: int = 5) -> None:
         self._victim = victim
+        self._count = count
         self.heard: list[Result] = []
 
     def begin(self, count: int, done: int) -> None:
@@ -88,8 +89,15 @@ class Killer:
 
     def hear(self, result: Result) -> None:
         self.heard.append(result)
-        if len(self.heard) == 5:
+        if len(self.heard) == self._count:
             end(self._victim)
+
+
+def cluster() -> tuple[str, list[str]]:
+    """The address of a cluster that is still to be started, and the arguments of its head."""
+    port = free_port()
+    head = ["--head", f"--port={port}", "--node-ip-address=127.0.0.1", "--include-dashboard=false"]
+    return f"127.0.0.1:{port}", head
 
 
 def wait_for_nodes(address: str, count: int) -> None:
@@ -110,9 +118,7 @@ def wait_for_nodes(address: str, count: int) -> None:
 
 
 def test_no_episode_is_lost_or_counted_twice_when_a_node_dies(tmp_path: Path) -> None:
-    address = f"127.0.0.1:{free_port()}"
-    port = address.partition(":")[2]
-    head = ["--head", f"--port={port}", "--node-ip-address=127.0.0.1", "--include-dashboard=false"]
+    address, head = cluster()
     keys = [f"slow:{number}" for number in range(24)]
     path = tmp_path / "journal.jsonl"
     with node(*head):
@@ -133,6 +139,33 @@ def test_no_episode_is_lost_or_counted_twice_when_a_node_dies(tmp_path: Path) ->
             failed = run([*keys, "raise:no"], work, journal, RayCluster(address), bar)
         assert [failure.reason for failure in failed.failures] == ["ValueError: no"]
         assert "24 of 25 are done already" in shown.getvalue()
+
+
+def test_a_head_that_dies_is_told_before_ray_ends_this_process(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(ray_cluster, "_PERIOD_S", 0.5)
+    monkeypatch.setattr(ray_cluster, "_PATIENCE_S", 2.0)
+    address, head = cluster()
+    path = tmp_path / "journal.jsonl"
+    with node(*head) as first:
+        wait_for_nodes(address, 1)
+        before = signal.getsignal(signal.SIGTERM)
+        killer = Killer(first, 2)
+        with (
+            Journal(path, "test") as journal,
+            pytest.raises(UnreachableError, match="is gone"),
+        ):
+            run(
+                [f"slow:{number}" for number in range(99)],
+                work,
+                journal,
+                RayCluster(address),
+                killer,
+            )
+    assert signal.getsignal(signal.SIGTERM) is before
+    with Journal(path, "test") as journal:
+        assert set(journal.values) == {result.key for result in killer.heard}
 
 
 def test_a_cluster_that_is_not_there_is_told() -> None:

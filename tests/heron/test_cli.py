@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import sys
+
 import pytest
 from typer.testing import CliRunner
 
 from heron.cli import main
 from heron.cli.main import app
+from heron.variants import VARIANTS
 from support.parts import MUJOCO, needs
 
 
@@ -53,6 +56,29 @@ def test_without_mujoco_it_says_what_to_install(
     found = CliRunner().invoke(app, command)
     assert found.exit_code == 2
     assert "pip install 'rossmarie[heron]'" in found.output
+
+
+@pytest.mark.parametrize("version", [(3, 10), (3, 12)])
+def test_it_says_why_mujoco_is_not_there(
+    version: tuple[int, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(main, "find_spec", lambda name: None if name == "mujoco" else name)
+    monkeypatch.setattr(main, "_VERSION", version)
+    found = CliRunner().invoke(app, ["demo"])
+    is_old = version == (3, 10)
+    assert ("needs Python 3.11 or later; this is Python 3.10" in found.output) is is_old
+    assert (f"needs MuJoCo, not installed for {sys.executable}" in found.output) is not is_old
+    assert "SciPy" not in found.output
+
+
+@needs(MUJOCO)
+def test_the_names_that_are_known_without_the_simulation_are_those_of_the_experiments() -> None:
+    from heron.experiments import EXPERIMENTS
+
+    assert {name: each.harms.keys() for name, each in EXPERIMENTS.items()} == {
+        name: set(variants) for name, variants in VARIANTS.items()
+    }
+    assert list(EXPERIMENTS) == list(VARIANTS)
 
 
 def test_a_wrong_arm_is_told_with_those_that_there_are() -> None:

@@ -39,7 +39,7 @@ _MODULES = {
     "rossmarie": ("_cffi_backend", "cffi.cparser", "typer._adapters"),
 }
 """What it imports besides."""
-_LATER = ("ezskiros.__main__", "ezskiros.migrate")
+_LATER = ("ezskiros.migrate",)
 _imported: set[str] = set()
 
 

@@ -14,6 +14,7 @@ The result is `rich` text: a console shows its colours on a terminal and leaves 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
 
 from rich.text import Text
 
@@ -21,7 +22,7 @@ from dslkit.diagnostics.edits import apply_edits
 from dslkit.diagnostics.model import Diagnostic, Edit, Fix, Severity
 from dslkit.diagnostics.snippet import GUTTER_STYLE, Gutter, Mark, draw, marks_of
 from dslkit.diagnostics.visible import visible
-from dslkit.source import SourceFile
+from dslkit.source import SourceFile, ending
 
 _SEVERITY_STYLE = {
     Severity.ERROR: "bold red",
@@ -48,10 +49,11 @@ def _finding(found: Diagnostic, width: int) -> Iterator[Text]:
     for file, in_file in marks.items():
         arrow = "-->" if file is primary_file else ":::"
         place = visible(file.path)
-        if file.text:
+        is_quoted = _is_quoted(file)
+        if is_quoted:
             place += f":{in_file[0].line}:{in_file[0].start + 1}"
         yield Text(" " * gutter.width).append(arrow, GUTTER_STYLE).append(f" {place}")
-        if file.text:
+        if is_quoted:
             yield gutter.row()
             yield from draw(file, in_file, gutter, width)
         else:
@@ -65,6 +67,12 @@ def _finding(found: Diagnostic, width: int) -> Iterator[Text]:
         yield from gutter.attached("help", found.help)
     if found.fix is not None:
         yield from _fix(found.fix, gutter, width)
+
+
+def _is_quoted(file: SourceFile) -> bool:
+    """Not what a link leads to if that is a file of another kind, perhaps a secret one."""
+    path = Path(file.path)
+    return bool(file.text) and ending(path) == path.suffix.lower()
 
 
 def _line_numbers(found: Diagnostic) -> Iterator[int]:

@@ -1,7 +1,7 @@
 """Where a thing was written: files and spans."""
 
 from dslkit.source.file import Position, SourceFile
-from dslkit.source.paths import is_file, is_folder, shown
+from dslkit.source.paths import ending, is_file, is_folder, shown
 from dslkit.source.span import Span
 
-__all__ = ["Position", "SourceFile", "Span", "is_file", "is_folder", "shown"]
+__all__ = ["Position", "SourceFile", "Span", "ending", "is_file", "is_folder", "shown"]

@@ -16,7 +16,7 @@ from pathlib import Path
 from types import CodeType, FrameType, TracebackType
 
 from dslkit.source.file import SourceFile
-from dslkit.source.paths import shown
+from dslkit.source.paths import ending, shown
 from dslkit.source.span import Span
 
 _OURS = f"{Path(__file__).parents[1]}{os.sep}"
@@ -51,8 +51,8 @@ def place_of(where: FrameType | TracebackType) -> Span | None:
 
 @lru_cache(maxsize=4096)
 def source_file(path: str) -> SourceFile | None:
-    """The text of a module, decoded as Python does; None if there is no such file."""
-    lines = linecache.getlines(path)
+    """The text of a module, decoded as Python does; None if there is no such file of Python."""
+    lines = linecache.getlines(path) if ending(Path(path)) == ".py" else []
     return SourceFile(shown(path), "".join(lines)) if lines else None
 
 

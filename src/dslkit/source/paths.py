@@ -18,6 +18,16 @@ def is_folder(path: Path) -> bool:
     return os.path.isdir(path)  # noqa: PTH112
 
 
+def ending(path: Path) -> str:
+    """That of the name, in lower case and with the dot. A link has the ending of what it leads to:
+    its own name promises nothing.
+    """
+    try:
+        return Path(os.path.realpath(path)).suffix.lower()
+    except (OSError, ValueError):
+        return path.suffix.lower()
+
+
 def shown(path: str) -> str:
     """A path as people read it: from the current folder if it is in it."""
     return path.removeprefix(f"{Path.cwd()}{os.sep}")

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dslkit.command_line import Format
+from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Skills, name_ontology
 from ezskiros.cli.checking import asked, print_check
 from ezskiros.cli.output import output
@@ -160,11 +161,8 @@ def _ambiguous(ontology: list[Path] | None) -> frozenset[str]:
 
 def _write(file: MigratedFile) -> None:
     """Write what has become of a file; ends the run if that fails."""
-    try:
+    with output.writing(file.path):
         file.write()
-    except OSError as problem:
-        reason = (problem.strerror or "it is gone").lower()
-        output.fail(f"cannot write {file.path}: {reason}", exit_code=2)
 
 
 @app.command()
@@ -182,6 +180,8 @@ def stubs(
     ] = True,
 ) -> None:
     """Write the stub (`.pyi`) from which editors and type checkers know the ontology."""
+    if not is_check:
+        output.try_file(out)
     from ezskiros.driver import stub_of
 
     name_ontology(ontology)
@@ -189,14 +189,18 @@ def stubs(
     if output.exit_code(found):
         output.reject(found)
     output.print_findings(found)
+    if not is_check:
+        output.save(out, text)
+    elif _is_stale(out, text):
+        output.fail(f"{out} is stale: run this command again, without --check", exit_code=1)
+
+
+def _is_stale(stub: Path, text: str) -> bool:
+    """Whether a stub says anything else; ends the run if it cannot be read."""
     try:
-        if not is_check:
-            out.write_text(text, encoding="utf-8", newline="\n")
-        elif not out.exists() or out.read_bytes().replace(b"\r", b"") != text.encode():
-            output.fail(f"{out} is stale: run this command again, without --check", exit_code=1)
+        return not stub.exists() or stub.read_bytes().replace(b"\r", b"") != text.encode()
     except OSError as problem:
-        reason = (problem.strerror or "it is not there").lower()
-        output.fail(f"{out} cannot be used: {reason}", exit_code=2)
+        output.fail(f"cannot read {stub}: {reason(problem)}", exit_code=2)
 
 
 def _check_again_and_again(

@@ -37,6 +37,8 @@ def plan(
     """Find skills that lead from a scene to a goal: a behavior tree, checked and tried out."""
     if write is not None and (write.suffix != ".py" or not write.stem.isidentifier()):
         output.fail(f"`{write}` is no file for a module of Python, such as plan.py", exit_code=2)
+    if write is not None:
+        output.try_file(write)
     name_ontology(ontology)
     paths = paths or [Path()]
     report = checked(paths)
@@ -99,9 +101,5 @@ class _Search:
 
 def _write(path: Path, text: str, paths: list[Path]) -> None:
     """Write a plan as a skill, and check it with the skills that it is made of."""
-    try:
-        path.write_text(text, encoding="utf-8", newline="\n")
-    except OSError as problem:
-        reason = (problem.strerror or "it is not there").lower()
-        output.fail(f"{path} cannot be written: {reason}", exit_code=2)
+    output.save(path, text)
     raise typer.Exit(print_check([path, *paths], None, Format.TEXT))

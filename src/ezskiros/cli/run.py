@@ -15,6 +15,7 @@ from rich.console import Console
 
 from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
+from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.checking import checked, file_count
 from ezskiros.cli.output import output
@@ -75,6 +76,9 @@ def run(
     ontology: Folders = None,
 ) -> None:
     """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
+    for path in (save, trace):
+        if path is not None:
+            output.try_file(path)
     name_ontology(ontology)
     from ezskiros.engine.expansion import Expansions
     from ezskiros.engine.setting import Setting
@@ -95,7 +99,7 @@ def run(
     run = _Run(ready.call, setting, period, timeout)
     outcome = run.to_the_end(is_asked=ask, trace=trace)
     if save is not None:
-        with _writing(save):
+        with output.writing(save):
             ready.world.save(save)
     _tell(skill, outcome)
     raise typer.Exit(0 if outcome.is_success else 1)
@@ -127,8 +131,7 @@ def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) 
     except (UnknownSkillError, WrongArgumentError) as problem:
         output.fail(str(problem), exit_code=2)
     except OSError as problem:
-        reason = (problem.strerror or "it is not there").lower()
-        output.fail(f"cannot read {scene}: {reason}", exit_code=2)
+        output.fail(f"cannot read {scene}: {reason(problem)}", exit_code=2)
     if ready.warnings:
         count = len(ready.warnings)
         plural = "s" if count > 1 else ""
@@ -151,16 +154,6 @@ def _refuse_half_modules(ready: Ready) -> None:
             "import it in the methods that use it; `--simulate` runs without",
             exit_code=2,
         )
-
-
-@contextmanager
-def _writing(path: Path) -> Iterator[None]:
-    """Within, a file that cannot be written ends the run."""
-    try:
-        yield
-    except OSError as problem:
-        reason = (problem.strerror or "it is gone").lower()
-        output.fail(f"cannot write {path}: {reason}", exit_code=2)
 
 
 class _Run:
@@ -190,7 +183,7 @@ class _Run:
             self._setting.choose = self._choose
         with ExitStack() as stack:
             if trace is not None:
-                stack.enter_context(_writing(trace))
+                stack.enter_context(output.writing(trace))
                 self._trace = Trace(stack.enter_context(trace.open("w", encoding="utf-8")))
             stack.enter_context(self._interruptible())
             if self._live is not None:

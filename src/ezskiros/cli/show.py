@@ -39,6 +39,9 @@ def show(
     """Draw the behavior trees of a compound skill: several if `expandBT` branches."""
     from ezskiros.cli.outlines import console_for_outlines
 
+    for path in (svg, btcpp):
+        if path is not None:
+            output.try_file(path)
     name_ontology(ontology)
     console = console_for_outlines() if svg is None and btcpp is None else None
     picture = _Picture(skill, paths or [Path()], depth, conditions, console, btcpp is not None)
@@ -46,7 +49,7 @@ def show(
     if btcpp is not None:
         _export(drawn["btcpp"], report.diagnostics, btcpp)
     if svg is not None:
-        _write(svg, drawn["svg"])
+        output.save(svg, drawn["svg"])
     if console is not None:
         typer.echo(drawn["text"], nl=False, color=console.is_terminal)
     if output.exit_code(report.diagnostics):
@@ -100,13 +103,4 @@ def _export(text: str, found: Sequence[Diagnostic], path: Path) -> None:
     output.print_findings(wrong)
     if output.exit_code(wrong):
         raise typer.Exit(output.exit_code(wrong))
-    _write(path, text)
-
-
-def _write(path: Path, text: str) -> None:
-    """Write a file; ends the run if that fails."""
-    try:
-        path.write_text(text, encoding="utf-8", newline="\n")
-    except OSError as problem:
-        reason = (problem.strerror or "it is not there").lower()
-        output.fail(f"{path} cannot be written: {reason}", exit_code=2)
+    output.save(path, text)

@@ -12,15 +12,12 @@ PERIOD_S = 0.5
 def watch(files: Callable[[], Iterable[Path]], do: Callable[[], None]) -> None:
     """Do it now, and each time that a file comes, goes or changes; ends when it is interrupted."""
     seen: object = None
-    try:
-        while True:
-            now = state(files())
-            if now != seen:
-                seen = now
-                do()
-            time.sleep(PERIOD_S)
-    except KeyboardInterrupt:
-        pass
+    while True:
+        now = state(files())
+        if now != seen:
+            seen = now
+            do()
+        time.sleep(PERIOD_S)
 
 
 def state(files: Iterable[Path]) -> dict[Path, tuple[int, int]]:

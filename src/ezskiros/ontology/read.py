@@ -12,7 +12,7 @@ from xml.parsers import expat
 import pyoxigraph
 
 from dslkit.diagnostics import Diagnostic
-from dslkit.source import SourceFile, Span, is_file, is_folder, shown
+from dslkit.source import SourceFile, Span, ending, is_file, is_folder, shown
 from ezskiros.ontology import errors
 
 Quad = pyoxigraph.Quad
@@ -68,11 +68,12 @@ def read(path: Path) -> tuple[Document | None, list[Diagnostic]]:
 
     Raises `OSError` if it cannot be read at all.
     """
+    kind = FORMATS.get(ending(path))
     content = path.read_bytes()
-    file = SourceFile(shown(str(path)), content.decode("utf-8", "replace"))
-    kind = FORMATS.get(path.suffix.lower())
     if kind is None:
-        return None, [errors.UnknownFormat(suffix=_suffix(path)).at(Span(file, 0, 0))]
+        nowhere = Span(SourceFile(shown(str(path)), ""), 0, 0)
+        return None, [errors.UnknownFormat(suffix=_suffix(path)).at(nowhere)]
+    file = SourceFile(shown(str(path)), content.decode("utf-8", "replace"))
     base = path.resolve().as_uri()
     try:
         parser = pyoxigraph.parse(content, format=kind, base_iri=base)
@@ -104,7 +105,8 @@ def _xml_header(content: bytes) -> tuple[dict[str, str], str | None]:
 
 
 def _suffix(path: Path) -> str:
-    return f"the ending `{path.suffix}`" if path.suffix else "no ending"
+    found = ending(path)
+    return f"the ending `{found}`" if found else "no ending"
 
 
 def _syntax_error(

@@ -11,23 +11,28 @@ from typing import Any
 from ruamel.yaml import YAML
 from ruamel.yaml.error import MarkedYAMLError, YAMLError
 
-from dslkit.source import SourceFile, Span
+from dslkit.source import SourceFile, Span, ending
 from ezskiros import session
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.trees import errors
 
+_ENDINGS = (".yaml", ".yml", ".json")
 Known = Mapping[str, Mapping[str, object]]
 """Values of parameters by their names, by the names of skills."""
 
 
 def read_launch_values(path: Path, skills: Iterable[SkillInterface]) -> Known:
     """What a file says of the parameters of some skills; what is wrong with it is reported."""
+    nowhere = Span(SourceFile(str(path), ""), 0, 0)
+    if ending(path) not in _ENDINGS:
+        said = f"the name of the file ends in none of {', '.join(_ENDINGS)}"
+        session.report(errors.UnreadableValues(said=said).at(nowhere))
+        return {}
     try:
         file = SourceFile(str(path), path.read_text(encoding="utf-8"))
         content = YAML(typ="rt", pure=True).load(file.text)
     except (OSError, UnicodeDecodeError) as problem:
         said = getattr(problem, "strerror", None) or "it is no text"
-        nowhere = Span(SourceFile(str(path), ""), 0, 0)
         session.report(errors.UnreadableValues(said=said.lower()).at(nowhere))
         return {}
     except YAMLError as problem:

@@ -9,6 +9,7 @@ from rich.console import Console
 from rich.table import Table
 
 from dslkit.command_line import CommandLine
+from dslkit.writing import write_whole
 from heron.demo import Shot, page_of, shoot_all
 from heron.experiments import EXPERIMENTS
 from heron.experiments.table import ARM_NAMES
@@ -24,11 +25,9 @@ def demonstrate(output: CommandLine, seed: int, out: Path) -> None:
         shots = shoot_all(_ARMS, seed)
     for name in EXPERIMENTS:
         console.print(_table([shot for shot in shots if shot.experiment == name]))
-    try:
+    with output.writing(out):
         out.parent.mkdir(parents=True, exist_ok=True)
-        out.write_text(page_of(shots), encoding="utf-8")
-    except OSError as error:
-        output.fail(f"cannot write {out}: {error.strerror}", exit_code=2)
+        write_whole(out, page_of(shots))
     trouble = next((shot.frames.trouble for shot in shots if shot.frames.trouble), None)
     if trouble is not None:
         output.complain(f"the page is without pictures: {trouble}")

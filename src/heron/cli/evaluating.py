@@ -18,38 +18,39 @@ from campaign import (
     Workers,
     run,
 )
-from dslkit.command_line import CommandLine
+from dslkit.command_line import INTERRUPTED, CommandLine
+from dslkit.writing import reason
 from heron.evaluation import Folder, keys_of, row_of, sources, write_page
-from heron.experiments import Experiment
+from heron.experiments import EXPERIMENTS
 
-_INTERRUPTED = 130
+_KEPT = "what is done is kept, and the same command goes on from there"
 
 
 def evaluate(
     output: CommandLine,
-    experiments: Sequence[Experiment],
+    names: Sequence[str],
     seeds: int,
     out: Path,
     workers: Workers,
 ) -> None:
     """Run what is not in the journal, and write the page."""
     folder = Folder(out)
-    keys = list(keys_of(experiments, seeds))
+    keys = list(keys_of([EXPERIMENTS[name] for name in names], seeds))
     try:
         found = _campaign(keys, folder, workers)
     except KeyboardInterrupt:
-        output.fail(
-            "interrupted; what is done is kept, and the same command goes on from there",
-            exit_code=_INTERRUPTED,
-        )
-    except (BusyError, UnreachableError) as error:
+        output.fail(f"interrupted; {_KEPT}", exit_code=INTERRUPTED)
+    except BusyError as error:
         output.fail(str(error), exit_code=2)
+    except UnreachableError as error:
+        output.fail(f"{error}; {_KEPT}", exit_code=2)
     except ForeignError as error:
         output.fail(f"{error}; remove it, or choose another folder by --out", exit_code=2)
     except OSError as error:
-        output.fail(f"cannot write to {out}: {error.strerror}", exit_code=2)
+        output.fail(f"cannot write to {out}: {reason(error)}; {_KEPT}", exit_code=2)
     if found.values:
-        typer.echo(f"the page:  {write_page(folder, found.values)}")
+        with output.writing_to(out):
+            typer.echo(f"the page:  {write_page(folder, found.values)}")
     if found.failures:
         names = ", ".join(failure.key for failure in found.failures)
         output.fail(f"not finished, and tried again by the same command: {names}", exit_code=1)

@@ -1,14 +1,16 @@
 """The `heron` command: one function per subcommand.
 
 Exit codes: 0 what was asked for was run, however it went, 1 an episode was not finished, 2 the
-command itself was called wrongly or MuJoCo is not installed, 70 a defect of this tool, 130
-interrupted.
+command itself was called wrongly or MuJoCo is not installed, 70 a defect of this tool, 128 plus the
+number of a signal that ended it (130: Ctrl-C).
 """
 
 from __future__ import annotations
 
 import enum
 import os
+import re
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from ctypes.util import find_library
@@ -20,11 +22,11 @@ import typer
 
 from dslkit.catalog import Catalog
 from dslkit.command_line import CommandLine
-from heron.variants import Arm, Person, Table, Terrain
+from heron.variants import VARIANTS, Arm, Person, Table, Terrain
 
 if TYPE_CHECKING:  # needs MuJoCo
     from campaign import Workers
-    from heron.experiments import Experiment, Observer
+    from heron.experiments import Observer
 
 
 def _catalog() -> Catalog:
@@ -34,6 +36,9 @@ def _catalog() -> Catalog:
 
 
 _LIMIT_S = 600.0  # of one episode
+_PARTS = {"MuJoCo": "mujoco", "Matplotlib": "matplotlib", "Pillow": "PIL", "SciPy": "scipy"}
+_VERSION = sys.version_info[:2]
+_OLDEST = (3, 11)  # for which MuJoCo has wheels
 output = CommandLine(
     tool="heron",
     subject="what you called it with",
@@ -150,10 +155,16 @@ def record(
     seed: Seed = 0,
 ) -> None:
     """Run one episode, and write all its topics into an MCAP file."""
+    chosen = _variant(_known(experiment), variant)
+    if out.suffix != ".mcap":
+        output.fail(f"the name of the recording has to end in .mcap, not as {out}", exit_code=2)
+    if out.exists():
+        output.fail(f"{out} is there already, and is not written over", exit_code=2)
+    output.try_folder(out.parent)
     _require_simulation()
     from heron.cli.recording import record as record_episode
 
-    record_episode(output, _experiment(experiment), variant, arm, seed, out)
+    record_episode(output, experiment, chosen, arm, seed, out)
 
 
 @app.command()
@@ -177,12 +188,13 @@ def evaluate(
 
     A run that was interrupted goes on where it was.
     """
+    chosen = list(map(_known, dict.fromkeys(experiment or VARIANTS)))
+    output.try_folder(out)
     _require_simulation()
+    workers = _workers(jobs, ray)
     from heron.cli.evaluating import evaluate as run_all
-    from heron.experiments import EXPERIMENTS
 
-    chosen = list(map(_experiment, dict.fromkeys(experiment or EXPERIMENTS)))
-    run_all(output, chosen, seeds, out, _workers(jobs, ray))
+    run_all(output, chosen, seeds, out, workers)
 
 
 @app.command()
@@ -191,6 +203,9 @@ def demo(
     out: Annotated[Path, typer.Option(help="The page.")] = Path("build/heron.html"),
 ) -> None:
     """Episodes with and without the monitor, side by side on one page."""
+    output.try_folder(out.parent)
+    if out.parent.exists():
+        output.try_file(out)
     _require_simulation()
     # MuJoCo looks at this when it is imported, and cannot be without what it names.
     os.environ.setdefault("MUJOCO_GL", "egl" if find_library("EGL") else "disable")
@@ -204,6 +219,8 @@ def _workers(jobs: int | None, ray: str | None) -> Workers:
 
     if ray is None:
         return Processes(jobs or Processes.cores(), _LIMIT_S)
+    if not re.fullmatch(r"\S+:\d+", ray):
+        output.fail(f"--ray needs HOST:PORT, not `{ray}`", exit_code=2)
     if find_spec("ray") is None:
         output.fail("--ray needs the extra of that name: pip install 'rossmarie[ray]'", exit_code=2)
     from campaign.ray_cluster import RayCluster
@@ -211,22 +228,38 @@ def _workers(jobs: int | None, ray: str | None) -> Workers:
     return RayCluster(ray)
 
 
-def _experiment(name: str) -> Experiment:
-    from heron.experiments import EXPERIMENTS
+def _known(experiment: str) -> str:
+    """The name of an experiment that there is; known before the simulation is imported."""
+    if experiment not in VARIANTS:
+        there_are = ", ".join(VARIANTS)
+        output.fail(f"there is no experiment {experiment}; there are {there_are}", exit_code=2)
+    return experiment
 
-    if name not in EXPERIMENTS:
-        there_are = ", ".join(EXPERIMENTS)
-        output.fail(f"there is no experiment {name}; there are {there_are}", exit_code=2)
-    return EXPERIMENTS[name]
+
+def _variant(experiment: str, wanted: str | None) -> enum.Enum:
+    """A variant by its name, else the first one."""
+    variants = {variant.value: variant for variant in VARIANTS[experiment]}
+    if wanted is None:
+        return VARIANTS[experiment][0]
+    if wanted not in variants:
+        there_are = ", ".join(variants)
+        output.fail(f"{experiment} has no variant {wanted}; there are {there_are}", exit_code=2)
+    return variants[wanted]
 
 
 def _require_simulation() -> None:
-    if find_spec("mujoco") is None:
-        output.fail(
-            "the simulation needs MuJoCo, which needs Python 3.11 or later: "
-            "pip install 'rossmarie[heron]'",
-            exit_code=2,
+    """End the run with the reason if a part of the simulation is not installed."""
+    missing = [name for name, module in _PARTS.items() if find_spec(module) is None]
+    if not missing:
+        return
+    reason = f"the simulation needs {', '.join(missing)}, not installed for {sys.executable}"
+    if "MuJoCo" in missing and _VERSION < _OLDEST:
+        python, oldest = (".".join(map(str, each)) for each in (_VERSION, _OLDEST))
+        reason = (
+            f"the simulation needs MuJoCo, which needs Python {oldest} or later; "
+            f"this is Python {python}"
         )
+    output.fail(f"{reason}: pip install 'rossmarie[heron]'", exit_code=2)
 
 
 def main() -> None:

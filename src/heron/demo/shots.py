@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 
+from campaign import undisturbed
 from heron.demo.film import Film, Frames
 from heron.demo.rules_watch import RulesWatch, Spans
 from heron.experiments import EXPERIMENTS, Episode, Experiment
@@ -66,7 +67,14 @@ def shoot_all(arms: Sequence[Arm], seed: int) -> list[Shot]:
     ]
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(min(len(wanted), os.cpu_count() or 1), context) as pool:
-        return list(pool.map(shoot, *zip(*wanted, strict=True)))
+        try:
+            with undisturbed():
+                running = [pool.submit(shoot, *each) for each in wanted]
+            return [each.result() for each in running]
+        except BaseException:
+            for process in multiprocessing.active_children():  # otherwise the pool waits for them
+                process.kill()
+            raise
 
 
 def _measures(experiment: Experiment, episode: Episode) -> dict[str, str]:

@@ -18,7 +18,7 @@ from heron.experiments.observer import Observer
 from heron.experiments.placing import PlacingEpisode, run_placing
 from heron.experiments.trace import Trace
 from heron.tasks import Outcome, TreeSkill
-from heron.variants import Arm, Person, Table, Terrain
+from heron.variants import VARIANTS, Arm, Person, Table, Terrain
 
 
 class Measures(Protocol):
@@ -141,7 +141,7 @@ class Experiment:
     @property
     def variants(self) -> Mapping[str, enum.Enum]:
         """By their names."""
-        return {variant.value: variant for variant in self.harms}
+        return {variant.value: variant for variant in VARIANTS[self.name]}
 
     @property
     def measures(self) -> tuple[Measure, ...]:

@@ -15,6 +15,9 @@ LIMIT_MS = 20_000
 """After this, in milliseconds, a question is given up however few steps it took."""
 
 
+_BY_CTRL_C = "interrupted from keyboard"
+
+
 class Outcome(enum.Enum):
     """What came of a question."""
 
@@ -46,10 +49,20 @@ class Solver:
         """Whether the claims can be so, all of them."""
         self._solver.push()
         self._solver.add(claims)
-        outcome = _OUTCOMES.get(str(self._solver.check()), Outcome.UNDECIDED)
+        outcome = _OUTCOMES.get(str(check(self._solver)), Outcome.UNDECIDED)
         model = self._solver.model() if outcome is Outcome.POSSIBLE else None
         self._solver.pop()
         return Answer(outcome, model)
+
+
+def check(solver: z3.Solver) -> z3.CheckSatResult:
+    """What z3 answers. While it works it takes Ctrl-C for itself, and calls that undecided: here it
+    ends the run as everywhere.
+    """
+    found = solver.check()
+    if found == z3.unknown and solver.reason_unknown() == _BY_CTRL_C:
+        raise KeyboardInterrupt
+    return found
 
 
 def ask(facts: Sequence[z3.BoolRef], *claims: z3.BoolRef) -> Answer:

@@ -9,14 +9,13 @@ from pathlib import Path
 import typer
 
 from dslkit.command_line import Format
+from dslkit.writing import reason
 from rossmarie.cli.output import output
-from rossmarie.cli.saving import save
 from rossmarie.driver import RulesError
 from rossmarie.driver.build import TARGETS, Built, build_files
 from rossmarie.driver.manifest import Described, describe
 from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.package_xml import BadPackageXmlError
-from rossmarie.driver.writing import reason
 from rossmarie.targets.manifest import OWN_PACKAGE, Person, Placement
 
 
@@ -49,25 +48,27 @@ def run_build(
     message_folders: Sequence[Path],
 ) -> None:
     """Write the files of a target into `out`, and say what comes next."""
+    output.try_folder(out)
+    if sources is not None:
+        output.try_file(sources)
     described, placement = _placement(rules, target, package)
     try:
-        built = build_files(
-            rules,
-            target,
-            out,
-            systems=systems,
-            message_folders=message_folders,
-            name=name,
-            placement=placement,
-        )
+        with output.writing_to(out):
+            built = build_files(
+                rules,
+                target,
+                out,
+                systems=systems,
+                message_folders=message_folders,
+                name=name,
+                placement=placement,
+            )
     except RulesError as error:
         output.reject(error.diagnostics)
     except ForeignFileError as error:
         output.fail(f"{error}; remove it, or choose another --out", exit_code=2)
-    except OSError as error:
-        output.fail(f"cannot write to {out}: {reason(error)}", exit_code=2)
     if sources is not None:
-        save(sources, "".join(f"{Path(each.path).absolute()}\n" for each in built.sources))
+        output.save(sources, "".join(f"{Path(each.path).absolute()}\n" for each in built.sources))
     _tell(built, described)
 
 

@@ -9,9 +9,9 @@ import typer
 
 from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
+from dslkit.writing import write_whole
 from rossmarie.cli.output import each_once, output
 from rossmarie.driver.analyze import Analysis, analyze_file, write_witnesses
-from rossmarie.driver.writing import reason, write_whole
 
 
 def run_check(
@@ -28,6 +28,8 @@ def run_check(
     is_tests = witnesses is not None and witnesses.suffix == ".ross"
     if is_tests and len(files) > 1:
         output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
+    if witnesses is not None:
+        (output.try_file if is_tests else output.try_folder)(witnesses)
     analyses = [
         analyze_file(
             path,
@@ -62,10 +64,8 @@ def _for_target(
 
 
 def _write(analyses: Sequence[Analysis], folder: Path, form: Format) -> None:
-    try:
+    with output.writing_to(folder):
         written = [path for each in analyses for path in write_witnesses(each, folder)]
-    except OSError as error:
-        output.fail(f"cannot write to {folder}: {reason(error)}", exit_code=2)
     for path in written:
         typer.echo(f"wrote {path}", err=form is not Format.TEXT)
 
@@ -83,12 +83,10 @@ def _write_tests(
     found = witness_tests(analysis, rules, path, systems=systems, message_folders=folders)
     if found is None:
         return
-    try:
+    with output.writing(path):
         if is_foreign(path):
             output.fail(f"{path} is not overwritten: no check has written it", exit_code=2)
         write_whole(path, found.text)
-    except OSError as error:
-        output.fail(f"cannot write {path}: {reason(error)}", exit_code=2)
     tests = "1 test" if found.count == 1 else f"{found.count} tests"
     typer.echo(f"wrote {tests} to {path}", err=form is not Format.TEXT)
     for name in found.left_out:

@@ -8,9 +8,9 @@ from pathlib import Path
 import typer
 
 from dslkit.command_line import Format
+from dslkit.writing import reason, write_whole
 from rossmarie.cli.output import output
 from rossmarie.driver.formatting import Formatted, format_file
-from rossmarie.driver.writing import reason, write_whole
 
 
 def run_fmt(files: Sequence[Path], check_only: bool) -> None:

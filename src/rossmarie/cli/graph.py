@@ -10,7 +10,6 @@ from rich.console import Console
 
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError, compile_file
-from rossmarie.driver.writing import reason, write_whole
 from rossmarie.report.wiring import Wiring, wiring_dot, wiring_of, wiring_svg, wiring_text
 
 _RULES = ".ross"
@@ -26,6 +25,8 @@ def run_graph(
     """Print the wiring, or write it to `out`; a rules file is not written over."""
     if out is not None and out.suffix == _RULES:
         output.fail(f"{out} would be a rules file; choose another --out", exit_code=2)
+    if out is not None:
+        output.try_file(out)
     try:
         compiled = compile_file(rules, systems=systems, message_folders=message_folders)
     except RulesError as error:
@@ -36,10 +37,7 @@ def run_graph(
         width = console.width if console.is_terminal else None
         typer.echo(_drawn(wiring, form, width), nl=False)
         return
-    try:
-        write_whole(out, _drawn(wiring, form))
-    except OSError as error:
-        output.fail(f"cannot write {out}: {reason(error)}", exit_code=2)
+    output.save(out, _drawn(wiring, form))
     typer.echo(f"wrote {out}")
 
 

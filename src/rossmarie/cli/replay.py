@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -12,12 +11,12 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
+from dslkit.writing import write_whole
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.monitor import NATIVE
 from rossmarie.driver.replay import replay_file
-from rossmarie.driver.writing import reason, write_whole
 from rossmarie.recordings import RecordingError, open_recording, write_model
 from rossmarie.report import Replay, render_timeline, verdict_lines, write_table
 
@@ -36,7 +35,7 @@ def run_replay(
     """Replay, print the findings and the table, and write the reports into `out`."""
     pairs = topic_pairs(topic_map)
     if out is not None:
-        check_folder(out)
+        output.try_folder(out)
     with refusing(), told_progress("replaying") as on_progress:
         replay, found = replay_file(
             rules,
@@ -95,17 +94,6 @@ def topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:
     return pairs
 
 
-def check_folder(out: Path) -> None:
-    """End the run unless reports can be written to `out`: a replay may take long."""
-    place = Path(os.path.realpath(out))
-    while not os.path.lexists(place):
-        place = place.parent
-    if not place.is_dir():
-        output.fail(f"cannot write to {out}: {place} is not a folder", exit_code=2)
-    if not os.access(place, os.W_OK | os.X_OK):
-        output.fail(f"cannot write to {out}: permission denied", exit_code=2)
-
-
 def _pair(text: str) -> tuple[str, str]:
     wanted, equals, recorded = text.partition("=")
     if not (wanted and equals and recorded):
@@ -114,10 +102,8 @@ def _pair(text: str) -> tuple[str, str]:
 
 
 def _save_reports(replay: Replay, out: Path) -> None:
-    try:
+    with output.writing_to(out):
         timeline, verdicts = write_reports(replay, out)
-    except OSError as error:
-        output.fail(f"cannot write to {out}: {reason(error)}", exit_code=2)
     typer.echo(f"wrote {timeline} and {verdicts}")
 
 
@@ -138,14 +124,13 @@ def write_model_of(recording: Path, out: Path | None) -> None:
     """
     if out is not None and out.is_file():
         output.fail(f"{out} is there; remove it, or choose another name", exit_code=2)
+    if out is not None:
+        output.try_file(out)
     with refusing(), open_recording(recording) as opened:
         output.print_findings(opened.findings)
         text = format_text(write_model(opened))
     if out is None:
         typer.echo(text, nl=False)
         return
-    try:
-        write_whole(out, text)
-    except OSError as error:
-        output.fail(f"cannot write {out}: {reason(error)}", exit_code=2)
+    output.save(out, text)
     typer.echo(f"wrote {out}")

@@ -15,19 +15,17 @@ import typer
 from rich.console import Console
 
 from campaign import Campaign, Journal, Processes, Result, Value, run
-from dslkit.command_line import INTERNAL_ERROR
+from dslkit.command_line import INTERNAL_ERROR, INTERRUPTED
+from dslkit.writing import reason
 from rossmarie.cli.output import output
-from rossmarie.cli.replay import check_folder, refusing, topic_pairs, write_reports
+from rossmarie.cli.replay import refusing, topic_pairs, write_reports
 from rossmarie.driver import compile_file
 from rossmarie.driver.monitor import start_engine
 from rossmarie.driver.replay import replay_file
-from rossmarie.driver.writing import reason
 from rossmarie.recordings import RecordingError
 from rossmarie.report import Replay, write_table
 from rossmarie.report.spans import summarize
 from rossmarie.report.wording import format_length
-
-_INTERRUPTED = 130
 
 
 @dataclass(frozen=True)
@@ -58,7 +56,7 @@ def run_replays(
     """
     pairs = topic_pairs(topic_map)
     if out is not None:
-        check_folder(out)
+        output.try_folder(out)
     with refusing():
         compiled = compile_file(rules, systems=systems, message_folders=message_folders)
     output.print_findings(compiled.warnings)
@@ -116,7 +114,7 @@ def _campaign(keys: Sequence[str], job: Job) -> Campaign:
         ):
             return run(keys, partial(replay_one, job), journal, workers, told)
     except KeyboardInterrupt:
-        output.fail("interrupted", exit_code=_INTERRUPTED)
+        output.fail("interrupted", exit_code=INTERRUPTED)
 
 
 def replay_one(job: Job, key: str) -> Value:

@@ -13,7 +13,6 @@ import typer
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError
 from rossmarie.driver.report import safety_file
-from rossmarie.driver.writing import reason, write_whole
 from rossmarie.report.safety import open_points, render_safety_file
 from rossmarie.report.safety.errors import EvidenceError
 
@@ -35,6 +34,7 @@ def run_report(
         output.fail(f"{out} would be a rules file; choose another --out", exit_code=2)
     if day is not None and _parsed(day) is None:
         output.fail(f"--date needs YYYY-MM-DD, not `{day}`", exit_code=2)
+    output.try_file(out)
     try:
         content, found = safety_file(
             rules,
@@ -52,10 +52,7 @@ def run_report(
         output.print_findings([error.diagnostic])
         raise typer.Exit(output.exit_code([error.diagnostic])) from None
     output.print_findings(found)
-    try:
-        write_whole(out, render_safety_file(content))
-    except OSError as error:
-        output.fail(f"cannot write {out}: {reason(error)}", exit_code=2)
+    output.save(out, render_safety_file(content))
     typer.echo(f"wrote {out}")
     for point in open_points(content):
         typer.echo(f"not done: {point}")

@@ -8,15 +8,15 @@ from pathlib import Path
 
 import typer
 
+from dslkit.writing import reason
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
 from rossmarie.cli.replay import refusing, told_progress, topic_pairs
-from rossmarie.cli.saving import refuse_report, save
+from rossmarie.cli.saving import refuse_report
 from rossmarie.driver import RulesError
 from rossmarie.driver.coverage import Exercised, cover_recordings, coverage_report
 from rossmarie.driver.generating import generate_tests
 from rossmarie.driver.testing import Outcome, UnknownTestError, run_test_file, tests_beside
-from rossmarie.driver.writing import reason
 from rossmarie.ir import near_name
 from rossmarie.report.coverage import write_coverage
 from rossmarie.report.margins import write_margins
@@ -32,6 +32,8 @@ def run_test(
     message_folders: Sequence[Path],
 ) -> None:
     """Run the tests and print what they found and cover; generate them before, to `write` them."""
+    if junit is not None:
+        output.try_file(junit)
     try:
         if write:
             _write(rules, systems, message_folders)
@@ -44,7 +46,7 @@ def run_test(
         output.fail(f"{error}{hint}", exit_code=2)
     report(tested)
     if junit is not None:
-        save(junit, junit_text(tested))
+        output.save(junit, junit_text(tested))
     raise typer.Exit(0 if tested.ran and not any(ran.found for ran in tested.ran) else 1)
 
 
@@ -52,8 +54,9 @@ def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
     """Write the tests of all boundaries beside the rules."""
     if tests_beside(rules) == rules:
         output.fail(f"{rules} holds tests; name the rules that they are for", exit_code=2)
+    output.try_file(tests_beside(rules))
     written = generate_tests(rules, systems=systems, message_folders=message_folders)
-    save(written.path, written.text)
+    output.save(written.path, written.text)
     typer.echo(f"wrote {_counted(written.count, 'test')} to {written.path}")
 
 
@@ -88,6 +91,7 @@ def run_coverage(
     """
     pairs = topic_pairs(topic_map)
     if report is not None:
+        output.try_file(report)
         refuse_report(report, (rules, *recordings))
     with refusing(), told_progress("moving thresholds") as on_progress:
         found = cover_recordings(
@@ -103,7 +107,7 @@ def run_coverage(
     typer.echo()
     write_margins(found.coverage.machine, found.margins, sys.stdout)
     if report is not None:
-        save(report, _report_text(found, rules, recordings))
+        output.save(report, _report_text(found, rules, recordings))
         typer.echo(f"wrote {report}")
 
 

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import signal
 import sys
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn
 
@@ -15,7 +13,7 @@ from dslkit.diagnostics import Template
 from dslkit.source import Span
 from rossmarie.cli.output import output
 from rossmarie.cli.replay import told_progress
-from rossmarie.cli.saving import refuse_report, save
+from rossmarie.cli.saving import refuse_report
 from rossmarie.driver import RulesError
 from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.verifying import (
@@ -26,7 +24,6 @@ from rossmarie.driver.verifying import (
     questions_of,
     verification_report,
 )
-from rossmarie.driver.writing import reason
 from rossmarie.report.proofs import Proofs, refutations, write_proofs
 from rossmarie.report.safety.errors import at_file
 from rossmarie.verification.errors import NoProver, ProgramRefused
@@ -46,6 +43,10 @@ def run_verify(
     """Prove, print what came of it, and end with 0 only if everything is proved; write a `report`
     as JSON, and what the prover gets into the folder `kept`.
     """
+    if report is not None:
+        output.try_file(report)
+    if kept is not None:
+        output.try_folder(kept)
     try:
         questions = questions_of(rules, systems=systems, message_folders=message_folders)
     except RulesError as error:
@@ -60,40 +61,30 @@ def run_verify(
     output.print_findings(tuple(refutations(proofs, whole)))
     write_proofs(proofs, sys.stdout)
     if report is not None:
-        save(report, verification_report(questions, proofs, rules, version=output.own_version()))
+        output.save(
+            report, verification_report(questions, proofs, rules, version=output.own_version())
+        )
         typer.echo(f"wrote {report}")
     raise typer.Exit(0 if proofs.is_complete else 1)
 
 
 def _keep(questions: Questions, folder: Path, rules: Path) -> None:
     try:
-        paths = keep(questions, folder, rules)
+        with output.writing_to(folder):
+            paths = keep(questions, folder, rules)
     except ForeignFileError as error:
         output.fail(f"{error}; remove it, or choose another --keep", exit_code=2)
-    except OSError as error:
-        output.fail(f"cannot write to {folder}: {reason(error)}", exit_code=2)
     for path in paths:
         typer.echo(f"wrote {path}")
 
 
 def _proofs(questions: Questions, seconds: int) -> Proofs:
-    with _leaving_when_ended():
-        found = prover()
-        try:
-            with told_progress("proving") as on_progress:
-                return prove(questions, found, seconds=seconds, on_progress=on_progress)
-        except ProverError as error:
-            _give_up(ProgramRefused(reason=complaint(error)))
-
-
-@contextmanager
-def _leaving_when_ended() -> Iterator[None]:
-    """Whoever ends the run by SIGTERM, as `timeout` does, finds no folders of it afterwards."""
-    before = signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
+    found = prover()
     try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
+        with told_progress("proving") as on_progress:
+            return prove(questions, found, seconds=seconds, on_progress=on_progress)
+    except ProverError as error:
+        _give_up(ProgramRefused(reason=complaint(error)))
 
 
 def prover() -> Prover:

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.writing import write_whole
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.witness import Witness
 from rossmarie.driver.pipeline import Compiled, RulesError, check_file, compile_checked
-from rossmarie.driver.writing import write_whole
 from rossmarie.ir import Machine
 
 TOGGLE_NS = 1_000_000_000

@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile
+from dslkit.writing import write_whole
 from rossmarie.driver.ownership import check_own
 from rossmarie.driver.package_folder import check_package_folder
 from rossmarie.driver.pipeline import RulesError, check_file, compile_checked, compile_file
-from rossmarie.driver.writing import write_whole
 from rossmarie.ir import Machine
 from rossmarie.targets import c99, python, ros1, ros2
 from rossmarie.targets.base import Target

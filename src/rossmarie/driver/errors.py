@@ -99,6 +99,17 @@ class BadPackageField(Error, code="ROSS808", name="bad-package-field"):
     form: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class NotARulesFile(Error, code="ROSS809", name="not-a-rules-file"):
+    """A file that is read as rules beside those that are checked, and is called otherwise."""
+
+    title = "`{path}` is no rules file: its name does not end in .ross"
+    label = "it is not read"
+    note = "whoever writes an import may not be one who may see every file: nothing of it is shown"
+    help = "name a .ross file; a link has to lead to one"
+    path: str
+
+
 ALL: tuple[type[Template], ...] = (
     FileUnreadable,
     NotUtf8,
@@ -108,4 +119,5 @@ ALL: tuple[type[Template], ...] = (
     OtherPackage,
     MalformedPackageXml,
     BadPackageField,
+    NotARulesFile,
 )

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from dslkit.diagnostics import Diagnostic
+from dslkit.writing import reason
 from rossmarie.driver.analyze import analyzed
 from rossmarie.driver.pipeline import CheckResult, check_file, compile_checked
 from rossmarie.driver.sources import name_of
-from rossmarie.driver.writing import reason
 from rossmarie.report.safety import (
     Declared,
     Evidence,

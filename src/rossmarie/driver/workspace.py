@@ -12,12 +12,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
-from dslkit.source import SourceFile, Span, is_file, is_folder
-from rossmarie.driver.errors import FileUnreadable, ImportNotFound, NotUtf8
+from dslkit.source import SourceFile, Span, ending, is_file, is_folder
+from rossmarie.driver.errors import FileUnreadable, ImportNotFound, NotARulesFile, NotUtf8
 from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, parse
 
 SYSTEM_MODEL = "system.ross"
 """The system model that is used without being imported: a file of this name beside the rules."""
+
+_RULES = ".ross"
 
 LIBRARY = Path(__file__).parents[1] / "library"
 """The files that come with this program, to be imported as `rossmarie/NAME.ross`; such a file
@@ -30,7 +32,7 @@ def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> l
 
     Each file is read once, whatever imports it: `main` too, if a system model does.
     """
-    loader = _Loader(collector)
+    loader = _Loader(collector, main)
     beside = main.parent / SYSTEM_MODEL
     for path in (*systems, *([beside] if is_file(beside) else []), main):
         loader.load(path)
@@ -40,6 +42,7 @@ def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> l
 @dataclass
 class _Loader:
     collector: Collector
+    main: Path
     modules: list[ast.Module] = field(default_factory=list)
     visited: dict[Path, ast.Module] = field(default_factory=dict)
 
@@ -76,10 +79,22 @@ class _Loader:
         key = _identity(path)
         if key in self.visited:
             return
+        if not self._is_rules_file(path):
+            place = imported_at or Span(SourceFile(str(path), ""), 0, 0)
+            self.collector.add(NotARulesFile(path=str(path)).at(place))
+            self.visited[key] = _unread(path)
+            self.modules.append(self.visited[key])
+            return
         source = read_source(path, self.collector)
         module = _unread(path) if source is None else parse(source, self.collector)
         self.visited[key] = module
         stack.append((module, _imports(module, path.parent)))
+
+    def _is_rules_file(self, path: Path) -> bool:
+        """Whether it may be read as rules. `main` may be called as its user likes, but must not be
+        a link to a file of another kind.
+        """
+        return ending(path) in (_RULES, self.main.suffix.lower() if path == self.main else _RULES)
 
 
 def _unread(path: Path) -> ast.Module:

@@ -16,6 +16,7 @@ from typing import Any
 import z3
 
 from rossmarie import ir
+from rossmarie.analysis.solver import check
 from rossmarie.ir import Function, Kind
 from rossmarie.testing.goals import Edge, edges, signals_of
 from rossmarie.testing.terms import compared, extreme, fraction, leaves, rational
@@ -271,7 +272,7 @@ class World:
         solver = z3.Solver()
         solver.set("timeout", TIME_LIMIT_MS)
         solver.add(*self._side, *wanted, *self._bounds())
-        if solver.check() != z3.sat:
+        if check(solver) != z3.sat:
             return None
         for clear in self._clear(apart):
             _prefer(solver, clear)
@@ -285,7 +286,7 @@ class World:
         solver = z3.Solver()
         solver.set("timeout", TIME_LIMIT_MS)
         solver.add(*self._side, *wanted)
-        return bool(solver.check() == z3.unsat)
+        return bool(check(solver) == z3.unsat)
 
     def _bounds(self) -> Iterator[Any]:
         for variable, term in self.variables.items():
@@ -311,7 +312,7 @@ class World:
         """A value that is as short as it may be in the unit in which it is written; it is kept."""
         term, unit = self.variables[variable], self.unit(variable)
         _prefer(solver, term >= 0)
-        model = solver.model() if solver.check() == z3.sat else None
+        model = solver.model() if check(solver) == z3.sat else None
         exact = Fraction(0) if model is None else fraction(model.eval(term, model_completion=True))
         shown = unit.from_si(float(exact))
         candidates = [0.0, 1.0, *(round(shown, digits) for digits in range(7)), shown]
@@ -364,7 +365,7 @@ def _prefer(solver: Any, wish: Any) -> bool:
     """Add a wish if it can be had."""
     solver.push()
     solver.add(wish)
-    if solver.check() == z3.sat:
+    if check(solver) == z3.sat:
         return True
     solver.pop()
     return False

@@ -15,7 +15,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from dslkit.source import SourceFile
+from dslkit.source import SourceFile, ending
 
 STORED = Path(__file__).with_name("messages.msg")
 SEPARATOR = "=" * 80 + "\nMSG: "
@@ -140,6 +140,8 @@ def parse_file(source: SourceFile, name: str) -> Definition:
 
 def read_file(path: Path) -> SourceFile:
     """The text of a definition. Raises `MessageDefinitionError` if it cannot be used."""
+    if ending(path) != path.suffix.lower():
+        raise MessageDefinitionError(path, None, "is a link to a file of another kind")
     try:
         with path.open("rb") as file:
             data = file.read(_LARGEST_FILE + 1)

@@ -62,7 +62,7 @@ def test_skills_with_errors_are_drawn_and_not_exported(lab: Path) -> None:
     [
         (("wait",), "`wait` is primitive: it has no behavior tree"),
         (("fetsh",), "there is no skill `fetsh` in these files; did you mean `fetch`?"),
-        (("fetch", "--svg", "no/where.svg"), "no/where.svg cannot be written"),
+        (("fetch", "--svg", "no/where.svg"), "cannot write no/where.svg"),
         (("fetch", "nowhere"), "there is no file nowhere"),
     ],
 )

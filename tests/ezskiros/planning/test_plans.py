@@ -343,6 +343,7 @@ def test_an_ontology_that_is_not_there_is_told(tmp_path: Path) -> None:
 
 
 def test_a_file_from_which_the_skills_cannot_be_imported(lab: Path) -> None:
+    (lab / "other").mkdir()
     done = run("plan", *GOAL, "--write", "other/tidy_up.py", folder=lab)
     assert done.returncode == 2
     assert f"the skills cannot be imported: write to {lab}" in done.stderr

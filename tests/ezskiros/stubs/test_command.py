@@ -100,4 +100,5 @@ def test_a_warning_is_told_of_and_the_stub_is_written(out: Path, tmp_path: Path)
 def test_a_stub_that_cannot_be_written_or_read_is_told_of(tmp_path: Path, is_check: bool) -> None:
     done = stubs("--ontology", ONTOLOGY, "--out", tmp_path, *(["--check"] if is_check else []))
     assert done.returncode == 2
-    assert done.stderr == f"ezskiros: {tmp_path} cannot be used: is a directory\n"
+    deed = "read" if is_check else "write"
+    assert done.stderr == f"ezskiros: cannot {deed} {tmp_path}: is a directory\n"

@@ -1,4 +1,4 @@
-"""Files that are written as a whole, or stay as they are."""
+"""Files that are written as a whole or stay as they are, and what is known of them before that."""
 
 from __future__ import annotations
 
@@ -7,19 +7,23 @@ import os
 import shutil
 from pathlib import Path
 
+_BLOCK = 4096
+_ERRORS = "backslashreplace"
+
 
 def write_whole(path: Path, text: str) -> None:
     """Write a file in UTF-8 so that, whatever happens, it holds either all of `text` or what it
-    held before. Its permissions stay. Raises `OSError`.
+    held before. Its permissions stay. A file name in it that is no text is written with escapes.
+    Raises `OSError`.
     """
     target = Path(os.path.realpath(path))  # a link stays one
     if _is_stream(target):
-        target.write_text(text, encoding="utf-8", newline="")
+        target.write_text(text, encoding="utf-8", errors=_ERRORS, newline="")
         return
     is_there = target.exists()
     temporary = _begin(target)
     try:
-        with temporary.open("w", encoding="utf-8", newline="") as stream:
+        with temporary.open("w", encoding="utf-8", errors=_ERRORS, newline="") as stream:
             stream.write(text)
             stream.flush()
             os.fsync(stream.fileno())  # some file systems notice only now that they are full
@@ -35,8 +39,28 @@ def try_writing(path: Path) -> None:
     target = Path(os.path.realpath(path))
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
-    if not _is_stream(target):
-        _begin(target).unlink()
+    if _is_stream(target):
+        return
+    temporary = _begin(target)
+    try:
+        with temporary.open("wb") as stream:
+            stream.write(bytes(_BLOCK))
+            stream.flush()
+            os.fsync(stream.fileno())  # whether the file system is full
+    finally:
+        temporary.unlink()
+
+
+def try_folder(folder: Path) -> None:
+    """Whether files can be written into a folder, which may have to be made. Leaves all as it is.
+    Raises `OSError` if they cannot.
+    """
+    place = Path(os.path.realpath(folder))
+    while not os.path.lexists(place):
+        place = place.parent
+    if not place.is_dir():
+        raise NotADirectoryError(errno.ENOTDIR, f"{place} is not a folder")
+    try_writing(place / f".rossmarie-{os.getpid()}")
 
 
 def _is_stream(target: Path) -> bool:
@@ -55,4 +79,5 @@ def _begin(target: Path) -> Path:
 
 def reason(error: OSError) -> str:
     """Why something could not be done, in words."""
-    return (error.strerror or str(error) or "it cannot be done").lower()
+    words = error.strerror or str(error) or "it cannot be done"
+    return words[:1].lower() + words[1:]

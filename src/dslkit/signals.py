@@ -1,0 +1,58 @@
+"""How SIGINT (Ctrl-C) and SIGTERM end a command, from its first instant to its last: with 128 plus
+the number of the signal as a shell counts it, and without a traceback.
+
+Imports little, so that a command can call `end_at_once` before it imports the rest of itself.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+
+_BASE = 128
+_AGAIN_S = 0.02
+_came: list[int] = []
+
+
+def end_at_once() -> None:
+    """From now on, a signal ends the process where it is: there is nothing to tidy up."""
+    _handle(_end)
+
+
+def raise_interrupts() -> None:
+    """From now on, a signal raises `KeyboardInterrupt`, so that work tidies up as it ends."""
+    _handle(_interrupt)
+    sys.unraisablehook = _interrupt_again
+
+
+def exit_code() -> int | None:
+    """That of a command which a signal has interrupted; None if none has."""
+    return _BASE + _came[0] if _came else None
+
+
+def _handle(handler: signal._HANDLER) -> None:
+    for number in (signal.SIGINT, signal.SIGTERM):
+        if signal.getsignal(number) is not signal.SIG_IGN:  # whoever started us wants it so
+            signal.signal(number, handler)
+
+
+def _end(number: int, _frame: object) -> None:
+    os._exit(_BASE + (_came[0] if _came else number))
+
+
+def _interrupt(number: int, _frame: object) -> None:
+    _came.append(number)
+    raise KeyboardInterrupt
+
+
+def _interrupt_again(lost: sys.UnraisableHookArgs) -> None:
+    """Where Python cannot raise an interrupt, as in a callback of its import system, it would print
+    a traceback and go on.
+    """
+    if _came and issubclass(lost.exc_type, KeyboardInterrupt):
+        from threading import Timer, main_thread
+
+        Timer(_AGAIN_S, signal.pthread_kill, (main_thread().ident, _came[0])).start()
+    else:
+        sys.__unraisablehook__(lost)

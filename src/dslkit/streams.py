@@ -1,0 +1,57 @@
+"""The standard streams of a command: open, and able to take any text."""
+
+from __future__ import annotations
+
+import codecs
+import io
+import os
+import sys
+from pathlib import Path
+
+_ASCII = "plain-ascii"
+
+
+def make_ready() -> None:
+    """Make the standard streams such that nothing has to look at how the command was started.
+
+    Characters that the encoding of a stream lacks, and bytes of file names that are no text, are
+    written with their numbers, as in strings of Python. A stream that is closed leads nowhere.
+    """
+    codecs.register(_plain_ascii)
+    for number in range(3):
+        _open_if_closed(number)
+    nowhere = Path(os.devnull)
+    sys.stdin = sys.stdin or nowhere.open(encoding="utf-8")
+    sys.stdout = sys.stdout or nowhere.open("w", encoding="utf-8")
+    sys.stderr = sys.stderr or nowhere.open("w", encoding="utf-8")
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            _let_take_any_text(stream)
+
+
+def _open_if_closed(number: int) -> None:
+    """Otherwise the next file that is opened would get the number, and be written to."""
+    try:
+        os.fstat(number)
+    except OSError:
+        os.open(os.devnull, os.O_RDWR)  # the lowest number that is free
+
+
+def _let_take_any_text(stream: io.TextIOWrapper) -> None:
+    encoding = stream.encoding
+    is_ascii = codecs.lookup(encoding).name == "ascii"
+    stream.reconfigure(encoding=_ASCII if is_ascii else encoding, errors="backslashreplace")
+
+
+def _plain_ascii(name: str) -> codecs.CodecInfo | None:
+    """ASCII by another name: Typer takes a stream in ASCII for one in UTF-8."""
+    if name.replace("_", "-") != _ASCII:
+        return None
+    found = codecs.lookup("ascii")
+    return codecs.CodecInfo(
+        found.encode,
+        found.decode,
+        incrementalencoder=found.incrementalencoder,
+        incrementaldecoder=found.incrementaldecoder,
+        name=_ASCII,
+    )

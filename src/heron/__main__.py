@@ -1,0 +1,17 @@
+"""The command `heron`, which is also `python -m heron`."""
+
+from __future__ import annotations
+
+from dslkit.signals import end_at_once
+
+
+def main() -> None:
+    """Run the command line. What is imported for it takes a while, and may be interrupted."""
+    end_at_once()
+    from heron.cli.main import main as run
+
+    run()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,45 @@
+"""Signals end what raises interrupts, also where Python cannot raise one."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+from support.command_line import TIME_LIMIT_S
+
+LOST = """
+import os, signal, time
+from dslkit import signals
+
+class Thing:
+    def __del__(self):
+        os.kill(os.getpid(), signal.SIGTERM)
+        time.sleep(0.01)
+
+signals.raise_interrupts()
+try:
+    Thing()
+    time.sleep(10_000)
+except KeyboardInterrupt:
+    print("interrupted:", signals.exit_code())
+"""
+
+
+def test_an_interrupt_that_python_loses_comes_again() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", LOST],
+        capture_output=True,
+        text=True,
+        timeout=TIME_LIMIT_S,
+        check=False,
+    )
+    assert (done.stdout, done.stderr) == ("interrupted: 143\n", "")
+
+
+def test_a_signal_that_is_ignored_stays_so() -> None:
+    code = (
+        "import signal; from dslkit import signals; signal.signal(signal.SIGINT, signal.SIG_IGN);"
+        "signals.end_at_once(); signals.raise_interrupts(); signal.raise_signal(signal.SIGINT)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], timeout=TIME_LIMIT_S, check=False)
+    assert done.returncode == 0
