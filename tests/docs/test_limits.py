@@ -7,6 +7,9 @@ from pathlib import Path
 import pytest
 
 from ezskiros.ontology import limits as ontologies
+from ezskiros.trees import launch
+from rossmarie.driver import package_xml
+from rossmarie.recordings import limits as recordings
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "limits.md"
 MIB = 1 << 20
@@ -15,7 +18,7 @@ MIB = 1 << 20
 def row(what: str) -> str:
     """The limit in the row of a table that begins so."""
     lines = [line for line in PAGE.read_text(encoding="utf-8").splitlines() if "|" in line]
-    (found,) = (line for line in lines if line.startswith(f"| {what} |"))
+    (found,) = (line for line in lines if line.startswith((f"| {what} |", f"| {what} ([")))
     return found.split(" | ")[1]
 
 
@@ -30,6 +33,46 @@ def number(count: int) -> str:
 @pytest.mark.parametrize(
     ("what", "limit"),
     [
+        ("Decompressed bytes, whatever the ratio", mib(recordings.SMALL_CHUNK)),
+        (
+            "Decompressed bytes for each compressed one, above that",
+            number(recordings.HIGHEST_RATIO),
+        ),
+        ("Decompressed bytes of a chunk, in any case", mib(recordings.LARGEST_CHUNK)),
+        (
+            "Decompressed bytes of a recording, "
+            f"besides {recordings.HIGHEST_RATIO} for each of its bytes",
+            mib(recordings.SMALL_RECORDING),
+        ),
+        (
+            "Messages of a recording without index, "
+            f"besides one for each {recordings.BYTES_OF_A_MESSAGE} of its bytes",
+            number(recordings.MOST_MESSAGES),
+        ),
+        ("Texts and messages in the arrays of one message", number(recordings.MOST_ELEMENTS)),
+        (
+            "Elements of an array of fixed length, unless they are numbers",
+            number(recordings.LONGEST_FIXED_ARRAY),
+        ),
+        ("Message types in each other", number(recordings.DEEPEST_TYPE)),
+        (
+            "Fields of a message type, those of its parts included",
+            number(recordings.MOST_FIELDS),
+        ),
+        (
+            "Metadata in YAML (`metadata.yaml`, quality of service)",
+            mib(recordings.LARGEST_METADATA),
+        ),
+        ("Line of a CSV file", mib(recordings.LONGEST_LINE)),
+        (
+            "`package.xml` of a package",
+            f"{package_xml.LARGEST_FILE >> 10} KiB",
+        ),
+        ("Elements of a `package.xml` in each other", number(package_xml.DEEPEST)),
+        (
+            "Values that are known at launch",
+            f"{launch.LARGEST_FILE >> 10} KiB",
+        ),
         ("Size of a file", mib(ontologies.LARGEST_FILE)),
         (
             "Elements, objects, lists or triple terms in each other",

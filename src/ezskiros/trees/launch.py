@@ -4,31 +4,51 @@ from __future__ import annotations
 
 import difflib
 import enum
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from ruamel.yaml import YAML
-from ruamel.yaml.error import MarkedYAMLError, YAMLError
+from ruamel.yaml.error import MarkedYAMLError, ReusedAnchorWarning, YAMLError
 
 from dslkit.source import SourceFile, Span
+from dslkit.source.python_file import too_deep
 from ezskiros import session
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.trees import errors
 
 Known = Mapping[str, Mapping[str, object]]
 """Values of parameters by their names, by the names of skills."""
+LARGEST_FILE = 256 << 10
+"""Bytes of a file, which is slow to read."""
+_TOO_DEEP = "its lists and mappings lie too deep in each other"
 
 
 def read_launch_values(path: Path, skills: Iterable[SkillInterface]) -> Known:
     """What a file says of the parameters of some skills; what is wrong with it is reported."""
+    nowhere = Span(SourceFile(str(path), ""), 0, 0)
     try:
-        file = SourceFile(str(path), path.read_text(encoding="utf-8"))
-        content = YAML(typ="rt", pure=True).load(file.text)
+        with path.open("rb") as opened:
+            text = opened.read(LARGEST_FILE + 1)
+        if len(text) > LARGEST_FILE:
+            said = f"it is larger than {LARGEST_FILE >> 10} KiB"
+            session.report(errors.UnreadableValues(said=said).at(nowhere))
+            return {}
+        file = SourceFile(str(path), text.decode("utf-8"))
+        deep = too_deep(file.text)
+        if deep is not None:
+            session.report(errors.UnreadableValues(said=_TOO_DEEP).at(Span(file, deep, deep + 1)))
+            return {}
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ReusedAnchorWarning)  # YAML allows that
+            content = YAML(typ="rt", pure=True).load(file.text)
     except (OSError, UnicodeDecodeError) as problem:
         said = getattr(problem, "strerror", None) or "it is no text"
-        nowhere = Span(SourceFile(str(path), ""), 0, 0)
         session.report(errors.UnreadableValues(said=said.lower()).at(nowhere))
+        return {}
+    except RecursionError:
+        session.report(errors.UnreadableValues(said=_TOO_DEEP).at(nowhere))
         return {}
     except YAMLError as problem:
         session.report(_no_yaml(problem, file))
