@@ -17,7 +17,7 @@ help:
 	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; an hour"
 	@echo "make bench   measure, and write docs/reference/performance*.md"
 	@echo "make fmt     put the code into the one layout"
-	@echo "make fuzz    look for inputs that crash 'rossmarie check', for SECONDS=60"
+	@echo "make fuzz    look for files that crash what reads them, for SECONDS=60 each; TARGET=mcap for one"
 	@echo "make clean   remove everything that make made"
 
 $(READY): pyproject.toml constraints.txt tools/setup.sh
@@ -107,10 +107,11 @@ fmt: $(READY)
 	$(RUN)/rossmarie fmt $(filter-out %_as_printed.ross,$(wildcard examples/*/*.ross src/heron/rules/*.ross))
 
 SECONDS ?= 60
+TARGET ?= all
 fuzz: $(READY)
 	@$(RUN)/python -c 'import atheris' 2>/dev/null || EXTRAS=fuzz tools/setup.sh || \
 	echo "without atheris: random changes, not led by coverage"
-	PYTHONPATH=tests $(RUN)/python -m fuzz.fuzz_check --seconds $(SECONDS)
+	PYTHONPATH=tests $(RUN)/python -m fuzz.fuzz_check --seconds $(SECONDS) --target $(TARGET)
 
 clean:
 	rm -rf .venv build .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache

@@ -27,7 +27,7 @@ PAGES = [
     for page in sorted((Path(catalog.__file__).parent / "pages").glob("EZS*.md"))
     if page.stem not in ELSEWHERE
 ]
-LANGUAGES = ("python", "turtle", "yaml")
+LANGUAGES = ("python", "turtle", "xml", "yaml")
 
 
 @pytest.fixture(autouse=True)

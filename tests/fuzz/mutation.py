@@ -1,12 +1,9 @@
-"""Files that are nearly rules: the examples and fixtures of this project, damaged at random."""
+"""Files that are nearly right: examples and fixtures of this project, damaged at random."""
 
 from __future__ import annotations
 
 import random
 from collections.abc import Callable, Sequence
-from pathlib import Path
-
-ROOT = Path(__file__).parents[2]
 
 _PIECES = [
     *b"()[]{};:,.=<>+-*/'\"\n\t\0\xff",
@@ -22,16 +19,11 @@ _PIECES = [
         b"1e308 ",
         b"9",
     ],
+    *[b'<!ENTITY a "&b;">', b"<![CDATA[", b"xmlns:a='b' ", b" a owl:Class .", b"[ ", b"@prefix "],
+    *[b"<<( ", b"^^xsd:int", b"&a", b"*a", b"<<: ", b"\xff" * 4, b"\0" * 8, b"\x7f" + b"\xff" * 7],
     *[b"oscillates(", b" times", b"clear when ", b"latched until reset", b"\xe2\x80\xae", b"\r\n"],
 ]
 PIECES = [piece if isinstance(piece, bytes) else bytes([piece]) for piece in _PIECES]
-
-
-def seeds() -> list[bytes]:
-    """The rules files of this project."""
-    folders = (ROOT / "examples", ROOT / "tests" / "fixtures")
-    paths = sorted(path for folder in folders for path in folder.rglob("*.ross"))
-    return [path.read_bytes() for path in paths]
 
 
 def mutate(content: bytes, others: Sequence[bytes], chance: random.Random) -> bytes:

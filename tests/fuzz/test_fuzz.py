@@ -10,35 +10,43 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fuzz.mutation import mutate, seeds
-from fuzz.target import check_bytes
+from fuzz.mutation import mutate
+from fuzz.targets import TARGETS
 from rossmarie.driver import check_file
 
-FOUND = sorted((Path(__file__).parent / "found").glob("*"))
+FOUND = sorted((Path(__file__).parent / "found").glob("*/*"))
 ROUNDS = 60
 
 
-@pytest.mark.parametrize("path", FOUND, ids=lambda path: path.name)
+@pytest.mark.parametrize("path", FOUND, ids=lambda path: f"{path.parent.name}-{path.name}")
 def test_what_was_found_stays_mended(path: Path, tmp_path: Path) -> None:
-    check_bytes(path.read_bytes(), tmp_path)
+    TARGETS[path.parent.name].try_bytes(path.read_bytes(), tmp_path)
 
 
-def test_damaged_examples_are_findings_not_crashes(tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", TARGETS)
+def test_examples_are_read(name: str, tmp_path: Path) -> None:
+    for content in TARGETS[name].seeds():
+        TARGETS[name].try_bytes(content, tmp_path)
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_damaged_examples_are_findings_not_crashes(name: str, tmp_path: Path) -> None:
     chance = random.Random(1 if os.environ.get("CI") else None)
-    known = seeds()
+    known = TARGETS[name].seeds()
     for _ in range(ROUNDS):
         content = mutate(chance.choice(known), known, chance)
         try:
-            check_bytes(content, tmp_path)
+            TARGETS[name].try_bytes(content, tmp_path)
         except Exception as error:
             raise AssertionError(f"this file: {content!r}") from error
 
 
-@given(st.binary(max_size=200))
+@pytest.mark.parametrize("name", TARGETS)
+@given(content=st.binary(max_size=200))
 def test_any_bytes_are_findings_not_crashes(
-    tmp_path_factory: pytest.TempPathFactory, content: bytes
+    tmp_path_factory: pytest.TempPathFactory, name: str, content: bytes
 ) -> None:
-    check_bytes(content, tmp_path_factory.getbasetemp())
+    TARGETS[name].try_bytes(content, tmp_path_factory.getbasetemp())
 
 
 @pytest.mark.parametrize(
@@ -60,7 +68,7 @@ def test_any_bytes_are_findings_not_crashes(
     ids=lambda content: content[:20].decode("latin-1"),
 )
 def test_files_made_to_hurt_get_a_located_answer(content: bytes, tmp_path: Path) -> None:
-    check_bytes(content, tmp_path)
+    TARGETS["rules"].try_bytes(content, tmp_path)
     (tmp_path / "again.ross").write_bytes(content)
     found = check_file(tmp_path / "again.ross").diagnostics
     assert all(one.primary.span.end <= len(one.primary.span.file.text) for one in found)

@@ -9,6 +9,7 @@ import libcst as cst
 
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile, Span
+from dslkit.source.python_file import too_deep
 from ezskiros.migrate import errors, implementation_errors
 from ezskiros.migrate.calls import last_name
 from ezskiros.migrate.classes import classes_of, with_classes
@@ -85,14 +86,18 @@ def migrate_text(
     where a tree needs it, and not before.
     """
     file = SourceFile(path, text)
+    deep = too_deep(text)
+    if deep is not None:
+        found = errors.UnreadableSource(said="its parts lie too deep in each other")
+        return Migrated(file, text, diagnostics=[found.at(Span(file, deep, deep + 1))])
     try:
         module = cst.parse_module(text)
     except cst.ParserSyntaxError as problem:
         return Migrated(file, text, diagnostics=[_unreadable(file, problem)])
     except (RecursionError, ValueError) as problem:
         said = str(problem).partition("\n")[0] or type(problem).__name__
-        found = errors.UnreadableSource(said=said).at(Span(file, 0, 0))
-        return Migrated(file, text, diagnostics=[found])
+        found = errors.UnreadableSource(said=said)
+        return Migrated(file, text, diagnostics=[found.at(Span(file, 0, 0))])
     if skills is None:
         own = _File(file, module, world, inherited, ambiguous, Skills(), ()).migrated()
         names = with_robots([own.robots], own.skills)

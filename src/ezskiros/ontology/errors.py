@@ -66,6 +66,16 @@ class NothingLoaded(Error, code="EZS106", name="nothing-loaded"):
 
 
 @dataclass(frozen=True, kw_only=True)
+class BeyondLimit(Error, code="EZS107", name="beyond-limit"):
+    """A file that would cost more memory or time than a file of this kind may."""
+
+    title = "this file is beyond a limit: {reason}"
+    note = "nothing of this file is known to the checks that follow"
+    help = "write the file plainly, or split it; docs/reference/limits.md lists the limits"
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class UnknownNamespace(Error, code="EZS110", name="unknown-namespace"):
     """A namespace that the ontology does not have."""
 
@@ -91,6 +101,7 @@ ALL: tuple[type[Template], ...] = (
     NoOntology,
     MissingImport,
     NothingLoaded,
+    BeyondLimit,
     UnknownNamespace,
     UnknownName,
 )

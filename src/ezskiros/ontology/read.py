@@ -14,6 +14,13 @@ import pyoxigraph
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile, Span, ending, is_file, is_folder, shown
 from ezskiros.ontology import errors
+from ezskiros.ontology.limits import (
+    LARGEST_FILE,
+    LimitError,
+    XmlDepth,
+    check_text,
+    within_limits,
+)
 
 Quad = pyoxigraph.Quad
 FORMATS = {
@@ -29,8 +36,6 @@ FORMATS = {
 SEARCHED = (".owl", ".rdf", ".ttl", ".nt", ".jsonld")
 """What is taken from folders: SkiROS2's scenes are `.turtle`, and are no part of the ontology."""
 
-_CHUNK = 10_000
-"""Bytes of XML that are looked at for its first element, until that is found."""
 _PLACE = re.compile(
     r" ?at line \d+ (column \d+|between columns \d+ and (line \d+ column )?\d+)|^Parser error:?"
 )
@@ -69,35 +74,49 @@ def read(path: Path) -> tuple[Document | None, list[Diagnostic]]:
     Raises `OSError` if it cannot be read at all.
     """
     kind = FORMATS.get(ending(path))
-    content = path.read_bytes()
     if kind is None:
         nowhere = Span(SourceFile(shown(str(path)), ""), 0, 0)
         return None, [errors.UnknownFormat(suffix=_suffix(path)).at(nowhere)]
+    with path.open("rb") as opened:
+        content = opened.read(LARGEST_FILE + 1)
+    if len(content) > LARGEST_FILE:
+        too_large = errors.BeyondLimit(reason=f"it is larger than {LARGEST_FILE >> 20} MiB")
+        return None, [too_large.at(Span(SourceFile(shown(str(path)), ""), 0, 0))]
     file = SourceFile(shown(str(path)), content.decode("utf-8", "replace"))
-    base = path.resolve().as_uri()
     try:
-        parser = pyoxigraph.parse(content, format=kind, base_iri=base)
-        triples = list(parser)
-        prefixes, written = dict(parser.prefixes), parser.base_iri
-        if kind is pyoxigraph.RdfFormat.RDF_XML:
-            prefixes, written = _xml_header(content)
-    except (SyntaxError, ValueError, expat.ExpatError) as problem:
+        return _parsed(file, content, kind, path.resolve().as_uri()), []
+    except LimitError as problem:
+        return None, [errors.BeyondLimit(reason=problem.reason).at(_rest_of_line(file, problem.at))]
+    except (SyntaxError, ValueError) as problem:
         return None, [_syntax_error(file, content, kind, problem)]
-    return Document(file, triples, prefixes, written or base), []
+    except expat.ExpatError as problem:
+        said = expat.errors.messages[problem.code]
+        span = _span(file, problem.lineno, problem.offset + 1)
+        return None, [errors.BrokenFile(format=kind.name, said=said).at(span)]
+
+
+def _parsed(file: SourceFile, content: bytes, kind: pyoxigraph.RdfFormat, base: str) -> Document:
+    """Raises `LimitError`, `ExpatError`, or what pyoxigraph raises."""
+    check_text(file.text, kind)
+    is_xml = kind is pyoxigraph.RdfFormat.RDF_XML
+    prefixes, written = _xml_header(content) if is_xml else ({}, None)
+    parser = pyoxigraph.parse(content, format=kind, base_iri=base)
+    triples = within_limits(parser)
+    if not is_xml:
+        prefixes, written = dict(parser.prefixes), parser.base_iri
+    return Document(file, triples, prefixes, written or base)
 
 
 def _xml_header(content: bytes) -> tuple[dict[str, str], str | None]:
-    """The prefixes and the base that the first element declares; pyoxigraph does not tell them."""
-    found: list[dict[str, str]] = []
+    """The prefixes and the base that the first element declares; pyoxigraph does not tell them.
+
+    Raises `ExpatError` with the place where XML is not well-formed, which pyoxigraph does not tell
+    either, and `LimitError`.
+    """
     parser = expat.ParserCreate()
-    parser.StartElementHandler = lambda _, attributes: found.append(attributes)
-    for start in range(0, len(content), _CHUNK):
-        parser.Parse(content[start : start + _CHUNK])
-        if found:
-            break
-    else:
-        parser.Parse(b"", True)  # a file without elements, which pyoxigraph takes, is no XML
-    attributes = found[0]
+    depth = XmlDepth(parser)
+    parser.Parse(content, True)
+    attributes = depth.root or {}
     prefixes = {
         name.partition(":")[2]: iri for name, iri in attributes.items() if name.startswith("xmlns")
     }
@@ -116,20 +135,19 @@ def _syntax_error(
     line, column = getattr(problem, "lineno", None), getattr(problem, "offset", None)
     said = _PLACE.sub("", str(getattr(problem, "msg", problem))).strip(" :")
     if kind is pyoxigraph.RdfFormat.RDF_XML:
-        line, column, xml_said = _xml_error(content)
-        said = xml_said or said
+        line, column = _unknown_prefix(content)
     span = _span(file, line or 1, column or 1)
     return errors.BrokenFile(format=kind.name, said=said).at(span)
 
 
-def _xml_error(content: bytes) -> tuple[int | None, int, str]:
-    """Where XML is not well-formed, and why."""
+def _unknown_prefix(content: bytes) -> tuple[int, int]:
+    """Where XML that is well-formed uses a prefix that it does not declare; else its beginning."""
     parser = expat.ParserCreate(namespace_separator=" ")
     try:
         parser.Parse(content, True)
     except expat.ExpatError as problem:
-        return problem.lineno, problem.offset + 1, expat.errors.messages[problem.code]
-    return None, 1, ""
+        return problem.lineno, problem.offset + 1
+    return 1, 1
 
 
 def _span(file: SourceFile, line: int, column: int) -> Span:
@@ -138,3 +156,9 @@ def _span(file: SourceFile, line: int, column: int) -> Span:
     start = min(file.line_starts[line - 1] + column - 1, len(file.text))
     end = file.line_starts[line - 1] + len(file.line_text(line))
     return Span(file, start, max(start, end))
+
+
+def _rest_of_line(file: SourceFile, start: int) -> Span:
+    """From an offset to the end of its line."""
+    at = file.position(min(start, len(file.text)))
+    return _span(file, at.line, at.column)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import libcst as cst
 import libcst.matchers as m
 
+from dslkit.source.python_file import too_deep
 from ezskiros.skills import description as words
 
 _METHOD = "description"
@@ -19,6 +20,8 @@ def with_pre_conditions(text: str, skill: str, conditions: Sequence[str]) -> str
     None if it cannot be done: the class has no description of its own here, the text is not of
     Python, or it does not have the names that conditions are written with.
     """
+    if too_deep(text) is not None:
+        return None
     try:
         module = cst.parse_module(text)
         lines = [cst.parse_statement(each, module.config_for_parsing) for each in conditions]

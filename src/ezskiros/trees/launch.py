@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import difflib
 import enum
+import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from ruamel.yaml import YAML
-from ruamel.yaml.error import MarkedYAMLError, YAMLError
+from ruamel.yaml.error import MarkedYAMLError, ReusedAnchorWarning, YAMLError
 
 from dslkit.source import SourceFile, Span, ending
+from dslkit.source.python_file import too_deep
 from ezskiros import session
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.trees import errors
@@ -19,33 +21,61 @@ from ezskiros.trees import errors
 _ENDINGS = (".yaml", ".yml", ".json")
 Known = Mapping[str, Mapping[str, object]]
 """Values of parameters by their names, by the names of skills."""
+LARGEST_FILE = 256 << 10
+"""Bytes of a file, which is slow to read."""
+_TOO_DEEP = "its lists and mappings lie too deep in each other"
+
+
+class _UnreadableError(Exception):
+    """Why a file has no values, and where."""
+
+    def __init__(self, said: str, span: Span) -> None:
+        self.said, self.span = said, span
+        super().__init__(said)
 
 
 def read_launch_values(path: Path, skills: Iterable[SkillInterface]) -> Known:
     """What a file says of the parameters of some skills; what is wrong with it is reported."""
-    nowhere = Span(SourceFile(str(path), ""), 0, 0)
-    if ending(path) not in _ENDINGS:
-        said = f"the name of the file ends in none of {', '.join(_ENDINGS)}"
-        session.report(errors.UnreadableValues(said=said).at(nowhere))
-        return {}
     try:
-        file = SourceFile(str(path), path.read_text(encoding="utf-8"))
-        content = YAML(typ="rt", pure=True).load(file.text)
-    except (OSError, UnicodeDecodeError) as problem:
-        said = getattr(problem, "strerror", None) or "it is no text"
-        session.report(errors.UnreadableValues(said=said.lower()).at(nowhere))
-        return {}
-    except YAMLError as problem:
-        session.report(_no_yaml(problem, file))
+        file = _file(path)
+        content = _content(file)
+    except _UnreadableError as problem:
+        session.report(errors.UnreadableValues(said=problem.said).at(problem.span))
         return {}
     return dict(_Reader(file, {each.name: each for each in skills}).skills(content))
 
 
-def _no_yaml(problem: YAMLError, file: SourceFile) -> Any:
-    place = problem.problem_mark if isinstance(problem, MarkedYAMLError) else None
-    said = getattr(problem, "problem", None) or "it is no YAML"
-    start = min(place.index, len(file.text)) if place else 0
-    return errors.UnreadableValues(said=said).at(Span(file, start, start))
+def _file(path: Path) -> SourceFile:
+    nowhere = Span(SourceFile(str(path), ""), 0, 0)
+    if ending(path) not in _ENDINGS:
+        said = f"the name of the file ends in none of {', '.join(_ENDINGS)}"
+        raise _UnreadableError(said, nowhere)
+    try:
+        with path.open("rb") as opened:
+            text = opened.read(LARGEST_FILE + 1)
+        if len(text) > LARGEST_FILE:
+            raise _UnreadableError(f"it is larger than {LARGEST_FILE >> 10} KiB", nowhere)
+        return SourceFile(str(path), text.decode("utf-8"))
+    except (OSError, UnicodeDecodeError) as problem:
+        said = getattr(problem, "strerror", None) or "it is no text"
+        raise _UnreadableError(said.lower(), nowhere) from None
+
+
+def _content(file: SourceFile) -> Any:
+    deep = too_deep(file.text)
+    if deep is not None:
+        raise _UnreadableError(_TOO_DEEP, Span(file, deep, deep + 1))
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ReusedAnchorWarning)  # YAML allows that
+            return YAML(typ="rt", pure=True).load(file.text)
+    except RecursionError:
+        raise _UnreadableError(_TOO_DEEP, Span(file, 0, 0)) from None
+    except YAMLError as problem:
+        place = problem.problem_mark if isinstance(problem, MarkedYAMLError) else None
+        said = getattr(problem, "problem", None) or "it is no YAML"
+        start = min(place.index, len(file.text)) if place else 0
+        raise _UnreadableError(said, Span(file, start, start)) from None
 
 
 class _Reader:

@@ -17,6 +17,10 @@ from dslkit.source import SourceFile, Span
 from rossmarie.driver.errors import MalformedPackageXml
 
 PACKAGE_XML = "package.xml"
+LARGEST_FILE = 256 << 10
+"""Bytes of a `package.xml`."""
+DEEPEST = 50
+"""How deep its elements may lie in each other."""
 
 
 class Generation(enum.Enum):
@@ -75,7 +79,12 @@ class PackageXml:
 
 def read_package_xml(path: Path) -> PackageXml:
     """The file at a path. Raises `BadPackageXmlError`, and `OSError` if it cannot be read."""
-    content = path.read_bytes()
+    with path.open("rb") as opened:
+        content = opened.read(LARGEST_FILE + 1)
+    if len(content) > LARGEST_FILE:
+        reason = f"it is larger than {LARGEST_FILE >> 10} KiB"
+        span = Span(SourceFile(str(path), ""), 0, 0)
+        raise BadPackageXmlError(MalformedPackageXml(reason=reason).at(span))
     try:
         return parse_package_xml(SourceFile.decoded(str(path), content))
     except UnicodeDecodeError as error:
@@ -91,12 +100,18 @@ def parse_package_xml(file: SourceFile) -> PackageXml:
     reader = _Reader(file)
     try:
         reader.parse()
-    except expat.ExpatError as error:
-        offset = reader.offset(reader.parser.ErrorByteIndex)
-        reason = expat.ErrorString(error.code)
+    except (expat.ExpatError, _TooMuchError) as error:
+        offset = reader.offset(reader.parser.CurrentByteIndex)
+        reason = (
+            expat.ErrorString(error.code) if isinstance(error, expat.ExpatError) else str(error)
+        )
         span = Span(file, offset, offset)
         raise BadPackageXmlError(MalformedPackageXml(reason=reason).at(span)) from None
     return PackageXml(file, tuple(reader.elements))
+
+
+class _TooMuchError(Exception):
+    """More than a `package.xml` may have; the text says what."""
 
 
 @dataclass
@@ -121,6 +136,7 @@ class _Reader:
         self.parser.StartElementHandler = self._begin
         self.parser.EndElementHandler = self._end
         self.parser.CharacterDataHandler = self._characters
+        self.parser.EntityDeclHandler = self._entity
 
     def parse(self) -> None:
         """Read all of the text."""
@@ -130,7 +146,12 @@ class _Reader:
         """The offset in code points of a byte."""
         return len(self._bytes[: max(byte, 0)].decode("utf-8", errors="ignore"))
 
+    def _entity(self, *_: object) -> None:
+        raise _TooMuchError("an entity is declared, which a build does not need")
+
     def _begin(self, tag: str, attributes: Mapping[str, str]) -> None:
+        if len(self._open) == DEEPEST:
+            raise _TooMuchError(f"more than {DEEPEST} elements lie in each other")
         self._open.append(_Open(tag, attributes, self.parser.CurrentByteIndex))
 
     def _characters(self, text: str) -> None:

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-
-import numpy as np
 
 from dslkit.diagnostics import Collector, Diagnostic
 from rossmarie.driver.monitor import Started, start_engine
 from rossmarie.driver.pipeline import compile_file
-from rossmarie.interpreter import Interpreter
-from rossmarie.ir import Event, Machine
+from rossmarie.driver.sampler import Sampler
+from rossmarie.ir import Event
 from rossmarie.recordings import Recording, Update, open_recording
-from rossmarie.report import Plot, Replay, axis_seconds, plan_plots, rehearse
+from rossmarie.report import Replay, rehearse
 
 Progress = Callable[[float], None]
 """Called now and then with the part of the recording that is done, from 0 to 1."""
@@ -43,7 +40,7 @@ def replay_file(
         collector.extend(recording.findings)
         updates = recording.updates(machine, collector, topic_map)
         started = start_engine(machine)
-        sampler = _Sampler(machine)
+        sampler = Sampler(machine)
         events: list[Event] = []
         for update in _told(updates, recording, on_progress):
             events += started.engine.update(update.at_ns, update.channels)
@@ -85,40 +82,3 @@ def _told(
             told = step
             on_progress(min(step / _STEPS, 1.0))
     on_progress(1.0)
-
-
-class _Sampler:
-    """Samples the plotted signals: a machine without rules, run beside the monitor."""
-
-    def __init__(self, machine: Machine) -> None:
-        self._plans = plan_plots(machine)
-        without_rules = dataclasses.replace(machine, rules=())  # signals may count truths
-        self._machine = Interpreter(without_rules)
-        self._times_ns: list[int] = []
-        self._rows: list[tuple[float, ...]] = []
-
-    @property
-    def instants(self) -> tuple[int, ...]:
-        """The instants of the first and the last sample; nothing if there is none."""
-        return (self._times_ns[0], self._times_ns[-1]) if self._times_ns else ()
-
-    def feed(self, update: Update) -> None:
-        """Take a sample after a message, and before it wherever an input expires."""
-        while (wake_ns := self._machine.next_wake()) is not None and wake_ns < update.at_ns:
-            self._machine.advance(wake_ns)
-            self._keep(wake_ns)
-        self._machine.update(update.at_ns, update.channels)
-        self._keep(update.at_ns)
-
-    def _keep(self, at_ns: int) -> None:
-        values = self._machine.signals
-        self._times_ns.append(at_ns)
-        self._rows.append(tuple(values[plan.signal] for plan in self._plans))
-
-    def plots(self, start_ns: int) -> tuple[Plot, ...]:
-        """What has been sampled."""
-        times_s = axis_seconds(np.array(self._times_ns, dtype=np.int64), start_ns)
-        values = np.array(self._rows, dtype=np.float64).reshape(len(times_s), len(self._plans))
-        return tuple(
-            plan.plot(times_s, values[:, column]) for column, plan in enumerate(self._plans)
-        )

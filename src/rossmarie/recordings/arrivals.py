@@ -10,6 +10,7 @@ from typing import BinaryIO
 
 from rossmarie.recordings.clock import Arrival
 from rossmarie.recordings.compression import decompress_prefix
+from rossmarie.recordings.limits import Allowance
 
 _MAGIC_SIZE = 8
 _RECORD = struct.Struct("<BQ")
@@ -36,7 +37,9 @@ def rows_in_order(path: Path) -> Iterator[Arrival]:
         database.close()
 
 
-def records_in_order(path: Path, topics: Mapping[int, str]) -> Iterator[Arrival]:
+def records_in_order(
+    path: Path, topics: Mapping[int, str], allowance: Allowance
+) -> Iterator[Arrival]:
     """The messages of an MCAP file: those of a chunk from the indexes behind it or, as writers may
     leave these out, from the chunk itself. `topics` are known by the numbers of their channels.
 
@@ -54,7 +57,7 @@ def records_in_order(path: Path, topics: Mapping[int, str]) -> Iterator[Arrival]
                 indexed += _index_entries(file.read(length))
             elif operation in (_CHUNK, _DATA_END):
                 if chunk is not None:
-                    entries = sorted(indexed) or _chunk_entries(file, *chunk)
+                    entries = sorted(indexed) or _chunk_entries(file, *chunk, allowance)
                     yield from ((topics[channel], at_ns) for _, at_ns, channel in entries)
                 chunk, indexed = (start, length), []
             elif operation == _MESSAGE:
@@ -73,14 +76,16 @@ def _index_entries(content: bytes) -> Iterator[_Entry]:
         yield offset, at_ns, channel
 
 
-def _chunk_entries(file: BinaryIO, start: int, length: int) -> Iterator[_Entry]:
+def _chunk_entries(
+    file: BinaryIO, start: int, length: int, allowance: Allowance
+) -> Iterator[_Entry]:
     """The messages in a chunk."""
     file.seek(start)
     chunk = file.read(length)
     *_, name_size = _CHUNK_HEAD.unpack_from(chunk)
     name_end = _CHUNK_HEAD.size + name_size
     compression = chunk[_CHUNK_HEAD.size : name_end].decode(errors="replace")
-    content, _ = decompress_prefix(compression, chunk[name_end + _SIZE.size :])
+    content, _ = decompress_prefix(compression, chunk[name_end + _SIZE.size :], allowance)
     offset = 0
     while offset < len(content):
         operation, size = _RECORD.unpack_from(content, offset)

@@ -25,6 +25,7 @@ from rossmarie.recordings.errors import (
     at_file,
 )
 from rossmarie.recordings.extraction import Extractor, Message, Wanted, compile_extractor
+from rossmarie.recordings.limits import LimitError
 from rossmarie.recordings.matching import (
     Match,
     Unreadable,
@@ -33,6 +34,7 @@ from rossmarie.recordings.matching import (
     kind_text,
     match_topics,
 )
+from rossmarie.recordings.message_sizes import Sizes
 from rossmarie.recordings.model import Topic, Update
 from rossmarie.recordings.storage import READER_FAILURES, Connection, Storage, Stored
 
@@ -64,14 +66,16 @@ class _Reading:
 
 
 class BagRecording:
-    """A recording of messages; `salvage` opens what is left of it if its storage fails."""
+    """A recording of messages; `salvage` opens what is left of it if its storage fails, and says
+    what is missing.
+    """
 
     def __init__(
         self,
         path: Path,
         storage: Storage,
         span: tuple[int, int],
-        salvage: Callable[[], Storage],
+        salvage: Callable[[], tuple[Storage, Sequence[str]]],
         message_folders: Sequence[Path] = (),
         findings: tuple[Diagnostic, ...] = (),
     ) -> None:
@@ -151,7 +155,14 @@ class BagRecording:
         spans = [input_span(machine, reader) for match in matches for reader in match.inputs]
         total = self.topics[topic].count
         unreadable = Unreadable(f"messages on `{topic}`", total, self.start_ns, spans)
-        return _Reading(lambda content: decode(content, name), extractors, unreadable, Counter())
+        most = Sizes(store.fielddefs).largest_message(name)
+
+        def read(content: bytes) -> Message:
+            if most is not None and len(content) > most:
+                raise LimitError(f"it is larger than {most >> 20} MiB, and its parts are small")
+            return decode(content, name)
+
+        return _Reading(read, extractors, unreadable, Counter())
 
     def _read(self, readings: Mapping[str, _Reading], collector: Collector) -> Iterator[Update]:
         for stored in self._stored(readings, collector):
@@ -196,28 +207,18 @@ class BagRecording:
             return
         except READER_FAILURES as error:
             reason = f"reading broke off ({error})"
-        for stored in self._messages_after(topics, last_ns, latest):
-            kept += 1
-            yield stored
-        collector.add(at_file(RecordingDamaged(reason=reason, kept=kept), self.path))
-
-    def _messages_after(
-        self, topics: Collection[str], last_ns: int, latest: Counter[str]
-    ) -> Iterator[Stored]:
-        """What can be salvaged behind the first messages at an instant, `latest` of each topic:
-        those of one topic at one instant are stored in one order, however a file is read.
-        """
         try:
-            salvaged = self._salvage()
-        except RecordingError:
-            return
-        self._storages.append(salvaged)
-        for stored in salvaged.messages(topics):
-            topic = stored.connection.topic
-            if stored.at_ns == last_ns and latest[topic] > 0:
-                latest[topic] -= 1
-            elif stored.at_ns >= last_ns:
+            salvaged, losses = self._salvage()
+            self._storages.append(salvaged)
+            reason = losses[0] if losses else reason  # which knows the place
+            for stored in _messages_after(salvaged.messages(topics), last_ns, latest):
+                kept += 1
                 yield stored
+        except LimitError as error:
+            reason = f"reading broke off ({error})"
+        except RecordingError:
+            pass  # there is nothing left
+        collector.add(at_file(RecordingDamaged(reason=reason, kept=kept), self.path))
 
     def _misfit(self, stored: Stored) -> str | None:
         """Why a message is passed over; None if it is not."""
@@ -228,6 +229,20 @@ class BagRecording:
         if not EARLIEST_NS < stored.at_ns < LATEST_NS:
             return "their stamps are out of range: no clock runs that long"
         return None
+
+
+def _messages_after(
+    messages: Iterator[Stored], last_ns: int, latest: Counter[str]
+) -> Iterator[Stored]:
+    """Those behind the first messages at an instant, `latest` of each topic: those of one topic at
+    one instant are stored in one order, however a file is read.
+    """
+    for stored in messages:
+        topic = stored.connection.topic
+        if stored.at_ns == last_ns and latest[topic] > 0:
+            latest[topic] -= 1
+        elif stored.at_ns >= last_ns:
+            yield stored
 
 
 def _by_topic(connections: Sequence[Connection]) -> dict[str, list[Connection]]:

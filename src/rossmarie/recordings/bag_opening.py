@@ -5,12 +5,15 @@ from __future__ import annotations
 import sqlite3
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from dslkit.diagnostics import Diagnostic
 from rossmarie.ir import EARLIEST_NS, LATEST_NS
 from rossmarie.recordings.bag import BagRecording
 from rossmarie.recordings.clock import find_setbacks
+from rossmarie.recordings.compression import unpacked
 from rossmarie.recordings.errors import (
     RecordingCorrupt,
     RecordingDamaged,
@@ -18,7 +21,8 @@ from rossmarie.recordings.errors import (
     RecordingError,
     at_file,
 )
-from rossmarie.recordings.files import METADATA
+from rossmarie.recordings.files import METADATA, PACKED
+from rossmarie.recordings.limits import Allowance, LimitError
 from rossmarie.recordings.merged import MergedStorage
 from rossmarie.recordings.salvage_bag import salvage_bag
 from rossmarie.recordings.salvage_mcap import salvage_mcap
@@ -31,9 +35,6 @@ _ARRIVAL_FAILURES: tuple[type[Exception], ...] = (*READER_FAILURES, sqlite3.Erro
 def open_bag(path: Path, files: Sequence[Path], message_folders: Sequence[Path]) -> BagRecording:
     """Open the bag at `path`, which consists of `files`. Raises `RecordingError`."""
     findings: tuple[Diagnostic, ...] = ()
-
-    def salvage() -> Storage:
-        return _salvage(path, files)[0]
 
     try:
         storage = _intact(path, files)
@@ -48,7 +49,9 @@ def open_bag(path: Path, files: Sequence[Path], message_folders: Sequence[Path])
         storage.close()
         raise RecordingError(at_file(RecordingEmpty(reason="it holds no message"), path))
     findings += _setbacks(storage, path)
-    return BagRecording(path, storage, span, salvage, message_folders, findings)
+    return BagRecording(
+        path, storage, span, partial(_salvage, path, files), message_folders, findings
+    )
 
 
 def _span(storage: Storage) -> tuple[int, int] | None:
@@ -71,15 +74,27 @@ def _setbacks(storage: Storage, path: Path) -> tuple[Diagnostic, ...]:
 
 
 def _intact(path: Path, files: Sequence[Path]) -> Storage:
-    if path.is_file() or (path / METADATA).is_file():
-        return IntactStorage(path)
+    allowance = Allowance(sum(file.stat().st_size for file in files))
+    is_packed = any(file.suffix == PACKED for file in files)
+    if path.is_file() or ((path / METADATA).is_file() and not is_packed):
+        return IntactStorage(path, allowance)
     with ExitStack() as opened:
+        folder = Path(opened.enter_context(TemporaryDirectory()))
         parts = []
         for file in files:
-            parts.append(IntactStorage(file))
+            found = _unpacked(file, folder, allowance) if file.suffix == PACKED else file
+            parts.append(IntactStorage(found, allowance))
             opened.callback(parts[-1].close)
-        opened.pop_all()  # all are open: they are closed with the recording
-    return MergedStorage(parts)
+        return MergedStorage(parts, opened.pop_all())  # all are open: closed with the recording
+
+
+def _unpacked(file: Path, folder: Path, allowance: Allowance) -> Path:
+    """Raises `RecordingError` for a file beyond a limit: nothing of it can be salvaged."""
+    try:
+        return unpacked(file, folder, allowance)
+    except LimitError as error:
+        reason = f"`{file.name}` is compressed as a whole, and {error}"
+        raise RecordingError(at_file(RecordingCorrupt(reason=reason), file)) from error
 
 
 def _salvage(path: Path, files: Sequence[Path]) -> tuple[Storage, list[str]]:
@@ -97,12 +112,11 @@ def _salvage(path: Path, files: Sequence[Path]) -> tuple[Storage, list[str]]:
             parts.append(part)
             if part.loss is not None:
                 losses.append(part.loss)
-        merged = MergedStorage(parts)
-        if merged.span() is None:
-            reason = losses[0] if losses else "it holds no message"
-            raise RecordingError(at_file(RecordingCorrupt(reason=reason), path))
-        opened.pop_all()  # closed with the recording
-    return merged, losses
+        if all(part.span() is None for part in parts):
+            empty = RecordingEmpty(reason="it holds no message")
+            finding = RecordingCorrupt(reason=losses[0]) if losses else empty
+            raise RecordingError(at_file(finding, path))
+        return MergedStorage(parts, opened.pop_all()), losses  # closed with the recording
 
 
 def _refuse_compressed(file: Path) -> SalvageableStorage:
@@ -113,5 +127,5 @@ _SALVAGE: Mapping[str, Callable[[Path], SalvageableStorage]] = {
     ".bag": salvage_bag,
     ".db3": salvage_sqlite,
     ".mcap": salvage_mcap,
-    ".zstd": _refuse_compressed,
+    PACKED: _refuse_compressed,
 }

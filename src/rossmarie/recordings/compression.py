@@ -1,13 +1,16 @@
-"""Decompression that gives what it can of data that is cut short or damaged."""
+"""Decompression within limits, of data that may be cut short or damaged."""
 
 from __future__ import annotations
 
 import bz2
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
 from typing import Protocol
 
 import lz4.frame
+
+from rossmarie.recordings.limits import Allowance, LimitError
 
 if sys.version_info >= (3, 14):
     from compression import zstd
@@ -22,15 +25,23 @@ DECOMPRESSION_FAILURES: tuple[type[Exception], ...] = (
     zstd.ZstdError,
 )
 
-_PIECE = 4096
-_LARGEST_CHUNK = 1 << 30  # a few damaged bytes can stand for any amount of data
+_PIECE = 1 << 16
+"""Compressed bytes that are handed on at once."""
+_STEP = 16 << 20
+"""Bytes of content that are taken at once."""
 
 
 class _Decompressor(Protocol):
     @property
     def eof(self) -> bool: ...
 
-    def decompress(self, data: bytes, /) -> bytes: ...
+    @property
+    def needs_input(self) -> bool: ...
+
+    @property
+    def unused_data(self) -> bytes | None: ...
+
+    def decompress(self, data: bytes, /, max_length: int = -1) -> bytes: ...
 
 
 _DECOMPRESSORS: Mapping[str, Callable[[], _Decompressor]] = {
@@ -41,24 +52,77 @@ _DECOMPRESSORS: Mapping[str, Callable[[], _Decompressor]] = {
 _UNCOMPRESSED = ("", "none")
 
 
-def decompress_prefix(compression: str, data: bytes) -> tuple[bytes, str | None]:
+def decompress_prefix(
+    compression: str, data: bytes, allowance: Allowance
+) -> tuple[bytes, str | None]:
     """The content of `data` as far as it can be told, and why no further (None: it is whole).
 
-    Raises nothing: of an unknown compression, there is no content.
+    Raises nothing: of an unknown compression, or of data beyond a limit, there is no content.
     """
     if compression in _UNCOMPRESSED:
         return data, None
     if compression not in _DECOMPRESSORS:
         return b"", f"unknown compression `{compression}`"
-    decompressor = _DECOMPRESSORS[compression]()
+    stream = _Stream(_DECOMPRESSORS[compression])
+    most = allowance.chunk(len(data))
     content = bytearray()
-    for start in range(0, len(data), _PIECE):
-        try:
-            content += decompressor.decompress(data[start : start + _PIECE])
-        except DECOMPRESSION_FAILURES as error:
-            return bytes(content), f"a chunk cannot be decompressed ({error})"
-        if decompressor.eof:
-            return bytes(content), None
-        if len(content) > _LARGEST_CHUNK:
-            return bytes(content), "a chunk is larger than 1 GiB"
-    return bytes(content), "a chunk is cut short"
+    try:
+        for start in range(0, len(data), _PIECE):
+            for step in stream.feed(data[start : start + _PIECE]):
+                content += step
+                allowance.take(len(step))
+                if len(content) > most:
+                    raise LimitError(f"{len(data)} bytes stand for more than {most >> 20} MiB")
+    except LimitError as error:
+        return b"", str(error)
+    except DECOMPRESSION_FAILURES as error:
+        return bytes(content), f"it cannot be decompressed ({error})"
+    return bytes(content), None if stream.is_whole else "it is cut short"
+
+
+class _Stream:
+    """Compressed data that comes in pieces: one stream, or several that follow each other."""
+
+    def __init__(self, start: Callable[[], _Decompressor]) -> None:
+        self._start = start
+        self._current = start()
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether it could end here."""
+        return self._current.eof
+
+    def feed(self, data: bytes) -> Iterator[bytes]:
+        """The content of the next piece, in steps."""
+        while data:
+            if self._current.eof:
+                self._current = self._start()
+            yield self._current.decompress(data, max_length=_STEP)
+            while not (self._current.needs_input or self._current.eof):
+                yield self._current.decompress(b"", max_length=_STEP)
+            data = (self._current.unused_data or b"") if self._current.eof else b""
+
+
+def decompress(compression: str, data: bytes, allowance: Allowance) -> bytes:
+    """The content of `data`. Raises `ValueError` unless it is whole and within the limits."""
+    content, trouble = decompress_prefix(compression, data, allowance)
+    if trouble is not None:
+        raise ValueError(trouble)
+    return content
+
+
+def unpacked(file: Path, folder: Path, allowance: Allowance) -> Path:
+    """What a file that is compressed as a whole holds, as a file in `folder`.
+
+    Raises one of `DECOMPRESSION_FAILURES`, `LimitError` among them.
+    """
+    content = folder / file.stem
+    with file.open("rb") as compressed, content.open("wb") as out:
+        stream = _Stream(zstd.ZstdDecompressor)
+        while packed := compressed.read(_PIECE):
+            for step in stream.feed(packed):
+                allowance.take(len(step))
+                out.write(step)
+        if not stream.is_whole:
+            raise EOFError(f"`{file.name}` is cut short")
+    return content

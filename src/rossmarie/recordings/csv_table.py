@@ -19,7 +19,9 @@ from __future__ import annotations
 import csv
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import count
 from pathlib import Path
+from typing import TextIO
 
 from dslkit.diagnostics import Collector
 from dslkit.source import SourceFile, Span
@@ -47,6 +49,7 @@ from rossmarie.recordings.errors import (
     TopicNeverSent,
     at_file,
 )
+from rossmarie.recordings.limits import LONGEST_LINE
 from rossmarie.recordings.matching import (
     Match,
     channel_match,
@@ -61,6 +64,8 @@ from rossmarie.recordings.model import Topic, Update
 
 _DELIMITERS = ",;\t"
 _SHOWN = 200
+_MOST_PATTERNS = 1000
+"""Ways in which rows are filled that are counted at once."""
 
 
 class CsvRecording:
@@ -69,8 +74,7 @@ class CsvRecording:
     def __init__(self, path: Path) -> None:
         self.path = path
         with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
-            header = file.readline()
-            first = file.readline()
+            header, first = (file.readline(LONGEST_LINE + 1) for _ in range(2))
         self._delimiter = max(_DELIMITERS, key=header.count)
         self._names = [name.strip() for name in self._cells_of(header)]
         self._to_ns = self._clock(header, first)
@@ -177,8 +181,7 @@ class CsvRecording:
         """Instant and cells of each row; no instant if it does not have one or does not fit."""
         width = len(self._names)
         with self.path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
-            lines = (line.replace("\0", "\N{REPLACEMENT CHARACTER}") for line in file)
-            rows = csv.reader(lines, delimiter=self._delimiter, skipinitialspace=True)
+            rows = csv.reader(self._lines(file), delimiter=self._delimiter, skipinitialspace=True)
             try:
                 next(rows)
                 for cells in rows:
@@ -186,6 +189,17 @@ class CsvRecording:
                         yield (self._to_ns(cells[0]) if len(cells) == width else None), cells
             except csv.Error as error:
                 raise self._not_csv(rows.line_num, error) from error
+
+    def _lines(self, file: TextIO) -> Iterator[str]:
+        """The lines of the file. Raises `RecordingError` before one takes too much memory."""
+        for number in count(1):
+            line = file.readline(LONGEST_LINE + 1)
+            if len(line) > LONGEST_LINE:
+                reason = f"line {number} is longer than {LONGEST_LINE >> 20} MiB"
+                raise RecordingError(at_file(RecordingCorrupt(reason=reason), self.path))
+            if not line:
+                return
+            yield line.replace("\0", "\N{REPLACEMENT CHARACTER}")
 
     def _cells_of(self, line: str) -> list[str]:
         try:
@@ -216,6 +230,9 @@ class CsvRecording:
         time goes back.
         """
         patterns: Counter[tuple[bool, ...]] = Counter()  # most rows fill the same cells as others
+        self._filled: Counter[int] = Counter()
+        rows: Counter[str] = Counter()
+        total = 0
         instants: list[int] = []  # the first and the last, in the order of the file
         skipped: Counter[str] = Counter()
         setbacks = Setbacks(tolerance_ns=0)
@@ -225,29 +242,31 @@ class CsvRecording:
                 continue
             instants[1:] = [at_ns]
             setbacks.note("", at_ns)
+            total += 1
             patterns[tuple(map(bool, cells))] += 1
+            if len(patterns) > _MOST_PATTERNS:
+                self._count_filled(patterns, rows)
+                patterns.clear()
         if not instants:
             raise RecordingError(at_file(RecordingEmpty(reason="it has no rows"), self.path))
         self.start_ns, self.end_ns = instants[0], instants[-1]
-        self._count_filled(patterns)
+        self._count_filled(patterns, rows)
+        named = sorted({topic for name in self._names[1:] if (topic := _topic_of(name))})
+        self.topics: Mapping[str, Topic] = {name: Topic(name, None, rows[name]) for name in named}
         self.findings = setbacks.findings(SEEN_BY_THE_MONITOR, self.path)
         if skipped:
-            count = skipped.total()
-            total = count + patterns.total()
-            rows = RowsSkipped(count=count, total=total, reason=next(iter(skipped)))
-            self.findings = (at_file(rows, self.path), *self.findings)
+            lost = skipped.total()
+            reason = next(iter(skipped))
+            finding = RowsSkipped(count=lost, total=lost + total, reason=reason)
+            self.findings = (at_file(finding, self.path), *self.findings)
 
-    def _count_filled(self, patterns: Mapping[tuple[bool, ...], int]) -> None:
-        """How often each column is filled, and how many rows say something about each topic."""
+    def _count_filled(self, patterns: Mapping[tuple[bool, ...], int], rows: Counter[str]) -> None:
+        """Count how often each column is filled, and how many rows say something of each topic."""
         topics = [_topic_of(name) for name in self._names]
-        self._filled: Counter[int] = Counter()
-        rows: Counter[str] = Counter()
-        for pattern, count in patterns.items():
+        for pattern, times in patterns.items():
             filled = [column for column, is_filled in enumerate(pattern) if is_filled]
-            self._filled.update(dict.fromkeys(filled, count))
-            rows.update(dict.fromkeys({topics[column] for column in filled}, count))
-        named = sorted({topic for topic in topics[1:] if topic})
-        self.topics: Mapping[str, Topic] = {name: Topic(name, None, rows[name]) for name in named}
+            self._filled.update(dict.fromkeys(filled, times))
+            rows.update(dict.fromkeys({topics[column] for column in filled}, times))
 
     def _reason_to_skip(self, number: int, cells: Sequence[str]) -> str:
         if len(cells) != len(self._names):

@@ -22,6 +22,7 @@ from rosbags.typesys import (
 )
 from rosbags.typesys.store import Typestore
 
+from rossmarie.recordings.message_sizes import Sizes
 from rossmarie.recordings.storage import Connection
 
 _STANDARD: Mapping[str, tuple[Stores, ...]] = {
@@ -125,6 +126,9 @@ def _store_of(types: Typesdict, encoding: str) -> Typestore:
             complete[name] = _standard_definition(name, encoding)
             wanted += _named(complete[name][1])
     _check_names(complete)
+    sizes = Sizes(complete)
+    for name in complete:
+        sizes.check(name)
     store.register(complete)
     return store
 

@@ -18,6 +18,9 @@ from rossmarie.recordings.errors import (
 METADATA = "metadata.yaml"
 """Beside the files of a ROS 2 bag; a recorder that dies does not write it."""
 
+PACKED = ".zstd"
+"""The ending of a file of a ROS 2 bag that is compressed as a whole."""
+
 _BAGS = (".bag", ".db3", ".mcap")
 _KINDS = (*_BAGS, ".csv")
 
@@ -58,7 +61,7 @@ def _files_in(folder: Path) -> list[Path]:
     found = [file for file in sorted(folder.iterdir()) if file.suffix in _BAGS and file.is_file()]
     has_metadata = (folder / METADATA).is_file()
     if has_metadata:
-        found += folder.glob("*.zstd")
+        found += folder.glob(f"*{PACKED}")
     if not found:
         reason = "there is no recording in this directory"
         raise RecordingError(at_file(RecordingKindUnknown(reason=reason), folder))

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Collection, Iterator, Sequence
+from contextlib import ExitStack
 
 from rossmarie.recordings.clock import Arrival
 from rossmarie.recordings.storage import Storage, Stored
 
 
 class MergedStorage:
-    """Several storages, merged by their stamps."""
+    """Several storages, merged by their stamps; `opened` closes all that belongs to them."""
 
-    def __init__(self, parts: Sequence[Storage]) -> None:
+    def __init__(self, parts: Sequence[Storage], opened: ExitStack) -> None:
         self._parts = parts
+        self._opened = opened
         self.connections = [connection for part in parts for connection in part.connections]
 
     def span(self) -> tuple[int, int] | None:
@@ -35,5 +37,4 @@ class MergedStorage:
 
     def close(self) -> None:
         """Release the files."""
-        for part in self._parts:
-            part.close()
+        self._opened.close()

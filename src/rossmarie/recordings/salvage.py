@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from rossmarie.recordings.clock import Arrival
 from rossmarie.recordings.compression import decompress_prefix
+from rossmarie.recordings.limits import Allowance, LimitError
 from rossmarie.recordings.storage import Connection, Stored
 
 OUTSIDE = -1
@@ -45,6 +46,7 @@ class Chunk(NamedTuple):
 class Scan:
     """What the first pass has found; `loss` says what is missing, None if all is there."""
 
+    allowance: Allowance
     connections: dict[int, Connection] = field(default_factory=dict)
     chunks: list[Chunk] = field(default_factory=list)
     places: list[Place] = field(default_factory=list)
@@ -55,11 +57,19 @@ class Scan:
         if self.loss is None:
             self.loss = reason
 
+    def keep(self, place: Place) -> None:
+        """Note where a message is."""
+        if len(self.places) < self.allowance.messages:
+            self.places.append(place)
+        else:
+            self.lose("it has too many messages for a file of its size")
+
     def open_chunk(self, data: mmap.mmap, chunk: Chunk) -> tuple[int, bytes]:
         """The number and the content of a chunk, as far as it can be decompressed."""
-        content, trouble = decompress_prefix(chunk.compression, data[chunk.start : chunk.end])
+        packed = data[chunk.start : chunk.end]
+        content, trouble = decompress_prefix(chunk.compression, packed, self.allowance)
         if trouble is not None:
-            self.lose(trouble)
+            self.lose(f"the chunk at byte {chunk.start} is not whole: {trouble}")
         self.chunks.append(chunk)
         return len(self.chunks) - 1, content
 
@@ -67,12 +77,14 @@ class Scan:
 class SalvagedStorage:
     """The messages that a scan has found, in the order of their stamps."""
 
-    def __init__(self, path: Path, scan_file: Callable[[mmap.mmap], Scan]) -> None:
+    def __init__(self, path: Path, scan_file: Callable[[mmap.mmap, Scan], None]) -> None:
         with path.open("rb") as file:
             self._file = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
         with ExitStack() as opened:
             opened.callback(self._file.close)
-            scan = scan_file(self._file)
+            self._allowance = Allowance(len(self._file))
+            scan = Scan(self._allowance)
+            scan_file(self._file, scan)
             opened.pop_all()  # closed by `close`
         counts = Counter(place.connection for place in scan.places)
         self._by_id = {
@@ -110,5 +122,10 @@ class SalvagedStorage:
         self._file.close()
 
     def _decompress(self, number: int) -> bytes:
+        """Raises `LimitError` if that was done too often."""
         chunk = self._chunks[number]
-        return decompress_prefix(chunk.compression, self._file[chunk.start : chunk.end])[0]
+        packed = self._file[chunk.start : chunk.end]
+        content, trouble = decompress_prefix(chunk.compression, packed, self._allowance)
+        if trouble is not None and not content:
+            raise LimitError(trouble)
+        return content

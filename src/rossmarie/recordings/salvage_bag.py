@@ -45,10 +45,9 @@ class _Record(NamedTuple):
     is_whole: bool
 
 
-def _scan(data: mmap.mmap) -> Scan:
+def _scan(data: mmap.mmap, scan: Scan) -> None:
     if data[: len(_MAGIC)] != _MAGIC:
         raise ValueError("it does not start like a ROS 1 bag (version 2.0)")
-    scan = Scan()
     is_indexed = False
     for record in _records(data, len(_MAGIC), scan):
         is_indexed = is_indexed or record.fields[b"op"] == _CHUNK_INFO
@@ -58,7 +57,6 @@ def _scan(data: mmap.mmap) -> Scan:
             _keep(data, record, OUTSIDE, scan)
     if not is_indexed:
         scan.lose("it has no index, because recording was not ended properly")
-    return scan
 
 
 def _scan_chunk(data: mmap.mmap, record: _Record, scan: Scan) -> None:
@@ -66,7 +64,7 @@ def _scan_chunk(data: mmap.mmap, record: _Record, scan: Scan) -> None:
         scan.lose(f"it is cut short inside a chunk, at byte {len(data)}")
     compression = record.fields[b"compression"].decode(errors="replace")
     number, content = scan.open_chunk(data, Chunk(compression, record.start, record.end))
-    for inner in _records(content, 0, scan):
+    for inner in _records(content, 0, scan, f" of the chunk at byte {record.start}"):
         if inner.is_whole:
             _keep(content, inner, number, scan)
 
@@ -80,11 +78,11 @@ def _keep(data: bytes | mmap.mmap, record: _Record, chunk: int, scan: Scan) -> N
         seconds, nanoseconds = _TIME.unpack(fields[b"time"])
         (number,) = _LENGTH.unpack(fields[b"conn"])
         at_ns = seconds * 1_000_000_000 + nanoseconds
-        scan.places.append(Place(at_ns, number, chunk, record.start, record.end))
+        scan.keep(Place(at_ns, number, chunk, record.start, record.end))
 
 
-def _records(data: bytes | mmap.mmap, position: int, scan: Scan) -> Iterator[_Record]:
-    """The records from `position` on, up to the first that makes no sense."""
+def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -> Iterator[_Record]:
+    """The records from `position` on, up to the first that makes no sense; `of` says of what."""
     size = len(data)
     while position + 4 <= size:
         start = position
@@ -94,10 +92,10 @@ def _records(data: bytes | mmap.mmap, position: int, scan: Scan) -> Iterator[_Re
             fields = _fields(data[start + 4 : position])
             (length,) = _LENGTH.unpack_from(data, position)
         except (struct.error, ValueError):
-            scan.lose(f"its records break off at byte {start}")
+            scan.lose(f"its records break off at byte {start}{of}")
             return
         if not _is_complete(fields):
-            scan.lose(f"there is a record that makes no sense at byte {start}")
+            scan.lose(f"there is a record that makes no sense at byte {start}{of}")
             return
         position += 4
         yield _Record(fields, position, min(position + length, size), position + length <= size)

@@ -55,10 +55,9 @@ class _Schema(NamedTuple):
     definition: MessageDefinition
 
 
-def _scan(data: mmap.mmap) -> Scan:
+def _scan(data: mmap.mmap, scan: Scan) -> None:
     if data[: len(_MAGIC)] != _MAGIC:
         raise ValueError("it does not start like an MCAP file")
-    scan = Scan()
     schemas: dict[int, _Schema] = {}
     is_closed = False
     for record in _records(data, len(_MAGIC), scan):
@@ -73,7 +72,6 @@ def _scan(data: mmap.mmap) -> Scan:
             scan.lose(f"it is cut short, at byte {len(data)}")
     if not is_closed:
         scan.lose("it has no index, because recording was not ended properly")
-    return scan
 
 
 def _scan_chunk(data: mmap.mmap, record: _Record, schemas: dict[int, _Schema], scan: Scan) -> None:
@@ -89,7 +87,7 @@ def _scan_chunk(data: mmap.mmap, record: _Record, schemas: dict[int, _Schema], s
     if record.is_whole and checksum and crc32(content) != checksum:
         scan.lose(f"the checksum of a chunk of {size} bytes at byte {record.start} is wrong")
         return
-    for inner in _records(content, 0, scan):
+    for inner in _records(content, 0, scan, f" of the chunk at byte {record.start}"):
         if inner.is_whole:
             _keep(content, inner, number, schemas, scan)
 
@@ -101,7 +99,7 @@ def _keep(
     try:
         if record.operation == _MESSAGE:
             channel, _, at_ns, _ = _MESSAGE_HEADER.unpack_from(data, start)
-            scan.places.append(Place(at_ns, channel, chunk, start + _MESSAGE_HEADER.size, end))
+            scan.keep(Place(at_ns, channel, chunk, start + _MESSAGE_HEADER.size, end))
         elif record.operation == _CHANNEL:
             connection = _connection(data[start:end], schemas)
             scan.connections.setdefault(connection.id, connection)
@@ -112,13 +110,13 @@ def _keep(
         scan.lose(f"there is a record that makes no sense at byte {start}")
 
 
-def _records(data: bytes | mmap.mmap, position: int, scan: Scan) -> Iterator[_Record]:
-    """The records from `position` on, up to the first that makes no sense."""
+def _records(data: bytes | mmap.mmap, position: int, scan: Scan, of: str = "") -> Iterator[_Record]:
+    """The records from `position` on, up to the first that makes no sense; `of` says of what."""
     size = len(data)
     while position + _RECORD.size <= size:
         operation, length = _RECORD.unpack_from(data, position)
         if not 0 < operation <= _LAST_OPERATION:
-            scan.lose(f"there is a record that makes no sense at byte {position}")
+            scan.lose(f"there is a record that makes no sense at byte {position}{of}")
             return
         position += _RECORD.size
         yield _Record(operation, position, min(position + length, size), position + length <= size)

@@ -15,6 +15,7 @@ from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
 from rossmarie.recordings.clock import Arrival
 from rossmarie.recordings.storage import Connection, Stored, plain_type
+from rossmarie.recordings.tables import check_tables
 
 _FORMATS = {"ros2msg": MessageDefinitionFormat.MSG, "ros2idl": MessageDefinitionFormat.IDL}
 _UNDEFINED = MessageDefinition(MessageDefinitionFormat.NONE, "")
@@ -37,6 +38,7 @@ class SalvagedRows:
         try:
             # Without this, SQLite refuses a file that is shorter than it says itself.
             self._database.execute("PRAGMA writable_schema = ON")
+            check_tables(self._database.execute)
             found = {connection.id: connection for connection in self._read_connections()}
         except (sqlite3.Error, ValueError) as error:
             self._database.close()

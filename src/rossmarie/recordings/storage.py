@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Collection, Iterator, Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple, Protocol
@@ -22,7 +21,9 @@ from rosbags.rosbag2.storage_sqlite3 import Sqlite3Reader
 
 from rossmarie.recordings.arrivals import records_in_order, rows_in_order
 from rossmarie.recordings.clock import Arrival
-from rossmarie.recordings.compression import DECOMPRESSION_FAILURES
+from rossmarie.recordings.compression import DECOMPRESSION_FAILURES, decompress
+from rossmarie.recordings.limits import Allowance
+from rossmarie.recordings.readers import open_bag_reader, open_ros2_reader, parts_of
 
 READER_FAILURES: tuple[type[Exception], ...] = (
     rosbag1.ReaderError,
@@ -102,20 +103,21 @@ def plain_type(name: str) -> str:
 
 
 class IntactStorage:
-    """A file or bag directory that rosbags can read.
+    """A file or bag directory that rosbags can read, within an allowance.
 
     Raises one of `READER_FAILURES` if it cannot, at construction or at any message.
     """
 
-    def __init__(self, path: Path) -> None:
-        is_ros1 = path.suffix == ".bag" and path.is_file()
-        self._reader = rosbag1.Reader(path) if is_ros1 else rosbag2.Reader(path)
-        with ExitStack() as opened_files:
-            self._reader.open()
-            opened_files.callback(self._reader.close)
-            self._opened = list(self._reader.connections)
-            self.connections = [_connection(opened) for opened in self._opened]
-            opened_files.pop_all()  # closed by `close`
+    def __init__(self, path: Path, allowance: Allowance) -> None:
+        self._reader: rosbag1.Reader | rosbag2.Reader
+        self._is_packed = False
+        self._allowance = allowance
+        if path.suffix == ".bag" and path.is_file():
+            self._reader = open_bag_reader(path, allowance)
+        else:
+            self._reader, self._is_packed = open_ros2_reader(path, allowance)
+        self._opened = list(self._reader.connections)
+        self.connections = [_connection(opened) for opened in self._opened]
 
     def span(self) -> tuple[int, int] | None:
         """The stamps of the first and the last message; None if there is none."""
@@ -130,6 +132,8 @@ class IntactStorage:
             return
         ours = {opened.id: _connection(opened) for opened in chosen}
         for opened, at_ns, content in self._reader.messages(chosen):
+            if self._is_packed:
+                content = decompress("zstd", content, self._allowance)
             yield Stored(ours[opened.id], at_ns, content)
 
     def arrivals(self) -> Iterator[Arrival]:
@@ -143,13 +147,12 @@ class IntactStorage:
             )
             yield from ((topic, at_ns) for _, _, topic, at_ns in sorted(entries))
             return
-        storage = self._reader.storage
-        for part in getattr(storage, "storages", [storage]):
+        for part in parts_of(self._reader):
             if isinstance(part, Sqlite3Reader):
                 yield from rows_in_order(Path(str(part.path)))
             elif isinstance(part, McapReader):
                 topics = {opened.id: opened.topic for opened in part.connections}
-                yield from records_in_order(Path(str(part.path)), topics)
+                yield from records_in_order(Path(str(part.path)), topics, self._allowance)
 
     def close(self) -> None:
         """Release the file."""

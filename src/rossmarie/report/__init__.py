@@ -3,7 +3,8 @@
 Beside it, in `wiring`, how the node of a rules file is connected.
 """
 
-from rossmarie.report.axis import axis_seconds
+from rossmarie.report.axis import Axis
+from rossmarie.report.envelope import share, thinned
 from rossmarie.report.jsonl import verdict_lines
 from rossmarie.report.model import Plot, Replay, Threshold
 from rossmarie.report.plots import PlotPlan, plan_plots
@@ -14,6 +15,7 @@ from rossmarie.report.timeline import render_timeline
 
 __all__ = [
     "ActiveSpan",
+    "Axis",
     "Plot",
     "PlotPlan",
     "Rehearsed",
@@ -21,11 +23,12 @@ __all__ = [
     "Summary",
     "Threshold",
     "active_spans",
-    "axis_seconds",
     "plan_plots",
     "rehearse",
     "render_timeline",
+    "share",
     "summarize",
+    "thinned",
     "verdict_lines",
     "write_table",
 ]

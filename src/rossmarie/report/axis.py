@@ -1,4 +1,4 @@
-"""The axis of a replay: nanoseconds or seconds since its start, on which time never runs backwards.
+"""The axis of a replay: nanoseconds since its start, on which time never runs backwards.
 
 Where the stamps of a recording jump back (a simulation that was reset, a clock that was set), the
 axis goes on from where it was. Without jumps a position is just the stamp less the start.
@@ -45,11 +45,25 @@ def place(events: Iterable[Event], start_ns: int) -> Iterator[PlacedEvent]:
         yield PlacedEvent(event, stamp - origin, origin)
 
 
-def axis_seconds(stamps_ns: NDArray[np.int64], start_ns: int) -> NDArray[np.float64]:
-    """The positions, in seconds, of all stamps that a monitor was fed with, in that order.
+class Axis:
+    """Places stamps that come in blocks."""
 
-    The stamps must be complete: a jump back is seen in them, and only in them.
-    """
-    steps = np.diff(stamps_ns, prepend=stamps_ns[:1])
-    repeated = np.cumsum(np.where(steps < 0, -steps, 0))
-    return np.asarray((stamps_ns - start_ns + repeated) / 1e9, dtype=np.float64)
+    def __init__(self) -> None:
+        self._first: int | None = None
+        self._last = 0
+        self._repeated = 0
+
+    def place(self, stamps_ns: NDArray[np.int64]) -> NDArray[np.int64]:
+        """The positions, counted from the first stamp of all, of the next stamps that a monitor was
+        fed with.
+
+        None may be left out: a jump back is seen in them, and only in them.
+        """
+        if len(stamps_ns) == 0:
+            return stamps_ns
+        if self._first is None:
+            self._first = self._last = int(stamps_ns[0])
+        steps = np.diff(stamps_ns, prepend=self._last)
+        repeated = self._repeated + np.cumsum(np.where(steps < 0, -steps, 0))
+        self._last, self._repeated = int(stamps_ns[-1]), int(repeated[-1])
+        return np.asarray(stamps_ns - self._first + repeated, dtype=np.int64)

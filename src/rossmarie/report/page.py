@@ -1,7 +1,7 @@
 """A replay -> the data of the timeline page, as JSON that its scripts read.
 
 Everything is bounded, so that the page of a long or noisy recording stays small: signals by
-`_SAMPLES`, causes by `MOST_DETAILED`. Instants are seconds on the axis of the replay.
+their `share` of samples, causes by `MOST_DETAILED`. Instants are seconds on the axis of the replay.
 """
 
 from __future__ import annotations
@@ -14,15 +14,12 @@ from numpy.typing import NDArray
 
 from rossmarie.ir import Order, OrderKind, Rule, TimeJump, Verdict, explain
 from rossmarie.report.axis import PlacedEvent, place
-from rossmarie.report.envelope import envelope
+from rossmarie.report.envelope import envelope, share
 from rossmarie.report.jsonl import CHANGES, cause_data, json_number
 from rossmarie.report.model import Plot, Replay, Threshold
 from rossmarie.report.rehearsal import task_words
 from rossmarie.report.spans import ActiveSpan, active_spans
 from rossmarie.report.wording import format_length
-
-_SAMPLES = 120_000
-"""Samples in a page, shared evenly among its plots: at 11 bytes each, 1.3 MB."""
 
 MOST_DETAILED = 1_000
 """Verdicts whose cause a page holds; the others are drawn without."""
@@ -44,7 +41,7 @@ def page_data(replay: Replay) -> str:
 
 def _page(replay: Replay) -> _Data:
     duration = replay.duration_ns / 1e9
-    limit = _SAMPLES // max(len(replay.plots), 1)
+    limit = share(len(replay.plots))
     placed = list(place(replay.events, replay.start_ns))
     changes, places = _changes(replay, placed)
     rows = zip(replay.machine.rules, active_spans(replay), strict=True)

@@ -47,7 +47,7 @@ class Stub:
 def test_messages_at_the_instant_of_the_damage_are_read_once(tmp_path: Path) -> None:
     broken = Stub((1, b"a"), (2, b"b"), (2, b"c"), breaks=True)
     whole = Stub((1, b"a"), (2, b"b"), (2, b"c"), (2, b"d"), (2, b"c"), (3, b"e"))
-    recording = BagRecording(tmp_path / "drive.bag", broken, (1, 2), lambda: whole)
+    recording = BagRecording(tmp_path / "drive.bag", broken, (1, 2), lambda: (whole, ()))
     found = [content for _, _, content in recording.messages(["/a"], Collector())]
     assert found == [b"a", b"b", b"c", b"d", b"c", b"e"]
 
@@ -79,7 +79,7 @@ class Flood(Stub):
 
 
 def test_messages_at_one_instant_are_not_kept_for_later_damage(tmp_path: Path) -> None:
-    recording = BagRecording(tmp_path / "drive.bag", Flood((1, b"")), (1, 1), Stub)
+    recording = BagRecording(tmp_path / "drive.bag", Flood((1, b"")), (1, 1), lambda: (Stub(), ()))
     tracemalloc.start()
     assert sum(1 for _ in recording.messages(["/a"], Collector())) == 100
     _, peak = tracemalloc.get_traced_memory()

@@ -13,7 +13,7 @@ import pytest
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Comparison, Event
-from rossmarie.report import Replay, axis_seconds, plan_plots
+from rossmarie.report import Axis, Replay, plan_plots
 from support.drafts import SECOND, Draft
 
 START_NS = 1_700_000_000 * SECOND
@@ -42,7 +42,7 @@ def replay_of(machine: ir.Machine, messages: list[tuple[int, int, ChannelValues]
         stamps.append(stamp)
         samples.append(_sampled(machine, latest, stamp))
     stamps_ns = np.array(stamps, dtype=np.int64)
-    times = axis_seconds(stamps_ns, stamps[0])
+    times = Axis().place(stamps_ns) / 1e9
     columns = np.array(samples)
     return Replay(
         machine=machine,

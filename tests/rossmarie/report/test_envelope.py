@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from rossmarie.report import Plot
-from rossmarie.report.envelope import envelope
+from rossmarie.report.envelope import envelope, share, thinned
 
 steps = st.floats(0.0, 1.0)
 levels = st.one_of(st.sampled_from((0.0, 1.0, math.nan)), st.floats(-100, 100))
@@ -87,3 +87,32 @@ def test_a_repeated_value_is_stored_once() -> None:
 def test_no_samples_at_all() -> None:
     times, values = envelope(plot_of(np.empty(0), np.empty(0)), 100)
     assert len(times) == len(values) == 0
+
+
+@given(samples, st.integers(6, 12), st.integers(1, 30))
+def test_thinned_in_blocks_extremes_and_gaps_are_never_lost(
+    found: list[tuple[float, float]], limit: int, block: int
+) -> None:
+    plot = plot_from(found)
+    times, values = np.empty(0), np.empty(0)
+    for start in range(0, len(found), block):
+        times = np.concatenate((times, plot.times_s[start : start + block]))
+        values = np.concatenate((values, plot.values[start : start + block]))
+        times, values = thinned(times, values, limit)
+        assert len(times) <= limit
+    assert np.isnan(values).any() == np.isnan(plot.values).any()
+    if not np.isnan(plot.values).all():
+        assert np.nanmax(values) == np.nanmax(plot.values)
+        assert np.nanmin(values) == np.nanmin(plot.values)
+    assert times[-1] == plot.times_s[-1]
+
+
+def test_many_samples_of_one_instant_are_thinned() -> None:
+    times, values = thinned(np.zeros(100, dtype=np.int64), np.arange(100.0), 12)
+    assert times.dtype == np.int64
+    assert {0.0, 99.0} <= set(values)
+
+
+def test_a_share_is_never_too_small_to_thin_to() -> None:
+    assert share(1) == 120_000
+    assert share(1_000_000) == 6

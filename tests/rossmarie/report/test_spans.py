@@ -4,11 +4,12 @@ from dataclasses import replace
 
 import numpy as np
 from hypothesis import given
+from hypothesis import strategies as st
 
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, TimeJump, Verdict
-from rossmarie.report import Replay, active_spans, axis_seconds, summarize
+from rossmarie.report import Axis, Replay, active_spans, summarize
 from rossmarie.report.axis import place
 from support.drafts import SECOND, Draft
 from support.machines import Step, cases, take
@@ -85,10 +86,19 @@ def test_positions_never_run_backwards(case: tuple[ir.Machine, list[Step]]) -> N
 def test_samples_lie_on_the_axis_of_the_events(case: tuple[ir.Machine, list[Step]]) -> None:
     machine, trace = case
     stamps = np.array([step.at_ns for step in trace], dtype=np.int64)
-    seconds = axis_seconds(stamps, trace[0].at_ns)
+    seconds = Axis().place(stamps) / 1e9
     replay, _ = run(machine, trace)
     assert seconds[-1] == replay.duration_ns / 1e9
     assert (np.diff(seconds) >= 0).all()
+
+
+@given(cases(), st.integers(1, 5))
+def test_blocks_of_stamps_lie_on_one_axis(case: tuple[ir.Machine, list[Step]], block: int) -> None:
+    stamps = np.array([step.at_ns for step in case[1]], dtype=np.int64)
+    axis = Axis()
+    blocks = [axis.place(stamps[start : start + block]) for start in range(0, len(stamps), block)]
+    assert np.concatenate(blocks).tolist() == Axis().place(stamps).tolist()
+    assert len(axis.place(stamps[:0])) == 0
 
 
 def jumping() -> Replay:
