@@ -63,10 +63,12 @@ def test_a_node_runs_for_long(
         finally:
             talking.end()
         expected = by_rule(replayed(tmp_path, recording))
-        until(lambda: len(heard(ears)) >= sum(map(len, expected.values())), "all verdicts")
+        with suppress(AssertionError):  # the comparison tells more
+            until(lambda: len(heard(ears)) >= sum(map(len, expected.values())), "all verdicts")
         assert by_rule(heard(ears)) == expected
         _LOG.info("%g s: %d verdicts, %d KiB", seconds, ears.count(VERDICTS), growth_kib)
-        assert growth_kib <= KIB_OF_GROWTH
+        if not pytestconfig.getoption("--sanitize"):  # AddressSanitizer keeps what was freed
+            assert growth_kib <= KIB_OF_GROWTH
     finally:
         ears.end()
         node.end()

@@ -26,8 +26,10 @@ def test_an_exemption_does_not_outlive_a_jump_back(robot: Robot, start: Start) -
     assert robot.call("exempt", rule="tilted", time=5.0, reason="a test drive")["success"]
     robot.passes(1.0)
     robot.set(clock=500.0)
-    robot.passes(0.2)
+    # Not when 0.2 passes: the bound, which opens along a ramp, begins anew with the jump.
+    until(lambda: robot.state().get("exempted") == [], "the exemption is over")
     assert time.monotonic() - begin > 4.5, "the exemption lasts as long as it was given"
+    robot.passes(0.2)
     robot.stays_at(0.2)
 
 
