@@ -51,12 +51,25 @@ Start: TypeAlias = Callable[[Sequence[str], Mapping[str, str], IO[bytes]], Runni
 
 
 def started(command: Sequence[str], variables: Mapping[str, str], log: IO[bytes]) -> Running:
-    """A new process of the system."""
+    """A new process of the system, which somebody asks."""
+    return _process(command, variables, log, subprocess.PIPE)
+
+
+def talking(command: Sequence[str], variables: Mapping[str, str], log: IO[bytes]) -> Running:
+    """A new process of the system that says everything into its log: a pipe that nobody reads would
+    be full some time, and the process wait for ever.
+    """
+    return _process(command, variables, log, log)
+
+
+def _process(
+    command: Sequence[str], variables: Mapping[str, str], log: IO[bytes], out: IO[bytes] | int
+) -> Running:
     return subprocess.Popen(
         command,
         env=variables,
         stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
+        stdout=out,
         stderr=log,
         start_new_session=True,
         text=True,
@@ -79,7 +92,7 @@ class Process:
         self.running = start(command, variables, self._log)
 
     def said(self) -> str:
-        """What it has written to its standard error."""
+        """What it has written to its log."""
         self._log.seek(self._begin)
         return self._log.read().decode("utf-8", "replace")
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from rossmarie.driver.build import generate
-from support.live import Ears, Faults, Process, Robot, Start, Wanted, until
+from support.live import Ears, Faults, Process, Robot, Start, Wanted, talking, until
 from support.live_cases import PACKAGES, vehicle
 from support.ros1_build import VARIABLES, Workspace
 from support.ros1_python import PYTHON, Python
@@ -185,7 +185,7 @@ class Ros1:
         node = f"{namespace[1:]}/{program.name}" if namespace else program.name
         set_parameters(self.variables, node, parameters, use_sim_time=use_sim_time)
         variables = {**self.variables, "ROS_NAMESPACE": namespace}
-        return Process([str(program)], variables, self._folder / f"{program.name}.log")
+        return Process([str(program)], variables, self._folder / f"{program.name}.log", talking)
 
     def launch(
         self, folder: Path, parameters: Mapping[str, object], namespace: str = ""

@@ -17,7 +17,7 @@ from pathlib import Path
 from rosbags.highlevel import AnyReader
 
 from rossmarie.driver.build import generate
-from support.live import LIMIT, Ears, Faults, Process, Robot, Wanted
+from support.live import LIMIT, Ears, Faults, Process, Robot, Wanted, talking
 from support.live_cases import PACKAGES, vehicle
 from support.ros2_build import Workspace, is_installed
 from support.workspace import files_of
@@ -107,7 +107,8 @@ class Ros2:
         rules = [text for item in given.items() for text in ("-p", _rule(*item))]
         space = ("-r", f"__ns:={namespace}") if namespace else ()
         command = [str(program), "--ros-args", *rules, *space]
-        return Process(command, self.variables, self._folder / f"{program.parent.name}.log")
+        log = self._folder / f"{program.parent.name}.log"
+        return Process(command, self.variables, log, talking)
 
     def launch(
         self, folder: Path, parameters: Mapping[str, object], namespace: str = ""

@@ -50,7 +50,10 @@ def run_build(
     """Write the files of a target into `out`, and say what comes next."""
     output.try_folder(out)
     if sources is not None:
-        output.try_file(sources)
+        if sources.parent.is_dir():
+            output.try_file(sources)
+        else:
+            output.try_folder(sources.parent)  # which the build may make
     described, placement = _placement(rules, target, package)
     try:
         with output.writing_to(out):
