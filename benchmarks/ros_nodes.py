@@ -56,7 +56,7 @@ All processes have {priority}.
 
 @dataclass(frozen=True)
 class Generation:
-    """What is measured in a generation of ROS, and beside which path."""
+    """A generation of ROS: its name, and the paths that are measured in it."""
 
     title: str
     name: str

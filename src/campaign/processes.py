@@ -76,7 +76,7 @@ class _Process:
             self.pipe.send(key)
 
     def result(self) -> Result | None:
-        """What became of the episode; None if it still runs."""
+        """The result of the episode; None while the episode runs."""
         has_ended = not self.is_alive()  # asked first: it may say something and end
         with suppress(EOFError, OSError):  # it ended while it spoke
             while self.pipe.poll():
@@ -93,7 +93,7 @@ class _Process:
         return None
 
     def is_alive(self) -> bool:
-        """Whether it can run another episode."""
+        """True while the process can run another episode."""
         return self._process.is_alive()
 
     def end(self) -> None:
@@ -113,7 +113,7 @@ class _Process:
 
 
 _BEGUN = None
-"""What a process says when it has an episode."""
+"""The message of a process that has begun an episode."""
 
 
 def _serve(work: Work, pipe: Connection[Result | None, str]) -> None:

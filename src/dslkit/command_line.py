@@ -242,7 +242,7 @@ def _drop(stream: TextIO) -> None:
 
 
 def _has_folder() -> bool:
-    """Whether the current folder is still there."""
+    """True while the current folder exists."""
     try:
         Path.cwd()
     except FileNotFoundError:

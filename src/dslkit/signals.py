@@ -27,7 +27,7 @@ def raise_interrupts() -> None:
 
 
 def exit_code() -> int | None:
-    """That of a command which a signal has interrupted; None if none has."""
+    """The exit code of a command that a signal has interrupted; None without a signal."""
     return _BASE + _came[0] if _came else None
 
 

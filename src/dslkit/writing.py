@@ -52,8 +52,8 @@ def try_writing(path: Path) -> None:
 
 
 def try_folder(folder: Path) -> None:
-    """Whether files can be written into a folder, which may have to be made. Leaves all as it is.
-    Raises `OSError` if they cannot.
+    """Try to write into a folder, which need not exist yet. The folder stays as it is.
+    Raises `OSError` if no file can be written there.
     """
     place = Path(os.path.realpath(folder))
     while not os.path.lexists(place):

@@ -19,8 +19,8 @@ def is_folder(path: Path) -> bool:
 
 
 def ending(path: Path) -> str:
-    """That of the name, in lower case and with the dot. A link has the ending of what it leads to:
-    its own name promises nothing.
+    """The ending of a file name, in lower case and with the dot. A link has the ending of the file
+    that it leads to: the name of a link promises nothing.
     """
     try:
         return Path(os.path.realpath(path)).suffix.lower()
