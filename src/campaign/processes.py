@@ -125,7 +125,7 @@ def _serve(work: Work, pipe: Connection[Result | None, str]) -> None:
             pipe.send(_BEGUN)
             try:
                 result = Result(key, work(key))
-            except Exception as error:
+            except Exception as error:  # an episode that fails is a result; the others go on
                 result = Result(key, None, f"{type(error).__name__}: {error}")
             pipe.send(result)
 

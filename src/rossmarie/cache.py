@@ -208,7 +208,7 @@ class _Folder:
                 file.flush()
                 os.fsync(opened)
             os.rename(aside, name, src_dir_fd=self._opened, dst_dir_fd=self._opened)
-        except BaseException:
+        except BaseException:  # an interrupt as well: half a file must not stay
             os.unlink(aside, dir_fd=self._opened)
             raise
         os.fsync(self._opened)

@@ -164,9 +164,11 @@ class _Child:
             end = ["refused", self.mark, str(problem)]
         except MemoryError:
             end = ["raised", f"the code needed more than {MEMORY >> 30} GiB of memory"]
-        except Exception:
+        except (
+            Exception
+        ):  # users' code is called where its errors are findings, so this one is ours
             end = ["defect", traceback.format_exc()]
-        except BaseException as problem:
+        except BaseException as problem:  # nothing that users' code raises ends a report early
             end = ["raised", f"`{type(problem).__name__}` was raised"]
         changed = seal.broken()
         send(end if changed is None else ["changed", changed[0], *_place(changed[1])])
