@@ -115,5 +115,6 @@ def code(called: ir.Machine, target: str) -> dict[str, object]:
 @example(name="evil\\")
 @example(name="--><include file='evil.launch'")
 @example(name="*!")
+@example(name="no text: \udcff")
 def test_a_name_is_no_code(target: str, name: str) -> None:
     assert code(machine(name), target) == code(plain(), target)

@@ -12,8 +12,8 @@ class BrokenOff(Error, code="EZS240", name="check-broken-off"):
     """A check without a whole report."""
 
     title = "the check was broken off here: {reason}"
-    note = "what was found before is shown; what comes after it is not checked"
-    help = "find what this file, or a module that it imports, does when it is run; then check again"
+    note = "findings up to this point are shown; the rest is not checked"
+    help = "look for code here, or in an imported module, that ends or blocks the process"
     reason: str
 
 
@@ -22,7 +22,7 @@ class CheckerChanged(Error, code="EZS241", name="checker-changed"):
     """Users' code that changes the modules of the checker."""
 
     title = "the checked code changed the checker: `{part}` is not what it was"
-    note = "a finding may be missing, so that this check says nothing of these files"
+    note = "findings may be missing, so the result of this check does not count"
     help = "leave the modules of `ezskiros` and of Python as they are"
     part: str
 

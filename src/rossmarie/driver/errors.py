@@ -105,8 +105,8 @@ class NotARulesFile(Error, code="ROSS809", name="not-a-rules-file"):
 
     title = "`{path}` is no rules file: its name does not end in .ross"
     label = "it is not read"
-    note = "whoever writes an import may not be one who may see every file: nothing of it is shown"
-    help = "name a .ross file; a link has to lead to one"
+    note = "the author of an import may lack the right to read the file, so no text of it is shown"
+    help = "name a file that ends in .ross; a link must lead to such a file"
     path: str
 
 

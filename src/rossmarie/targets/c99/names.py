@@ -96,9 +96,9 @@ def place(span: Span) -> str:
 
 
 def string(text: str) -> str:
-    """The text as a string literal, in UTF-8."""
+    """The text as a string literal, in UTF-8. Bytes of a file name that are no text are escaped."""
     escaped = []
-    for byte in text.encode("utf-8"):
+    for byte in text.encode("utf-8", "backslashreplace"):
         letter = chr(byte)
         is_plain = 32 <= byte < 127 and letter not in '"\\?'
         escaped.append(letter if is_plain else f"\\{byte:03o}")
