@@ -97,18 +97,17 @@ def test_the_node_is_loaded_into_a_container(
 
 
 @pytest.mark.builds(by=needs)
+@pytest.mark.usefixtures("programs")
 @pytest.mark.parametrize("is_running", [False, True])
 def test_a_planner_in_a_container_is_behind_the_filter(
     ros2: Ros2,
     robot: Robot,
     started: list[Process],
     container: str,
-    programs: Sequence[Path],
     tmp_path: Path,
     is_running: bool,
 ) -> None:
     """Whether the launch file starts the container or loads the planner into one that runs."""
-    assert programs
     robot.set(speed=None)
     planner = COMPONENTS.replace("LOADED", repr(is_running)).replace("/ComponentManager", container)
     launch = ros2.launch_behind(planner, tmp_path, settings(tmp_path))
