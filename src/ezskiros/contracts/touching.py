@@ -78,16 +78,18 @@ class Touching:
             return False
         if not made.is_true and not fact.is_true:
             return False
-        if made.is_true and not fact.is_true:
-            return any(self._meets(new, fact) for new in self._following(made))
         supports = self._supports(fact)
+        if made.is_true and not fact.is_true:
+            denied = supports or (Fact(fact.subject, fact.relation, fact.object),)
+            return any(self._meets(new, old) for new in self._following(made) for old in denied)
+        held = [old for each in supports for old in self._closed(each)]
         if self._is_chained(fact):
-            links = {each.relation for each in supports}
+            links = {each.relation for each in held}
             return any(each.relation in links for each in self._breaking(made))
         if made.is_true:
-            held = [old for each in supports for old in self._closed(each)]
             return any(self._excludes(new, old) for new in self._following(made) for old in held)
-        return any(self._meets(old, made) for each in supports for old in self._closed(each))
+        ended = Fact(made.subject, made.relation, made.object)
+        return any(self._meets(old, ended) for old in held)
 
     def _supports(self, said: Relation) -> tuple[Fact, ...]:
         """The relations by one of which it may be that another one holds."""
@@ -132,7 +134,7 @@ class Touching:
             self._known_closed[fact] = entailed([Relation(*fact)], self._model)
         return self._known_closed[fact]
 
-    def _meets(self, fact: Fact, denied: Relation) -> bool:
+    def _meets(self, fact: Fact, denied: Fact) -> bool:
         """Whether one may be what the other denies, or a step of a chain that leads to it."""
         if fact.relation != denied.relation:
             return False

@@ -249,12 +249,13 @@ class Walk:
         outcomes = []
         for index, node in enumerate(below):
             others = (*below[:index], *below[index + 1 :])
-            own_place = self._with_others(others, known, place)
+            beside = self._beside(others, known)
+            own_place = self._with_others(beside, place)
             # in a race all else may never start: another child may be done before
             is_certain = not is_race or (index == 0 and isinstance(node, SkillCall))
             own_place = replace(own_place, is_fatal=place.is_fatal and is_certain)
-            before = own_place.at_next_tick(known, is_told=False)
-            outcome = self.through(node, before, own_place)
+            # All begin in the tick in which the parallel does: nothing is started again before.
+            outcome = self.through(node, beside(known), own_place)
             if len(below) > 1 and not is_race and place.is_told:
                 again = "SkiROS2 starts it again in each tick until the others are done"
                 self._restart([node], outcome.success, again)
@@ -274,14 +275,17 @@ class Walk:
             )
         return Outcome(merged, (merged,), (stopped,))
 
-    def _with_others(self, others: Sequence[Node], known: Known, place: Place) -> Place:
-        """Where others run at the same time."""
+    def _beside(self, others: Sequence[Node], known: Known) -> Callable[[Known], Known]:
+        """What becomes of what is known by others that run at the same time."""
         changes = [each for node in others for each in self._changes(node, known, How.BESIDE)]
         names = {name for node in others for name in self._found(node, known)}
+        return lambda known: failed(known, changes, self.judge).perhaps_binding(names)
+
+    def _with_others(self, beside: Callable[[Known], Known], place: Place) -> Place:
+        """Where others run at the same time."""
 
         def tick(known: Known, is_told: bool) -> Known:
-            known = place.at_next_tick(known, is_told=is_told)
-            return failed(known, changes, self.judge).perhaps_binding(names)
+            return beside(place.at_next_tick(known, is_told=is_told))
 
         return replace(place, tick=tick)
 

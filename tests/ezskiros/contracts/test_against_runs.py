@@ -46,6 +46,9 @@ class compound(SkillImplementation):  # noqa: N801 - as implementations are call
 @example(156227934)
 @example(266052121)
 @example(1664858960)
+@example(2841322)
+@example(953780892)
+@example(2671807873)
 def test_findings_are_what_runs_show(seed: int) -> None:
     check(seed)
 
