@@ -11,20 +11,21 @@ _BLOCK = 4096
 _ERRORS = "backslashreplace"
 
 
-def write_whole(path: Path, text: str) -> None:
-    """Write a file in UTF-8 so that, whatever happens, it holds either all of `text` or what it
-    held before. Its permissions stay. A file name in it that is no text is written with escapes.
-    Raises `OSError`.
+def write_whole(path: Path, content: str | bytes) -> None:
+    """Write a file so that, whatever happens, it holds either all of `content` or what it held
+    before. Its permissions stay. Text is written in UTF-8; a file name in it that is no text is
+    written with escapes. Raises `OSError`.
     """
+    written = content.encode(errors=_ERRORS) if isinstance(content, str) else content
     target = Path(os.path.realpath(path))  # a link stays one
     if _is_stream(target):
-        target.write_text(text, encoding="utf-8", errors=_ERRORS, newline="")
+        target.write_bytes(written)
         return
     is_there = target.exists()
     temporary = _begin(target)
     try:
-        with temporary.open("w", encoding="utf-8", errors=_ERRORS, newline="") as stream:
-            stream.write(text)
+        with temporary.open("wb") as stream:
+            stream.write(written)
             stream.flush()
             os.fsync(stream.fileno())  # some file systems notice only now that they are full
         if is_there:

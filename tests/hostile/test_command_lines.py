@@ -5,6 +5,7 @@ its first instant on, streams that take no text or none at all, outputs that can
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -20,8 +21,10 @@ from support import command_line
 from support.command_line import TIME_LIMIT_S
 from support.parts import FULL_DEVICE, MOUNTS, MUJOCO, PROC, needs
 from support.provers import is_running, wait_for
+from support.skills import ONTOLOGY
 
 PICK_PLACE = Path(__file__).parents[2] / "examples" / "pick_place"
+PARTS = ONTOLOGY.parent / "contract_parts.py"
 PROGRAMS = ("ezskiros", "heron", "rossmarie")
 RULES = """action stop;
 input on = topic /on : std_msgs/Bool timeout 1 sec
@@ -292,6 +295,60 @@ def test_a_full_device_is_known_before_and_a_device_that_may_not_be_written(tmp_
     assert done.stdout == "all\n"
     done = shell(f"mount -t tmpfs -o ro none small; {words}; umount small", tmp_path)
     assert done.stderr == "rossmarie: cannot write small/a.svg: read-only file system\n"
+
+
+LONG = "# " + "long " * 2000 + "\n"
+SKILLS = """\
+from contract_parts import Grab, cora, rparts, skiros
+from ezskiros import SkillDescription
+
+
+class Fetch(SkillDescription):
+    def description(self, Robot: cora.Robot, Gripper: rparts.GripperEffector,
+                    Object: skiros.Product, From: skiros.Location):
+        self.pre_conditions += Robot.at(From)
+
+
+class fetch(Fetch.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Grab())
+"""
+OLD = """\
+from skiros2_skill.core.skill import SkillDescription
+from skiros2_common.core.params import ParamTypes
+
+
+class Wait(SkillDescription):
+    def createDescription(self):
+        self.addParam("Duration", 0.0, ParamTypes.Required)
+"""
+REPLACED = [
+    ("rossmarie", ("fmt", "FILE"), LONG.replace("#", "//") + "action   stop;\n"),
+    ("ezskiros", ("migrate", "--write", "FILE"), LONG + OLD),
+    ("ezskiros", ("check", "--fix", "FILE", "--ontology", str(ONTOLOGY)), LONG + SKILLS),
+]
+
+
+@pytest.mark.parametrize(("program", "words", "text"), REPLACED)
+def test_a_file_that_cannot_be_written_to_its_end_stays_as_it_was(
+    program: str, words: tuple[str, ...], text: str, tmp_path: Path
+) -> None:
+    """Files may have 8 KiB, as if a device were full then."""
+    file = tmp_path / ("rules.ross" if program == "rossmarie" else "skills.py")
+    shutil.copy(PARTS, tmp_path)
+    file.write_text(text)
+    command = [path_of(program), *(each.replace("FILE", file.name) for each in words)]
+    done = subprocess.run(
+        ["sh", "-c", 'ulimit -f 16; exec "$@"', "sh", *command],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert file.read_text() == text
+    assert done.returncode == 2
+    assert f"cannot write {file.name}: file too large" in done.stderr
+    subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
+    assert file.read_text() != text
 
 
 # --- names -----------------------------------------------------------------------------------

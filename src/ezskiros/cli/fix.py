@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import typer
 
+from dslkit.writing import write_whole
 from ezskiros.cli.checking import asked
 from ezskiros.cli.output import output
 
@@ -29,9 +30,12 @@ def fix(paths: Sequence[Path]) -> None:
     """Repair what pre-conditions repair, and say so; ends the run if a file cannot be written."""
     from ezskiros.driver import missing_conditions
 
-    repairs, _ = asked(lambda collector: _repairs(missing_conditions(paths, collector)))
-    for path, skill, conditions in repairs:
-        _write(Repair(Path(path), skill, conditions))
+    found, _ = asked(lambda collector: _repairs(missing_conditions(paths, collector)))
+    repairs = [Repair(Path(path), skill, conditions) for path, skill, conditions in found]
+    for repair in repairs:
+        output.try_file(repair.path)
+    for repair in repairs:
+        _write(repair)
 
 
 def _repairs(missing: Sequence[Missing]) -> list[tuple[str, str, list[str]]]:
@@ -53,7 +57,7 @@ def _write(repair: Repair) -> None:
         if changed is None:
             typer.echo(f"{repair.path}: `{repair.skill}` has to be completed by hand:", err=True)
         else:
-            repair.path.write_bytes(changed.encode(encoding))
+            write_whole(repair.path, changed.encode(encoding))
             typer.echo(f"{repair.path}: added to `{repair.skill}`:", err=True)
     except (OSError, UnicodeError, SyntaxError) as problem:
         reason = getattr(problem, "strerror", None) or "it is no text of Python"

@@ -7,6 +7,7 @@ itself was called wrongly or a file could not be read, 70 a defect of this tool.
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -130,6 +131,8 @@ def migrate(
     if not is_module(world):
         output.fail(f"`{world}` is no module of Python, such as `.world`", exit_code=2)
     found = migrate_paths(paths, world, _ambiguous(ontology))
+    if write:
+        _write([file for file in found.files if file.is_changed])
     if diff:
         for file in found.files:
             typer.echo(file.diff(), nl=False)
@@ -137,9 +140,6 @@ def migrate(
     else:
         output.print_findings(found.diagnostics)
         typer.echo(found.summary(is_written=write))
-    for file in found.files:
-        if write and file.is_changed:
-            _write(file)
     raise typer.Exit(output.exit_code(found.diagnostics))
 
 
@@ -159,10 +159,13 @@ def _ambiguous(ontology: list[Path] | None) -> frozenset[str]:
     return names
 
 
-def _write(file: MigratedFile) -> None:
-    """Write what has become of a file; ends the run if that fails."""
-    with output.writing(file.path):
-        file.write()
+def _write(files: Sequence[MigratedFile]) -> None:
+    """Write what has become of files; ends the run if that fails."""
+    for file in files:
+        output.try_file(file.path)
+    for file in files:
+        with output.writing(file.path):
+            file.write()
 
 
 @app.command()

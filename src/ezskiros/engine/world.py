@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pyoxigraph
 
+from dslkit.writing import write_whole
 from ezskiros.engine.literals import value_of
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import RDF, RDFS, XSD, split
@@ -50,7 +51,7 @@ class World:
             format=pyoxigraph.RdfFormat.TURTLE,
             prefixes={**self._model.names, "rdfs": RDFS, "xsd": XSD},
         )
-        path.write_bytes(text or b"")
+        write_whole(path, text or b"")
 
     # --- questions --------------------------------------------------------------------------------
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile, Span, is_file, is_folder
 from dslkit.source.python_file import read_python
+from dslkit.writing import write_whole
 from ezskiros.migrate import errors
 from ezskiros.migrate.module import Migrated, migrate_text
 from ezskiros.migrate.modules import imported_files, reaches
@@ -51,7 +52,7 @@ class MigratedFile:
 
     def write(self) -> None:
         """Put the new text into the file. Raises `OSError`."""
-        self.path.write_bytes(self.migrated.text.encode(self.encoding))
+        write_whole(self.path, self.migrated.text.encode(self.encoding))
 
 
 @dataclass(frozen=True)
