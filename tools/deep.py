@@ -1,8 +1,9 @@
 """Runs what is too slow for each run of the tests, says how long it took, and writes the page.
 
 All parts run, also after one that failed; the exit code is 1 if one did. Beside the figures the
-page has a digest of the sources whose changes ask for a deep run: with `--remind` nothing runs, and
-a line says whether these sources have changed since.
+page has a digest of the sources whose changes ask for a deep run. A part that the page says has
+passed on these sources is not run again: remove the page to run all. With `--remind` nothing runs,
+and a line says whether a run is due.
 """
 
 from __future__ import annotations
@@ -25,7 +26,11 @@ PAGE = ROOT / "docs" / "reference" / "deep-tests.md"
 SOURCES = ("interpreter", "ir", "lowering", "native", "targets", "verification")
 """The generator, the semantics and the nodes, in `src/rossmarie`."""
 
-_DIGEST = re.compile(r"^Digest of the sources: `(\w+)`", re.MULTILINE)
+_DIGEST = re.compile(r"Digest of the sources:\s`(\w+)`")
+_ROW = re.compile(
+    r"^\| (?P<about>.+) \| passed \| (?P<day>\S+) \| (?P<minutes>[\d.]+) \|$", re.MULTILINE
+)
+_COMMAND = "    $ "
 _PROGRESS = re.compile(r"[.sxXFE]* *\[ *\d+%\]")
 
 
@@ -40,11 +45,12 @@ class Part:
 
 @dataclass(frozen=True)
 class Result:
-    """How a part ended."""
+    """How a part ended; `day` is of the form 2026-01-31."""
 
     part: Part
     code: int
-    seconds: float
+    day: str
+    minutes: float
     lines: Sequence[str]
 
 
@@ -89,8 +95,9 @@ def ran(part: Part) -> Result:
             sys.stdout.flush()
             if not _PROGRESS.fullmatch(line.strip()):
                 lines.append(line.rstrip())
-    seconds = time.monotonic() - begin
-    return Result(part, running.returncode, seconds, lines[-part.kept :] if part.kept else ())
+    minutes = (time.monotonic() - begin) / 60
+    kept = lines[-part.kept :] if part.kept else ()
+    return Result(part, running.returncode, date.today().isoformat(), minutes, kept)
 
 
 def shown(command: Sequence[str]) -> str:
@@ -118,28 +125,45 @@ def page(results: Sequence[Result]) -> Iterator[str]:
     """The lines of the page."""
     yield "# Deep tests"
     yield ""
-    yield "Written by `make deep`; do not edit. Parts that are too slow for `make test`, run on"
-    yield f"{date.today().isoformat()} with {os.cpu_count()} processors."
-    yield f"Digest of the sources: `{digest()}`."
+    yield "Written by `make deep`; do not edit. Parts that are too slow for `make test`, run with"
+    yield f"{os.cpu_count()} processors. Digest of the sources:"
+    yield f"`{digest()}`."
     yield ""
-    yield "| Part | Outcome | Minutes |"
-    yield "|---|---|---|"
+    yield "| Part | Outcome | Day | Minutes |"
+    yield "|---|---|---|---|"
     for result in results:
-        yield f"| {result.part.about} | {outcome(result)} | {result.seconds / 60:.1f} |"
-    yield f"| All | | {sum(result.seconds for result in results) / 60:.1f} |"
+        told = f"{outcome(result)} | {result.day} | {result.minutes:.1f}"
+        yield f"| {result.part.about} | {told} |"
+    yield f"| All | | | {sum(result.minutes for result in results):.1f} |"
     for result in results:
         if result.lines:
             yield ""
-            yield f"    $ {shown(result.part.command)}"
+            yield f"{_COMMAND}{shown(result.part.command)}"
             yield from (f"    {line}".rstrip() for line in result.lines)
 
 
-def reminder() -> str:
-    """Whether the sources are those of the last deep run."""
-    found = _DIGEST.search(PAGE.read_text(encoding="utf-8")) if PAGE.is_file() else None
-    if found and found.group(1) == digest():
-        return "make deep: has run on this generator and these nodes"
-    return "make deep: is due, as the generator or the nodes have changed since it ran"
+def passed(wanted: Sequence[Part]) -> dict[Part, Result]:
+    """The parts that the page says have passed on these sources."""
+    text = PAGE.read_text(encoding="utf-8") if PAGE.is_file() else ""
+    written = _DIGEST.search(text)
+    if not written or written.group(1) != digest():
+        return {}
+    rows = {row["about"]: row for row in _ROW.finditer(text)}
+    blocks = dict(block.split("\n", 1) for block in text.split(_COMMAND)[1:])
+    found = {}
+    for part in wanted:
+        if row := rows.get(part.about):
+            block = blocks.get(shown(part.command), "").rstrip().split("\n")
+            lines = tuple(line.removeprefix("    ") for line in block if block != [""])
+            found[part] = Result(part, 0, row["day"], float(row["minutes"]), lines)
+    return found
+
+
+def reminder(wanted: Sequence[Part]) -> str:
+    """Whether all parts have passed on these sources."""
+    if len(passed(wanted)) == len(wanted):
+        return "make deep: has passed on this generator and these nodes"
+    return "make deep: is due, it has not passed on this generator and these nodes"
 
 
 def main() -> int:
@@ -149,18 +173,22 @@ def main() -> int:
     parser.add_argument("--soak", type=int, default=600, metavar="SECONDS")
     parser.add_argument("--fuzz", type=int, default=60, metavar="SECONDS")
     arguments = parser.parse_args()
+    wanted = parts(arguments.soak, arguments.fuzz)
     if arguments.remind:
-        sys.stdout.write(f"{reminder()}\n")
+        sys.stdout.write(f"{reminder(wanted)}\n")
         return 0
-    results = [ran(part) for part in parts(arguments.soak, arguments.fuzz)]
+    results = passed(wanted)
+    for part in wanted:
+        if part not in results:
+            results[part] = ran(part)
+            # After each part: a run that is interrupted goes on where it was.
+            ended = [results[each] for each in wanted if each in results]
+            PAGE.write_text("\n".join(page(ended)) + "\n", encoding="utf-8")
     sys.stdout.write("\n")
-    for result in results:
-        told = (
-            f"{result.seconds / 60:6.1f} min  {outcome(result):<24}  {shown(result.part.command)}"
-        )
+    for result in results.values():
+        told = f"{result.minutes:6.1f} min  {outcome(result):<24}  {shown(result.part.command)}"
         sys.stdout.write(f"{told}\n")
-    PAGE.write_text("\n".join(page(results)) + "\n", encoding="utf-8")
-    return int(any(result.code for result in results))
+    return int(any(result.code for result in results.values()))
 
 
 if __name__ == "__main__":
