@@ -99,8 +99,11 @@ def test_commands_are_of_another_type(
 
 
 def test_time_jumps_back(robot: Robot, start: Start) -> None:
-    robot.set(clock=1000.0, pitch=15.0)
+    robot.set(clock=1000.0)
     start(use_sim_time=True)
+    robot.passes(1.0)
+    robot.hears_verdicts()
+    robot.set(pitch=15.0)
     robot.passes(0.2)
     robot.ask(forget="/cmd_vel")
     robot.set(clock=500.0)

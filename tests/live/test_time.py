@@ -37,6 +37,7 @@ def test_a_jump_forward_is_told(robot: Robot, start: Start) -> None:
     robot.set(clock=1000.0)
     start(use_sim_time=True)
     robot.passes(1.0)
+    robot.hears_verdicts()
     robot.set(clock=2000.0)
     until(lambda: bool(jumps(robot)), "a verdict tells")
     (told,) = jumps(robot)
@@ -48,6 +49,7 @@ def test_a_jump_forward_is_told(robot: Robot, start: Start) -> None:
 def test_time_that_runs_evenly_does_not_jump(robot: Robot, start: Start) -> None:
     start()
     robot.passes(1.0)
+    robot.hears_verdicts()
     robot.stays_at(1.0)
     assert jumps(robot) == []
 

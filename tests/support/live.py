@@ -8,6 +8,7 @@ import signal
 import subprocess
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import IO, Any, Protocol, TypeAlias
 
@@ -97,8 +98,9 @@ class Process:
         return self._log.read().decode("utf-8", "replace")
 
     def end(self, how: int = signal.SIGKILL) -> None:
-        """End it, and wait until it is gone."""
-        if self.running.poll() is None:
+        """End it and what it has started, and wait until it is gone."""
+        self.running.poll()
+        with suppress(ProcessLookupError):  # its group outlives a program that has ended
             os.killpg(self.running.pid, how)
         self.running.communicate(timeout=LIMIT)
         self._log.close()
@@ -192,6 +194,16 @@ class Robot(Ears):
 
     def call(self, service: str, **arguments: object) -> Any:
         return self.ask(call=service, **{"with": arguments})
+
+    def hears_verdicts(self) -> None:
+        """Wait until it hears how a rule changes; it stands level then. Verdicts are not kept for
+        those who are connected late.
+        """
+        while not self.heard("/vehicle_safety/verdicts"):
+            self.set(pitch=15.0)
+            self.passes(0.2)
+            self.set(pitch=0.0)
+            self.passes(1.0)
 
     def state(self) -> Any:
         """The last state that was told; empty before the first."""

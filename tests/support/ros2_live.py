@@ -132,9 +132,12 @@ class Ros2:
 
     def node_process(self) -> int | None:
         """The process of the node of the vehicle, None if there is none."""
+        own = f"ROS_DOMAIN_ID={self.variables['ROS_DOMAIN_ID']}".encode()
         for process in Path("/proc").glob("[0-9]*"):
             with suppress(OSError):
-                if (process / "exe").resolve() == self.vehicle.resolve():
+                # Robots of other domains run the same program.
+                is_node = (process / "exe").resolve() == self.vehicle.resolve()
+                if is_node and own in (process / "environ").read_bytes().split(b"\0"):
                     return int(process.name)
         return None
 
