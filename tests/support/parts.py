@@ -139,6 +139,17 @@ def _nav2() -> str | None:
     return missing() or (None if is_installed("nav2_lifecycle_manager") else lacking)
 
 
+def _sros2() -> str | None:
+    from support.ros2_build import has_security, is_installed
+    from support.ros2_live import missing
+
+    if reason := missing():
+        return reason
+    if not is_installed("sros2"):
+        return "not installed: sros2"
+    return None if has_security() else "the middleware was built without security"
+
+
 def _behavior_tree_cpp() -> str | None:
     from support.btcpp import missing
 
@@ -205,6 +216,7 @@ NAV2 = Part(
     _nav2,
     "apt-get install ros-$ROS_DISTRO-nav2-lifecycle-manager",
 )
+SROS2 = Part("SROS2", _sros2, "apt-get install ros-$ROS_DISTRO-sros2")
 CHROMIUM = Part("Chromium", _browser, "make browser")
 DISPLAY = Part("a display", partial(_program, "Xvfb"), "make display")
 EGL = Part("EGL", _egl, "make drawing")
@@ -230,7 +242,7 @@ PROC = Part("/proc", partial(_file, Path("/proc/self/task")), "run the tests on 
 FULL_DEVICE = Part("/dev/full", partial(_file, Path("/dev/full")), "run the tests on Linux")
 
 PARTS = (
-    *(C_COMPILER, GCC, GXX, CLANG, NM, SECCOMP, PROVER, ROS1, ROS2, AMENT_LINT, NAV2),
+    *(C_COMPILER, GCC, GXX, CLANG, NM, SECCOMP, PROVER, ROS1, ROS2, AMENT_LINT, NAV2, SROS2),
     *(CHROMIUM, DISPLAY, EGL),
     *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP, PEERS),
     *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, X86, PROC, FULL_DEVICE),

@@ -30,6 +30,14 @@ def folder_of(package: str) -> Path:
     return prefix / "lib" / package
 
 
+def has_security() -> bool:
+    """Whether the DDS of ROS, as it is sourced, can control access; that of Fast DDS always can."""
+    if "cyclonedds" not in os.environ.get("RMW_IMPLEMENTATION", ""):
+        return True
+    prefixes = map(Path, os.environ["AMENT_PREFIX_PATH"].split(":"))
+    return any(next(each.glob("lib/**/libdds_security_ac.so"), None) for each in prefixes)
+
+
 def _prefix(package: str) -> Path | None:
     """Where a package is installed."""
     prefixes = map(Path, os.environ["AMENT_PREFIX_PATH"].split(":"))

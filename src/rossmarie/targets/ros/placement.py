@@ -13,14 +13,24 @@ _MAIL = "nobody@example.org"
 
 
 def blanks(machine: ir.Machine, placement: Placement) -> dict[str, str]:
-    """The package with the messages, launch file and settings of the node, and their names there.
+    """The package with the messages, launch file, settings and policy of the node, and their names.
 
     Several nodes may be parts of one package, so there their files are called like the node.
     """
     node = names.package(machine)
     if placement.part_of is None:
-        return {"home": node, "executable": "safety_node", "settings": "parameters.yaml"}
-    return {"home": placement.part_of, "executable": node, "settings": f"{node}.yaml"}
+        return {
+            "home": node,
+            "executable": "safety_node",
+            "settings": "parameters.yaml",
+            "policy": "policy.xml",
+        }
+    return {
+        "home": placement.part_of,
+        "executable": node,
+        "settings": f"{node}.yaml",
+        "policy": f"{node}.xml",
+    }
 
 
 def manifest_fields(manifest: Manifest, files: str) -> dict[str, str]:

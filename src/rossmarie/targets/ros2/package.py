@@ -9,6 +9,7 @@ from rossmarie import ir
 from rossmarie.targets.manifest import Placement
 from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.package import PackageWriter
+from rossmarie.targets.ros2 import security
 from rossmarie.targets.ros2.dialect import ROS2
 
 _NODE = ("src/node.cpp", "src/parameters.h", "src/subscription.h")
@@ -41,6 +42,7 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
         f"launch/{package}.launch.py": writer.fill(
             "launch/safety.launch.py", remaps="\n".join(remaps)
         ),
+        "security/policy.xml": security.policy(machine),
         **{path: writer.fill(path) for path in _NODE},
         **writer.shared_files(),
     }
