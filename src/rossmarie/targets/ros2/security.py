@@ -131,6 +131,7 @@ def _asked(effects: Sequence[reactions.Effect]) -> Iterator[str]:
                 yield f"{node}/get_parameters"
                 yield f"{node}/set_parameters"
             case reactions.SwitchControllers(manager=manager):
+                yield f"{manager}/list_controllers"
                 yield f"{manager}/switch_controller"
             case _:
                 pass
