@@ -15,6 +15,7 @@ from ezskiros.engine.events import Reason
 from ezskiros.engine.grounding import Names
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
+from ezskiros.engine.user_code import kept_alive
 from ezskiros.skills.nodes import SkillCall
 
 PERIOD = 0.04
@@ -70,16 +71,17 @@ def run(
     clock = task.setting.clock
     start = clock()
     status, reason = Status.RUNNING, None
-    while status is Status.RUNNING:
-        if stopped := why_stop():
-            reason = Reason(0, stopped)
-            task.preempt()
-            break
-        due = clock() + period
-        status = task.tick()
-        after_tick()
-        if status is Status.RUNNING:
-            wait(max(0.0, due - clock()))
+    with kept_alive():
+        while status is Status.RUNNING:
+            if stopped := why_stop():
+                reason = Reason(0, stopped)
+                task.preempt()
+                break
+            due = clock() + period
+            status = task.tick()
+            after_tick()
+            if status is Status.RUNNING:
+                wait(max(0.0, due - clock()))
     if status is Status.FAILURE:
         reason = task.setting.last_failure
     return Outcome(status is Status.SUCCESS, task.ticks, clock() - start, reason)

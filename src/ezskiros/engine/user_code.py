@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from types import FunctionType
-from typing import Any
+from typing import Any, NoReturn
 
 from py_trees.common import Status
 
@@ -18,6 +20,29 @@ STATUS = {
     State.FAILURE: Status.FAILURE,
     State.RUNNING: Status.RUNNING,
 }
+
+
+class ProcessEndError(SystemExit):
+    """A method was about to end the process of the run."""
+
+
+@contextmanager
+def kept_alive() -> Iterator[None]:
+    """Within, `os._exit` raises `ProcessEndError`: the run would end without a result, and perhaps
+    with exit code 0. Processes that are forked from this one end as they like.
+    """
+    process, before = os.getpid(), os._exit
+
+    def end(status: int) -> NoReturn:
+        if os.getpid() == process:
+            raise ProcessEndError(f"os._exit({status})")
+        before(status)
+
+    os._exit = end
+    try:
+        yield
+    finally:
+        os._exit = before
 
 
 def execute(instance: SkillImplementation) -> Status | Reason:

@@ -124,6 +124,11 @@ def test_a_post_condition_that_does_not_hold(tmp_path: Path) -> None:
         ("def execute(self):\n    return 1 / self.zero()\ndef zero(self):\n    return 0",
          "`execute` raised ZeroDivisionError: division by zero (skills.py:"),
         ("def execute(self):\n    raise SystemExit(3)", "`execute` raised SystemExit: 3 ("),
+        ("def execute(self):\n    import os\n    os._exit(0)\n    return self.success()",
+         "`execute` raised ProcessEndError: os._exit(0) (skills.py:"),
+        ("def execute(self):\n    import os\n    if os.fork():\n        os._exit(0)\n"
+         "    os._exit(1)\n    return self.success()",
+         "`execute` raised ProcessEndError: os._exit(0) (skills.py:"),
         ("def execute(self):\n    return bool([1])",
          "`execute` returned True, not what self.success, self.step or self.fail give ("),
         ("def execute(self):\n    x = []\n    return x.append(1)", "`execute` returned nothing"),
