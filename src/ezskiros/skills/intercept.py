@@ -13,12 +13,14 @@ import gc
 import importlib.abc
 import importlib.machinery
 import operator
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from inspect import signature
 from pathlib import Path
+from traceback import walk_tb
 from types import CodeType, FunctionType, ModuleType
 
 from ezskiros import session
-from ezskiros.skills import guard
+from ezskiros.skills import guard, values
 from ezskiros.skills.blame import user_place
 from ezskiros.skills.mocks import mock_of
 from ezskiros.skills.values import Symbol
@@ -26,6 +28,7 @@ from ezskiros.skills.values import Symbol
 _CALLED, _GOT, _TAKEN = "__ezskiros_called__", "__ezskiros_got__", "__ezskiros_taken__"
 _AS_WRITTEN = frozenset(("super", "locals", "globals", "vars", "dir", "eval", "exec"))
 """What looks at the frame that calls it."""
+_OF_SYMBOLS = frozenset((__file__, values.__file__))
 _intercepted: set[str] = set()
 
 
@@ -42,9 +45,9 @@ def called(function: Callable[..., object], /, *arguments: object, **named: obje
         found = function(*arguments, **named)
     except (Exception, guard.SideEffectError) as problem:
         if len(current.stopped) == count:
-            for each in (*arguments, *named.values()):
-                if isinstance(each, Symbol) and user_place(problem) is None:
-                    return each.__derived__()
+            symbol = next((x for x in (*arguments, *named.values()) if isinstance(x, Symbol)), None)
+            if symbol is not None and not _is_wrong(function, arguments, named, problem):
+                return symbol.__derived__()
             raise
     else:
         if len(current.stopped) == count:
@@ -53,6 +56,37 @@ def called(function: Callable[..., object], /, *arguments: object, **named: obje
     if not isinstance(owner, (ModuleType, type(None))):
         current.half_done.append(owner)
     return mock_of(function, _source())
+
+
+def _is_wrong(
+    function: Callable[..., object],
+    arguments: Sequence[object],
+    named: Mapping[str, object],
+    problem: BaseException,
+) -> bool:
+    """Whether a call that failed would fail with any value in the place of a symbol: the user's
+    code raised, or ours, which can do with symbols, or the arguments are not those of the function.
+    """
+    if user_place(problem) is not None or _is_ours(function) or _comes_from_ours(problem):
+        return True
+    try:
+        signature(function).bind(*arguments, **named)
+    except TypeError:
+        return True
+    except ValueError:  # a built-in function that does not say what its arguments are
+        return False
+    return False
+
+
+def _is_ours(function: object) -> bool:
+    code = getattr(getattr(function, "__func__", function), "__code__", None)
+    return code is not None and code.co_filename.startswith(session.OURS)
+
+
+def _comes_from_ours(problem: BaseException) -> bool:
+    """Whether it went through our code; symbols themselves raise where they cannot be a value."""
+    frames = (frame.f_code.co_filename for frame, _ in walk_tb(problem.__traceback__))
+    return any(path.startswith(session.OURS) and path not in _OF_SYMBOLS for path in frames)
 
 
 def got(owner: object, name: str) -> object:

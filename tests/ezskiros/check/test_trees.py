@@ -59,6 +59,17 @@ WRONG = [
     ("if params.Speed > 1:\n    Grip()", "EZS507", "def expandBT(self, params):"),
     ("open('x')\nGrip()", "EZS221", "open('x')"),
     ("raise ValueError('no')", "EZS220", "raise ValueError('no')"),
+    (
+        "self.timeout(Grip(), duration=params.Force)",
+        "EZS220",
+        "self.timeout(Grip(), duration=params.Force)",
+    ),
+    ("self.retry(Grip(), delay=params.Speed)", "EZS220", "self.retry(Grip(), delay=params.Speed)"),
+    (
+        "self.serialstar(Grip(), Force=params.Force)",
+        "EZS220",
+        "self.serialstar(Grip(), Force=params.Force)",
+    ),
     ("Drive(Target=params.Place, Start=params.Place)", "EZS529", "params.Place"),
     ("self.selector(self.nofail(Grip()), Watch())", "EZS544", "Watch()"),
     ("self.serialstar(Watch(), Grip())", "EZS544", "Grip()"),

@@ -148,6 +148,15 @@ def test_functions_that_cannot_do_with_a_symbol_give_one() -> None:
     assert found(described(body, parameters)) == [TYPO]
 
 
+@pytest.mark.parametrize("call", ["math.sqrt(Speed, Speed)", "textwrap.dedent(Speed, Speed)"])
+def test_a_call_that_is_wrong_with_any_value_is_told(call: str) -> None:
+    body = f"""
+    import math, textwrap
+    {call}
+    """
+    assert found(described(body, "Speed: float")) == [("EZS220", call)]
+
+
 def test_a_function_of_the_user_that_raises_is_told() -> None:
     text = (
         f"{HEADER}\ndef wanted(speed):\n    open('x')\n    raise ValueError(f'never {{speed}}')\n"
