@@ -11,6 +11,7 @@ from ezskiros import session
 from ezskiros.check.calls import check_calls
 from ezskiros.check.dataflow import check_dataflow
 from ezskiros.check.outcomes import Outcomes
+from ezskiros.check.parameters import check_parameters
 from ezskiros.check.protocol import check_protocol
 from ezskiros.check.reach import check_reach
 from ezskiros.check.sharing import check_sharing
@@ -42,6 +43,8 @@ def check_implementations(
         for diagnostic in check_protocol(implementation):
             session.report(diagnostic)
         skill = _implemented(implementation, library)
+        for diagnostic in check_parameters(implementation, skill) if skill else ():
+            session.report(diagnostic)
         for tree in expand(implementation, skill, known.get(skill.name, {})) if skill else ():
             found.append(tree)
             for check in CHECKS:

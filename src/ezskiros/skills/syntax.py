@@ -87,6 +87,8 @@ class _Written:
     """By the names of classes: all names that stand behind a dot in them."""
     parameters_set: dict[str, frozenset[str]] = field(default_factory=dict)
     """By the names of classes: which parameters they give a value."""
+    parameters_used: dict[str, list[tuple[str, Span]]] = field(default_factory=dict)
+    """By the names of classes: which parameters they read or give a value, and where."""
     functions: dict[int, tuple[int, ast.arguments]] = field(default_factory=dict)
     """By the first line, decorators included: the line of `def`, and the parameters."""
 
@@ -106,6 +108,8 @@ def _written(file: SourceFile) -> _Written:
             dotted = [each for each in ast.walk(node) if isinstance(each, ast.Attribute)]
             found.attributes[node.name] = frozenset(each.attr for each in dotted)
             found.parameters_set[node.name] = frozenset(_parameters_set(node))
+            used = list(_parameters_used(file, node))
+            found.parameters_used.setdefault(node.name, used)
             if node in outer:
                 found.outer_classes.append((node.name, span))
         elif isinstance(node, ast.FunctionDef):
@@ -129,6 +133,25 @@ def set_in(owner: type) -> frozenset[str]:
     """
     file = source_file(file_of(owner))
     return _written(file).parameters_set.get(owner.__name__, frozenset()) if file else frozenset()
+
+
+def used_in(owner: type) -> list[tuple[str, Span]]:
+    """The parameters that the methods of a class that users wrote are about, `self.params.Force`,
+    and where. `expandBT` has others.
+    """
+    file = source_file(file_of(owner))
+    return _written(file).parameters_used.get(owner.__name__, []) if file else []
+
+
+def _parameters_used(file: SourceFile, owner: ast.ClassDef) -> Iterator[tuple[str, Span]]:
+    for method in owner.body:
+        if isinstance(method, ast.FunctionDef) and method.name != "expandBT":
+            for each in ast.walk(method):
+                match each:
+                    case ast.Attribute(
+                        value=ast.Attribute(value=ast.Name(id="self"), attr="params"), attr=name
+                    ):
+                        yield name, node_span(file, each)
 
 
 def _parameters_set(owner: ast.ClassDef) -> Iterator[str]:

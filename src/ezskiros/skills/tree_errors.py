@@ -79,7 +79,7 @@ class EmptyTree(Error, code="EZS507", name="empty-tree"):
 
 @dataclass(frozen=True, kw_only=True)
 class NoSuchParameter(Error, code="EZS508", name="no-such-parameter"):
-    """A parameter of the compound skill that its description does not have."""
+    """A parameter of an implementation that the description of its skill does not have."""
 
     title = "`{skill}` has no parameter `{spelled}`"
     skill: str

@@ -11,7 +11,7 @@ import inspect
 from collections.abc import Iterator, Mapping
 from types import FunctionType, MappingProxyType
 
-from dslkit.diagnostics import Label, Template
+from dslkit.diagnostics import Diagnostic, Label, Template
 from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown
@@ -25,6 +25,13 @@ from ezskiros.skills.tracing import Method, ways
 from ezskiros.skills.values import Decisions
 from ezskiros.trees.library import known_skills
 from ezskiros.trees.tree import Reference, Tree, reference
+
+
+def no_such_parameter(skill: SkillInterface, name: str, place: Span) -> Diagnostic:
+    """The finding for a parameter that a skill does not have."""
+    near = difflib.get_close_matches(name, [each.name for each in skill.parameters], n=1)
+    help = f"did you mean `{near[0]}`?" if near else None
+    return errors.NoSuchParameter(skill=skill.name, spelled=name).at(place, help=help)
 
 
 class References:
@@ -44,10 +51,7 @@ class References:
             return reference(parameter, self._known)
         if name in self._skill.unclear:
             return UNKNOWN
-        near = difflib.get_close_matches(name, [each.name for each in self._skill.parameters], n=1)
-        found = errors.NoSuchParameter(skill=self._skill.name, spelled=name)
-        help = f"did you mean `{near[0]}`?" if near else None
-        session.report(found.at(session.here(), help=help))
+        session.report(no_such_parameter(self._skill, name, session.here()))
         return UNKNOWN
 
     def __setattr__(self, name: str, _value: object) -> None:

@@ -399,3 +399,21 @@ def test_an_optional_parameter_with_a_default_has_a_value() -> None:
 )
 def test_limits_that_are_parameters(limit: str, parameters: str, codes: list[str]) -> None:
     assert [code for code, _ in findings(tree(limit, parameters))] == codes
+
+
+def test_methods_are_about_parameters_that_the_skill_has() -> None:
+    found = checked(
+        f"{HEADER}\n\nclass Move(SkillDescription):\n"
+        "    def description(self, Speed: float = 1.0, Weight: float = 0.0): ...\n\n\n"
+        "class move(Move.SkillBase):\n"
+        "    def onStart(self):\n"
+        "        self.params.Wight = self.params.Speed\n"
+        "        return True\n\n"
+        "    def execute(self):\n"
+        "        return self.success(f'at {self.params.Sped}')\n"
+    )
+    assert findings(found) == [("EZS508", "self.params.Wight"), ("EZS508", "self.params.Sped")]
+    assert [each.help for each in found.diagnostics] == [
+        "did you mean `Weight`?",
+        "did you mean `Speed`?",
+    ]

@@ -1,0 +1,22 @@
+"""The parameters that methods of implementations are about: whether the skill has them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dslkit.diagnostics import Diagnostic
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.syntax import used_in
+from ezskiros.trees.expand import no_such_parameter
+
+
+def check_parameters(
+    implementation: type[SkillImplementation], skill: SkillInterface
+) -> Iterator[Diagnostic]:
+    """Parameters in `self.params.Name` that the skill does not have; those of `expandBT` are found
+    when it is run.
+    """
+    for name, place in used_in(implementation):
+        if not name.startswith("__") and not skill.parameter(name) and name not in skill.unclear:
+            yield no_such_parameter(skill, name, place)
