@@ -26,6 +26,9 @@ PAGE = ROOT / "docs" / "reference" / "deep-tests.md"
 SOURCES = ("interpreter", "ir", "lowering", "native", "targets", "verification")
 """The generator, the semantics and the nodes, in `src/rossmarie`."""
 
+KEPT = 24
+"""Lines at the end of a run of tests: the slowest, and how many there were."""
+
 _DIGEST = re.compile(r"Digest of the sources:\s`(\w+)`")
 _ROW = re.compile(
     r"^\| (?P<about>.+) \| passed \| (?P<day>\S+) \| (?P<minutes>[\d.]+) \|$", re.MULTILINE
@@ -56,14 +59,25 @@ class Result:
 
 def parts(soak: int, fuzz: int) -> tuple[Part, ...]:
     """All parts; `soak` and `fuzz` are seconds."""
-    options = f"--deep --soak={soak} --durations=10"
+    deep = f"--deep --soak={soak} --durations=10"
+    most = "tests/rossmarie tests/property"
+    rest = " ".join(f"--ignore={folder}" for folder in (*most.split(), "tests/live"))
     proofs = ("benchmarks/proofs.py", "--out", "docs/reference/performance-proofs.md")
     return (
         Part(
-            "All tests, deep ones among them, each property with many examples; a node runs for "
-            f"{soak} s",
-            ("make", "test", f"OPTIONS={options}"),
-            60,
+            "Tests of ROSSMarie, deep ones among them, each property with many examples",
+            ("make", "test", f"OPTIONS={deep} {most}"),
+            KEPT,
+        ),
+        Part(
+            f"Live tests, deep ones among them; a node runs for {soak} s",
+            ("make", "test", f"OPTIONS={deep} tests/live"),
+            KEPT,
+        ),
+        Part(
+            "All other tests, deep ones among them",
+            ("make", "test", f"OPTIONS={deep} {rest}"),
+            KEPT,
         ),
         Part(
             "Live tests, with nodes built by AddressSanitizer and UndefinedBehaviorSanitizer",

@@ -132,7 +132,8 @@ def test_a_post_condition_that_does_not_hold(tmp_path: Path) -> None:
         ("def execute(self):\n    return bool([1])",
          "`execute` returned True, not what self.success, self.step or self.fail give ("),
         ("def execute(self):\n    x = []\n    return x.append(1)", "`execute` returned nothing"),
-        ("def execute(self):\n    return getattr(self.params, 'Speed')", "`Act` has no parameter `Speed`"),
+        ("def execute(self):\n    return getattr(self.params, 'Speed')",
+         "`Act` has no parameter `Speed`"),
         ("def onStart(self):\n    return bool([])\ndef execute(self):\n    return self.success()",
          "`onStart` says that it has not succeeded (skills.py:"),
         ("def onStart(self):\n    raise KeyError('arm')\n"

@@ -218,7 +218,8 @@ def test_an_output_of_before_is_none_of_now(skills: Skills) -> None:
     ("line", "said"),
     [
         ("self.params.Weight = 'much'", "`Weight` is a float, and 'much' is not"),
-        ("setattr(self.params, 'Wight', 3)", "`Weigh` has no parameter `Wight`; did you mean `Weight`?"),
+        ("setattr(self.params, 'Wight', 3)",
+         "`Weigh` has no parameter `Wight`; did you mean `Weight`?"),
         ("self.params.Box = self.params.Object", "`Box` is a skiros.Container, and "
          "skiros:Product-4 is not"),
         ("self.world.relate(self.params.Object, 'skiros:contian', self.params.Object)",
