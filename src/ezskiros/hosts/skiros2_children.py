@@ -3,6 +3,9 @@
 SkiROS2 renames keys one after the other, and drops a new name that is the old one of another
 parameter, or follows it; so it cannot swap two, nor give one thing to two parameters. Here the keys
 of a child are all renamed at once.
+
+Where a parameter has a default, SkiROS2 never takes a value from the blackboard, and writes the
+default there. Here a value that is passed is taken, and a default stays with the child.
 """
 
 from __future__ import annotations
@@ -35,9 +38,11 @@ class Child:
     def __init__(self, call: HostedCall, label: str, instanciator: Any) -> None:
         self.keys: dict[str, str] = {}
         self.user: Any = None
-        self._values = dict(call.values)
+        self._call = call
         super().__init__(f"skiros:{call.type}", label, instanciator)  # type: ignore[call-arg]
         self.keys = dict(call.keys)
+        self._found_out = dict(call.found_out)
+        self._defaults: dict[str, Any] = {}
         self._rename()
 
     def _rename(self) -> None:
@@ -46,8 +51,14 @@ class Child:
         SkiROS2 makes this the description of the child when it gets its implementation.
         """
         named = self._params.getParamMap()
-        for key, value in self._values.items():
+        for key, value in self._call.values.items():
             named[key].makeDefault(value)
+        for key in self._call.passed:
+            parameter = named[key]
+            if parameter.hasSpecifiedDefault() and not parameter.dataTypeIs(api().Element):
+                self._defaults[key] = parameter.defaults
+                parameter._default = []  # noqa: SLF001 - SkiROS2 has no method that takes it away
+                parameter.setDefault()
         renamed: dict[str, Any] = {}
         for key, parameter in named.items():
             renamed.setdefault(self.keys.get(key, key), parameter)
@@ -64,13 +75,32 @@ class Child:
     def onStart(self) -> Any:  # noqa: N802 - as in SkiROS2
         """Start the implementation, which may be shared with other nodes."""
         self._instance.child = self
+        for shared in self._found_out.values():
+            self._params.getParamMap().pop(shared, None)
         return super().onStart()  # type: ignore[misc]
+
+    def specifyParams(self, *arguments: Any, **options: Any) -> None:  # noqa: N802
+        """Take values from the blackboard; what has none there has its default."""
+        super().specifyParams(*arguments, **options)  # type: ignore[misc]
+        named = self._params.getParamMap()
+        for key, default in self._defaults.items():
+            parameter = named[self.keys[key]]
+            if not parameter.isSpecified():
+                parameter.setValues(default)
+
+    def checkPostCond(self, verbose: bool = False) -> Any:  # noqa: N802
+        """Asked when the child has succeeded: without a finding others get what it found out."""
+        broken = super().checkPostCond(verbose)  # type: ignore[misc]
+        if not broken:
+            named = self._params.getParamMap()
+            for own, shared in self._found_out.items():
+                named[shared] = deepcopy(named[self.keys[own]])
+        return broken
 
     def remap(self, initial_key: str, target_key: str, record: bool = True) -> None:  # noqa: ARG002
         """Take another key of the blackboard for one of it, as a skill above says."""
-        self.keys = {
-            own: target_key if key == initial_key else key for own, key in self.keys.items()
-        }
+        for known in (self.keys, self._found_out):
+            known.update({own: target_key for own, key in known.items() if key == initial_key})
         named = self._params.getParamMap()
         if initial_key in named:
             named[target_key] = named.pop(initial_key)

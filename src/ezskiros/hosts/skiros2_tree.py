@@ -21,7 +21,7 @@ from ezskiros.skills.markers import Kind
 from ezskiros.skills.nodes import Decorator, Node, Processor, SkillCall
 from ezskiros.skills.values import Symbol
 from ezskiros.trees.library import Library
-from ezskiros.trees.names import all_shared, shared_names
+from ezskiros.trees.names import found_out, shared_names
 
 
 @dataclass(frozen=True)
@@ -40,6 +40,10 @@ class HostedCall:
     keys: Mapping[str, str]
     values: Mapping[str, Value]
     """By the keys of the child."""
+    passed: frozenset[str]
+    """Keys of the child whose values come from the blackboard, whichever default they have."""
+    found_out: Mapping[str, str]
+    """Keys of the child, and those of the blackboard that get the values when it has succeeded."""
 
 
 @dataclass(frozen=True)
@@ -97,17 +101,26 @@ def _call(call: SkillCall, scope: Scope, library: Library) -> HostedCall:
     assert skill is not None, call  # a library with a skill that says nothing is refused
     end = scope.call()
     keys = {each.key: each.key + end for each in skill.parameters}
-    for shared in all_shared(call, library):
-        keys[shared.parameter.key] = scope.shared(shared.shared)
+    shared = {each.parameter.key: scope.shared(each.shared) for each in shared_names(call, skill)}
+    keys |= shared
     keys.setdefault(ROBOT, scope.robot())
-    passed = {shared.parameter.name for shared in shared_names(call, skill)}
-    values = {
-        each.key: lowered(call.arguments[each.name], each)
-        for each in skill.parameters
-        if each.name in call.arguments and each.name not in passed
-    }
-    known = tuple(library.implementations(call.skill))
-    return HostedCall(skill.name, call.skill.__module__, call.implementation, known, keys, values)
+    return HostedCall(
+        type=skill.name,
+        module=call.skill.__module__,
+        label=call.implementation,
+        known=tuple(library.implementations(call.skill)),
+        keys=keys,
+        values={
+            each.key: lowered(call.arguments[each.name], each)
+            for each in skill.parameters
+            if each.name in call.arguments and each.key not in shared
+        },
+        passed=frozenset(shared),
+        found_out={
+            each.parameter.key: scope.shared(each.shared)
+            for each in found_out(call, skill, library.doing(call))
+        },
+    )
 
 
 def lowered(value: object, parameter: Parameter) -> Value:

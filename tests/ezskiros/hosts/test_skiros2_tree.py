@@ -110,11 +110,14 @@ def test_values_and_defaults_have_keys_that_nobody_shares() -> None:
     assert len({*own, "Speed", "Mode"}) == 6
 
 
-def test_a_default_that_the_child_sets_has_the_key_of_the_compound() -> None:
-    assert only(lambda _, _params: Move()).keys["Loud"] == "Loud"
+def test_a_default_that_the_child_sets_gets_to_the_key_of_the_compound() -> None:
+    found = only(lambda _, _params: Move())
+    assert found.keys["Loud"] != "Loud"
+    assert found.found_out == {"Loud": "Loud"}
     given = only(lambda _, _params: Move(Loud=True))
     assert given.keys["Loud"] != "Loud"
     assert given.values == {"Loud": True}
+    assert given.found_out == {}
 
 
 def test_keys_are_those_that_the_compound_has_on_the_blackboard() -> None:
