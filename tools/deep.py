@@ -34,7 +34,8 @@ _ROW = re.compile(
     r"^\| (?P<about>.+) \| passed \| (?P<day>\S+) \| (?P<minutes>[\d.]+) \|$", re.MULTILINE
 )
 _COMMAND = "    $ "
-_PROGRESS = re.compile(r"[.sxXFE]* *\[ *\d+%\]")
+_UNSAID = re.compile(r"[.sxXFE]* *\[ *\d+%\]|make\[\d+\]: .*")
+"""Lines that are not kept: the progress of tests, and the folder that make is in."""
 
 
 @dataclass(frozen=True)
@@ -107,7 +108,7 @@ def ran(part: Part) -> Result:
         for line in running.stdout:
             sys.stdout.write(line)
             sys.stdout.flush()
-            if not _PROGRESS.fullmatch(line.strip()):
+            if not _UNSAID.fullmatch(line.strip()):
                 lines.append(line.rstrip())
     minutes = (time.monotonic() - begin) / 60
     kept = lines[-part.kept :] if part.kept else ()
