@@ -23,6 +23,7 @@ from pathlib import Path
 
 import pytest
 
+from ezskiros.hosts.skiros2_versions import unfit
 from support.shared import HUSKY_DRIVE, SHARED, SKIROS2_ONTOLOGIES, SKIROS2_TRACES
 
 
@@ -158,7 +159,12 @@ def _behavior_tree_cpp() -> str | None:
 
 def _skiros2() -> str | None:
     lacking = [name for name in ("rospy", "skiros2_skill") if not find_spec(name)]
-    return f"no {', '.join(lacking)} on PYTHONPATH" if lacking else None
+    if lacking:
+        return f"no {', '.join(lacking)} on PYTHONPATH"
+    folders = os.environ.get("ROS_PACKAGE_PATH", "").split(":")
+    if not any((Path(each) / "skiros2" / "owl").is_dir() for each in folders):
+        return "no skiros2/owl in ROS_PACKAGE_PATH"
+    return unfit()
 
 
 def _peers() -> str | None:

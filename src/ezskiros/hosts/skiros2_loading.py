@@ -23,6 +23,7 @@ from ezskiros.hosts.skiros2_skills import (
     implementation_class,
     refused_class,
 )
+from ezskiros.hosts.skiros2_versions import unfit
 from ezskiros.ontology import Ontology
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.load import roots
@@ -35,6 +36,9 @@ def load(package: str) -> None:
     """Give SkiROS2 the skills of a library that are without errors; the others raise
     `RefusedSkillError` when SkiROS2 makes them. All modules of the library are imported.
     """
+    problem = unfit()
+    if problem is not None:
+        api().log.error("ezskiros", problem)
     found = Collector()
     with session.collecting(found):
         modules = list(_modules(package))
