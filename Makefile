@@ -14,7 +14,7 @@ help:
 	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; goes on where it was"
 	@echo "make test    the tests, ten minutes on two processors; OPTIONS='...' are those of pytest"
 	@echo "make check   format, lint, types, import layers, and the tests"
-	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; two hours"
+	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; two to three hours"
 	@echo "make bench   measure, and write docs/reference/performance*.md"
 	@echo "make fmt     put the code into the one layout"
 	@echo "make fuzz    look for files that crash what reads them, for SECONDS=60 each; TARGET=mcap for one"

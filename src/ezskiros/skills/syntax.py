@@ -88,7 +88,7 @@ class _Written:
     parameters_set: dict[str, frozenset[str]] = field(default_factory=dict)
     """By the names of classes: which parameters they give a value."""
     parameters_used: dict[str, list[tuple[str, Span]]] = field(default_factory=dict)
-    """By the names of classes: which parameters they read or give a value, and where."""
+    """The parameters that methods read or give a value, and where; by the names of classes."""
     functions: dict[int, tuple[int, ast.arguments]] = field(default_factory=dict)
     """By the first line, decorators included: the line of `def`, and the parameters."""
 

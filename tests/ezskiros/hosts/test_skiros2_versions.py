@@ -1,4 +1,4 @@
-"""What the log says of a rdflib with which SkiROS2 does not work."""
+"""The host names a version of rdflib with which SkiROS2 does not work."""
 
 from __future__ import annotations
 
