@@ -12,6 +12,7 @@ from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown, described
 from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.calls import SkillClass
+from ezskiros.skills.maker_calls import maker
 from ezskiros.skills.nodes import (
     Decoration,
     Decorator,
@@ -118,42 +119,52 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     # --- compounds --------------------------------------------------------------------------------
 
+    @maker
     def serial(self, *children: Node) -> Node:
         """One after the other until one fails; from the first again on each tick."""
         return _processor(Flow.SERIAL, children)
 
+    @maker
     def serialstar(self, *children: Node) -> Node:
         """One after the other until one fails; those that succeeded are not ticked again."""
         return _processor(Flow.SERIAL_STAR, children)
 
+    @maker
     def selector(self, *children: Node) -> Node:
         """One after the other until one succeeds; from the first again on each tick."""
         return _processor(Flow.SELECTOR, children)
 
+    @maker
     def selectorstar(self, *children: Node) -> Node:
         """One after the other until one succeeds; those that failed are not ticked again."""
         return _processor(Flow.SELECTOR_STAR, children)
 
+    @maker
     def parallelff(self, *children: Node) -> Node:
         """All at once until all succeed; the first that fails stops the others."""
         return _processor(Flow.PARALLEL_FF, children)
 
+    @maker
     def parallelfs(self, *children: Node) -> Node:
         """All at once until the first has a result, which is that of all."""
         return _processor(Flow.PARALLEL_FS, children)
 
+    @maker
     def nofail(self, *children: Node) -> Node:
         """One after the other; a failure counts as success."""
         return _processor(Flow.NO_FAIL, children)
 
+    @maker
     def inverter(self, child: Node) -> Node:
         """Success is failure, and failure success."""
         return _decorator(Decoration.INVERTER, child, None)
 
+    @maker
     def retry(self, child: Node, count: int) -> Node:
         """Again when it fails, `count` times at most in all; it may be `params.Count`."""
         return _decorator(Decoration.RETRY, child, count)
 
+    @maker
     def timeout(self, child: Node, seconds: float) -> Node:
         """A failure when it has no result after these seconds; they may be `params.Seconds`."""
         return _decorator(Decoration.TIMEOUT, child, seconds)

@@ -14,7 +14,7 @@ import importlib.abc
 import importlib.machinery
 import operator
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from inspect import signature
+from inspect import Signature, signature
 from pathlib import Path
 from traceback import walk_tb
 from types import CodeType, FunctionType, ModuleType
@@ -23,7 +23,7 @@ from ezskiros import session
 from ezskiros.skills import guard, values
 from ezskiros.skills.blame import user_place
 from ezskiros.skills.mocks import mock_of
-from ezskiros.skills.values import Symbol
+from ezskiros.skills.values import Symbol, SymbolicValue
 
 _CALLED, _GOT, _TAKEN = "__ezskiros_called__", "__ezskiros_got__", "__ezskiros_taken__"
 _AS_WRITTEN = frozenset(("super", "locals", "globals", "vars", "dir", "eval", "exec"))
@@ -46,9 +46,10 @@ def called(function: Callable[..., object], /, *arguments: object, **named: obje
     except (Exception, guard.SideEffectError) as problem:
         if len(current.stopped) == count:
             symbol = next((x for x in (*arguments, *named.values()) if isinstance(x, Symbol)), None)
-            if symbol is not None and not _is_wrong(function, arguments, named, problem):
-                return symbol.__derived__()
-            raise
+            if symbol is None or _is_wrong(function, arguments, named, problem):
+                raise
+            _try_examples(function, arguments, named, problem)
+            return symbol.__derived__()
     else:
         if len(current.stopped) == count:
             return found
@@ -69,13 +70,49 @@ def _is_wrong(
     """
     if user_place(problem) is not None or _is_ours(function) or _comes_from_ours(problem):
         return True
-    try:
-        signature(function).bind(*arguments, **named)
-    except TypeError:
-        return True
-    except ValueError:  # a built-in function that does not say what its arguments are
-        return False
+    known = _signature(function)
+    if known is not None:
+        try:
+            known.bind(*arguments, **named)
+        except TypeError:
+            return True
     return False
+
+
+def _signature(function: Callable[..., object]) -> Signature | None:
+    """None of a built-in function that does not say what its arguments are, such as `range`."""
+    try:
+        return signature(function)
+    except (TypeError, ValueError):
+        return None
+
+
+def _try_examples(
+    function: Callable[..., object],
+    arguments: Sequence[object],
+    named: Mapping[str, object],
+    problem: BaseException,
+) -> None:
+    """Call a built-in function that does not say what its arguments are with values of the types
+    that the symbols have: raises `TypeError` if it refuses these as well.
+    """
+    if not isinstance(problem, TypeError) or _signature(function) is not None:
+        return
+    values = [*map(_example, arguments)]
+    by_name = {name: _example(value) for name, value in named.items()}
+    if any(isinstance(each, Symbol) for each in (*values, *by_name.values())):
+        return
+    try:
+        function(*values, **by_name)
+    except TypeError as refused:
+        raise refused from None
+    except Exception:
+        return
+
+
+def _example(value: object) -> object:
+    """A value of the type of a symbol; the symbol if its type is not known."""
+    return value.__example__() if isinstance(value, SymbolicValue) else value
 
 
 def _is_ours(function: object) -> bool:

@@ -159,6 +159,18 @@ class UnknownProcessor(Error, code="EZS519", name="unknown-processor"):
     spelled: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class WrongMakerCall(Error, code="EZS538", name="wrong-processor-call"):
+    """A processor or a decorator that gets arguments that it does not have."""
+
+    title = "`self.{maker}` {problem}"
+    note = "a value for a skill stands in the call of the skill: `Push(Force=params.Force)`"
+    help = "write `{call}`"
+    maker: str
+    problem: str
+    call: str
+
+
 ALL: tuple[type[Template], ...] = (
     NoChildren,
     NoNode,
@@ -175,4 +187,5 @@ ALL: tuple[type[Template], ...] = (
     NoParams,
     DescriptionImplemented,
     UnknownProcessor,
+    WrongMakerCall,
 )

@@ -176,6 +176,10 @@ class SymbolicValue(Symbol):
         """Whether it can be of one of these types."""
         return self._kind is None or self._kind in kinds
 
+    def __example__(self) -> object:
+        """Some value that it can be; itself if its type is not known."""
+        return self if self._kind is None else _example(self._kind)
+
     def __derived__(self) -> SymbolicValue:
         """What is computed from it."""
         return SymbolicValue(self._name)

@@ -61,13 +61,13 @@ WRONG = [
     ("raise ValueError('no')", "EZS220", "raise ValueError('no')"),
     (
         "self.timeout(Grip(), duration=params.Force)",
-        "EZS220",
+        "EZS538",
         "self.timeout(Grip(), duration=params.Force)",
     ),
-    ("self.retry(Grip(), delay=params.Speed)", "EZS220", "self.retry(Grip(), delay=params.Speed)"),
+    ("self.retry(Grip(), delay=params.Speed)", "EZS538", "self.retry(Grip(), delay=params.Speed)"),
     (
         "self.serialstar(Grip(), Force=params.Force)",
-        "EZS220",
+        "EZS538",
         "self.serialstar(Grip(), Force=params.Force)",
     ),
     ("Drive(Target=params.Place, Start=params.Place)", "EZS529", "params.Place"),
@@ -108,6 +108,10 @@ MISWRITTEN = [
     ("self.serialstar(lambda: Grip(Force=1.0))", "EZS502", "call it"),
     ("self.retry(3, Grip(Force=1.0))", "EZS503", "write `self.retry(child, 3)`"),
     ("yield Grip(Force=1.0)", "EZS507", "leave out `yield`"),
+    ("self.timeout(Grip(Force=1.0), second=2.0)", "EZS538", "write `self.timeout(child, seconds)`"),
+    ("self.retry(Grip(Force=1.0))", "EZS538", "write `self.retry(child, count)`"),
+    ("self.inverter(Grip(Force=1.0), Grip(Force=1.0))", "EZS538", "write `self.inverter(child)`"),
+    ("self.serial(Grip(Force=1.0), Force=1.0)", "EZS538", "write `self.serial(child, ...)`"),
 ]
 """Trees as newcomers write them, and what they are told: one message."""
 
@@ -121,6 +125,30 @@ def test_what_is_miswritten_is_told_once_with_what_to_write(
     found = [each for each in tree(body).diagnostics if each.code != "EZS420"]
     assert [each.code for each in found] == [code]
     assert told in f"{found[0].help} {found[0].primary.text}"
+
+
+MISCALLED = [
+    ("timeout(Grip(), duration=1.0)", "`self.timeout` has no argument `duration`"),
+    (
+        "timeout(Grip(), second=1.0)",
+        "`self.timeout` has no argument `second`: did you mean `seconds`?",
+    ),
+    ("timeout(Grip(), child=Grip())", "`self.timeout` gets `child` twice"),
+    ("retry(Grip())", "`self.retry` needs `count`"),
+    ("retry(count=3)", "`self.retry` needs `child`"),
+    ("inverter(Grip(), Grip())", "`self.inverter` gets 2 arguments, and takes 1"),
+]
+
+
+@pytest.mark.parametrize(("call", "told"), MISCALLED, ids=[call for call, _ in MISCALLED])
+def test_a_miscalled_processor_says_which_argument_is_wrong(call: str, told: str) -> None:
+    [found] = [each for each in tree(f"self.{call}").diagnostics if each.code == "EZS538"]
+    assert found.title == told
+
+
+def test_mistakes_beside_a_miscalled_processor_are_found_as_well() -> None:
+    found = findings(tree("self.timeout(Grip(Fource=1.0), duration=2.0)\nGripp()"))
+    assert [code for code, _ in found] == ["EZS538", "EZS523", "EZS510"]
 
 
 def test_a_value_without_its_name_is_told_once() -> None:

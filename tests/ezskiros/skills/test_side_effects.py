@@ -148,7 +148,17 @@ def test_functions_that_cannot_do_with_a_symbol_give_one() -> None:
     assert found(described(body, parameters)) == [TYPO]
 
 
-@pytest.mark.parametrize("call", ["math.sqrt(Speed, Speed)", "textwrap.dedent(Speed, Speed)"])
+@pytest.mark.parametrize(
+    "call",
+    [
+        "math.sqrt(Speed, Speed)",
+        "textwrap.dedent(Speed, Speed)",
+        "math.hypot(Speed, factor=2)",
+        "max(Speed, other=2)",
+        "range(Speed)",
+        "range(1, 2, 3, Speed)",
+    ],
+)
 def test_a_call_that_is_wrong_with_any_value_is_told(call: str) -> None:
     body = f"""
     import math, textwrap
