@@ -53,10 +53,10 @@ class Line:
 def descriptions(draw: st.DrawFn) -> str:
     """A module with one description that can be translated."""
     keys = draw(st.lists(st.sampled_from(KEYS), unique=True, max_size=6))
-    is_thing = {key: draw(st.booleans()) for key in keys}
+    is_thing = {key: key == "Robot" or draw(st.booleans()) for key in keys}
     parameters = [draw(_things(key) if is_thing[key] else _basics(key)) for key in keys]
     things = [key for key in keys if is_thing[key]]
-    if is_thing.get("Robot", True):
+    if "Robot" not in things:  # SkiROS2 adds it
         things.append("Robot")
     conditions = draw(st.lists(_added(things), max_size=6)) if things else []
     lines = [*parameters, *(line for each in conditions for line in each)]

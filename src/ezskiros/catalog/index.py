@@ -5,8 +5,8 @@ from __future__ import annotations
 from dslkit.catalog import Catalog
 from dslkit.diagnostics import Template
 from ezskiros.catalog import errors as catalog_errors
+from ezskiros.check import body_errors, scene_errors, world_errors
 from ezskiros.check import errors as check_errors
-from ezskiros.check import scene_errors, world_errors
 from ezskiros.check import tree_errors as tree_check_errors
 from ezskiros.confinement import errors as confinement_errors
 from ezskiros.contracts import errors as contract_errors
@@ -30,6 +30,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *condition_errors.ALL,
     *world_errors.ALL,
     *tree_errors.ALL,
+    *body_errors.ALL,
     *launch_errors.ALL,
     *tree_check_errors.ALL,
     *contract_errors.ALL,

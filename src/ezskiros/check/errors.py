@@ -111,6 +111,19 @@ class NotInferable(Warning, code="EZS421", name="not-inferable"):
     found: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class BothDirections(Warning, code="EZS422", name="both-directions"):
+    """A relation that other conditions have the other way round."""
+
+    title = "{relation} relates a {subject} to a {object} here, and the other way round elsewhere"
+    note = "the ontology does not say what {relation} relates, so a swap is seen in no other way"
+    help = "if it is swapped here: `{turned}`"
+    relation: str
+    subject: str
+    object: str
+    turned: str
+
+
 ALL: tuple[type[Template], ...] = (
     DoesNotFit,
     MayNotFit,
@@ -122,4 +135,5 @@ ALL: tuple[type[Template], ...] = (
     TwoPlaces,
     UnusedParameter,
     NotInferable,
+    BothDirections,
 )

@@ -8,6 +8,7 @@ from dataclasses import replace
 from dslkit.diagnostics import Diagnostic, Label
 from ezskiros import session
 from ezskiros.check.consistency import check_consistency
+from ezskiros.check.directions import check_directions
 from ezskiros.check.inference import check_inference
 from ezskiros.check.outputs import check_outputs
 from ezskiros.check.relations import check_relations
@@ -41,7 +42,19 @@ def check_skills(
         if described.ontology is not None:
             for diagnostic in _findings(skill, described, described.ontology):
                 session.report(_with_keys(diagnostic, interface))
+    _report_directions(found.values())
     return found
+
+
+def _report_directions(described: Iterable[Described]) -> None:
+    """Tell of relations that are swapped in a few conditions, among the skills of one ontology."""
+    skills: dict[Ontology, list[SkillInterface]] = {}
+    for each in described:
+        if each.ontology is not None:
+            skills.setdefault(each.ontology, []).append(each.interface)
+    for ontology, those in skills.items():
+        for diagnostic in check_directions(those, ontology.model):
+            session.report(diagnostic)
 
 
 def _report_implementing(skill: type[SkillDescription]) -> None:

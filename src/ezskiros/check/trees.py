@@ -8,6 +8,7 @@ from typing import cast
 
 from dslkit.diagnostics import Label
 from ezskiros import session
+from ezskiros.check.bodies import check_bodies
 from ezskiros.check.calls import check_calls
 from ezskiros.check.dataflow import check_dataflow
 from ezskiros.check.outcomes import Outcomes
@@ -41,6 +42,8 @@ def check_implementations(
     _report_repeated([*library.descriptions(), *implementations])
     for implementation in _leaves(implementations):
         for diagnostic in check_protocol(implementation):
+            session.report(diagnostic)
+        for diagnostic in check_bodies(implementation):
             session.report(diagnostic)
         skill = _implemented(implementation, library)
         for diagnostic in check_parameters(implementation, skill) if skill else ():

@@ -22,11 +22,10 @@ from ezskiros.ontology.statements import (
     Statement,
     Value,
 )
-from ezskiros.skills.interface import Clause, Parameter, SkillInterface
+from ezskiros.skills.interface import ROBOT, Clause, Parameter, SkillInterface
 from ezskiros.skills.markers import Kind, Option
 
 _STATE = "skiros:StateProperty"
-ROBOT = "Robot"
 
 
 @dataclass(frozen=True)

@@ -14,9 +14,8 @@ from dataclasses import dataclass, field
 from itertools import count
 
 from ezskiros.engine.values import wanted
-from ezskiros.hosts.skiros2_form import ROBOT
 from ezskiros.ontology.statements import Value
-from ezskiros.skills.interface import Parameter, SkillInterface
+from ezskiros.skills.interface import ROBOT, Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
 from ezskiros.skills.nodes import Decorator, Node, Processor, SkillCall
 from ezskiros.skills.values import Symbol

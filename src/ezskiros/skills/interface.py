@@ -13,6 +13,8 @@ from ezskiros.ontology.things import ThingClass
 from ezskiros.skills.markers import Kind, Option
 
 BASIC = (str, int, float, bool)
+ROBOT = "Robot"
+"""The parameter that SkiROS2 gives each skill: the agent that runs it."""
 
 
 @dataclass(frozen=True)

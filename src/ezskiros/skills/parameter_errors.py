@@ -1,4 +1,4 @@
-"""EZS006 to EZS009: markers, keys and outputs of parameters."""
+"""EZS006 to EZS009, EZS217: markers, keys and outputs of parameters, and the robot."""
 
 from __future__ import annotations
 
@@ -49,4 +49,17 @@ class WrongOutput(Error, code="EZS009", name="wrong-output"):
     type: str
 
 
-ALL: tuple[type[Template], ...] = (NoBrackets, DuplicateKey, WrongKey, WrongOutput)
+@dataclass(frozen=True, kw_only=True)
+class RobotAsValue(Error, code="EZS217", name="robot-as-value"):
+    """A parameter with the name of the robot that is no thing."""
+
+    title = "`Robot` is the robot that runs the skill, and this is {found}"
+    label = "a name that SkiROS2 gives the robot"
+    note = (
+        "SkiROS2 gives each skill a parameter `Robot`; siblings with that name would get the value"
+    )
+    help = "write `Robot: cora.Robot`, or give the parameter another name"
+    found: str
+
+
+ALL: tuple[type[Template], ...] = (NoBrackets, DuplicateKey, WrongKey, WrongOutput, RobotAsValue)

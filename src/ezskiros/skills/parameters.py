@@ -16,7 +16,7 @@ from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, ThingClass, Unknown
 from ezskiros.skills import errors, parameter_errors
-from ezskiros.skills.interface import BASIC, Parameter
+from ezskiros.skills.interface import BASIC, ROBOT, Parameter
 from ezskiros.skills.markers import Key, Kind, Marker, NoType, Option
 from ezskiros.skills.syntax import Definition, definition
 
@@ -129,6 +129,10 @@ class _Reader:
         if not isinstance(kind_of, ThingClass) and kind_of not in BASIC and not is_enumeration:
             wrong = errors.NoParameterType(parameter=self.name, found=_spelled(kind_of))
             session.report(wrong.at(self.annotation_span))
+            return None
+        if self.name == ROBOT and not isinstance(kind_of, ThingClass):
+            no_robot = parameter_errors.RobotAsValue(found=_spelled(kind_of))
+            session.report(no_robot.at(self.name_span))
             return None
         if Option.OUTPUT in options:
             return self._output(kind_of, kinds, options)

@@ -270,6 +270,8 @@ class Make(SkillDescription):
     def description(self, Pose: OPTIONAL[skiros.Location]): ...
 
 class make(Make.SkillBase):
+    found = None
+
     def execute(self):
         {sets}
         return self.success("made")

@@ -107,6 +107,8 @@ def test_types_may_be_texts_for_the_whole_file() -> None:
         ("P: INFERRED[cora.Robot, sumo.Agent]", "EZS204", "INFERRED[cora.Robot, sumo.Agent]"),
         ("P: OPTIONAL[None]", "EZS204", "OPTIONAL[None]"),
         ("P: INFERRED['cora:Robot']", "EZS203", "INFERRED['cora:Robot']"),
+        ("Robot: float", "EZS217", "Robot"),
+        ("Robot: str = 'ur5'", "EZS217", "Robot"),
         ("P: INFERRED", "EZS006", "INFERRED"),
         ("P: INFERRED(cora.Robot)", "EZS006", "INFERRED(cora.Robot)"),
         ("P: 'OPTIONAL(float)'", "EZS006", "'OPTIONAL(float)'"),

@@ -1,0 +1,40 @@
+"""EZS539, EZS548, EZS549: what always raises in a method that a check does not run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Error, Template
+
+
+@dataclass(frozen=True, kw_only=True)
+class AlwaysFails(Error, code="EZS539", name="always-fails"):
+    """Arithmetic that raises whatever the values of the parameters are."""
+
+    title = "this always fails: {reason}"
+    note = "the skill fails where it gets here, while the robot is running"
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class UndefinedName(Error, code="EZS548", name="undefined-name"):
+    """A name that neither a method nor its module defines."""
+
+    title = "`{method}` uses `{spelled}`, which is not defined"
+    note = "the skill fails where it gets here, while the robot is running"
+    method: str
+    spelled: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoAttribute(Error, code="EZS549", name="no-attribute"):
+    """An attribute of `self` or of a module that is not there."""
+
+    title = "`{method}` uses `{owner}.{spelled}`, and `{owner}` has no `{spelled}`"
+    note = "the skill fails where it gets here, while the robot is running"
+    method: str
+    owner: str
+    spelled: str
+
+
+ALL: tuple[type[Template], ...] = (AlwaysFails, UndefinedName, NoAttribute)

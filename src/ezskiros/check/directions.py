@@ -1,0 +1,87 @@
+"""Relations that skills use in both directions between the same classes.
+
+An ontology need not say what a relation relates, and SkiROS2's own does not; the other conditions
+do.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from dslkit.diagnostics import Diagnostic, Label
+from ezskiros.check import errors
+from ezskiros.check.relations import simple
+from ezskiros.ontology.iris import split
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.python_names import identifier
+from ezskiros.ontology.statements import Relation
+from ezskiros.skills.interface import Clause, SkillInterface
+
+_Classes = tuple[str, str]
+"""Of what a relation relates."""
+
+
+class _Use(NamedTuple):
+    """A relation in a condition."""
+
+    number: int
+    relation: Relation
+    clause: Clause
+
+
+def check_directions(skills: Iterable[SkillInterface], model: Model) -> Iterator[Diagnostic]:
+    """Relations of which most conditions have the other direction; of equally many the later one.
+
+    Relations that are symmetric are left out, and those of things of one class.
+    """
+    uses: dict[str, dict[_Classes, list[_Use]]] = defaultdict(lambda: defaultdict(list))
+    for number, (classes, relation, clause) in enumerate(_related(skills)):
+        uses[relation.relation][classes].append(_Use(number, relation, clause))
+    for iri, by_classes in uses.items():
+        declared = model.relations.get(iri)
+        if declared is not None and not declared.is_symmetric:
+            yield from _swapped(by_classes, model)
+
+
+def _related(skills: Iterable[SkillInterface]) -> Iterator[tuple[_Classes, Relation, Clause]]:
+    for skill in skills:
+        for clause in (*skill.pre, *skill.hold, *skill.post):
+            for said in simple(clause.statement):
+                if isinstance(said, Relation):
+                    classes = skill.class_of(said.subject), skill.class_of(said.object)
+                    yield classes, said, clause
+
+
+def _swapped(by_classes: Mapping[_Classes, list[_Use]], model: Model) -> Iterator[Diagnostic]:
+    for classes, uses in by_classes.items():
+        if _are_kin(model, *classes):
+            continue
+        alike = [y for x in by_classes if _are_alike(model, classes, x) for y in by_classes[x]]
+        turned = classes[1], classes[0]
+        others = [y for x in by_classes if _are_alike(model, turned, x) for y in by_classes[x]]
+        if others and (len(others), -others[0].number) > (len(alike), -alike[0].number):
+            for use in uses:
+                yield _finding(classes, use, others[0], model)
+
+
+def _are_alike(model: Model, one: _Classes, other: _Classes) -> bool:
+    return _are_kin(model, one[0], other[0]) and _are_kin(model, one[1], other[1])
+
+
+def _finding(classes: _Classes, use: _Use, other: _Use, model: Model) -> Diagnostic:
+    name = identifier(split(use.relation.relation)[1])
+    subject, other_class = (model.short(each).replace(":", ".") for each in classes)
+    found = errors.BothDirections(
+        relation=model.short(use.relation.relation).replace(":", "."),
+        subject=subject,
+        object=other_class,
+        turned=f"{use.relation.object}.{name}({use.relation.subject})",
+    )
+    return found.at(use.clause.span, Label(other.clause.span, "here it is the other way round"))
+
+
+def _are_kin(model: Model, one: str, other: str) -> bool:
+    """Whether a class is the other one, or one of them is below the other."""
+    return model.is_a(one, other) or model.is_a(other, one)
