@@ -79,7 +79,7 @@ def check_paths(
         deep(),
     ):
         loaded = load_skills(paths)
-        described = check_skills(loaded.descriptions)
+        described = check_skills(loaded.descriptions, scenes)
         library = Library(described)
         interfaces = [each.interface for each in described.values()]
         known = read_launch_values(values, interfaces) if values else {}

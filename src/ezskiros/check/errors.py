@@ -105,10 +105,10 @@ class NotInferable(Warning, code="EZS421", name="not-inferable"):
     """An inferred parameter that no pre-condition leads to."""
 
     title = "nothing leads to the inferred parameter `{parameter}`"
-    label = "SkiROS2 would take any {found} of the world"
+    label = "SkiROS2 would take any {candidates}"
     help = "add a pre-condition that relates `{parameter}` to a parameter that is given"
     parameter: str
-    found: str
+    candidates: str
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -7,10 +7,14 @@ from dataclasses import dataclass
 
 from dslkit.diagnostics import Diagnostic
 from ezskiros.check import errors
+from ezskiros.check.individuals import Individuals
 from ezskiros.ontology import Ontology
+from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import AnyOf, Relation, Statement
-from ezskiros.skills.interface import Clause, SkillInterface
+from ezskiros.skills.interface import Clause, Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
+
+_MOST_NAMED = 3
 
 
 @dataclass(frozen=True)
@@ -45,11 +49,15 @@ def chains(skill: SkillInterface) -> dict[str, Step]:
 
 
 def check_inference(
-    skill: SkillInterface, ontology: Ontology, implemented_with: Set[str]
+    skill: SkillInterface,
+    ontology: Ontology,
+    individuals: Individuals,
+    implemented_with: Set[str],
 ) -> Iterator[Diagnostic]:
-    """Inferred parameters that nothing leads to, and parameters that no condition is about.
+    """Inferred parameters that nothing leads to and that may be one of several individuals, and
+    parameters that no condition is about.
 
-    Those are left out whose names are in `implemented_with`: names that implementations use.
+    Parameters whose names are in `implemented_with` are left out: implementations use them.
     """
     reached = chains(skill)
     clauses = (*skill.pre, *skill.hold, *skill.post)
@@ -58,11 +66,20 @@ def check_inference(
         if parameter.iri is None:
             continue
         if parameter.kind is Kind.INFERRED and parameter.name not in reached:
-            found = ontology.model.short(parameter.iri).replace(":", ".")
-            finding = errors.NotInferable(parameter=parameter.name, found=found)
-            yield finding.at(parameter.span)
+            if individuals.are_several(parameter.iri, ontology.model):
+                yield _not_inferable(parameter, ontology.model, individuals)
         elif parameter.name not in used and not parameter.options:
             yield errors.UnusedParameter(parameter=parameter.name).at(parameter.span)
+
+
+def _not_inferable(parameter: Parameter, model: Model, individuals: Individuals) -> Diagnostic:
+    assert parameter.iri is not None
+    known = [model.short(each) for each in individuals.of(parameter.iri, model)[:_MOST_NAMED]]
+    any_of = model.short(parameter.iri).replace(":", ".") + " of the world"
+    found = errors.NotInferable(
+        parameter=parameter.name, candidates=f"of {', '.join(known)}" if known else any_of
+    )
+    return found.at(parameter.span)
 
 
 def names(statement: Statement) -> tuple[str, ...]:

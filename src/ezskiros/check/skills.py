@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from pathlib import Path
 
 from dslkit.diagnostics import Diagnostic, Label
 from ezskiros import session
 from ezskiros.check.consistency import check_consistency
 from ezskiros.check.directions import check_directions
+from ezskiros.check.individuals import Individuals
 from ezskiros.check.inference import check_inference
 from ezskiros.check.outputs import check_outputs
 from ezskiros.check.relations import check_relations
@@ -23,9 +25,12 @@ CHECKS = (check_relations, check_consistency, check_outputs)
 
 
 def check_skills(
-    skills: Iterable[type[SkillDescription]],
+    skills: Iterable[type[SkillDescription]], scenes: Sequence[Path] = ()
 ) -> dict[type[SkillDescription], Described]:
-    """What skills say of themselves; what is wrong is reported."""
+    """What skills say of themselves; what is wrong is reported. The `scenes` say which things there
+    are.
+    """
+    individuals = Individuals(scenes)
     found: dict[type[SkillDescription], Described] = {}
     names: dict[str, SkillInterface] = {}
     for skill in skills:
@@ -40,7 +45,7 @@ def check_skills(
         names.setdefault(interface.name, interface)
         found[skill] = described
         if described.ontology is not None:
-            for diagnostic in _findings(skill, described, described.ontology):
+            for diagnostic in _findings(skill, described, described.ontology, individuals):
                 session.report(_with_keys(diagnostic, interface))
     _report_directions(found.values())
     return found
@@ -69,14 +74,17 @@ def _report_implementing(skill: type[SkillDescription]) -> None:
 
 
 def _findings(
-    skill: type[SkillDescription], described: Described, ontology: Ontology
+    skill: type[SkillDescription],
+    described: Described,
+    ontology: Ontology,
+    individuals: Individuals,
 ) -> Iterator[Diagnostic]:
     for check in CHECKS:
         yield from check(described.interface, ontology)
     # A condition that was not understood may be the one that leads to a parameter.
     if described.is_whole:
         used = frozenset[str]().union(*map(attributes_in, implementations(skill).values()))
-        yield from check_inference(described.interface, ontology, used)
+        yield from check_inference(described.interface, ontology, individuals, used)
 
 
 def _with_keys(found: Diagnostic, skill: SkillInterface) -> Diagnostic:
