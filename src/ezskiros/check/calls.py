@@ -9,7 +9,11 @@ from dataclasses import dataclass
 from dslkit.diagnostics import Diagnostic, Label
 from dslkit.source import Span
 from ezskiros.check import tree_errors as errors
+from ezskiros.check.errors import DoesNotFit
+from ezskiros.check.relations import misfit, wanted
 from ezskiros.ontology import Ontology
+from ezskiros.ontology.model import Model, Union
+from ezskiros.ontology.statements import Comparison, HasProperty, Relation, Statement
 from ezskiros.ontology.things import Unknown, described
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
@@ -143,7 +147,10 @@ class _Checker:
                 yield wrong.at(span, *labels)
             return
         model = self.ontology.model if self.ontology else None
-        if model is None or model.is_a(given.iri, parameter.iri):
+        if model is None:
+            return
+        if model.is_a(given.iri, parameter.iri):
+            yield from self._never_holds(parameter, given, span, model)
             return
         is_wider = model.is_a(parameter.iri, given.iri)
         if is_wider and parameter.kind is Kind.OPTIONAL:
@@ -157,13 +164,56 @@ class _Checker:
         )
         yield found.at(span, *labels)
 
+    def _never_holds(
+        self, parameter: Parameter, given: Parameter, span: Span, model: Model
+    ) -> Iterator[Diagnostic]:
+        """A pre-condition of the child that things of the class of the compound's parameter never
+        fulfil, as the ontology says of which things a property is.
+        """
+        if given.iri == parameter.iri:
+            return
+        for clause in self.skill.pre:
+            for iri, union in _needed(clause.statement, parameter.name, self.skill, model):
+                if misfit(model, given.iri or "", union) is DoesNotFit:
+                    found = errors.PassedLacksProperty(
+                        given=given.name,
+                        found=self._spelled(given),
+                        skill=self.skill.name,
+                        condition=" ".join(clause.span.text.split()),
+                        property=_python(iri, model),
+                        wanted=" or ".join(_python(each, model) for each in sorted(union)),
+                    )
+                    yield found.at(span, Label(clause.span, "asked here"), _declared(given))
+                    return
+
     def _spelled(self, parameter: Parameter) -> str:
         if parameter.iri is not None and self.ontology is not None:
-            return self.ontology.model.short(parameter.iri).replace(":", ".")
+            return _python(parameter.iri, self.ontology.model)
         return parameter.type.__name__
 
     def _declaration(self) -> Label:
         return Label(self.skill.span, "declared here")
+
+
+def _needed(
+    statement: Statement, name: str, skill: SkillInterface, model: Model
+) -> Iterator[tuple[str, Union]]:
+    """The properties that a condition asks of a parameter, and of which things they are."""
+    match statement:
+        case Relation(subject, iri, other, is_true=True, is_abstract=False):
+            if subject == name:
+                yield from ((iri, union) for union in model.domain(iri))
+            if other == name:
+                yield from ((iri, union) for union in wanted(skill, model, subject, iri))
+        case HasProperty(subject, iri, is_true=True) | Comparison(subject, iri, is_true=True):
+            if subject == name:
+                yield from ((iri, union) for union in model.domain(iri))
+        case _:
+            return
+
+
+def _python(iri: str, model: Model) -> str:
+    return model.short(iri).replace(":", ".")
 
 
 def _declared(parameter: Parameter) -> Label:

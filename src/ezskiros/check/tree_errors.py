@@ -93,6 +93,21 @@ class PassedMayNotFit(Warning, code="EZS527", name="passed-may-not-fit"):
 
 
 @dataclass(frozen=True, kw_only=True)
+class PassedLacksProperty(Error, code="EZS561", name="passed-lacks-property"):
+    """A parameter of the compound with which a pre-condition of the child never holds."""
+
+    title = "`{given}` is a {found}, and `{condition}` of `{skill}` never holds of one"
+    note = "the ontology says that {property} is of a {wanted}"
+    help = "declare `{given}: {wanted}`, or call a skill without this pre-condition"
+    given: str
+    found: str
+    skill: str
+    condition: str
+    property: str
+    wanted: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class NameClash(Error, code="EZS528", name="name-clash"):
     """Two children that share a name, and that need different kinds of things under it."""
 
@@ -289,6 +304,7 @@ ALL: tuple[type[Template], ...] = (
     NoThingGiven,
     PassedMisfit,
     PassedMayNotFit,
+    PassedLacksProperty,
     NameClash,
     SameThingTwice,
     MissingArgument,
