@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import ClassVar
 
 import pytest
 
-from dslkit.diagnostics import Collector, Error, Fix, Label, Severity, Warning
+from dslkit.diagnostics import Collector, Error, Fix, Label, Severity, Template, Warning
 from dslkit.source import SourceFile, Span
 
 FILE = SourceFile("x.ross", "const a = 1\nconst b = 2\n")
 
 
-@dataclass(frozen=True, kw_only=True)
 class Mismatch(Error, code="ROSS999", name="mismatch"):
     title = "`{found}` is not `{wanted}`"
     label = "this is {found}"
@@ -22,15 +21,24 @@ class Mismatch(Error, code="ROSS999", name="mismatch"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class Unused(Warning, code="ROSS998", name="unused"):
     title = "not used"
 
 
-@dataclass(frozen=True, kw_only=True)
 class Misspelt(Error, code="ROSS997", name="misspelt"):
     title = "`{fuond}`"
     found: str
+
+
+class Addressed(Template):
+    title = "from `{by}` to `{to}` at {at_s}"
+    by: str
+    to: str
+
+
+class Sent(Addressed, Error, code="ROSS996", name="sent"):
+    kind: ClassVar[str] = "letter"
+    at_s: int
 
 
 def span(start: int) -> Span:
@@ -60,6 +68,26 @@ def test_a_misspelt_placeholder_is_found() -> None:
     Mismatch.check_placeholders()
     with pytest.raises(ValueError, match="fuond"):
         Misspelt.check_placeholders()
+
+
+def test_fields_are_those_of_all_bases_and_have_to_be_given() -> None:
+    assert Sent(by="a", to="b", at_s=1).at(span(0)).title == "from `a` to `b` at 1"
+    with pytest.raises(TypeError, match="'at_s', 'by', 'to'"):
+        Sent(by="a", to="b")  # type: ignore[call-arg]
+    with pytest.raises(TypeError, match="'at_s', 'by', 'to'"):
+        Sent(by="a", to="b", at_s=1, more=2)  # type: ignore[call-arg]
+
+
+def test_templates_are_values() -> None:
+    one, same, other = (Mismatch(found="m", wanted=each) for each in ("s", "s", "kg"))
+    assert one == same != other
+    assert len({one, same, other}) == 2
+    assert repr(one) == "Mismatch(found='m', wanted='s')"
+    with pytest.raises(AttributeError, match="found"):
+        one.found = "s"  # type: ignore[misc]
+    with pytest.raises(AttributeError, match="found"):
+        del one.found
+    assert one == same
 
 
 def test_the_collector_keeps_each_finding_once_and_in_order() -> None:

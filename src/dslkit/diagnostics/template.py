@@ -2,7 +2,6 @@
 
 A class holds the texts, with `{placeholders}`; its fields hold the values:
 
-    @dataclass(frozen=True, kw_only=True)
     class UnitMismatch(Error, code="ROSS301", name="unit-mismatch"):
         title = "units do not match"
         label = "this is in {found}"
@@ -10,21 +9,31 @@ A class holds the texts, with `{placeholders}`; its fields hold the values:
         found: str
         expected: str
 
+The annotated fields are given by their names, as those of a dataclass that is frozen and takes only
+keywords. No decorator makes the methods of each class: Python would compile them for some hundred
+classes, whenever a command starts, and a run needs few of them or none.
+
 A misspelt placeholder is found when the class is first used with any value, and by
 `check_placeholders`, which the tests of each catalog call for every class.
 """
 
 from __future__ import annotations
 
-import dataclasses
 import string
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar, NoReturn
 
 from dslkit.diagnostics.model import Diagnostic, Fix, Label, Severity
 from dslkit.source import Span
 
+if TYPE_CHECKING:
+    from typing_extensions import dataclass_transform
+else:
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
+    def dataclass_transform(**_: bool):  # noqa: D103
+        return lambda kind: kind
+
+
+@dataclass_transform(kw_only_default=True, frozen_default=True)
 class Template:
     """The base of all declared diagnostics; use `Error`, `Warning` or `Note`."""
 
@@ -35,13 +44,40 @@ class Template:
     label: ClassVar[str] = ""
     note: ClassVar[str | None] = None
     help: ClassVar[str | None] = None
+    _fields: ClassVar[frozenset[str]] = frozenset()
 
     def __init_subclass__(cls, code: str = "", name: str = "", **rest: object) -> None:
-        """Record the stable code and the readable name of a declared diagnostic."""
+        """Record the stable code, the readable name and the fields of a declared diagnostic."""
         super().__init_subclass__(**rest)
         if code:
             cls.code = code
             cls.name = name
+        own = {field for field, kind in cls.__annotations__.items() if _is_field(kind)}
+        bases = (base for base in cls.__bases__ if issubclass(base, Template))
+        cls._fields = frozenset(own).union(*(base._fields for base in bases))
+
+    if not TYPE_CHECKING:  # mypy derives it, with the type of each field
+
+        def __init__(self, **values: object) -> None:
+            if values.keys() != self._fields:
+                raise TypeError(f"{type(self).__name__} has the fields {sorted(self._fields)}")
+            vars(self).update(values)
+
+    def __setattr__(self, name: str, value: object) -> NoReturn:
+        raise AttributeError(f"cannot assign to field `{name}`")
+
+    def __delattr__(self, name: str) -> NoReturn:
+        raise AttributeError(f"cannot delete field `{name}`")
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and vars(self) == vars(other)
+
+    def __hash__(self) -> int:
+        return hash((type(self), frozenset(vars(self).items())))
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name}={value!r}" for name, value in vars(self).items())
+        return f"{type(self).__qualname__}({values})"
 
     def at(
         self,
@@ -52,7 +88,7 @@ class Template:
         notes: tuple[str, ...] = (),
     ) -> Diagnostic:
         """The finding at `span`; `help` and `notes` add to or replace the class's own texts."""
-        values = {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
+        values = vars(self)
         own_note = (self.note.format(**values),) if self.note else ()
         own_help = self.help.format(**values) if self.help else None
         return Diagnostic(
@@ -70,29 +106,29 @@ class Template:
     @classmethod
     def check_placeholders(cls) -> None:
         """Raise `ValueError` if a text names a field that the class does not have."""
-        known = {field.name for field in dataclasses.fields(cls)}
         for text in (cls.title, cls.label, cls.note, cls.help):
             for _, field, _, _ in string.Formatter().parse(text or ""):
-                if field is not None and field not in known:
+                if field is not None and field not in cls._fields:
                     raise ValueError(f"{cls.__name__}: no field named {field!r}")
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
 class Error(Template):
     """A diagnostic that stops the compiler before its next stage."""
 
     severity = Severity.ERROR
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
 class Warning(Template):
     """A diagnostic that a user may live with."""
 
     severity = Severity.WARNING
 
 
-@dataclasses.dataclass(frozen=True, kw_only=True)
 class Note(Template):
     """Something found out that is no fault."""
 
     severity = Severity.NOTE
+
+
+def _is_field(annotation: object) -> bool:
+    return not str(annotation).startswith(("ClassVar", "typing.ClassVar"))

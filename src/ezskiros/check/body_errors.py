@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class AlwaysFails(Error, code="EZS539", name="always-fails"):
     """Arithmetic that raises whatever the values of the parameters are."""
 
@@ -16,7 +13,6 @@ class AlwaysFails(Error, code="EZS539", name="always-fails"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UndefinedName(Error, code="EZS548", name="undefined-name"):
     """A name that neither a method nor its module defines."""
 
@@ -26,7 +22,6 @@ class UndefinedName(Error, code="EZS548", name="undefined-name"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoAttribute(Error, code="EZS549", name="no-attribute"):
     """An attribute of `self` or of a module that is not there."""
 

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 from ezskiros.check.world_errors import Clashing
 
 
-@dataclass(frozen=True, kw_only=True)
 class DoesNotFit(Error, code="EZS401", name="does-not-fit"):
     """A relation of something that it does not relate."""
 
@@ -21,7 +18,6 @@ class DoesNotFit(Error, code="EZS401", name="does-not-fit"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MayNotFit(Warning, code="EZS402", name="may-not-fit"):
     """A relation of something that may be of the right class."""
 
@@ -34,7 +30,6 @@ class MayNotFit(Warning, code="EZS402", name="may-not-fit"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongValue(Error, code="EZS403", name="wrong-value"):
     """A value of another type than the property has."""
 
@@ -45,7 +40,6 @@ class WrongValue(Error, code="EZS403", name="wrong-value"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnlistedValue(Error, code="EZS404", name="unlisted-value"):
     """A value that the ontology does not list."""
 
@@ -56,7 +50,6 @@ class UnlistedValue(Error, code="EZS404", name="unlisted-value"):
     values: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoOrder(Error, code="EZS405", name="no-order"):
     """`<` of texts."""
 
@@ -66,7 +59,6 @@ class NoOrder(Error, code="EZS405", name="no-order"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class Repeated(Warning, code="EZS410", name="repeated-condition"):
     """A condition that is there already."""
 
@@ -75,7 +67,6 @@ class Repeated(Warning, code="EZS410", name="repeated-condition"):
     kind: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class Contradiction(Clashing, code="EZS411", name="contradiction"):
     """A condition and its opposite."""
 
@@ -83,7 +74,6 @@ class Contradiction(Clashing, code="EZS411", name="contradiction"):
     note = "no world satisfies both, so that {consequence}"
 
 
-@dataclass(frozen=True, kw_only=True)
 class TwoPlaces(Clashing, code="EZS412", name="two-places"):
     """A functional relation with two objects, or an inverse functional one with two subjects."""
 
@@ -91,7 +81,6 @@ class TwoPlaces(Clashing, code="EZS412", name="two-places"):
     help = "leave out what is not meant, or say with `~` which of them does not hold"
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnusedParameter(Warning, code="EZS420", name="unused-parameter"):
     """A thing that no condition is about."""
 
@@ -100,7 +89,6 @@ class UnusedParameter(Warning, code="EZS420", name="unused-parameter"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotInferable(Warning, code="EZS421", name="not-inferable"):
     """An inferred parameter that no pre-condition leads to."""
 
@@ -111,7 +99,6 @@ class NotInferable(Warning, code="EZS421", name="not-inferable"):
     candidates: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class BothDirections(Warning, code="EZS422", name="both-directions"):
     """A relation that other conditions have the other way round."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoOntologyForScene(Error, code="EZS600", name="scene-without-ontology"):
     """A scene, and nothing to check it against."""
 
@@ -15,7 +12,6 @@ class NoOntologyForScene(Error, code="EZS600", name="scene-without-ontology"):
     help = "add `--ontology DIR`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownSceneClass(Error, code="EZS601", name="unknown-class-in-scene"):
     """A thing of a class that the ontology does not have."""
 
@@ -24,7 +20,6 @@ class UnknownSceneClass(Error, code="EZS601", name="unknown-class-in-scene"):
     owl_class: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownSceneProperty(Error, code="EZS602", name="unknown-property-in-scene"):
     """A relation or data property that the ontology does not have."""
 
@@ -34,7 +29,6 @@ class UnknownSceneProperty(Error, code="EZS602", name="unknown-property-in-scene
     thing: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownThing(Error, code="EZS603", name="unknown-thing"):
     """A relation to something that is nowhere described."""
 
@@ -45,7 +39,6 @@ class UnknownThing(Error, code="EZS603", name="unknown-thing"):
     other: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SceneDoesNotFit(Error, code="EZS604", name="scene-does-not-fit"):
     """A relation of something that it does not relate."""
 
@@ -57,7 +50,6 @@ class SceneDoesNotFit(Error, code="EZS604", name="scene-does-not-fit"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongSceneValue(Error, code="EZS605", name="wrong-value-in-scene"):
     """A value of another type than the property has."""
 
@@ -68,7 +60,6 @@ class WrongSceneValue(Error, code="EZS605", name="wrong-value-in-scene"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class KindOfProperty(Error, code="EZS606", name="kind-of-property"):
     """A relation with a value, or a data property with a thing."""
 
@@ -79,7 +70,6 @@ class KindOfProperty(Error, code="EZS606", name="kind-of-property"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MissingRelation(Warning, code="EZS607", name="missing-relation"):
     """A thing without what the ontology says that each of its class has."""
 
@@ -91,7 +81,6 @@ class MissingRelation(Warning, code="EZS607", name="missing-relation"):
     owl_class: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RepeatedNumber(Error, code="EZS608", name="repeated-number"):
     """Two things of one number: SkiROS2 tells things apart by it."""
 
@@ -102,7 +91,6 @@ class RepeatedNumber(Error, code="EZS608", name="repeated-number"):
     other: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TwoObjects(Error, code="EZS609", name="two-objects"):
     """A functional relation with two objects, or its inverse."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotImplementedAnywhere(Warning, code="EZS520", name="not-implemented"):
     """A child of which no implementation is among the files that are checked."""
 
@@ -17,7 +14,6 @@ class NotImplementedAnywhere(Warning, code="EZS520", name="not-implemented"):
     skill: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownImplementation(Error, code="EZS521", name="unknown-implementation"):
     """A child that asks for an implementation that is not there."""
 
@@ -27,7 +23,6 @@ class UnknownImplementation(Error, code="EZS521", name="unknown-implementation")
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OtherSkillsImplementation(Error, code="EZS522", name="other-skills-implementation"):
     """A child that asks for the implementation of another skill."""
 
@@ -38,7 +33,6 @@ class OtherSkillsImplementation(Error, code="EZS522", name="other-skills-impleme
     owner: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownArgument(Error, code="EZS523", name="unknown-argument"):
     """A value for a parameter that the skill does not have."""
 
@@ -47,7 +41,6 @@ class UnknownArgument(Error, code="EZS523", name="unknown-argument"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongArgument(Error, code="EZS524", name="wrong-argument"):
     """A value of another type than the parameter."""
 
@@ -58,7 +51,6 @@ class WrongArgument(Error, code="EZS524", name="wrong-argument"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoThingGiven(Error, code="EZS525", name="no-thing-given"):
     """A value for a parameter that stands for a thing."""
 
@@ -69,7 +61,6 @@ class NoThingGiven(Error, code="EZS525", name="no-thing-given"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class PassedMisfit(Error, code="EZS526", name="passed-misfit"):
     """A parameter of the compound that cannot be what the child needs."""
 
@@ -80,7 +71,6 @@ class PassedMisfit(Error, code="EZS526", name="passed-misfit"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class PassedMayNotFit(Warning, code="EZS527", name="passed-may-not-fit"):
     """A parameter of the compound that may be what the child needs."""
 
@@ -92,7 +82,6 @@ class PassedMayNotFit(Warning, code="EZS527", name="passed-may-not-fit"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class PassedLacksProperty(Error, code="EZS561", name="passed-lacks-property"):
     """A parameter of the compound with which a pre-condition of the child never holds."""
 
@@ -107,7 +96,6 @@ class PassedLacksProperty(Error, code="EZS561", name="passed-lacks-property"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NameClash(Error, code="EZS528", name="name-clash"):
     """Two children that share a name, and that need different kinds of things under it."""
 
@@ -119,7 +107,6 @@ class NameClash(Error, code="EZS528", name="name-clash"):
     other: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SameThingTwice(Warning, code="EZS529", name="same-thing-twice"):
     """Two parameters of a child that get the same thing."""
 
@@ -131,7 +118,6 @@ class SameThingTwice(Warning, code="EZS529", name="same-thing-twice"):
     shared: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MissingArgument(Error, code="EZS530", name="missing-argument"):
     """A parameter that has to have a value, and gets none."""
 
@@ -142,7 +128,6 @@ class MissingArgument(Error, code="EZS530", name="missing-argument"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotWrittenOnAllWays(Error, code="EZS531", name="not-written-on-all-ways"):
     """A parameter that has no value on some way through the tree."""
 
@@ -152,7 +137,6 @@ class NotWrittenOnAllWays(Error, code="EZS531", name="not-written-on-all-ways"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ReadBesides(Error, code="EZS532", name="read-besides"):
     """A value that one child of a parallel needs while another one finds it out."""
 
@@ -163,7 +147,6 @@ class ReadBesides(Error, code="EZS532", name="read-besides"):
     writer: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrittenNeverRead(Warning, code="EZS533", name="written-never-read"):
     """An output that nobody uses."""
 
@@ -172,7 +155,6 @@ class WrittenNeverRead(Warning, code="EZS533", name="written-never-read"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OutputMissing(Error, code="EZS534", name="output-missing"):
     """An output of the compound skill that has no value on some way to its success."""
 
@@ -182,7 +164,6 @@ class OutputMissing(Error, code="EZS534", name="output-missing"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OwnNamePassed(Warning, code="EZS535", name="own-name-passed"):
     """What is passed to a child has the name of another parameter of the child."""
 
@@ -194,7 +175,6 @@ class OwnNamePassed(Warning, code="EZS535", name="own-name-passed"):
     shared: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrittenBesides(Error, code="EZS536", name="written-besides"):
     """A value that two children of a parallel find out at the same time."""
 
@@ -204,7 +184,6 @@ class WrittenBesides(Error, code="EZS536", name="written-besides"):
     shared: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MayBeNothing(Error, code="EZS537", name="may-be-nothing"):
     """An optional parameter of the compound is passed to a child that needs a value."""
 
@@ -215,7 +194,6 @@ class MayBeNothing(Error, code="EZS537", name="may-be-nothing"):
     given: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoState(Error, code="EZS540", name="no-state"):
     """An `execute` that returns something else than a state."""
 
@@ -227,7 +205,6 @@ class NoState(Error, code="EZS540", name="no-state"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoTruth(Error, code="EZS541", name="no-truth"):
     """An `onStart` or `onEnd` that does not say whether it succeeded."""
 
@@ -238,7 +215,6 @@ class NoTruth(Error, code="EZS541", name="no-truth"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NothingToDo(Error, code="EZS542", name="nothing-to-do"):
     """An implementation that neither expands nor executes."""
 
@@ -248,7 +224,6 @@ class NothingToDo(Error, code="EZS542", name="nothing-to-do"):
     implementation: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongProgress(Error, code="EZS547", name="wrong-progress"):
     """What `success`, `step` or `fail` is given and cannot say."""
 
@@ -260,7 +235,6 @@ class WrongProgress(Error, code="EZS547", name="wrong-progress"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeverSucceeds(Warning, code="EZS543", name="never-succeeds"):
     """A behavior tree that no way through leads to a success."""
 
@@ -268,7 +242,6 @@ class NeverSucceeds(Warning, code="EZS543", name="never-succeeds"):
     implementation: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeverReached(Error, code="EZS544", name="never-reached"):
     """A child that is never started."""
 
@@ -276,7 +249,6 @@ class NeverReached(Error, code="EZS544", name="never-reached"):
     result: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class StartedAgain(Warning, code="EZS545", name="started-again"):
     """A child of a Serial that takes time, after another one that does."""
 
@@ -285,7 +257,6 @@ class StartedAgain(Warning, code="EZS545", name="started-again"):
     help = "write `self.serialstar(...)`, which goes on where it is"
 
 
-@dataclass(frozen=True, kw_only=True)
 class EndlessRecursion(Error, code="EZS546", name="endless-recursion"):
     """A compound skill that cannot succeed without calling itself."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class Together(Template):
     """Conditions that do not go together at one time, and what the ontology says of it."""
 
@@ -20,40 +17,34 @@ class Together(Template):
     consequence: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class Clashing(Together, Error):
     """Conditions that exclude each other."""
 
 
-@dataclass(frozen=True, kw_only=True)
 class OppositeFollows(Clashing, code="EZS315", name="opposite-follows"):
     """What follows from conditions, by inverses and the like, is forbidden."""
 
     title = "by the ontology {together} contradict each other {when}"
 
 
-@dataclass(frozen=True, kw_only=True)
 class BothWays(Clashing, code="EZS316", name="both-ways"):
     """An asymmetric relation there and back."""
 
     title = "{together} cannot hold both ways {when}"
 
 
-@dataclass(frozen=True, kw_only=True)
 class ToItself(Clashing, code="EZS317", name="to-itself"):
     """An irreflexive relation of a thing to itself."""
 
     title = "by {together} a thing would be related to itself"
 
 
-@dataclass(frozen=True, kw_only=True)
 class HasNone(Clashing, code="EZS318", name="has-none"):
     """A relation, or a value, that things of a class do not have."""
 
     title = "{together} cannot hold {when}"
 
 
-@dataclass(frozen=True, kw_only=True)
 class ImpossibleThing(Clashing, code="EZS319", name="impossible-thing"):
     """A thing of two disjoint classes."""
 
@@ -61,14 +52,12 @@ class ImpossibleThing(Clashing, code="EZS319", name="impossible-thing"):
     help = "declare the parameter, or relate it, as a thing of one of them"
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoCommonValue(Clashing, code="EZS320", name="no-common-value"):
     """Comparisons that no value of a property satisfies."""
 
     title = "no value satisfies {together} {when}"
 
 
-@dataclass(frozen=True, kw_only=True)
 class TwoValues(Together, Warning, code="EZS321", name="two-values"):
     """Comparisons that only a thing with several values of a property satisfies."""
 
@@ -77,7 +66,6 @@ class TwoValues(Together, Warning, code="EZS321", name="two-values"):
     help = "leave out what is not meant; what has one value at a time is an owl:FunctionalProperty"
 
 
-@dataclass(frozen=True, kw_only=True)
 class EndsItsHold(Warning, code="EZS322", name="ends-its-hold"):
     """A post-condition that excludes a hold-condition."""
 
@@ -90,7 +78,6 @@ last one, the skill fails"
     why: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoAlternative(Error, code="EZS323", name="no-alternative"):
     """An `or` of which each part is excluded."""
 
@@ -100,7 +87,6 @@ class NoAlternative(Error, code="EZS323", name="no-alternative"):
     when: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class EmptyClass(Warning, code="EZS324", name="empty-class"):
     """A parameter of a class that nothing can be of."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class BrokenOff(Error, code="EZS240", name="check-broken-off"):
     """A check without a whole report."""
 
@@ -17,7 +14,6 @@ class BrokenOff(Error, code="EZS240", name="check-broken-off"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class CheckerChanged(Error, code="EZS241", name="checker-changed"):
     """Users' code that changes the modules of the checker."""
 

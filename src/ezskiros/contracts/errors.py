@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class CannotStart(Error, code="EZS550", name="cannot-start"):
     """A child of which a condition is false when it is its turn."""
 
@@ -17,7 +14,6 @@ class CannotStart(Error, code="EZS550", name="cannot-start"):
     condition: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotShown(Warning, code="EZS551", name="not-shown"):
     """A condition of a child of which nothing is known."""
 
@@ -27,7 +23,6 @@ class NotShown(Warning, code="EZS551", name="not-shown"):
     condition: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MayBeLost(Warning, code="EZS552", name="may-be-lost"):
     """A condition of a child that another child may have ended."""
 
@@ -37,7 +32,6 @@ class MayBeLost(Warning, code="EZS552", name="may-be-lost"):
     condition: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeverStarts(Warning, code="EZS553", name="never-starts"):
     """A child that cannot start, and for which others stand in."""
 
@@ -47,7 +41,6 @@ class NeverStarts(Warning, code="EZS553", name="never-starts"):
     condition: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TriedInVain(Warning, code="EZS554", name="tried-in-vain"):
     """A condition of a child of which nothing is known, and for which others stand in."""
 
@@ -59,7 +52,6 @@ class TriedInVain(Warning, code="EZS554", name="tried-in-vain"):
     skill: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeverAchieved(Error, code="EZS555", name="never-achieved"):
     """A post-condition of a compound that is false when its tree has succeeded."""
 
@@ -69,7 +61,6 @@ class NeverAchieved(Error, code="EZS555", name="never-achieved"):
     condition: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotAchieved(Warning, code="EZS556", name="not-achieved"):
     """A post-condition of a compound that its tree does not see to."""
 
@@ -79,7 +70,6 @@ class NotAchieved(Warning, code="EZS556", name="not-achieved"):
     condition: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class EndsHold(Error, code="EZS557", name="ends-hold"):
     """A child that ends what has to hold while the compound runs."""
 
@@ -92,7 +82,6 @@ class EndsHold(Error, code="EZS557", name="ends-hold"):
     condition: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MayEndHold(Warning, code="EZS558", name="may-end-hold"):
     """A child that may end what has to hold while the compound runs."""
 
@@ -103,7 +92,6 @@ class MayEndHold(Warning, code="EZS558", name="may-end-hold"):
     condition: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class EndsBeside(Error, code="EZS559", name="ends-beside"):
     """A child of a parallel that ends a condition of another one."""
 
@@ -115,7 +103,6 @@ class EndsBeside(Error, code="EZS559", name="ends-beside"):
     condition: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class CannotRestart(Warning, code="EZS560", name="cannot-restart"):
     """A child that is started again when one of its conditions has ended."""
 

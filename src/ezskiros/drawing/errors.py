@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class ComputedArgument(Error, code="EZS830", name="computed-port"):
     """A value that Python computes when the skill is started."""
 
@@ -17,7 +14,6 @@ class ComputedArgument(Error, code="EZS830", name="computed-port"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoPort(Error, code="EZS831", name="no-port"):
     """A parameter whose name no port can have."""
 
@@ -27,7 +23,6 @@ class NoPort(Error, code="EZS831", name="no-port"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TakenName(Error, code="EZS832", name="taken-name"):
     """A skill that is called like a node that BehaviorTree.CPP has."""
 
@@ -36,7 +31,6 @@ class TakenName(Error, code="EZS832", name="taken-name"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoLiteral(Error, code="EZS833", name="no-literal"):
     """A value that means something else, or nothing, as the text of a port."""
 
@@ -47,7 +41,6 @@ class NoLiteral(Error, code="EZS833", name="no-literal"):
     why: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class LimitTooLarge(Error, code="EZS834", name="limit-too-large"):
     """A count, or a time, beyond what BehaviorTree.CPP can count."""
 
@@ -57,7 +50,6 @@ class LimitTooLarge(Error, code="EZS834", name="limit-too-large"):
     decorator: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class CallsItself(Error, code="EZS835", name="calls-itself"):
     """A compound skill that is a part of itself."""
 
@@ -66,7 +58,6 @@ class CallsItself(Error, code="EZS835", name="calls-itself"):
     skill: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SeveralTrees(Warning, code="EZS836", name="several-trees"):
     """A compound skill inside another that has more than one tree."""
 
@@ -75,7 +66,6 @@ class SeveralTrees(Warning, code="EZS836", name="several-trees"):
     skill: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ComputedLimit(Error, code="EZS837", name="computed-limit"):
     """A limit that Python computes, or converts, when the skill is started."""
 

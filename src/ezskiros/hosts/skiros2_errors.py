@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class CallsRefused(Error, code="EZS880", name="calls-refused"):
     """A child of a compound skill that SkiROS2 does not have."""
 
@@ -18,7 +15,6 @@ class CallsRefused(Error, code="EZS880", name="calls-refused"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class DescriptionRefused(Error, code="EZS882", name="description-refused"):
     """An implementation of a skill that SkiROS2 does not have."""
 

@@ -14,8 +14,7 @@ _MARK = re.compile(r"# EZS7\d\d: ")
 
 def mark(template: Template) -> str:
     """The comment above something that is left as it is."""
-    values = {name: getattr(template, name) for name in template.__dataclass_fields__}
-    return f"# {template.code}: {template.title.format(**values)}"
+    return f"# {template.code}: {template.title.format(**vars(template))}"
 
 
 def is_mark(line: cst.EmptyLine) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dslkit.diagnostics import Error, Template, Warning
@@ -19,7 +18,6 @@ class LeftError(Exception):
         self.template, self.node = template, node
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnreadableSource(Error, code="EZS701", name="unreadable-source"):
     """A file that is not Python 3."""
 
@@ -29,7 +27,6 @@ class UnreadableSource(Error, code="EZS701", name="unreadable-source"):
     said: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ComputedArgument(Error, code="EZS702", name="computed-argument"):
     """A key, a relation or a truth value that is no literal."""
 
@@ -41,7 +38,6 @@ class ComputedArgument(Error, code="EZS702", name="computed-argument"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UntypedParameter(Error, code="EZS704", name="untyped-parameter"):
     """A value whose type parameters of EzSkiROS cannot have."""
 
@@ -55,7 +51,6 @@ class UntypedParameter(Error, code="EZS704", name="untyped-parameter"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoKind(Error, code="EZS705", name="no-parameter-kind"):
     """A type of parameter that SkiROS2 does not have, or that is computed."""
 
@@ -64,7 +59,6 @@ class NoKind(Error, code="EZS705", name="no-parameter-kind"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class InferredBasic(Error, code="EZS706", name="inferred-basic"):
     """An inferred parameter that is no thing."""
 
@@ -73,7 +67,6 @@ class InferredBasic(Error, code="EZS706", name="inferred-basic"):
     key: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ParticularElement(Error, code="EZS707", name="particular-element"):
     """An element that is more than a class, or less."""
 
@@ -84,7 +77,6 @@ class ParticularElement(Error, code="EZS707", name="particular-element"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoOption(Error, code="EZS708", name="no-parameter-option"):
     """An option that SkiROS2 does not have, or that is computed."""
 
@@ -93,7 +85,6 @@ class NoOption(Error, code="EZS708", name="no-parameter-option"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RepeatedParameter(Error, code="EZS709", name="repeated-parameter"):
     """A parameter that is declared twice."""
 
@@ -103,7 +94,6 @@ class RepeatedParameter(Error, code="EZS709", name="repeated-parameter"):
     key: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownStatement(Error, code="EZS710", name="unknown-statement"):
     """Something that is neither a parameter nor a condition."""
 
@@ -113,7 +103,6 @@ class UnknownStatement(Error, code="EZS710", name="unknown-statement"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotAThing(Error, code="EZS711", name="not-a-thing"):
     """A condition about a parameter that does not stand for a thing."""
 
@@ -124,7 +113,6 @@ class NotAThing(Error, code="EZS711", name="not-a-thing"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoOperator(Error, code="EZS712", name="no-operator"):
     """A comparison that SkiROS2 does not know."""
 
@@ -134,7 +122,6 @@ class NoOperator(Error, code="EZS712", name="no-operator"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoNamespace(Error, code="EZS713", name="no-namespace"):
     """A name that is in no namespace of an ontology for robots."""
 
@@ -144,7 +131,6 @@ class NoNamespace(Error, code="EZS713", name="no-namespace"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UntypedValue(Error, code="EZS714", name="untyped-value"):
     """A property that is compared with something that is no value."""
 
@@ -153,7 +139,6 @@ class UntypedValue(Error, code="EZS714", name="untyped-value"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnusableOr(Error, code="EZS715", name="unusable-or"):
     """An `or` that `|` cannot say."""
 
@@ -162,7 +147,6 @@ class UnusableOr(Error, code="EZS715", name="unusable-or"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class DerivedDescription(Error, code="EZS716", name="derived-description"):
     """A description that is built on another one, or the one that it is built on."""
 
@@ -173,7 +157,6 @@ class DerivedDescription(Error, code="EZS716", name="derived-description"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class IgnoredOptions(Warning, code="EZS717", name="ignored-options"):
     """Options of a parameter that is no thing."""
 
@@ -182,7 +165,6 @@ class IgnoredOptions(Warning, code="EZS717", name="ignored-options"):
     key: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongArguments(Error, code="EZS718", name="wrong-arguments"):
     """A call that SkiROS2 would refuse, or whose arguments are packed."""
 
@@ -192,7 +174,6 @@ class WrongArguments(Error, code="EZS718", name="wrong-arguments"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class EmptyKey(Error, code="EZS719", name="empty-key"):
     """A parameter whose key is an empty text."""
 
@@ -200,7 +181,6 @@ class EmptyKey(Error, code="EZS719", name="empty-key"):
     help = "give it a key that says what it is, here and in each skill that uses it"
 
 
-@dataclass(frozen=True, kw_only=True)
 class LeftOutput(Warning, code="EZS720", name="left-output"):
     """The option Output of a parameter that cannot be one."""
 

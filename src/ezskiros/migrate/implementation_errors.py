@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnusableSkill(Error, code="EZS721", name="unusable-skill"):
     """An implementation of a skill whose description is not translated, or not there."""
 
@@ -18,7 +15,6 @@ class UnusableSkill(Error, code="EZS721", name="unusable-skill"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnusableChild(Error, code="EZS722", name="unusable-child"):
     """A child of which no description is translated, or more than one."""
 
@@ -29,7 +25,6 @@ class UnusableChild(Error, code="EZS722", name="unusable-child"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SharedName(Error, code="EZS723", name="shared-name"):
     """A child whose parameter is renamed to something that is no parameter of the compound."""
 
@@ -41,7 +36,6 @@ class SharedName(Error, code="EZS723", name="shared-name"):
     child: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownKey(Error, code="EZS724", name="unknown-key"):
     """A parameter that is used, and that the description does not have."""
 
@@ -52,7 +46,6 @@ class UnknownKey(Error, code="EZS724", name="unknown-key"):
     key: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TwiceGiven(Error, code="EZS725", name="twice-given"):
     """A parameter of a child that is renamed and gets a value."""
 
@@ -62,7 +55,6 @@ class TwiceGiven(Error, code="EZS725", name="twice-given"):
     key: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoProcessor(Error, code="EZS726", name="no-processor"):
     """A processor that EzSkiROS does not have, or that is computed."""
 
@@ -74,7 +66,6 @@ class NoProcessor(Error, code="EZS726", name="no-processor"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OwnProcessor(Error, code="EZS727", name="own-processor"):
     """A compound that chooses its own processor while it is expanded."""
 
@@ -84,7 +75,6 @@ class OwnProcessor(Error, code="EZS727", name="own-processor"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SeveralTrees(Error, code="EZS728", name="several-old-trees"):
     """A compound that adds children in several steps."""
 
@@ -93,7 +83,6 @@ class SeveralTrees(Error, code="EZS728", name="several-old-trees"):
     help = "write all children in one call"
 
 
-@dataclass(frozen=True, kw_only=True)
 class AskedThing(Error, code="EZS729", name="asked-thing"):
     """A tree that depends on the world."""
 
@@ -103,7 +92,6 @@ class AskedThing(Error, code="EZS729", name="asked-thing"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoTree(Error, code="EZS730", name="no-tree"):
     """Something in `expand` that is known only while the robot runs, or that nobody knows."""
 
@@ -115,7 +103,6 @@ class NoTree(Error, code="EZS730", name="no-tree"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoName(Error, code="EZS731", name="no-implementation-name"):
     """A label that is no name of a class."""
 
@@ -125,7 +112,6 @@ class NoName(Error, code="EZS731", name="no-implementation-name"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ParameterUse(Error, code="EZS732", name="parameter-use"):
     """A parameter that is used otherwise than by its value."""
 
@@ -135,7 +121,6 @@ class ParameterUse(Error, code="EZS732", name="parameter-use"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OtherBase(Error, code="EZS733", name="other-base"):
     """An implementation that is built on another class than SkiROS2's own, or below one."""
 
@@ -146,7 +131,6 @@ class OtherBase(Error, code="EZS733", name="other-base"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OtherDescription(Error, code="EZS734", name="other-description"):
     """An implementation that changes its description."""
 
@@ -156,7 +140,6 @@ class OtherDescription(Error, code="EZS734", name="other-description"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OfSkiros2(Warning, code="EZS735", name="of-skiros2"):
     """Something that only SkiROS2's own base classes have."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownProperty(Error, code="EZS301", name="unknown-property"):
     """A relation or data property that the ontology does not have."""
 
@@ -18,7 +15,6 @@ class UnknownProperty(Error, code="EZS301", name="unknown-property"):
     subject_class: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class AmbiguousProperty(Error, code="EZS302", name="ambiguous-property"):
     """A name that several namespaces have."""
 
@@ -30,7 +26,6 @@ class AmbiguousProperty(Error, code="EZS302", name="ambiguous-property"):
     example: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OneObject(Error, code="EZS303", name="one-object"):
     """A relation that is called with none or several things."""
 
@@ -41,7 +36,6 @@ class OneObject(Error, code="EZS303", name="one-object"):
     count: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoThing(Error, code="EZS304", name="no-thing"):
     """A relation with something that is no thing of the world."""
 
@@ -51,7 +45,6 @@ class NoThing(Error, code="EZS304", name="no-thing"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoValue(Error, code="EZS305", name="no-value"):
     """A data property that is compared with something that is no value."""
 
@@ -62,7 +55,6 @@ class NoValue(Error, code="EZS305", name="no-value"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotCalled(Error, code="EZS306", name="not-called"):
     """A relation without an object."""
 
@@ -72,7 +64,6 @@ class NotCalled(Error, code="EZS306", name="not-called"):
     subject: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoTruthValue(Error, code="EZS307", name="no-truth-value"):
     """`and`, `or`, `not`, `if`, or a chained comparison of conditions."""
 
@@ -84,7 +75,6 @@ class NoTruthValue(Error, code="EZS307", name="no-truth-value"):
     )
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeedsBrackets(Error, code="EZS310", name="needs-brackets"):
     """A condition that is compared, as in `a | b.Weight < 3`."""
 
@@ -93,7 +83,6 @@ class NeedsBrackets(Error, code="EZS310", name="needs-brackets"):
     help = "put brackets around each comparison: `first | (Object.Weight < 3)`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoRelation(Error, code="EZS311", name="no-relation-but-value"):
     """A data property that is called like a relation."""
 
@@ -103,7 +92,6 @@ class NoRelation(Error, code="EZS311", name="no-relation-but-value"):
     subject: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ValueRelates(Error, code="EZS312", name="value-relates"):
     """A relation of a parameter that is no thing."""
 
@@ -115,7 +103,6 @@ class ValueRelates(Error, code="EZS312", name="value-relates"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class Assigned(Error, code="EZS314", name="assigned-property"):
     """`=` where `==` is meant."""
 
@@ -126,7 +113,6 @@ class Assigned(Error, code="EZS314", name="assigned-property"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoOpposite(Error, code="EZS308", name="no-opposite"):
     """`~` of a condition that has no opposite."""
 
@@ -134,7 +120,6 @@ class NoOpposite(Error, code="EZS308", name="no-opposite"):
     help = "ask for the type that is meant"
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoCondition(Error, code="EZS309", name="no-condition"):
     """Something else in the place of a condition."""
 
@@ -144,7 +129,6 @@ class NoCondition(Error, code="EZS309", name="no-condition"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ThingAsTruth(Error, code="EZS313", name="thing-as-truth"):
     """`if Tool:`, or another question whether there is a thing."""
 

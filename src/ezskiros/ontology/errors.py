@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownFormat(Error, code="EZS101", name="unknown-format"):
     """A file whose name does not say what it is."""
 
@@ -16,7 +13,6 @@ class UnknownFormat(Error, code="EZS101", name="unknown-format"):
     suffix: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class BrokenFile(Error, code="EZS102", name="broken-file"):
     """A file that does not parse."""
 
@@ -26,7 +22,6 @@ class BrokenFile(Error, code="EZS102", name="broken-file"):
     said: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoSuchFile(Error, code="EZS105", name="no-such-file"):
     """A path of an ontology that leads nowhere, or cannot be read."""
 
@@ -37,7 +32,6 @@ class NoSuchFile(Error, code="EZS105", name="no-such-file"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoOntology(Error, code="EZS103", name="no-ontology"):
     """RDF in which no class and no property is declared."""
 
@@ -45,7 +39,6 @@ class NoOntology(Error, code="EZS103", name="no-ontology"):
     help = "declare them as owl:Class, owl:ObjectProperty or owl:DatatypeProperty"
 
 
-@dataclass(frozen=True, kw_only=True)
 class MissingImport(Warning, code="EZS104", name="missing-import"):
     """An imported ontology that none of the files is."""
 
@@ -55,7 +48,6 @@ class MissingImport(Warning, code="EZS104", name="missing-import"):
     iri: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NothingLoaded(Error, code="EZS106", name="nothing-loaded"):
     """No file of an ontology: no path, or folders without one."""
 
@@ -65,7 +57,6 @@ class NothingLoaded(Error, code="EZS106", name="nothing-loaded"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class BeyondLimit(Error, code="EZS107", name="beyond-limit"):
     """A file that would cost more memory or time than a file of this kind may."""
 
@@ -75,7 +66,6 @@ class BeyondLimit(Error, code="EZS107", name="beyond-limit"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownNamespace(Error, code="EZS110", name="unknown-namespace"):
     """A namespace that the ontology does not have."""
 
@@ -84,7 +74,6 @@ class UnknownNamespace(Error, code="EZS110", name="unknown-namespace"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownName(Error, code="EZS111", name="unknown-name"):
     """A class or individual that its namespace does not have."""
 

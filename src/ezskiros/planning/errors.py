@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoGoal(Error, code="EZS850", name="no-goal"):
     """A goal that is not written as one."""
 
@@ -16,7 +13,6 @@ class NoGoal(Error, code="EZS850", name="no-goal"):
     why: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownThing(Error, code="EZS851", name="unknown-thing-in-goal"):
     """Something in a goal that the scene does not have."""
 
@@ -24,7 +20,6 @@ class UnknownThing(Error, code="EZS851", name="unknown-thing-in-goal"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownProperty(Error, code="EZS852", name="unknown-property-in-goal"):
     """A relation or data property in a goal that the ontology does not have."""
 
@@ -32,7 +27,6 @@ class UnknownProperty(Error, code="EZS852", name="unknown-property-in-goal"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class GoalOutOfReach(Error, code="EZS853", name="goal-out-of-reach"):
     """A goal that no sequence of skills leads to, because of one condition."""
 
@@ -40,7 +34,6 @@ class GoalOutOfReach(Error, code="EZS853", name="goal-out-of-reach"):
     missing: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class GoalsTogether(Error, code="EZS854", name="goals-together"):
     """Goals that can be reached each for itself."""
 
@@ -51,7 +44,6 @@ class GoalsTogether(Error, code="EZS854", name="goals-together"):
     help = "ask for fewer goals at once, or look at what the skills undo: `ezskiros explain`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class PlanningTimeOver(Error, code="EZS855", name="planning-time-over"):
     """A search that took too long."""
 
@@ -61,7 +53,6 @@ class PlanningTimeOver(Error, code="EZS855", name="planning-time-over"):
     seconds: float
 
 
-@dataclass(frozen=True, kw_only=True)
 class SkillLeftOut(Warning, code="EZS856", name="skill-left-out"):
     """A skill that no planner can make use of."""
 
@@ -70,7 +61,6 @@ class SkillLeftOut(Warning, code="EZS856", name="skill-left-out"):
     why: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoSkillsToPlan(Error, code="EZS857", name="no-skills-to-plan"):
     """Files in which nothing is that a plan could be made of."""
 
@@ -78,7 +68,6 @@ class NoSkillsToPlan(Error, code="EZS857", name="no-skills-to-plan"):
     help = "name the files of the skills, with their implementations"
 
 
-@dataclass(frozen=True, kw_only=True)
 class PlanNotConfirmed(Error, code="EZS858", name="plan-not-confirmed"):
     """A plan of the planner that the world model does not agree with."""
 
@@ -90,7 +79,6 @@ class PlanNotConfirmed(Error, code="EZS858", name="plan-not-confirmed"):
     missing: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class GoalIsMet(Warning, code="EZS859", name="goal-is-met"):
     """A goal that holds already."""
 

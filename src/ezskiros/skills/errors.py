@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoDescription(Error, code="EZS201", name="no-description"):
     """A skill without the method that describes it."""
 
@@ -16,7 +13,6 @@ class NoDescription(Error, code="EZS201", name="no-description"):
     skill: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoAnnotation(Error, code="EZS202", name="no-annotation"):
     """A parameter without a type."""
 
@@ -25,7 +21,6 @@ class NoAnnotation(Error, code="EZS202", name="no-annotation"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TextAnnotation(Error, code="EZS203", name="text-annotation"):
     """A type in quotes that is not Python."""
 
@@ -38,7 +33,6 @@ class TextAnnotation(Error, code="EZS203", name="text-annotation"):
     example: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoParameterType(Error, code="EZS204", name="no-parameter-type"):
     """A type that parameters of skills cannot have."""
 
@@ -53,7 +47,6 @@ class NoParameterType(Error, code="EZS204", name="no-parameter-type"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongDefault(Error, code="EZS205", name="wrong-default"):
     """A default that is not of the parameter's type."""
 
@@ -64,7 +57,6 @@ class WrongDefault(Error, code="EZS205", name="wrong-default"):
     expected: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ThingDefault(Error, code="EZS206", name="thing-default"):
     """A default for a parameter that stands for a thing."""
 
@@ -73,7 +65,6 @@ class ThingDefault(Error, code="EZS206", name="thing-default"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MarkedBasic(Error, code="EZS207", name="marked-basic"):
     """INFERRED or an option around a basic type."""
 
@@ -85,7 +76,6 @@ class MarkedBasic(Error, code="EZS207", name="marked-basic"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TwoKinds(Error, code="EZS216", name="two-kinds"):
     """A parameter that is inferred and optional."""
 
@@ -95,7 +85,6 @@ class TwoKinds(Error, code="EZS216", name="two-kinds"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class PackedParameters(Error, code="EZS208", name="packed-parameters"):
     """`*args` or `**kwargs` in a description."""
 
@@ -104,7 +93,6 @@ class PackedParameters(Error, code="EZS208", name="packed-parameters"):
     spelling: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ReplacedConditions(Error, code="EZS209", name="replaced-conditions"):
     """`=` where `+=` is meant."""
 
@@ -113,7 +101,6 @@ class ReplacedConditions(Error, code="EZS209", name="replaced-conditions"):
     conditions: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoClass(Error, code="EZS210", name="no-class"):
     """`of_type` with something that is no class."""
 
@@ -122,7 +109,6 @@ class NoClass(Error, code="EZS210", name="no-class"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoRelation(Error, code="EZS211", name="no-relation"):
     """`abstract` of something that is no relation."""
 
@@ -131,7 +117,6 @@ class NoRelation(Error, code="EZS211", name="no-relation"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoConditions(Error, code="EZS212", name="no-conditions"):
     """Conditions of a kind that there is not."""
 
@@ -141,7 +126,6 @@ class NoConditions(Error, code="EZS212", name="no-conditions"):
     meant: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownParameter(Error, code="EZS213", name="unknown-parameter"):
     """A name that is neither a parameter nor defined in the module."""
 
@@ -151,7 +135,6 @@ class UnknownParameter(Error, code="EZS213", name="unknown-parameter"):
     skill: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoSelf(Error, code="EZS214", name="no-self"):
     """A description without `self`, or with a parameter in its place."""
 
@@ -159,7 +142,6 @@ class NoSelf(Error, code="EZS214", name="no-self"):
     help = "write `def description(self, ...):`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class AddedOtherwise(Error, code="EZS215", name="added-otherwise"):
     """`append` where `+=` is meant."""
 
@@ -169,7 +151,6 @@ class AddedOtherwise(Error, code="EZS215", name="added-otherwise"):
     conditions: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class Raised(Error, code="EZS220", name="description-raised"):
     """A method that ends with an exception."""
 
@@ -180,7 +161,6 @@ class Raised(Error, code="EZS220", name="description-raised"):
     said: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SideEffect(Error, code="EZS221", name="side-effect"):
     """A method that does something to the world while it is checked."""
 
@@ -192,7 +172,6 @@ class SideEffect(Error, code="EZS221", name="side-effect"):
     deed: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeverEnds(Error, code="EZS222", name="never-ends"):
     """A method that runs for too long."""
 
@@ -202,7 +181,6 @@ class NeverEnds(Error, code="EZS222", name="never-ends"):
     seconds: float
 
 
-@dataclass(frozen=True, kw_only=True)
 class DependsOnValue(Error, code="EZS223", name="depends-on-value"):
     """Conditions that depend on the value of a parameter."""
 
@@ -214,7 +192,6 @@ class DependsOnValue(Error, code="EZS223", name="depends-on-value"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TooManyPaths(Warning, code="EZS224", name="too-many-paths"):
     """More branches than are looked into."""
 
@@ -224,7 +201,6 @@ class TooManyPaths(Warning, code="EZS224", name="too-many-paths"):
     count: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class DependsOnOutcome(Error, code="EZS225", name="depends-on-outcome"):
     """Conditions that depend on something that a check does not do."""
 
@@ -236,7 +212,6 @@ class DependsOnOutcome(Error, code="EZS225", name="depends-on-outcome"):
     call: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class DuplicateSkill(Error, code="EZS230", name="duplicate-skill"):
     """Two skills or implementations of one name: SkiROS2 takes the one that it loads first, Python
     the last.

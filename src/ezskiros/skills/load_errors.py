@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoFile(Error, code="EZS001", name="no-file"):
     """A path that leads nowhere."""
 
@@ -15,7 +12,6 @@ class NoFile(Error, code="EZS001", name="no-file"):
     path: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoPython(Error, code="EZS002", name="no-python"):
     """A file that Python does not understand."""
 
@@ -24,7 +20,6 @@ class NoPython(Error, code="EZS002", name="no-python"):
     said: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ModuleFailed(Error, code="EZS003", name="module-failed"):
     """A module that cannot be imported."""
 
@@ -35,7 +30,6 @@ class ModuleFailed(Error, code="EZS003", name="module-failed"):
     said: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class StandIn(Warning, code="EZS004", name="stand-in"):
     """An import that is not installed."""
 
@@ -45,7 +39,6 @@ class StandIn(Warning, code="EZS004", name="stand-in"):
     module: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoSkills(Warning, code="EZS005", name="no-skills"):
     """Files without a skill."""
 
@@ -54,7 +47,6 @@ class NoSkills(Warning, code="EZS005", name="no-skills"):
     path: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ImportSideEffect(Warning, code="EZS231", name="import-side-effect"):
     """A module that does something when it is imported."""
 
@@ -64,7 +56,6 @@ class ImportSideEffect(Warning, code="EZS231", name="import-side-effect"):
     deed: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class EndlessImport(Error, code="EZS232", name="endless-import"):
     """A module whose import takes too long."""
 
@@ -75,7 +66,6 @@ class EndlessImport(Error, code="EZS232", name="endless-import"):
     seconds: float
 
 
-@dataclass(frozen=True, kw_only=True)
 class ClientStandIn(Warning, code="EZS233", name="client-stand-in"):
     """An import that talks to ROS."""
 

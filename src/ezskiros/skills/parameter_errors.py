@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoBrackets(Error, code="EZS006", name="no-brackets"):
     """`INFERRED(...)`, or `INFERRED` alone."""
 
@@ -17,7 +14,6 @@ class NoBrackets(Error, code="EZS006", name="no-brackets"):
     meant: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class DuplicateKey(Error, code="EZS007", name="duplicate-key"):
     """Two parameters that are one for SkiROS2."""
 
@@ -28,7 +24,6 @@ class DuplicateKey(Error, code="EZS007", name="duplicate-key"):
     key: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongKey(Error, code="EZS008", name="wrong-key"):
     """A key that is no text, is empty, or is not the only one."""
 
@@ -37,7 +32,6 @@ class WrongKey(Error, code="EZS008", name="wrong-key"):
     parameter: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongOutput(Error, code="EZS009", name="wrong-output"):
     """An output that is asked for before the skill, or gets its value from elsewhere."""
 
@@ -49,7 +43,6 @@ class WrongOutput(Error, code="EZS009", name="wrong-output"):
     type: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RobotAsValue(Error, code="EZS217", name="robot-as-value"):
     """A parameter with the name of the robot that is no thing."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoChildren(Error, code="EZS501", name="no-children"):
     """A processor over nothing."""
 
@@ -17,7 +14,6 @@ class NoChildren(Error, code="EZS501", name="no-children"):
     processor: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoNode(Error, code="EZS502", name="no-node"):
     """A child that is no skill, processor or decorator."""
 
@@ -26,7 +22,6 @@ class NoNode(Error, code="EZS502", name="no-node"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongLimit(Error, code="EZS503", name="wrong-limit"):
     """A number of tries or seconds that is none."""
 
@@ -37,7 +32,6 @@ class WrongLimit(Error, code="EZS503", name="wrong-limit"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoSkillBase(Error, code="EZS504", name="no-skill-base"):
     """A class that is derived from something of a skill that is not there."""
 
@@ -47,7 +41,6 @@ class NoSkillBase(Error, code="EZS504", name="no-skill-base"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NamelessArgument(Error, code="EZS505", name="nameless-argument"):
     """A value for a parameter that is not named."""
 
@@ -57,7 +50,6 @@ class NamelessArgument(Error, code="EZS505", name="nameless-argument"):
     named: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class LooseSkill(Error, code="EZS506", name="loose-skill"):
     """A skill, or a part of a tree, that is written down and not part of the tree."""
 
@@ -67,7 +59,6 @@ class LooseSkill(Error, code="EZS506", name="loose-skill"):
     implementation: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class EmptyTree(Error, code="EZS507", name="empty-tree"):
     """An `expandBT` that builds nothing."""
 
@@ -77,7 +68,6 @@ class EmptyTree(Error, code="EZS507", name="empty-tree"):
     implementation: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoSuchParameter(Error, code="EZS508", name="no-such-parameter"):
     """A parameter of an implementation that the description of its skill does not have."""
 
@@ -86,7 +76,6 @@ class NoSuchParameter(Error, code="EZS508", name="no-such-parameter"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoSkillImplemented(Error, code="EZS509", name="no-skill-implemented"):
     """An implementation of which nobody knows the skill."""
 
@@ -98,7 +87,6 @@ class NoSkillImplemented(Error, code="EZS509", name="no-skill-implemented"):
     implementation: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownSkill(Error, code="EZS510", name="unknown-skill"):
     """A name in a behavior tree that is defined nowhere."""
 
@@ -107,7 +95,6 @@ class UnknownSkill(Error, code="EZS510", name="unknown-skill"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ImplementationNamed(Error, code="EZS515", name="implementation-named"):
     """An implementation that is named like a skill."""
 
@@ -117,7 +104,6 @@ class ImplementationNamed(Error, code="EZS515", name="implementation-named"):
     skill: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ComparedByIdentity(Error, code="EZS516", name="compared-by-identity"):
     """A parameter of the compound that is compared by `is`."""
 
@@ -127,7 +113,6 @@ class ComparedByIdentity(Error, code="EZS516", name="compared-by-identity"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoParams(Error, code="EZS517", name="no-params"):
     """An `expandBT` that does not take what it is given."""
 
@@ -136,7 +121,6 @@ class NoParams(Error, code="EZS517", name="no-params"):
     implementation: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class DescriptionImplemented(Error, code="EZS518", name="description-implemented"):
     """A class that is derived from a description, and that has the methods of an implementation."""
 
@@ -150,7 +134,6 @@ class DescriptionImplemented(Error, code="EZS518", name="description-implemented
     skill: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownProcessor(Error, code="EZS519", name="unknown-processor"):
     """Something of `self` in `expandBT` that is not there."""
 
@@ -159,7 +142,6 @@ class UnknownProcessor(Error, code="EZS519", name="unknown-processor"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongMakerCall(Error, code="EZS538", name="wrong-processor-call"):
     """A processor or a decorator that gets arguments that it does not have."""
 

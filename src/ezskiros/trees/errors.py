@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnreadableValues(Error, code="EZS511", name="unreadable-values"):
     """A file of values that cannot be read, or is no YAML."""
 
@@ -16,7 +13,6 @@ class UnreadableValues(Error, code="EZS511", name="unreadable-values"):
     said: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoMapping(Error, code="EZS512", name="no-mapping"):
     """Something else where names and values are."""
 
@@ -25,7 +21,6 @@ class NoMapping(Error, code="EZS512", name="no-mapping"):
     of: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownLaunchName(Error, code="EZS513", name="unknown-launch-name"):
     """A value for a skill or a parameter that is not there."""
 
@@ -34,7 +29,6 @@ class UnknownLaunchName(Error, code="EZS513", name="unknown-launch-name"):
     spelled: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongLaunchValue(Error, code="EZS514", name="wrong-launch-value"):
     """A value that a parameter cannot have."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Note, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class RulesConflict(Warning, code="ROSS700", name="rules-conflict"):
     """Two rules that are active together and need the same thing, with no order between them."""
 
@@ -21,7 +18,6 @@ class RulesConflict(Warning, code="ROSS700", name="rules-conflict"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeverTogether(Note, code="ROSS701", name="never-together"):
     """A proof that two rules that need the same thing are never active together."""
 
@@ -32,7 +28,6 @@ class NeverTogether(Note, code="ROSS701", name="never-together"):
     resource: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ConflictOrdered(Note, code="ROSS702", name="conflict-ordered"):
     """Two rules that need the same thing, and the order that says which one gets it."""
 
@@ -44,7 +39,6 @@ class ConflictOrdered(Note, code="ROSS702", name="conflict-ordered"):
     together: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeverActive(Warning, code="ROSS703", name="never-active"):
     """A rule whose condition cannot be true."""
 
@@ -55,7 +49,6 @@ class NeverActive(Warning, code="ROSS703", name="never-active"):
     rest: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class AlwaysActive(Warning, code="ROSS704", name="always-active"):
     """A rule whose condition cannot be false."""
 
@@ -65,7 +58,6 @@ class AlwaysActive(Warning, code="ROSS704", name="always-active"):
     rule: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ConstantPart(Warning, code="ROSS705", name="constant-part"):
     """A part of a condition that has one outcome whatever is measured."""
 
@@ -76,7 +68,6 @@ class ConstantPart(Warning, code="ROSS705", name="constant-part"):
     outcome: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RuleImplied(Warning, code="ROSS706", name="rule-implied"):
     """A rule that does what another one does whenever it is active."""
 
@@ -87,7 +78,6 @@ class RuleImplied(Warning, code="ROSS706", name="rule-implied"):
     other: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoWayOut(Warning, code="ROSS707", name="no-way-out"):
     """A rule that nothing clears once it is active."""
 
@@ -97,7 +87,6 @@ class NoWayOut(Warning, code="ROSS707", name="no-way-out"):
     rule: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class Chattering(Warning, code="ROSS708", name="chattering"):
     """A rule that can become active again within a short time."""
 
@@ -109,7 +98,6 @@ class Chattering(Warning, code="ROSS708", name="chattering"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RecoveryBlocked(Warning, code="ROSS709", name="recovery-blocked"):
     """A command that a limit in force at the same time cuts to zero."""
 
@@ -125,7 +113,6 @@ class RecoveryBlocked(Warning, code="ROSS709", name="recovery-blocked"):
     high: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class LimitHoldsCondition(Warning, code="ROSS710", name="limit-holds-condition"):
     """What a rule does to a command keeps its own condition from becoming false."""
 
@@ -136,7 +123,6 @@ class LimitHoldsCondition(Warning, code="ROSS710", name="limit-holds-condition")
     does: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeverItsTurn(Warning, code="ROSS711", name="never-its-turn"):
     """A rule that never gets what it needs."""
 
@@ -148,7 +134,6 @@ class NeverItsTurn(Warning, code="ROSS711", name="never-its-turn"):
     resource: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class LossUnnoticed(Warning, code="ROSS712", name="loss-unnoticed"):
     """An input with a timeout on whose loss no rule becomes active."""
 
@@ -158,7 +143,6 @@ class LossUnnoticed(Warning, code="ROSS712", name="loss-unnoticed"):
     input: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeverAtRate(Warning, code="ROSS713", name="never-at-rate"):
     """A duration that no message rate of the system model can satisfy."""
 
@@ -169,7 +153,6 @@ class NeverAtRate(Warning, code="ROSS713", name="never-at-rate"):
     topic: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class LostBetweenMessages(Warning, code="ROSS714", name="lost-between-messages"):
     """An input whose timeout is shorter than the time from message to message."""
 
@@ -183,7 +166,6 @@ class LostBetweenMessages(Warning, code="ROSS714", name="lost-between-messages")
     longest: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OneMessageEnough(Warning, code="ROSS715", name="one-message-enough"):
     """A `for` that is over before the next message can come."""
 
@@ -195,7 +177,6 @@ class OneMessageEnough(Warning, code="ROSS715", name="one-message-enough"):
     least: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class LatchReleased(Warning, code="ROSS716", name="latch-released"):
     """A latched rule that the effect `reset` of a rule releases, where no operator looks."""
 
@@ -208,7 +189,6 @@ class LatchReleased(Warning, code="ROSS716", name="latch-released"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class LimitHoldsRelease(Warning, code="ROSS717", name="limit-holds-release"):
     """What a rule does to a command keeps its own `clear when` from becoming true."""
 
@@ -221,7 +201,6 @@ class LimitHoldsRelease(Warning, code="ROSS717", name="limit-holds-release"):
     when: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
     """Rules that become active again and again by what they publish."""
 
@@ -234,7 +213,6 @@ class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
     reader: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class Undecided(Note, code="ROSS729", name="undecided"):
     """A question to which neither a proof nor a witness was found."""
 

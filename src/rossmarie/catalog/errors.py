@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class InternalError(Error, code="ROSS900", name="internal-error"):
     """Something that cannot happen did."""
 

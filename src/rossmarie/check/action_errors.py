@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownSentType(Error, code="ROSS118", name="unknown-sent-type"):
     """The type of a service or of an action server of which there is no definition."""
 
@@ -18,7 +15,6 @@ class UnknownSentType(Error, code="ROSS118", name="unknown-sent-type"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UntypedTarget(Error, code="ROSS119", name="untyped-target"):
     """A topic, service or action server of which nobody says what is sent to it."""
 
@@ -30,7 +26,6 @@ class UntypedTarget(Error, code="ROSS119", name="untyped-target"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownLevel(Error, code="ROSS121", name="unknown-level"):
     """A level of a log or a diagnosis that does not exist."""
 
@@ -41,7 +36,6 @@ class UnknownLevel(Error, code="ROSS121", name="unknown-level"):
     known: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class CircularEscalation(Error, code="ROSS122", name="circular-escalation"):
     """Actions each of which is what happens when the other one fails."""
 
@@ -53,7 +47,6 @@ class CircularEscalation(Error, code="ROSS122", name="circular-escalation"):
     cycle: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class FieldGivenTwice(Error, code="ROSS124", name="field-given-twice"):
     """A field that one effect bounds or sets twice."""
 
@@ -63,7 +56,6 @@ class FieldGivenTwice(Error, code="ROSS124", name="field-given-twice"):
     field: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ReservedHook(Error, code="ROSS125", name="reserved-hook"):
     """A hook that cannot be the name of a function."""
 
@@ -73,7 +65,6 @@ class ReservedHook(Error, code="ROSS125", name="reserved-hook"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NothingToBound(Error, code="ROSS225", name="nothing-to-bound"):
     """A command without any floating-point number."""
 
@@ -87,7 +78,6 @@ class NothingToBound(Error, code="ROSS225", name="nothing-to-bound"):
     type: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class FieldNotBounded(Error, code="ROSS226", name="field-not-bounded"):
     """A field that a limit cannot bound."""
 
@@ -99,7 +89,6 @@ class FieldNotBounded(Error, code="ROSS226", name="field-not-bounded"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotAnInterval(Error, code="ROSS227", name="not-an-interval"):
     """Something else than an interval behind the `in` of a limit."""
 
@@ -109,7 +98,6 @@ class NotAnInterval(Error, code="ROSS227", name="not-an-interval"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ValueMismatch(Error, code="ROSS228", name="value-mismatch"):
     """A value of another type than the field that it is for."""
 
@@ -121,7 +109,6 @@ class ValueMismatch(Error, code="ROSS228", name="value-mismatch"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class FieldNotAssignable(Error, code="ROSS229", name="field-not-assignable"):
     """A field that an action cannot set."""
 
@@ -133,7 +120,6 @@ class FieldNotAssignable(Error, code="ROSS229", name="field-not-assignable"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class IntegerMismatch(Error, code="ROSS230", name="integer-mismatch"):
     """A number that a field of whole numbers cannot hold."""
 
@@ -147,7 +133,6 @@ class IntegerMismatch(Error, code="ROSS230", name="integer-mismatch"):
     unit: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class FieldUnitMismatch(Error, code="ROSS315", name="field-unit-mismatch"):
     """A number whose unit is not that of the field that it is for."""
 
@@ -160,7 +145,6 @@ class FieldUnitMismatch(Error, code="ROSS315", name="field-unit-mismatch"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RampMismatch(Error, code="ROSS316", name="ramp-mismatch"):
     """A ramp that is the rate of change of nothing that the effect bounds."""
 
@@ -172,7 +156,6 @@ class RampMismatch(Error, code="ROSS316", name="ramp-mismatch"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RepeatedRamp(Error, code="ROSS317", name="repeated-ramp"):
     """Two ramps for the same fields."""
 
@@ -181,7 +164,6 @@ class RepeatedRamp(Error, code="ROSS317", name="repeated-ramp"):
     help = "keep one of the two"
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotPositive(Error, code="ROSS318", name="not-positive"):
     """A ramp or a rate that is zero or less, or faster than possible."""
 
@@ -194,7 +176,6 @@ class NotPositive(Error, code="ROSS318", name="not-positive"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotAFrequency(Error, code="ROSS319", name="not-a-frequency"):
     """Something else than a frequency behind `at`."""
 
@@ -204,7 +185,6 @@ class NotAFrequency(Error, code="ROSS319", name="not-a-frequency"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class BoundWithoutZero(Error, code="ROSS410", name="bound-without-zero"):
     """A limit under which a robot could not stand still."""
 
@@ -214,7 +194,6 @@ class BoundWithoutZero(Error, code="ROSS410", name="bound-without-zero"):
     help = "let the interval contain 0"
 
 
-@dataclass(frozen=True, kw_only=True)
 class ZeroIsAPose(Error, code="ROSS411", name="zero-is-a-pose"):
     """A command of positions that is to be scaled or held at zero."""
 
@@ -226,7 +205,6 @@ class ZeroIsAPose(Error, code="ROSS411", name="zero-is-a-pose"):
     unit: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class FactorOutOfRange(Error, code="ROSS412", name="factor-out-of-range"):
     """A factor of a command that is no share."""
 
@@ -236,7 +214,6 @@ class FactorOutOfRange(Error, code="ROSS412", name="factor-out-of-range"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class PartlyRamped(Warning, code="ROSS413", name="partly-ramped"):
     """A bound that is lifted at once, where others are lifted gently."""
 
@@ -248,7 +225,6 @@ class PartlyRamped(Warning, code="ROSS413", name="partly-ramped"):
     example: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
     """An action or effect that is written down and has nothing in it."""
 
@@ -259,7 +235,6 @@ class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MissingTimeLimit(Error, code="ROSS415", name="missing-time-limit"):
     """A goal that may take for ever."""
 
@@ -269,7 +244,6 @@ class MissingTimeLimit(Error, code="ROSS415", name="missing-time-limit"):
     help = "write it behind the action server: `within 30 sec`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnguardedConfirmation(Warning, code="ROSS416", name="unguarded-confirmation"):
     """A confirmation that may fail, with nothing that follows."""
 
@@ -279,7 +253,6 @@ class UnguardedConfirmation(Warning, code="ROSS416", name="unguarded-confirmatio
     help = "say what follows then: `else ACTION`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class LatchConflict(Error, code="ROSS417", name="latch-conflict"):
     """A rule with a contract of its own that uses a latched action."""
 
@@ -289,7 +262,6 @@ class LatchConflict(Error, code="ROSS417", name="latch-conflict"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ControllerConflict(Error, code="ROSS419", name="controller-conflict"):
     """A controller that is to be started and stopped at once."""
 
@@ -299,7 +271,6 @@ class ControllerConflict(Error, code="ROSS419", name="controller-conflict"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class PlanTooLarge(Error, code="ROSS420", name="plan-too-large"):
     """A rule whose actions and escalations are more than a reactor can hold."""
 

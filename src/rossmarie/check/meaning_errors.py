@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnusedName(Warning, code="ROSS401", name="unused-name"):
     """A declaration that no rule needs."""
 
@@ -20,7 +17,6 @@ class UnusedName(Warning, code="ROSS401", name="unused-name"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
     """An input that a rule rests on and that may fall silent unnoticed."""
 
@@ -34,7 +30,6 @@ class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class AmbiguousFor(Error, code="ROSS403", name="ambiguous-for"):
     """`for` behind two conditions without parentheses."""
 
@@ -48,7 +43,6 @@ class AmbiguousFor(Error, code="ROSS403", name="ambiguous-for"):
     wide: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ExactEquality(Warning, code="ROSS404", name="exact-equality"):
     """Measured numbers compared for equality."""
 
@@ -59,7 +53,6 @@ class ExactEquality(Warning, code="ROSS404", name="exact-equality"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RepeatedAction(Warning, code="ROSS405", name="repeated-action"):
     """An action that one rule names twice."""
 
@@ -70,7 +63,6 @@ class RepeatedAction(Warning, code="ROSS405", name="repeated-action"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ConstantCondition(Warning, code="ROSS406", name="constant-condition"):
     """A condition that nothing can change."""
 
@@ -81,7 +73,6 @@ class ConstantCondition(Warning, code="ROSS406", name="constant-condition"):
     outcome: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoRules(Warning, code="ROSS407", name="no-rules"):
     """Conditions or inputs and no rule that rests on them, or a file without anything."""
 
@@ -92,7 +83,6 @@ class NoRules(Warning, code="ROSS407", name="no-rules"):
     what: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NeverCleared(Warning, code="ROSS408", name="never-cleared"):
     """A rule that is to be cleared by what keeps it active."""
 
@@ -104,7 +94,6 @@ class NeverCleared(Warning, code="ROSS408", name="never-cleared"):
     help = "write when it may end, with a margin; or leave the contract out"
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnmitigatedHazard(Warning, code="ROSS421", name="unmitigated-hazard"):
     """A hazard against which there is no rule."""
 
@@ -114,7 +103,6 @@ class UnmitigatedHazard(Warning, code="ROSS421", name="unmitigated-hazard"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class JumpingAngle(Warning, code="ROSS409", name="jumping-angle"):
     """A change of an angle that jumps by 360 deg at half a turn."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class UndeclaredName(Error, code="ROSS101", name="undeclared-name"):
     """A value that nothing declares."""
 
@@ -17,7 +14,6 @@ class UndeclaredName(Error, code="ROSS101", name="undeclared-name"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UndeclaredEntity(Error, code="ROSS102", name="undeclared-entity"):
     """Something before a dot that nothing declares."""
 
@@ -27,7 +23,6 @@ class UndeclaredEntity(Error, code="ROSS102", name="undeclared-entity"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownCondition(Error, code="ROSS103", name="unknown-condition"):
     """A condition that its entity does not have."""
 
@@ -37,7 +32,6 @@ class UnknownCondition(Error, code="ROSS103", name="unknown-condition"):
     entity: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UndeclaredAction(Error, code="ROSS104", name="undeclared-action"):
     """A rule that names an action that does not exist."""
 
@@ -48,7 +42,6 @@ class UndeclaredAction(Error, code="ROSS104", name="undeclared-action"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class DuplicateName(Error, code="ROSS105", name="duplicate-name"):
     """Two declarations of one name."""
 
@@ -62,7 +55,6 @@ class DuplicateName(Error, code="ROSS105", name="duplicate-name"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongKindOfName(Error, code="ROSS106", name="wrong-kind-of-name"):
     """A name that stands for something else than what is needed here."""
 
@@ -73,7 +65,6 @@ class WrongKindOfName(Error, code="ROSS106", name="wrong-kind-of-name"):
     expected: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownFunction(Error, code="ROSS107", name="unknown-function"):
     """A call of something that is not built in."""
 
@@ -82,7 +73,6 @@ class UnknownFunction(Error, code="ROSS107", name="unknown-function"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownField(Error, code="ROSS108", name="unknown-field"):
     """A field that a message, a vector or an orientation does not have."""
 
@@ -92,7 +82,6 @@ class UnknownField(Error, code="ROSS108", name="unknown-field"):
     owner: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownMessageType(Error, code="ROSS109", name="unknown-message-type"):
     """A message type without a definition."""
 
@@ -102,7 +91,6 @@ class UnknownMessageType(Error, code="ROSS109", name="unknown-message-type"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TopicWithoutType(Error, code="ROSS110", name="topic-without-type"):
     """An input in the printed form whose topic no system model declares."""
 
@@ -115,7 +103,6 @@ class TopicWithoutType(Error, code="ROSS110", name="topic-without-type"):
     topic: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TopicTypeConflict(Error, code="ROSS111", name="topic-type-conflict"):
     """One topic, two message types."""
 
@@ -128,7 +115,6 @@ class TopicTypeConflict(Error, code="ROSS111", name="topic-type-conflict"):
     expected: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UndeclaredTopic(Error, code="ROSS112", name="undeclared-topic"):
     """A topic that a node of the system model uses and nothing declares."""
 
@@ -138,7 +124,6 @@ class UndeclaredTopic(Error, code="ROSS112", name="undeclared-topic"):
     topic: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class CircularConstant(Error, code="ROSS113", name="circular-constant"):
     """A constant that is defined by itself."""
 
@@ -150,7 +135,6 @@ class CircularConstant(Error, code="ROSS113", name="circular-constant"):
     cycle: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class CircularCondition(Error, code="ROSS114", name="circular-condition"):
     """A condition that depends on itself."""
 
@@ -162,7 +146,6 @@ class CircularCondition(Error, code="ROSS114", name="circular-condition"):
     cycle: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SeveralContracts(Error, code="ROSS115", name="several-contracts"):
     """A rule with more than one resume contract."""
 
@@ -172,7 +155,6 @@ class SeveralContracts(Error, code="ROSS115", name="several-contracts"):
     help = "keep one; two conditions for release can be joined: `clear when (A and B) for 2 sec`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class MalformedMessageDefinition(Error, code="ROSS116", name="malformed-message-definition"):
     """A .msg file that cannot be understood."""
 
@@ -184,7 +166,6 @@ class MalformedMessageDefinition(Error, code="ROSS116", name="malformed-message-
     problem: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MessageFolderMissing(Error, code="ROSS117", name="message-folder-missing"):
     """A `messages` declaration that leads nowhere."""
 
@@ -196,7 +177,6 @@ class MessageFolderMissing(Error, code="ROSS117", name="message-folder-missing")
     looked_for: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UndeclaredHazard(Error, code="ROSS143", name="undeclared-hazard"):
     """A rule that mitigates a hazard that does not exist."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class UndeclaredRule(Error, code="ROSS120", name="undeclared-rule"):
     """An order of rules that names a rule that does not exist."""
 
@@ -17,7 +14,6 @@ class UndeclaredRule(Error, code="ROSS120", name="undeclared-rule"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class CircularPriority(Error, code="ROSS123", name="circular-priority"):
     """Rules of which each is more important than the next, in a circle."""
 
@@ -28,7 +24,6 @@ class CircularPriority(Error, code="ROSS123", name="circular-priority"):
     cycle: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownTarget(Error, code="ROSS140", name="unknown-target"):
     """A resource to which something belongs that nothing else speaks of."""
 
@@ -38,7 +33,6 @@ class UnknownTarget(Error, code="ROSS140", name="unknown-target"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SharedTarget(Error, code="ROSS141", name="shared-target"):
     """A topic or the like that belongs to two resources, or to one twice."""
 
@@ -49,7 +43,6 @@ class SharedTarget(Error, code="ROSS141", name="shared-target"):
     resource: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class CircularUnless(Error, code="ROSS142", name="circular-unless"):
     """Rules each of which is not carried out while the next one is active, in a circle."""
 
@@ -61,7 +54,6 @@ class CircularUnless(Error, code="ROSS142", name="circular-unless"):
     cycle: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class LastResortOverruled(Error, code="ROSS422", name="last-resort-overruled"):
     """The last action of a chain of escalations, which needs what another rule may have."""
 

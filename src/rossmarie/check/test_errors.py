@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownTestInput(Error, code="ROSS126", name="unknown-test-input"):
     """A message of a test for something that is no input."""
 
@@ -17,7 +14,6 @@ class UnknownTestInput(Error, code="ROSS126", name="unknown-test-input"):
     identifier: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SettingMismatch(Error, code="ROSS127", name="setting-mismatch"):
     """A value in a test that does not fit its field."""
 
@@ -30,7 +26,6 @@ class SettingMismatch(Error, code="ROSS127", name="setting-mismatch"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class InstantOutOfRange(Error, code="ROSS128", name="instant-out-of-range"):
     """An instant of a test that is no time from its beginning on."""
 
@@ -40,7 +35,6 @@ class InstantOutOfRange(Error, code="ROSS128", name="instant-out-of-range"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class InstantOutOfOrder(Error, code="ROSS129", name="instant-out-of-order"):
     """An instant of a test that comes before the one in front of it."""
 
@@ -53,7 +47,6 @@ class InstantOutOfOrder(Error, code="ROSS129", name="instant-out-of-order"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TooManyMessages(Error, code="ROSS130", name="too-many-messages"):
     """A repetition with more messages than a test may have."""
 
@@ -64,7 +57,6 @@ class TooManyMessages(Error, code="ROSS130", name="too-many-messages"):
     limit: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotSettable(Error, code="ROSS131", name="not-settable"):
     """Something in a test that is given a value, but has none."""
 
@@ -76,7 +68,6 @@ class NotSettable(Error, code="ROSS131", name="not-settable"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NothingExpected(Warning, code="ROSS132", name="nothing-expected"):
     """A test without expectations."""
 
@@ -85,7 +76,6 @@ class NothingExpected(Warning, code="ROSS132", name="nothing-expected"):
     help = "say what is expected: `expect RULE active at 1 sec;`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class UncommandedTopic(Error, code="ROSS133", name="uncommanded-topic"):
     """A test that expects something of commands that nothing holds back."""
 

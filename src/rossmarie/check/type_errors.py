@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotACondition(Error, code="ROSS201", name="not-a-condition"):
     """A value where something true or false is needed."""
 
@@ -18,7 +15,6 @@ class NotACondition(Error, code="ROSS201", name="not-a-condition"):
     text: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class VectorAsScalar(Error, code="ROSS202", name="vector-as-scalar"):
     """Three numbers where one is needed."""
 
@@ -30,7 +26,6 @@ class VectorAsScalar(Error, code="ROSS202", name="vector-as-scalar"):
     text: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ScalarAsRange(Error, code="ROSS203", name="scalar-as-range"):
     """`in` followed by one number."""
 
@@ -40,7 +35,6 @@ class ScalarAsRange(Error, code="ROSS203", name="scalar-as-range"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class Incomparable(Error, code="ROSS204", name="incomparable"):
     """A comparison of things of different kinds."""
 
@@ -51,7 +45,6 @@ class Incomparable(Error, code="ROSS204", name="incomparable"):
     operator: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotANumber(Error, code="ROSS205", name="not-a-number"):
     """Something else where one number is needed."""
 
@@ -60,7 +53,6 @@ class NotANumber(Error, code="ROSS205", name="not-a-number"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ArrayAsScalar(Error, code="ROSS206", name="array-as-scalar"):
     """Many numbers, or many truths, where one is needed."""
 
@@ -71,7 +63,6 @@ class ArrayAsScalar(Error, code="ROSS206", name="array-as-scalar"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MessageAsValue(Error, code="ROSS207", name="message-as-value"):
     """A whole message where one value is needed."""
 
@@ -80,7 +71,6 @@ class MessageAsValue(Error, code="ROSS207", name="message-as-value"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class FieldNotUsable(Error, code="ROSS208", name="field-not-usable"):
     """A message field that rules cannot read."""
 
@@ -91,7 +81,6 @@ class FieldNotUsable(Error, code="ROSS208", name="field-not-usable"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongArgumentCount(Error, code="ROSS209", name="wrong-argument-count"):
     """A call with too few or too many arguments."""
 
@@ -104,7 +93,6 @@ class WrongArgumentCount(Error, code="ROSS209", name="wrong-argument-count"):
     usage: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class WrongArgument(Error, code="ROSS210", name="wrong-argument"):
     """A call of a function on something that it is not defined for."""
 
@@ -117,7 +105,6 @@ class WrongArgument(Error, code="ROSS210", name="wrong-argument"):
     usage: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
     """An elementwise expression over more than one array and constants."""
 
@@ -130,7 +117,6 @@ class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
     text: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class BracketLength(Error, code="ROSS212", name="bracket-length"):
     """A bracket that is neither an interval nor a box."""
 
@@ -140,7 +126,6 @@ class BracketLength(Error, code="ROSS212", name="bracket-length"):
     count: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class RangeMismatch(Error, code="ROSS213", name="range-mismatch"):
     """`in` with a value that the range cannot hold."""
 
@@ -151,7 +136,6 @@ class RangeMismatch(Error, code="ROSS213", name="range-mismatch"):
     container: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OrientationAsScalar(Error, code="ROSS214", name="orientation-as-scalar"):
     """A quaternion where one number is needed."""
 
@@ -161,7 +145,6 @@ class OrientationAsScalar(Error, code="ROSS214", name="orientation-as-scalar"):
     text: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotConstant(Error, code="ROSS215", name="not-constant"):
     """Something that changes where a constant is needed."""
 
@@ -172,7 +155,6 @@ class NotConstant(Error, code="ROSS215", name="not-constant"):
     purpose: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class IntervalEndsSwapped(Error, code="ROSS216", name="interval-ends-swapped"):
     """An interval whose low end is above its high end."""
 
@@ -185,7 +167,6 @@ class IntervalEndsSwapped(Error, code="ROSS216", name="interval-ends-swapped"):
     corrected: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class DivisionByZero(Error, code="ROSS217", name="division-by-zero"):
     """A division by a constant that is zero."""
 
@@ -195,7 +176,6 @@ class DivisionByZero(Error, code="ROSS217", name="division-by-zero"):
     help = "divide by something else"
 
 
-@dataclass(frozen=True, kw_only=True)
 class ConstantTooLarge(Error, code="ROSS218", name="constant-too-large"):
     """A constant beyond the range of a double."""
 
@@ -204,7 +184,6 @@ class ConstantTooLarge(Error, code="ROSS218", name="constant-too-large"):
     help = "write a number below 1e308, counted in SI units"
 
 
-@dataclass(frozen=True, kw_only=True)
 class AgeMisused(Error, code="ROSS219", name="age-misused"):
     """`age` other than as one side of a comparison with a constant time."""
 
@@ -215,7 +194,6 @@ class AgeMisused(Error, code="ROSS219", name="age-misused"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OscillationCount(Error, code="ROSS220", name="oscillation-count"):
     """A number of turning points that cannot be counted."""
 
@@ -226,7 +204,6 @@ class OscillationCount(Error, code="ROSS220", name="oscillation-count"):
     most: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotAnArray(Error, code="ROSS221", name="not-an-array"):
     """An index, or a question about elements, on something without elements."""
 
@@ -236,7 +213,6 @@ class NotAnArray(Error, code="ROSS221", name="not-an-array"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TruthCompared(Error, code="ROSS222", name="truth-compared"):
     """A condition compared as if it were a number."""
 
@@ -246,7 +222,6 @@ class TruthCompared(Error, code="ROSS222", name="truth-compared"):
     operator: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class StringsCompared(Error, code="ROSS223", name="strings-compared"):
     """A comparison of two texts that both arrive with messages."""
 
@@ -261,7 +236,6 @@ class StringsCompared(Error, code="ROSS223", name="strings-compared"):
     right: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class StringsAsRange(Error, code="ROSS224", name="strings-as-range"):
     """Texts in brackets, as if `in` looked for one in a list."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnitMismatch(Error, code="ROSS301", name="unit-mismatch"):
     """Two quantities of different dimensions where one dimension is needed."""
 
@@ -21,7 +18,6 @@ class UnitMismatch(Error, code="ROSS301", name="unit-mismatch"):
     purpose: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RateAgainstQuantity(Error, code="ROSS302", name="rate-against-quantity"):
     """A quantity compared with a rate of change of that quantity."""
 
@@ -35,7 +31,6 @@ class RateAgainstQuantity(Error, code="ROSS302", name="rate-against-quantity"):
     expected: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MissingUnit(Error, code="ROSS303", name="missing-unit"):
     """A plain number where a quantity with a unit is needed."""
 
@@ -49,7 +44,6 @@ class MissingUnit(Error, code="ROSS303", name="missing-unit"):
     corrected: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class FieldWithoutUnit(Error, code="ROSS304", name="field-without-unit"):
     """A message field of unknown unit where the unit matters."""
 
@@ -60,7 +54,6 @@ class FieldWithoutUnit(Error, code="ROSS304", name="field-without-unit"):
     other: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownUnit(Error, code="ROSS305", name="unknown-unit"):
     """A unit that does not exist."""
 
@@ -70,7 +63,6 @@ class UnknownUnit(Error, code="ROSS305", name="unknown-unit"):
     part: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotADuration(Error, code="ROSS306", name="not-a-duration"):
     """Something else where a length of time is needed."""
 
@@ -81,7 +73,6 @@ class NotADuration(Error, code="ROSS306", name="not-a-duration"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class DurationOutOfRange(Error, code="ROSS307", name="duration-out-of-range"):
     """A length of time that is zero, negative, or longer than any robot lives."""
 
@@ -95,7 +86,6 @@ class DurationOutOfRange(Error, code="ROSS307", name="duration-out-of-range"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnitContradictsField(Error, code="ROSS308", name="unit-contradicts-field"):
     """A unit given to an input whose field has a unit of another dimension."""
 
@@ -111,7 +101,6 @@ class UnitContradictsField(Error, code="ROSS308", name="unit-contradicts-field")
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MisplacedUnit(Error, code="ROSS309", name="misplaced-unit"):
     """A unit on something that cannot have one."""
 
@@ -122,7 +111,6 @@ class MisplacedUnit(Error, code="ROSS309", name="misplaced-unit"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TemperatureArithmetic(Error, code="ROSS310", name="temperature-arithmetic"):
     """A sum, product or negation of temperatures whose zero is arbitrary."""
 
@@ -133,7 +121,6 @@ class TemperatureArithmetic(Error, code="ROSS310", name="temperature-arithmetic"
     unit: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class FieldUnitConflict(Error, code="ROSS311", name="field-unit-conflict"):
     """One field of one topic, said to arrive in two units."""
 
@@ -147,7 +134,6 @@ class FieldUnitConflict(Error, code="ROSS311", name="field-unit-conflict"):
     expected: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
     """A unit with white space in it, so that its rest is taken for a value."""
 
@@ -163,7 +149,6 @@ class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
     corrected: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnitDeclarationConflict(Error, code="ROSS313", name="unit-declaration-conflict"):
     """One field of one message, declared to be in two units by system models."""
 
@@ -176,7 +161,6 @@ class UnitDeclarationConflict(Error, code="ROSS313", name="unit-declaration-conf
     expected: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RatioOutOfRange(Error, code="ROSS314", name="ratio-out-of-range"):
     """A field that carries a share from 0 to 1, compared with a plain number above 1."""
 
@@ -188,7 +172,6 @@ class RatioOutOfRange(Error, code="ROSS314", name="ratio-out-of-range"):
     text: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RateConflict(Error, code="ROSS328", name="rate-conflict"):
     """One topic, said to carry messages at two rates."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class FileUnreadable(Error, code="ROSS801", name="file-unreadable"):
     """A rules file that the operating system does not hand out."""
 
@@ -18,7 +15,6 @@ class FileUnreadable(Error, code="ROSS801", name="file-unreadable"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotUtf8(Error, code="ROSS802", name="not-utf8"):
     """A file that is not text in UTF-8."""
 
@@ -30,7 +26,6 @@ class NotUtf8(Error, code="ROSS802", name="not-utf8"):
     guess: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ImportNotFound(Error, code="ROSS803", name="import-not-found"):
     """An import that leads nowhere."""
 
@@ -41,7 +36,6 @@ class ImportNotFound(Error, code="ROSS803", name="import-not-found"):
     looked_for: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TooManyWarnings(Warning, code="ROSS804", name="too-many-warnings"):
     """The point from which on the warnings of a file are no longer shown."""
 
@@ -51,7 +45,6 @@ class TooManyWarnings(Warning, code="ROSS804", name="too-many-warnings"):
     limit: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class OtherGeneration(Error, code="ROSS805", name="other-generation"):
     """A package of one generation of ROS where one of the other is to be generated."""
 
@@ -64,7 +57,6 @@ class OtherGeneration(Error, code="ROSS805", name="other-generation"):
     wanted: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class OtherPackage(Error, code="ROSS806", name="other-package"):
     """A package that was not generated from the rules, where theirs is to be generated."""
 
@@ -76,7 +68,6 @@ class OtherPackage(Error, code="ROSS806", name="other-package"):
     rules: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MalformedPackageXml(Error, code="ROSS807", name="malformed-package-xml"):
     """A package.xml that is not well-formed XML."""
 
@@ -87,7 +78,6 @@ class MalformedPackageXml(Error, code="ROSS807", name="malformed-package-xml"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class BadPackageField(Error, code="ROSS808", name="bad-package-field"):
     """A field of the package of the rules that a generated package cannot take over."""
 
@@ -99,7 +89,6 @@ class BadPackageField(Error, code="ROSS808", name="bad-package-field"):
     form: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotARulesFile(Error, code="ROSS809", name="not-a-rules-file"):
     """A file that is read as rules beside those that are checked, and is called otherwise."""
 

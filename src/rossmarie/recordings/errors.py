@@ -7,7 +7,6 @@ file itself, and ends the reading as a `RecordingError` only where nothing at al
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.diagnostics import Diagnostic, Error, Template, Warning
@@ -34,7 +33,6 @@ def at_file(finding: Template, path: Path) -> Diagnostic:
 # --- a topic or a field, at the input that reads it ------------------------------------------
 
 
-@dataclass(frozen=True, kw_only=True)
 class TopicNotRecorded(Warning, code="ROSS601", name="topic-not-recorded"):
     """An input whose topic is not in the recording."""
 
@@ -49,7 +47,6 @@ class TopicNotRecorded(Warning, code="ROSS601", name="topic-not-recorded"):
     recorded: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TopicOfAnotherType(Warning, code="ROSS602", name="topic-of-another-type"):
     """An input whose topic was recorded with another message type."""
 
@@ -61,7 +58,6 @@ class TopicOfAnotherType(Warning, code="ROSS602", name="topic-of-another-type"):
     expected: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TopicNeverSent(Warning, code="ROSS603", name="topic-never-sent"):
     """An input whose topic is in the recording, without a single message."""
 
@@ -71,7 +67,6 @@ class TopicNeverSent(Warning, code="ROSS603", name="topic-never-sent"):
     topic: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
     """A field that a recorded topic does not have, or not as a value of this kind."""
 
@@ -85,7 +80,6 @@ class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     """Messages of a topic, or cells of a CSV file, that are not what they should be."""
 
@@ -100,7 +94,6 @@ class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class DefinitionMissing(Warning, code="ROSS606", name="definition-missing"):
     """A topic of a type of which no definition is known."""
 
@@ -113,7 +106,6 @@ class DefinitionMissing(Warning, code="ROSS606", name="definition-missing"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MessagesPassedOver(Warning, code="ROSS608", name="messages-passed-over"):
     """Messages of a topic that are not for the rules, or at no instant that can be."""
 
@@ -130,7 +122,6 @@ class MessagesPassedOver(Warning, code="ROSS608", name="messages-passed-over"):
 # --- the command line ------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, kw_only=True)
 class TopicMapUnused(Error, code="ROSS607", name="topic-map-unused"):
     """A topic map that renames a topic which no rule reads."""
 
@@ -144,7 +135,6 @@ class TopicMapUnused(Error, code="ROSS607", name="topic-map-unused"):
 # --- a file as a whole -----------------------------------------------------------------------
 
 
-@dataclass(frozen=True, kw_only=True)
 class RecordingNotFound(Error, code="ROSS610", name="recording-not-found"):
     """A path at which there is nothing."""
 
@@ -153,7 +143,6 @@ class RecordingNotFound(Error, code="ROSS610", name="recording-not-found"):
     hint: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RecordingUnreadable(Error, code="ROSS611", name="recording-unreadable"):
     """A file that the operating system does not hand out."""
 
@@ -162,7 +151,6 @@ class RecordingUnreadable(Error, code="ROSS611", name="recording-unreadable"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RecordingKindUnknown(Error, code="ROSS612", name="recording-kind-unknown"):
     """A file or directory that is not a recording of a known kind."""
 
@@ -174,7 +162,6 @@ class RecordingKindUnknown(Error, code="ROSS612", name="recording-kind-unknown")
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RecordingEmpty(Error, code="ROSS613", name="recording-empty"):
     """A recording without a message."""
 
@@ -183,7 +170,6 @@ class RecordingEmpty(Error, code="ROSS613", name="recording-empty"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RecordingCorrupt(Error, code="ROSS614", name="recording-corrupt"):
     """A file of which nothing can be read."""
 
@@ -192,7 +178,6 @@ class RecordingCorrupt(Error, code="ROSS614", name="recording-corrupt"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RecordingDamaged(Warning, code="ROSS615", name="recording-damaged"):
     """A file of which a part can be read."""
 
@@ -203,7 +188,6 @@ class RecordingDamaged(Warning, code="ROSS615", name="recording-damaged"):
     kept: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class NothingToReplay(Error, code="ROSS616", name="nothing-to-replay"):
     """A recording that holds nothing that the rules read."""
 
@@ -214,7 +198,6 @@ class NothingToReplay(Error, code="ROSS616", name="nothing-to-replay"):
     recorded: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class RecordingUntyped(Error, code="ROSS617", name="recording-untyped"):
     """A system model is wanted of a recording that does not know types."""
 
@@ -222,7 +205,6 @@ class RecordingUntyped(Error, code="ROSS617", name="recording-untyped"):
     help = "write the system model from a .bag, .db3 or .mcap, or by hand"
 
 
-@dataclass(frozen=True, kw_only=True)
 class ClockSetBack(Warning, code="ROSS618", name="clock-set-back"):
     """A recording whose stamps go back, in the order in which its messages were stored."""
 
@@ -238,7 +220,6 @@ class ClockSetBack(Warning, code="ROSS618", name="clock-set-back"):
 # --- CSV -------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, kw_only=True)
 class TimeColumnMissing(Error, code="ROSS620", name="time-column-missing"):
     """A CSV file whose first column is not the time."""
 
@@ -247,7 +228,6 @@ class TimeColumnMissing(Error, code="ROSS620", name="time-column-missing"):
     help = "name the column with the instants `time`, and put it first"
 
 
-@dataclass(frozen=True, kw_only=True)
 class RowsSkipped(Warning, code="ROSS621", name="rows-skipped"):
     """Rows of a CSV file that are not an instant and values."""
 
@@ -259,7 +239,6 @@ class RowsSkipped(Warning, code="ROSS621", name="rows-skipped"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ColumnRepeated(Error, code="ROSS622", name="column-repeated"):
     """Two columns of one name."""
 
@@ -269,7 +248,6 @@ class ColumnRepeated(Error, code="ROSS622", name="column-repeated"):
     column: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ColumnMissing(Warning, code="ROSS623", name="column-missing"):
     """An input that no column of a CSV file is named after."""
 

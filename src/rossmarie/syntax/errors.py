@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class FileTooLarge(Error, code="ROSS001", name="file-too-large"):
     """More text than anybody writes by hand."""
 
@@ -20,7 +17,6 @@ class FileTooLarge(Error, code="ROSS001", name="file-too-large"):
     limit: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnexpectedCharacter(Error, code="ROSS002", name="unexpected-character"):
     """A character with no meaning outside of strings and comments."""
 
@@ -31,7 +27,6 @@ class UnexpectedCharacter(Error, code="ROSS002", name="unexpected-character"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnterminatedString(Error, code="ROSS003", name="unterminated-string"):
     """A `"` without its partner."""
 
@@ -41,7 +36,6 @@ class UnterminatedString(Error, code="ROSS003", name="unterminated-string"):
     help = 'close it with `"`'
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnterminatedDocumentation(Error, code="ROSS004", name="unterminated-documentation"):
     """A `'''` without its partner."""
 
@@ -50,7 +44,6 @@ class UnterminatedDocumentation(Error, code="ROSS004", name="unterminated-docume
     help = "close it with `'''`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownItem(Error, code="ROSS005", name="unknown-item"):
     """Something at the outermost level that is none of the things a file is made of."""
 
@@ -61,7 +54,6 @@ class UnknownItem(Error, code="ROSS005", name="unknown-item"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MissingSign(Error, code="ROSS006", name="missing-sign"):
     """A sign or small word that closes or connects two parts."""
 
@@ -73,7 +65,6 @@ class MissingSign(Error, code="ROSS006", name="missing-sign"):
     form: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnclosedBracket(Error, code="ROSS007", name="unclosed-bracket"):
     """A bracket that is opened and not closed."""
 
@@ -84,7 +75,6 @@ class UnclosedBracket(Error, code="ROSS007", name="unclosed-bracket"):
     closing: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnopenedBracket(Error, code="ROSS008", name="unopened-bracket"):
     """A bracket that closes nothing."""
 
@@ -95,7 +85,6 @@ class UnopenedBracket(Error, code="ROSS008", name="unopened-bracket"):
     opening: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MissingThen(Error, code="ROSS009", name="missing-then"):
     """A rule without `then` between its condition and its actions."""
 
@@ -105,7 +94,6 @@ class MissingThen(Error, code="ROSS009", name="missing-then"):
     help = "write `then` between the condition and the actions"
 
 
-@dataclass(frozen=True, kw_only=True)
 class ForeignOperator(Error, code="ROSS010", name="foreign-operator"):
     """An operator as other languages write it."""
 
@@ -117,7 +105,6 @@ class ForeignOperator(Error, code="ROSS010", name="foreign-operator"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ChainedComparison(Error, code="ROSS011", name="chained-comparison"):
     """`a < b < c`."""
 
@@ -128,7 +115,6 @@ class ChainedComparison(Error, code="ROSS011", name="chained-comparison"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NestingTooDeep(Error, code="ROSS012", name="nesting-too-deep"):
     """More brackets and prefix operators inside each other than anybody can follow."""
 
@@ -139,7 +125,6 @@ class NestingTooDeep(Error, code="ROSS012", name="nesting-too-deep"):
     limit: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class ExpressionTooLong(Error, code="ROSS013", name="expression-too-long"):
     """A longer chain of operators than the compiler promises to handle."""
 
@@ -150,7 +135,6 @@ class ExpressionTooLong(Error, code="ROSS013", name="expression-too-long"):
     limit: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class ReservedWord(Error, code="ROSS014", name="reserved-word"):
     """A keyword where a name should stand."""
 
@@ -161,7 +145,6 @@ class ReservedWord(Error, code="ROSS014", name="reserved-word"):
     suggestion: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MissingName(Error, code="ROSS015", name="missing-name"):
     """A declaration without a usable name."""
 
@@ -173,7 +156,6 @@ class MissingName(Error, code="ROSS015", name="missing-name"):
     form: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MissingValue(Error, code="ROSS016", name="missing-value"):
     """An operator or sign with nothing behind or before it."""
 
@@ -185,7 +167,6 @@ class MissingValue(Error, code="ROSS016", name="missing-value"):
     form: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class Unfinished(Error, code="ROSS017", name="unfinished"):
     """Something that stops in the middle."""
 
@@ -195,7 +176,6 @@ class Unfinished(Error, code="ROSS017", name="unfinished"):
     form: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MisplacedWord(Error, code="ROSS018", name="misplaced-word"):
     """A word or sign that cannot stand where it stands."""
 
@@ -207,7 +187,6 @@ class MisplacedWord(Error, code="ROSS018", name="misplaced-word"):
     form: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NumberOutOfRange(Error, code="ROSS019", name="number-out-of-range"):
     """A number that the monitor cannot hold."""
 
@@ -218,7 +197,6 @@ class NumberOutOfRange(Error, code="ROSS019", name="number-out-of-range"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class MalformedOscillates(Error, code="ROSS021", name="malformed-oscillates"):
     """`oscillates` with other parts than it needs, or its parts in another call."""
 
@@ -229,7 +207,6 @@ class MalformedOscillates(Error, code="ROSS021", name="malformed-oscillates"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class TooManyErrors(Error, code="ROSS022", name="too-many-errors"):
     """The point from which on the errors of a file are no longer shown."""
 
@@ -240,7 +217,6 @@ class TooManyErrors(Error, code="ROSS022", name="too-many-errors"):
     limit: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class MalformedNumber(Error, code="ROSS023", name="malformed-number"):
     """`.5`, `1.` or `1,5`."""
 
@@ -253,7 +229,6 @@ class MalformedNumber(Error, code="ROSS023", name="malformed-number"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class KeywordInCapitals(Error, code="ROSS024", name="keyword-in-capitals"):
     """`IF` for `if`."""
 
@@ -264,7 +239,6 @@ class KeywordInCapitals(Error, code="ROSS024", name="keyword-in-capitals"):
     meant: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class BlockComment(Error, code="ROSS025", name="block-comment"):
     """`/* ... */`."""
 
@@ -274,7 +248,6 @@ class BlockComment(Error, code="ROSS025", name="block-comment"):
     help = "begin each of its lines with `//`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class HiddenCharacter(Error, code="ROSS026", name="hidden-character"):
     """A character that makes a text look other than it is read."""
 
@@ -287,7 +260,6 @@ class HiddenCharacter(Error, code="ROSS026", name="hidden-character"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ForeignForm(Error, code="ROSS027", name="foreign-form"):
     """Something that is written differently here, out of habit or from another language."""
 
@@ -297,7 +269,6 @@ class ForeignForm(Error, code="ROSS027", name="foreign-form"):
     problem: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownEffect(Error, code="ROSS028", name="unknown-effect"):
     """Something in the body of an action that begins like no effect."""
 
@@ -312,7 +283,6 @@ class UnknownEffect(Error, code="ROSS028", name="unknown-effect"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnknownStatement(Error, code="ROSS029", name="unknown-statement"):
     """A statement of a test that begins with no word of the language."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template, Warning
 
 
-@dataclass(frozen=True, kw_only=True)
 class ExpectationNotMet(Error, code="ROSS760", name="expectation-not-met"):
     """A rule that is not as a test expects it."""
 
@@ -22,7 +19,6 @@ class ExpectationNotMet(Error, code="ROSS760", name="expectation-not-met"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class EnginesDiffer(Error, code="ROSS761", name="engines-differ"):
     """A test in which the compiled C says something else than the interpreter."""
 
@@ -34,7 +30,6 @@ class EnginesDiffer(Error, code="ROSS761", name="engines-differ"):
     found: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotRunInC(Warning, code="ROSS762", name="not-run-in-c"):
     """Tests that ran on the interpreter only."""
 
@@ -45,7 +40,6 @@ class NotRunInC(Warning, code="ROSS762", name="not-run-in-c"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoTests(Warning, code="ROSS763", name="no-tests"):
     """Rules without any test."""
 
@@ -56,7 +50,6 @@ class NoTests(Warning, code="ROSS763", name="no-tests"):
     path: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class SettingUnread(Warning, code="ROSS764", name="setting-unread"):
     """A field that a test sets and that nothing in the rules reads."""
 
@@ -69,7 +62,6 @@ class SettingUnread(Warning, code="ROSS764", name="setting-unread"):
     input: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class CommandNotWithin(Error, code="ROSS765", name="command-not-within"):
     """A command of which more is let through than a test expects."""
 

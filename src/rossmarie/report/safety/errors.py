@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.diagnostics import Diagnostic, Error, Template, Warning
@@ -22,7 +21,6 @@ def at_file(finding: Template, path: Path) -> Diagnostic:
     return finding.at(Span(SourceFile(str(path), ""), 0, 0))
 
 
-@dataclass(frozen=True, kw_only=True)
 class EvidenceUnreadable(Error, code="ROSS780", name="evidence-unreadable"):
     """A report that the operating system does not hand out."""
 
@@ -32,7 +30,6 @@ class EvidenceUnreadable(Error, code="ROSS780", name="evidence-unreadable"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotEvidence(Error, code="ROSS781", name="not-evidence"):
     """A file that is not a report of the kind that was asked for."""
 
@@ -42,7 +39,6 @@ class NotEvidence(Error, code="ROSS781", name="not-evidence"):
     reason: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class EvidenceOfOtherRules(Warning, code="ROSS782", name="evidence-of-other-rules"):
     """A report about another text of the rules."""
 
