@@ -11,21 +11,22 @@ import errno
 import os
 import signal
 import sys
-import traceback
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
-from typing import Any, NoReturn, TextIO
+from typing import TYPE_CHECKING, Any, NoReturn, TextIO
 
 import typer
-from rich.console import Console
 
-from dslkit import signals, streams
-from dslkit.catalog import Catalog
+from dslkit import garbage, signals, streams
 from dslkit.diagnostics import Diagnostic, Severity, summary
 from dslkit.writing import reason, try_folder, try_writing, write_whole
+
+if TYPE_CHECKING:  # a run without findings needs neither
+    from rich.console import Console
+
+    from dslkit.catalog import Catalog
 
 INTERNAL_ERROR = 70
 """The exit code for a defect of the tool (sysexits: EX_SOFTWARE)."""
@@ -69,6 +70,8 @@ class CommandLine:
 
     def own_version(self) -> str:
         """The installed version."""
+        from importlib.metadata import version
+
         return version("rossmarie")
 
     def version_option(self) -> Any:
@@ -102,6 +105,10 @@ class CommandLine:
 
     def print_findings(self, found: Sequence[Diagnostic], console: Console | None = None) -> None:
         """The findings as text, without a count: on standard output, if nothing else is given."""
+        if not found:
+            return
+        from rich.console import Console
+
         from dslkit.diagnostics.render_text import render_text
 
         console = console or Console(highlight=False)
@@ -112,6 +119,8 @@ class CommandLine:
 
     def print_page(self, text: str) -> None:
         """A page in Markdown: laid out on a terminal, as it is elsewhere."""
+        from rich.console import Console
+
         console = Console()
         if console.is_terminal:
             from rich.markdown import Markdown
@@ -189,6 +198,7 @@ class CommandLine:
         except KeyboardInterrupt:
             signals.end_at_once()
             code = INTERRUPTED
+        garbage.look_no_more()
         sys.exit(signals.exit_code() or code)
 
     def _exit_code_of(self, app: Callable[[], None]) -> int | str | None:
@@ -221,6 +231,8 @@ class CommandLine:
                 code = 2
                 self.complain("the current folder is gone: change to another one")
             else:
+                import traceback
+
                 self._tell_defect(traceback.format_exc())
         except OSError:
             _drop(sys.stderr)

@@ -26,9 +26,7 @@ from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.load import load_skills, module_files, roots
 from ezskiros.skills.load_errors import NoFile, NoSkills
 from ezskiros.skills.markers import Kind
-from ezskiros.stubs import write_stub
-from ezskiros.trees.launch import read_launch_values
-from ezskiros.trees.library import Library
+from ezskiros.trees.library import LaunchValues, Library
 from ezskiros.trees.tree import Tree
 
 SCENE = ".turtle"
@@ -82,7 +80,7 @@ def check_paths(
         described = check_skills(loaded.descriptions, scenes)
         library = Library(described)
         interfaces = [each.interface for each in described.values()]
-        known = read_launch_values(values, interfaces) if values else {}
+        known = _launch_values(values, interfaces) if values else {}
         trees = check_implementations(loaded.implementations, library, known)
         collector.extend(check_contracts(trees, library).diagnostics)
         collector.extend(found for scene in scenes for found in _scene(scene))
@@ -92,6 +90,13 @@ def check_paths(
         collector.add(NoSkills(path=shown).at(Span(SourceFile(shown, ""), 0, 0)))
     skills = list({each.name: each for each in reversed(interfaces)}.values())[::-1]
     return Checked([*files, *scenes], skills, collector.sorted(), library, trees)
+
+
+def _launch_values(path: Path, interfaces: Sequence[SkillInterface]) -> LaunchValues:
+    """What is known at launch; only these files are written in YAML."""
+    from ezskiros.trees.launch import read_launch_values
+
+    return read_launch_values(path, interfaces)
 
 
 def missing_conditions(paths: Iterable[Path], collector: Collector | None = None) -> list[Missing]:
@@ -112,6 +117,8 @@ def _scene(path: Path) -> Iterable[Diagnostic]:
 
 def stub_of(*, relations: bool) -> tuple[str, Sequence[Diagnostic]]:
     """The stub of the ontology that `load()` loads, and what is wrong with that."""
+    from ezskiros.stubs import write_stub
+
     collector = Collector()
     with session.collecting(collector):
         ontology = load(relations=relations)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dslkit.garbage import look_seldom
 from dslkit.signals import end_at_once
 
 
 def main() -> None:
     """Run the command line. What is imported for it takes a while, and may be interrupted."""
     end_at_once()
+    look_seldom()
     from rossmarie.cli.main import main as run
 
     run()

@@ -6,7 +6,6 @@ is the only place that converts.
 
 from __future__ import annotations
 
-import hashlib
 from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
@@ -42,6 +41,8 @@ class SourceFile:
     @property
     def sha256(self) -> str:
         """The SHA-256 of the file as it was read, in hexadecimal."""
+        import hashlib  # loads OpenSSL
+
         return hashlib.sha256((self.mark + self.text).encode()).hexdigest()
 
     @cached_property

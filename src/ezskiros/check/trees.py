@@ -23,18 +23,17 @@ from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.syntax import class_span
 from ezskiros.trees.expand import expand
-from ezskiros.trees.launch import Known
-from ezskiros.trees.library import Library
+from ezskiros.trees.library import LaunchValues, Library
 from ezskiros.trees.tree import Tree
 
 CHECKS = (check_calls, check_sharing, check_dataflow)
-NOTHING: Known = MappingProxyType({})
+NOTHING: LaunchValues = MappingProxyType({})
 
 
 def check_implementations(
     implementations: Iterable[type[SkillImplementation]],
     library: Library,
-    known: Known = NOTHING,
+    known: LaunchValues = NOTHING,
 ) -> list[Tree]:
     """The trees of compound skills; what is wrong with these and with primitives is reported."""
     found: list[Tree] = []

@@ -54,6 +54,8 @@ def checked(paths: Sequence[Path], values: Path | None = None) -> Report:
     """Check files; the value is the number of them."""
     from ezskiros.driver import check_paths
 
+    if values is not None:  # before the child starts, which seals what has been imported
+        import ezskiros.trees.launch  # noqa: F401
     return reported(lambda collector: len(check_paths(paths, values, collector).files))
 
 

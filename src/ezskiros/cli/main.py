@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dslkit.command_line import Format
+from dslkit.parameters import Group
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Skills, name_ontology
 from ezskiros.cli.checking import asked, print_check
@@ -27,6 +28,7 @@ if TYPE_CHECKING:  # libcst is loaded only where it is needed
 
 app = typer.Typer(
     help="Skills for SkiROS2, checked against the ontology before the robot is launched.",
+    cls=Group,
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,

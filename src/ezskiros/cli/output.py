@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from dslkit.catalog import Catalog
+from typing import TYPE_CHECKING
+
 from dslkit.command_line import CommandLine
+
+if TYPE_CHECKING:  # for `explain` and SARIF only
+    from dslkit.catalog import Catalog
 
 
 def _catalog() -> Catalog:

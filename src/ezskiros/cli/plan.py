@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.console import Console
 
 from dslkit.command_line import Format
 from dslkit.diagnostics import Collector
 from ezskiros.cli.arguments import Folders, OptionalSkills, name_ontology
 from ezskiros.cli.checking import asked, checked, print_check
 from ezskiros.cli.output import output
+
+if TYPE_CHECKING:  # every command waits for what is imported here
+    from rich.console import Console
 
 
 def plan(

@@ -11,7 +11,6 @@ from types import FrameType
 from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
-from rich.console import Console
 
 from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
@@ -162,6 +161,8 @@ class _Run:
     def __init__(
         self, call: SkillCall, setting: Setting, period: float, timeout: float | None
     ) -> None:
+        from rich.console import Console
+
         from ezskiros.cli.progress import LiveTree
         from ezskiros.engine.task import Task
 

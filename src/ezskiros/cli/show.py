@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.console import Console
 
 from dslkit.diagnostics import Collector, Diagnostic
 from ezskiros.cli.arguments import Folders, OptionalSkills, name_ontology
 from ezskiros.cli.checking import asked
 from ezskiros.cli.output import output
+
+if TYPE_CHECKING:  # every command waits for what is imported here
+    from rich.console import Console
 
 
 def show(

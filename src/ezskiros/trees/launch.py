@@ -17,10 +17,9 @@ from dslkit.source.python_file import too_deep
 from ezskiros import session
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.trees import errors
+from ezskiros.trees.library import LaunchValues
 
 _ENDINGS = (".yaml", ".yml", ".json")
-Known = Mapping[str, Mapping[str, object]]
-"""Values of parameters by their names, by the names of skills."""
 LARGEST_FILE = 256 << 10
 """Bytes of a file, which is slow to read."""
 _TOO_DEEP = "its lists and mappings lie too deep in each other"
@@ -34,7 +33,7 @@ class _UnreadableError(Exception):
         super().__init__(said)
 
 
-def read_launch_values(path: Path, skills: Iterable[SkillInterface]) -> Known:
+def read_launch_values(path: Path, skills: Iterable[SkillInterface]) -> LaunchValues:
     """What a file says of the parameters of some skills; what is wrong with it is reported."""
     try:
         file = _file(path)

@@ -16,6 +16,8 @@ from ezskiros.skills.nodes import SkillCall
 
 T = TypeVar("T")
 Implementations = Mapping[str, type[SkillImplementation]]
+LaunchValues = Mapping[str, Mapping[str, object]]
+"""Values of parameters that are known at launch: by their names, by the names of skills."""
 
 
 class Library:

@@ -13,6 +13,7 @@ from typing import Annotated
 import typer
 
 from dslkit.command_line import Format
+from dslkit.parameters import Group
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
     Licenses,
@@ -31,6 +32,7 @@ from rossmarie.cli.output import output
 
 app = typer.Typer(
     help="Safety rules for robots: check them, build their monitor, replay a recording.",
+    cls=Group,
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,

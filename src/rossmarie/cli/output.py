@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
-from dslkit.catalog import Catalog
 from dslkit.command_line import CommandLine
 from dslkit.diagnostics import Diagnostic
+
+if TYPE_CHECKING:  # for `explain` and SARIF only
+    from dslkit.catalog import Catalog
 
 
 def _catalog() -> Catalog:

@@ -1,0 +1,18 @@
+"""How seldom Python looks for garbage: a command makes much when it starts, and keeps nearly all."""
+
+from __future__ import annotations
+
+import gc
+
+_NEW_OBJECTS = 50_000
+"""Python's own number is below a thousand: then a tenth of a short run goes into looking."""
+
+
+def look_seldom() -> None:
+    """From now on, look after so many new objects. Cycles still do not fill the memory."""
+    gc.set_threshold(_NEW_OBJECTS)
+
+
+def look_no_more() -> None:
+    """From now on, what is there stays: the system takes it back when the process ends."""
+    gc.freeze()
