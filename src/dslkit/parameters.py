@@ -12,7 +12,6 @@ from enum import Enum
 from pathlib import Path
 from typing import Any, get_args
 
-import typer
 from typer.core import TyperGroup
 
 
@@ -23,7 +22,7 @@ class Group(TyperGroup):
         super().__init__(**declared)
         _look_first_at_values_of(self)
 
-    def get_command(self, ctx: typer.Context, cmd_name: str) -> Any:
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
         """The command with this name."""
         command = super().get_command(ctx, cmd_name)
         if command is not None:
@@ -35,7 +34,7 @@ def _look_first_at_values_of(command: Any) -> None:
     """Also at the option `--help`, which typer makes when it is asked for the parameters."""
     typers = command.get_params
 
-    def get_params(ctx: typer.Context) -> list[Any]:
+    def get_params(ctx: Any) -> list[Any]:
         found: list[Any] = typers(ctx)
         for parameter in found:
             parameter.get_runtime_param = _Plain(parameter).itself

@@ -22,7 +22,6 @@ from rossmarie.syntax.explain import (
 )
 from rossmarie.syntax.findings import Findings
 from rossmarie.syntax.grammar import Failure
-from rossmarie.syntax.habits import mend
 from rossmarie.syntax.limits import MAXIMUM_ERRORS
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.recover import recover
@@ -50,6 +49,8 @@ def read_items(source: Scan, findings: Findings) -> list[ast.Item]:
     readings, kinds = _first_readings(part)
     pieces: Iterable[Piece] = (reading.piece for reading in readings.values())
     if any(reading.is_broken for reading in readings.values()):
+        from rossmarie.syntax.habits import mend  # compiles many patterns
+
         part = PartParser(mend(source, kinds, findings), findings)
         pieces = cut(part.source)
     items: list[ast.Item] = []
