@@ -18,6 +18,7 @@ import compiler_speed
 import numpy as np
 import peers_run
 import ros_nodes
+import start_up
 from generated import (
     from_python_columns,
     from_python_steps,
@@ -237,6 +238,8 @@ def main() -> None:
         "",
         *scaling(columns),
         *compiler_speed.lines(BENCH / "generated"),
+        "",
+        *start_up.lines(),
         "",
         *ros_nodes.lines(BENCH / "ros"),
     ]

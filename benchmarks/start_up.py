@@ -1,0 +1,62 @@
+"""What a check of one small file takes with all imports, against Python that does nothing.
+
+The CPU time of the process and of its children: `ezskiros` checks in a child process. Contenders
+in turn. Absolute figures differ from machine to machine, ratios much less. By itself:
+`python benchmarks/start_up.py`.
+"""
+
+from __future__ import annotations
+
+import os
+import resource
+import statistics
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+ROUNDS = 11
+FLOOR = "Python that does nothing"
+COMMANDS = {
+    FLOOR: ("-c", "pass"),
+    "`import typer, rich`": ("-c", "import typer, rich"),
+    "`rossmarie check` of 8 rules": ("-m", "rossmarie", "check", EXAMPLES / "demo" / "demo.ross"),
+    "`ezskiros check` of a file": (
+        *("-m", "ezskiros", "check"),
+        EXAMPLES / "pick_place" / "skills" / "motions.py",
+    ),
+}
+TO_REACH = "under 0.4"
+
+
+def lines() -> Iterator[str]:
+    """The table of start-ups."""
+    seconds: dict[str, list[float]] = {name: [] for name in COMMANDS}
+    for words in COMMANDS.values():
+        _cpu_seconds(*words)  # Python keeps what it has compiled, and `rossmarie` its parser
+    for _ in range(ROUNDS):
+        for name, words in COMMANDS.items():
+            seconds[name].append(_cpu_seconds(*words))
+    medians = {name: statistics.median(each) for name, each in seconds.items()}
+    yield "## Start-up"
+    yield ""
+    yield "| | CPU seconds | to reach | ratio |"
+    yield "|---|---|---|---|"
+    for name, took in medians.items():
+        wanted = TO_REACH if "check" in name else ""
+        yield f"| {name} | {took:.3f} | {wanted} | {took / medians[FLOOR]:.1f} |"
+
+
+def _cpu_seconds(*words: str | Path) -> float:
+    """What a run of Python takes, with its children."""
+    environment = {**os.environ}
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)  # else it compiles all modules each time
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([sys.executable, *words], env=environment, stdout=subprocess.DEVNULL, check=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+
+
+if __name__ == "__main__":
+    print("\n".join(lines()))
