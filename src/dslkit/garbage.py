@@ -1,4 +1,4 @@
-"""How seldom Python looks for garbage: a command makes much when it starts, and keeps nearly all."""
+"""How seldom Python looks for garbage: a command makes much at its start, and keeps nearly all."""
 
 from __future__ import annotations
 
