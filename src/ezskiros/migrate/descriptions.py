@@ -12,10 +12,11 @@ from ezskiros.migrate import errors
 from ezskiros.migrate.calls import last_name
 from ezskiros.migrate.classes import describing_method, self_calls
 from ezskiros.migrate.comments import marked, without_marks
-from ezskiros.migrate.description import Finding, Translation, statements_of
+from ezskiros.migrate.description import Finding, Translation
 from ezskiros.migrate.imports import imported
 from ezskiros.migrate.names import Names
 from ezskiros.migrate.skills import Skill, skill_of
+from ezskiros.migrate.steps import statements_of
 
 
 @dataclass

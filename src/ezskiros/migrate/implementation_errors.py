@@ -31,14 +31,16 @@ class UnusableChild(Error, code="EZS722", name="unusable-child"):
 
 @dataclass(frozen=True, kw_only=True)
 class SharedName(Error, code="EZS723", name="shared-name"):
-    """A child whose parameter is renamed to something that is no parameter of the compound."""
+    """A child whose parameter is renamed to something that cannot become one of the compound."""
 
-    title = "`{key}`, which `{child}` shares with other children, is no parameter of `{skill}`"
+    title = "`{child}` shares `{key}`, which is no parameter of `{skill}`"
+    label = "{why}"
     note = "SkiROS2 makes a new name for any text that it is given, also for a misspelt one"
     help = 'declare it: self.addParam("{key}", ..., ParamTypes.Optional) in `{skill}`'
     skill: str
     key: str
     child: str
+    why: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -47,9 +49,10 @@ class UnknownKey(Error, code="EZS724", name="unknown-key"):
 
     title = "`{skill}` has no parameter `{key}`"
     note = "SkiROS2 fails, or goes on without a value, when the skill gets there"
-    help = "name one that it has, or declare this one in its description"
+    help = "{advice}"
     skill: str
     key: str
+    advice: str = "name one that it has, or declare this one in its description"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -166,6 +169,20 @@ class OfSkiros2(Warning, code="EZS735", name="of-skiros2"):
     found: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class AddedParameter(Warning, code="EZS736", name="added-parameter"):
+    """A key that children share, which a description gets as a parameter."""
+
+    title = "`{skill}` gets the parameter `{key}`, since it does not declare what children share"
+    label = "for {sharing}"
+    note = "in EzSkiROS children share parameters of the compound"
+    help = 'declare it, if it is meant: self.addParam("{key}", {value}, ParamTypes.Optional)'
+    skill: str
+    key: str
+    value: str
+    sharing: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnusableSkill,
     UnusableChild,
@@ -182,4 +199,5 @@ ALL: tuple[type[Template], ...] = (
     OtherBase,
     OtherDescription,
     OfSkiros2,
+    AddedParameter,
 )

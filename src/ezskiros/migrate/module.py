@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import libcst as cst
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, listed
 from dslkit.source import SourceFile, Span
 from dslkit.source.python_file import too_deep
 from ezskiros.migrate import errors, implementation_errors
 from ezskiros.migrate.calls import last_name
+from ezskiros.migrate.class_bodies import with_marks
 from ezskiros.migrate.classes import classes_of, with_classes
 from ezskiros.migrate.description import Finding, translate
 from ezskiros.migrate.descriptions import Description, Descriptions
@@ -22,7 +23,6 @@ from ezskiros.migrate.implementations import (
     helpers_of,
     labels_in,
     translate_implementation,
-    with_marks,
 )
 from ezskiros.migrate.imports import (
     Wanted,
@@ -36,10 +36,14 @@ from ezskiros.migrate.imports import (
 from ezskiros.migrate.names import Names
 from ezskiros.migrate.positions import Positions
 from ezskiros.migrate.robots import Robots, robots_in, with_robots
-from ezskiros.migrate.skills import Skill, Skills, new_skills
+from ezskiros.migrate.shared_keys import SharingTree, shared_keys
+from ezskiros.migrate.skills import Skill, SkillId, Skills, new_skills
 from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.tree_context import Wanted as WantedSkills
-from ezskiros.migrate.values import known_of
+from ezskiros.migrate.values import BASIC, known_of
+
+_MOST_PASSES = 10
+"""Each is for skills one level higher in the trees."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +55,7 @@ class Migrated:
 
     `skills` are what is described, `robots` what is said of their robots, `labels` what
     implementations call themselves, with the names of their classes, `sources` the modules that are
-    imported, `wanted` the files that trees need besides.
+    imported, `wanted` the files that trees need besides, `trees` what their children share.
     """
 
     file: SourceFile
@@ -66,7 +70,13 @@ class Migrated:
     labels: Mapping[str, str] = field(default_factory=dict)
     sources: Collection[str] = ()
     wanted: Collection[str] = ()
+    trees: Sequence[SharingTree] = ()
     diagnostics: Sequence[Diagnostic] = ()
+
+    def needs(self, skills: Collection[SkillId]) -> bool:
+        """Whether it describes one of some skills, or has trees with them."""
+        named = {each.id for tree in self.trees for each in tree.skills}
+        return any(each in named or each[0] == self.file.path for each in skills)
 
 
 def migrate_text(
@@ -103,7 +113,28 @@ def migrate_text(
         names = with_robots([own.robots], own.skills)
         robots = _File(file, module, world, inherited, ambiguous, Skills((), names), ())
         skills = Skills(robots.migrated().skills, names, own.labels)
+
+        def again(known: Skills) -> list[Migrated]:
+            return [_File(file, module, world, inherited, ambiguous, known, ()).migrated()]
+
+        return with_shared_keys(skills, again)[0]
     return _File(file, module, world, inherited, ambiguous, skills, late).migrated()
+
+
+def with_shared_keys(
+    skills: Skills, migrated: Callable[[Skills], Sequence[Migrated]]
+) -> Sequence[Migrated]:
+    """What becomes of files when descriptions have the keys that children share: each time that
+    some get keys, it shows which others need them.
+    """
+    found = migrated(skills)
+    for _ in range(_MOST_PASSES):
+        keys = shared_keys(tree for each in found for tree in each.trees)
+        if keys == skills.keys:
+            break
+        skills = skills.with_keys(keys)
+        found = migrated(skills)
+    return found
 
 
 def _unreadable(file: SourceFile, problem: cst.ParserSyntaxError) -> Diagnostic:
@@ -163,6 +194,7 @@ class _File:
             labels=labels_in(classes),
             sources=sources(self._module),
             wanted=self._foreign.files(),
+            trees=[tree for each in implementing if (tree := each.sharing())],
             diagnostics=[
                 each.template.at(self._positions.span(each.node))
                 for each in (*_all_findings(found), *_implementation_findings(implementing))
@@ -220,13 +252,26 @@ class _File:
                 self._code,
                 self._positions.indents(each.method),
                 has_robot=each.name in self._skills.robots,
+                added=self._skills.keys.added.get((self._file.path, each.name), {}),
             )
+            self._tell_added(each)
         self._descriptions.leave_related(found)
         used = spelling.like()
         for each in found:
             if not each.findings:
                 used.add(each.names)
         return used
+
+    def _tell_added(self, each: Description) -> None:
+        """Say which parameters a description gets, for which implementations."""
+        keys, skill = self._skills.keys, (self._file.path, each.name)
+        names = listed(keys.sharing.get(skill, ()))
+        for key, kind in keys.added.get(skill, {}).items():
+            value = kind if kind in BASIC else f'Element("{kind}")'
+            template = implementation_errors.AddedParameter(
+                skill=each.name, key=key, value=value, sharing=names
+            )
+            each.translation.warnings.append(Finding(template, each.node.name, each.node))
 
     def _spelled(self, first: cst.Module, names: Names) -> Names:
         """How names are written, now that it is known which of them mean something else."""
