@@ -41,7 +41,8 @@ class Description:
     def skill(self, path: str) -> Skill:
         """What implementations can say of it."""
         if self.findings:
-            return Skill(self.name, path, is_left=True)
+            codes = [each.template.code for each in self.findings]
+            return Skill(self.name, path, left_for=codes)
         return skill_of(self.name, path, self.translation.parameters)
 
     def leave(self, template: Template, node: cst.CSTNode) -> None:

@@ -12,6 +12,7 @@ from dslkit.source import SourceFile, Span, is_file, is_folder
 from dslkit.source.python_file import read_python
 from dslkit.writing import write_whole
 from ezskiros.migrate import errors
+from ezskiros.migrate.consequences import consequences
 from ezskiros.migrate.module import Migrated, migrate_text, with_shared_keys
 from ezskiros.migrate.modules import imported_files, reaches
 from ezskiros.migrate.robots import with_robots
@@ -102,7 +103,9 @@ def migrate_paths(
         MigratedFile(each.path, each.encoding, found)
         for each, found in zip(sources, migrated, strict=True)
     ]
-    return Migration(files, [*wrong, *(d for each in migrated for d in each.diagnostics)])
+    left = {skill: what for each in migrated for skill, what in each.left_skills.items()}
+    more = consequences((one for each in migrated for one in each.followers), left)
+    return Migration(files, [*wrong, *(d for each in migrated for d in each.diagnostics), *more])
 
 
 @dataclass(frozen=True)

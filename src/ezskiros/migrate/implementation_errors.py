@@ -13,7 +13,7 @@ class UnusableSkill(Error, code="EZS721", name="unusable-skill"):
 
     title = "`{skill}`, which this implements, is {found}"
     label = "implementations are derived from a description of EzSkiROS"
-    help = "name the file of its description, too, and see why that is left"
+    help = "name the file of its description, too"
     skill: str
     found: str
 
@@ -24,7 +24,7 @@ class UnusableChild(Error, code="EZS722", name="unusable-child"):
 
     title = "the child `{skill}` is {found}"
     label = "trees of EzSkiROS name skills by their Python classes"
-    help = "name the files that it takes, and only these; where it is left, a finding says why"
+    help = "name the files that it takes, and only these"
     skill: str
     found: str
 
@@ -183,6 +183,20 @@ class AddedParameter(Warning, code="EZS736", name="added-parameter"):
     sharing: str
 
 
+@dataclass(frozen=True, kw_only=True)
+class LeftWith(Warning, code="EZS737", name="left-with"):
+    """Implementations that are left since a description is."""
+
+    title = "{followers} {are} left with `{skill}`"
+    label = "this description is left for {codes}"
+    note = "they implement it, or have it as a child"
+    help = "change what {codes} tells, and migrate again: nothing else is needed for this skill"
+    skill: str
+    followers: str
+    are: str
+    codes: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnusableSkill,
     UnusableChild,
@@ -200,4 +214,5 @@ ALL: tuple[type[Template], ...] = (
     OtherDescription,
     OfSkiros2,
     AddedParameter,
+    LeftWith,
 )

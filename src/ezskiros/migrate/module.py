@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import libcst as cst
 
@@ -14,6 +14,7 @@ from ezskiros.migrate import errors, implementation_errors
 from ezskiros.migrate.calls import last_name
 from ezskiros.migrate.class_bodies import with_marks
 from ezskiros.migrate.classes import classes_of, with_classes
+from ezskiros.migrate.consequences import Follower, LeftSkill, consequences, follows
 from ezskiros.migrate.description import Finding, translate
 from ezskiros.migrate.descriptions import Description, Descriptions
 from ezskiros.migrate.foreign_skills import ForeignSkills
@@ -55,7 +56,8 @@ class Migrated:
 
     `skills` are what is described, `robots` what is said of their robots, `labels` what
     implementations call themselves, with the names of their classes, `sources` the modules that are
-    imported, `wanted` the files that trees need besides, `trees` what their children share.
+    imported, `wanted` the files that trees need besides, `trees` what their children share,
+    `left_skills` the skills that are left, `followers` the implementations that are left for them.
     """
 
     file: SourceFile
@@ -71,6 +73,8 @@ class Migrated:
     sources: Collection[str] = ()
     wanted: Collection[str] = ()
     trees: Sequence[SharingTree] = ()
+    followers: Sequence[Follower] = ()
+    left_skills: Mapping[SkillId, LeftSkill] = field(default_factory=dict)
     diagnostics: Sequence[Diagnostic] = ()
 
     def needs(self, skills: Collection[SkillId]) -> bool:
@@ -117,7 +121,9 @@ def migrate_text(
         def again(known: Skills) -> list[Migrated]:
             return [_File(file, module, world, inherited, ambiguous, known, ()).migrated()]
 
-        return with_shared_keys(skills, again)[0]
+        (migrated,) = with_shared_keys(skills, again)
+        more = consequences(migrated.followers, migrated.left_skills)
+        return replace(migrated, diagnostics=[*migrated.diagnostics, *more])
     return _File(file, module, world, inherited, ambiguous, skills, late).migrated()
 
 
@@ -195,11 +201,34 @@ class _File:
             sources=sources(self._module),
             wanted=self._foreign.files(),
             trees=[tree for each in implementing if (tree := each.sharing())],
+            followers=[follower for each in implementing for follower in self._followers(each)],
+            left_skills={
+                (self._file.path, each.name): LeftSkill(
+                    self._positions.span(each.node.name),
+                    [finding.template.code for finding in each.findings],
+                )
+                for each in found
+                if each.findings
+            },
             diagnostics=[
-                each.template.at(self._positions.span(each.node))
+                self._diagnostic(each)
                 for each in (*_all_findings(found), *_implementation_findings(implementing))
+                if not follows(each.template)
             ],
         )
+
+    def _diagnostic(self, finding: Finding) -> Diagnostic:
+        return finding.template.at(self._positions.span(finding.node))
+
+    def _followers(self, each: Implementation) -> Iterator[Follower]:
+        """What an implementation is left for besides its own findings."""
+        name = each.node.name.value
+        for finding in each.findings:
+            if follows(finding.template):
+                skill = getattr(finding.template, "skill", "")
+                known = self._skills.called(skill, self._file.path)
+                path = known[0].path if len(known) == 1 else ""
+                yield Follower(name, skill, path, self._diagnostic(finding))
 
     # --- implementations --------------------------------------------------------------------------
 

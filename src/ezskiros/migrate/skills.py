@@ -26,20 +26,30 @@ NEW = "description"
 class Skill:
     """A skill: the names of its parameters by their keys, and those that stand for things.
 
-    Of one that `is_left` neither is known. One that `needs_robot` has to be given one. `kinds` are
-    the classes and types of parameters by their keys, where they are known. `added` are the keys of
-    parameters that only its children have in SkiROS2; one that `is_new` gets none.
+    Of one that is left neither is known, but the codes for which it is. One that `needs_robot` has
+    to be given one. `kinds` are the classes and types of parameters by their keys, where they are
+    known. `added` are the keys of parameters that only its children have in SkiROS2; one that
+    `is_new` gets none.
     """
 
     name: str
     path: str
     names: Mapping[str, str] = field(default_factory=dict)
     things: Collection[str] = frozenset()
-    is_left: bool = False
+    left_for: Sequence[str] = ()
     needs_robot: bool = False
     kinds: Mapping[str, str] = field(default_factory=dict)
     added: Collection[str] = frozenset()
     is_new: bool = False
+
+    @property
+    def is_left(self) -> bool:
+        """Whether its description is not translated."""
+        return bool(self.left_for)
+
+    def left_as(self) -> str:
+        """That it is left, for marks and messages."""
+        return f"left as it is, for {' and '.join(dict.fromkeys(self.left_for))}"
 
     @property
     def id(self) -> SkillId:

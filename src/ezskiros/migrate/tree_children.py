@@ -85,7 +85,7 @@ class Children:
             if not found:
                 said = "described in none of these files"
             elif len(found) == 1:
-                said = "left as it is"
+                said = found[0].left_as()
             raise LeftError(implementation_errors.UnusableChild(skill=name, found=said), node)
         return found[0]
 
