@@ -1,4 +1,4 @@
-"""EZS721 to EZS735: implementations of SkiROS2 that cannot be translated, and are left."""
+"""EZS721 to EZS737: implementations of SkiROS2 that cannot be translated, and what follows."""
 
 from __future__ import annotations
 

@@ -55,9 +55,15 @@ class Implementation:
         return SharingTree(self.node.name.value, self.skill, self.children, can_be)
 
     def leave_out(self) -> None:
-        """Forget undeclared keys that are no reason to leave it, if there are others."""
+        """Forget undeclared keys that are no reason to leave it, if there are others, and keep each
+        once.
+        """
         others = [each for each in self.findings if not _is_open(each.template)]
-        self.findings = others or self.findings
+        told: dict[object, Finding] = {}
+        for each in others or self.findings:
+            is_shared = isinstance(each.template, _SHARED)
+            told.setdefault(getattr(each.template, "key", "") if is_shared else id(each), each)
+        self.findings = list(told.values())
 
 
 _SHARED = implementation_errors.SharedName
