@@ -294,4 +294,4 @@ def test_callers_of_an_implementation_that_is_left(tmp_path: Path) -> None:
     found, texts = migrated(package)
     assert [each.code for each in found.diagnostics] == ["EZS733"]
     assert "self.serialstar(Drive.drive())" in texts["delivering"]
-    assert [each[:6] for each in errors(checked(package))] == ["EZS521"]
+    assert [each[:6] for each in errors(checked(package))] == ["EZS538"]
