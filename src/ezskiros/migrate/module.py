@@ -294,11 +294,10 @@ class _File:
     def _tell_added(self, each: Description) -> None:
         """Say which parameters a description gets, for which implementations."""
         keys, skill = self._skills.keys, (self._file.path, each.name)
-        names = listed(keys.sharing.get(skill, ()))
         for key, kind in keys.added.get(skill, {}).items():
             value = kind if kind in BASIC else f'Element("{kind}")'
             template = implementation_errors.AddedParameter(
-                skill=each.name, key=key, value=value, sharing=names
+                skill=each.name, key=key, value=value, sharing=listed(keys.sharing[skill][key])
             )
             each.translation.warnings.append(Finding(template, each.node.name, each.node))
 

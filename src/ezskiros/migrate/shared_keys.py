@@ -8,7 +8,7 @@ with it, and of the children below those, as long as all the descriptions betwee
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ezskiros.migrate.skills import SharedKeys, Skill, SkillId
 
@@ -53,6 +53,17 @@ class SharingTree:
         return [key for key in dict.fromkeys(renamed) if key not in declared]
 
 
+@dataclass
+class _Need:
+    """A key that a description needs: the children that have it, each with its class or type; the
+    implementations with these children; and the skills whose trees ask for it.
+    """
+
+    uses: list[tuple[str, str]] = field(default_factory=list)
+    names: list[str] = field(default_factory=list)
+    asking: dict[SkillId, None] = field(default_factory=dict)
+
+
 def shared_keys(trees: Iterable[SharingTree]) -> SharedKeys:
     """What is to be done for the trees of some files."""
     return _Sharing(list(trees)).found()
@@ -65,35 +76,30 @@ class _Sharing:
         for each in trees:
             if each.can_be:
                 self._of.setdefault(each.skill.id, []).append(each)
-        self._kinds: dict[SkillId, dict[str, list[tuple[str, str]]]] = {}
-        self._sharing: dict[SkillId, dict[str, None]] = {}
+        self._needs: dict[tuple[SkillId, str], _Need] = {}
 
     def found(self) -> SharedKeys:
         refused: dict[SkillId, dict[str, str]] = {}
         for tree in self._trees:
             why = {key: text for key in tree.undeclared if (text := _refused(tree, key))}
             refused.setdefault(tree.skill.id, {}).update(why)
-        while True:
-            self._kinds, self._sharing = {}, {}
+        unclear = True
+        while unclear:  # each time for fewer trees
+            self._needs = {}
             for tree in self._able(refused):
                 for key in tree.undeclared:
-                    self._want(tree, key)
-            kinds = {
-                skill: {key: _kind(uses) for key, uses in keys.items()}
-                for skill, keys in self._kinds.items()
-            }
-            unclear = {
-                skill: {key: why for key, (kind, why) in keys.items() if not kind}
-                for skill, keys in kinds.items()
-            }
-            if not any(unclear.values()):
-                break
-            for skill, why in unclear.items():
-                refused.setdefault(skill, {}).update(why)
-        added = {
-            skill: {key: kind for key, (kind, _) in keys.items()} for skill, keys in kinds.items()
-        }
-        sharing = {skill: list(names) for skill, names in self._sharing.items()}
+                    self._want(tree, key, tree)
+            unclear = False
+            for (_, key), need in self._needs.items():
+                kind, why_not = _kind(need.uses)
+                for skill in need.asking if not kind else ():
+                    refused.setdefault(skill, {})[key] = why_not
+                    unclear = True
+        added: dict[SkillId, dict[str, str]] = {}
+        sharing: dict[SkillId, dict[str, list[str]]] = {}
+        for (skill, key), need in self._needs.items():
+            added.setdefault(skill, {})[key] = _kind(need.uses)[0]
+            sharing.setdefault(skill, {})[key] = need.names
         return SharedKeys(added, {skill: why for skill, why in refused.items() if why}, sharing)
 
     def _able(self, refused: Mapping[SkillId, Mapping[str, str]]) -> list[SharingTree]:
@@ -104,22 +110,23 @@ class _Sharing:
             if tree.can_be and refused.get(tree.skill.id, {}).keys().isdisjoint(tree.undeclared)
         ]
 
-    def _want(self, tree: SharingTree, key: str) -> None:
-        """A description needs a key, and so do those between it and the children that have it."""
-        skill = tree.skill.id
-        kinds = self._kinds.setdefault(skill, {})
-        is_known = key in kinds and tree.name in self._sharing.get(skill, ())
-        self._sharing.setdefault(skill, {})[tree.name] = None
-        uses = kinds.setdefault(key, [])
+    def _want(self, tree: SharingTree, key: str, asking: SharingTree) -> None:
+        """A description needs a key for the tree `asking`, and so do those between it and the
+        children that have the key.
+        """
+        need = self._needs.setdefault((tree.skill.id, key), _Need())
+        need.asking.setdefault(asking.skill.id)
+        is_known = tree.name in need.names
+        need.names += [] if is_known else [tree.name]
         for child in tree.children:
-            if key in child.shared and (child.skill.name, child.shared[key]) not in uses:
+            use = (child.skill.name, child.shared.get(key, ""))
+            if key in child.shared and use not in need.uses:
                 # What a child calls so itself says more than what is called so for it.
-                place = len(uses) if key in child.renamed else 0
-                uses.insert(place, (child.skill.name, child.shared[key]))
+                need.uses.insert(len(need.uses) if key in child.renamed else 0, use)
             is_own = key in child.shared and key not in child.skill.added
             if not (is_known or is_own or key in child.hidden or child.skill.is_new):
                 for below in self._below(child.skill, key):
-                    self._want(below, key)
+                    self._want(below, key, asking)
 
     def _below(self, skill: Skill, key: str) -> Iterator[SharingTree]:
         """The trees of a skill somewhere in which a child has a key."""

@@ -88,7 +88,7 @@ class SharedKeys:
 
     added: Mapping[SkillId, Mapping[str, str]] = field(default_factory=dict)
     refused: Mapping[SkillId, Mapping[str, str]] = field(default_factory=dict)
-    sharing: Mapping[SkillId, Sequence[str]] = field(default_factory=dict)
+    sharing: Mapping[SkillId, Mapping[str, Sequence[str]]] = field(default_factory=dict)
 
     def changed(self, before: SharedKeys) -> set[SkillId]:
         """The skills for which it is not as it was before."""

@@ -173,6 +173,29 @@ def test_classes_that_differ() -> None:
     assert problem.primary.text == wanted
 
 
+def test_classes_that_differ_below() -> None:
+    """What `Park` cannot hand up, `Tidy` cannot forget; `Park` goes on sharing nothing."""
+    things = described("Box", ("Spot", 'Element("skiros:Product")', "Optional")) + primitive("box")
+    text = SKILLS + things + described("Lot", ("Spot", PLACE, "Optional")) + primitive("lot")
+    park = described("Park") + compound("park", 'self.skill("Box", "")', 'self.skill("Lot", "")')
+    found = migrated(text + park + ABOVE)
+    assert found.unimplemented == ["tidy"]
+    (problem,) = found.diagnostics
+    assert (problem.code, problem.primary.span.text) == ("EZS723", '"Spot"')
+    assert "a skiros:Product for `Box`" in problem.primary.text
+
+
+def test_each_key_is_looked_for_below_each_tree() -> None:
+    finds = described("Find", ("Box", ANYTHING, "Optional")) + primitive("find")
+    text = SKILLS + finds + described("Inner") + compound("inner", 'self.skill("Find", "")')
+    first = compound("first", LOOKS, FORGETS, FORGETS.replace("Spot", "Box"), of="Park")
+    second = compound(
+        "second", LOOKS, FORGETS, FORGETS.replace("Spot", "Box"), 'self.skill("Inner")', of="Park"
+    )
+    found = migrated(text + described("Park") + first + second)
+    assert "class Inner(SkillDescription):\n    def description(self, Box: OPT" in found.text
+
+
 def test_a_slip_makes_no_parameter() -> None:
     text = SKILLS + described("Park", ("Goal", PLACE, "Required"))
     drives = DRIVES.replace("Spot", "Gaol")
