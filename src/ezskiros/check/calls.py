@@ -22,6 +22,7 @@ from ezskiros.skills.syntax import argument_places, class_span
 from ezskiros.skills.values import SymbolicValue
 from ezskiros.trees.library import Implementations, Library
 from ezskiros.trees.names import all_shared
+from ezskiros.trees.native import native_implementations
 from ezskiros.trees.tree import ThingReference, Tree, ValueReference
 
 
@@ -63,6 +64,12 @@ class _Checker:
     def _implementation(self) -> Iterator[Diagnostic]:
         wanted = self.call.implementation
         known = self.library.implementations(self.call.skill)
+        if wanted not in known and (wanted or not known):
+            native = native_implementations(self.call.skill)
+            left = [each for name, each in native.items() if wanted in (None, name)]
+            yield from (self._native(each) for each in left)
+            if left:
+                return
         if wanted is None and not known:
             found = errors.NotImplementedAnywhere(skill=self.skill.name)
             yield found.at(self.call.span, self._declaration())
@@ -80,6 +87,11 @@ class _Checker:
         labels = [Label(class_span(known[near[0]]), "it is written here")] if near else []
         help = f"did you mean `{near[0]}`?" if near else self._known_ones(known)
         yield missing.at(self._named_implementation(), *labels, help=help)
+
+    def _native(self, left: type) -> Diagnostic:
+        """It is told where it is, and so once for all trees that need it."""
+        found = errors.NativeImplementation(implementation=left.__name__, skill=self.skill.name)
+        return found.at(class_span(left))
 
     def _known_ones(self, known: Implementations) -> str | None:
         return f"`{self.skill.name}` is implemented by {', '.join(known)}" if known else None

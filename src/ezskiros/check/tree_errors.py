@@ -23,6 +23,17 @@ class UnknownImplementation(Error, code="EZS521", name="unknown-implementation")
     spelled: str
 
 
+class NativeImplementation(Error, code="EZS562", name="native-implementation"):
+    """An implementation that trees need, and that is written for SkiROS2 itself."""
+
+    title = "`{implementation}` implements `{skill}` for SkiROS2 alone"
+    label = "trees that are checked here need it"
+    note = "SkiROS2 cannot load it: the description is none of its own any more"
+    help = "derive it from `{skill}.SkillBase`; if a migration has left it, a comment says why"
+    implementation: str
+    skill: str
+
+
 class OtherSkillsImplementation(Error, code="EZS522", name="other-skills-implementation"):
     """A child that asks for the implementation of another skill."""
 
@@ -269,6 +280,7 @@ class EndlessRecursion(Error, code="EZS546", name="endless-recursion"):
 ALL: tuple[type[Template], ...] = (
     NotImplementedAnywhere,
     UnknownImplementation,
+    NativeImplementation,
     OtherSkillsImplementation,
     UnknownArgument,
     WrongArgument,

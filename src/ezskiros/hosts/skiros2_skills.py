@@ -140,6 +140,9 @@ class Hosted:
     def createDescription(self) -> None:  # noqa: N802
         """Called by SkiROS2 when it loads an implementation."""
         self.setDescription(self.setting.hosted.description(), type(self).__name__)
+        # SkiROS2 for ROS 1 has no such switch: its planner takes all skills.
+        if not self.setting.implementation.available_for_planning:
+            getattr(self, "setAvailableForPlanning", lambda _is_available: None)(False)
 
     def onStart(self) -> bool:  # noqa: N802
         """Start with the instance of the node."""

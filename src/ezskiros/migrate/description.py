@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass, field
+from types import MappingProxyType
 
 import libcst as cst
 
@@ -14,9 +15,15 @@ from ezskiros.migrate.comments import inner_comments, texts
 from ezskiros.migrate.conditions import ConditionReader, Expression, OrBuilder
 from ezskiros.migrate.docstrings import Text, docstring_of, with_arguments
 from ezskiros.migrate.errors import LeftError
-from ezskiros.migrate.keys import ROBOT, parameter_names
+from ezskiros.migrate.keys import ROBOT, more_names, parameter_names
 from ezskiros.migrate.names import Names
-from ezskiros.migrate.parameters import Parameter, ParameterReader, implicit_robot
+from ezskiros.migrate.parameters import (
+    Parameter,
+    ParameterReader,
+    implicit_robot,
+    optional_parameter,
+)
+from ezskiros.migrate.steps import Step, keys_of, statements_of, steps_of
 from ezskiros.migrate.values import Known
 
 LENGTH = 100
@@ -38,24 +45,6 @@ class Finding:
 
 
 @dataclass
-class Step:
-    """One small statement of the old description, and the comments around it."""
-
-    node: cst.BaseSmallStatement | cst.BaseCompoundStatement
-    statement: cst.CSTNode
-    above: list[str]
-    behind: str = ""
-
-    @property
-    def call(self) -> cst.Call | None:
-        """The call that it consists of."""
-        match self.node:
-            case cst.Expr(value=cst.Call() as found):
-                return found
-        return None
-
-
-@dataclass
 class Translation:
     """The new method, line by line, and its parameters; with `findings` there is none."""
 
@@ -63,11 +52,6 @@ class Translation:
     parameters: list[Parameter] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     warnings: list[Finding] = field(default_factory=list)
-
-
-def statements_of(function: cst.FunctionDef) -> Sequence[cst.CSTNode]:
-    """What is in the body of a method: lines, or the small statements behind its colon."""
-    return function.body.body
 
 
 def translate(
@@ -78,13 +62,15 @@ def translate(
     indents: tuple[str, str],
     *,
     has_robot: bool = False,
+    added: Mapping[str, str] = MappingProxyType({}),
 ) -> Translation:
     """The method `description` for a method `createDescription`.
 
     `code` gives the text of an expression. `indents` are the space before the method, and the space
     by which its body has more. With `has_robot` the robot is written out, which SkiROS2 adds.
+    `added` are the classes and types of parameters that children share, by their keys.
     """
-    return _Translator(function, names, known, code, indents, has_robot).translated()
+    return _Translator(function, names, known, code, indents, has_robot, added).translated()
 
 
 class _Translator:
@@ -96,9 +82,10 @@ class _Translator:
         code: Callable[[cst.CSTNode], str],
         indents: tuple[str, str],
         has_robot: bool,
+        added: Mapping[str, str],
     ) -> None:
         self._function, self._names, self._known = function, names, known
-        self._has_robot = has_robot
+        self._has_robot, self._added = has_robot, added
         self._code, (self._outer, self._step) = code, indents
         self._parameters: list[tuple[Step, Parameter]] = []
         self._body: list[str] = []
@@ -110,14 +97,19 @@ class _Translator:
         self._check_method()
         statements = list(statements_of(self._function))
         doc = docstring_of(statements[0]) if statements else None
-        steps = list(_steps(statements, self._function))
+        steps = list(steps_of(statements, self._function))
         above_doc = []
         if doc is not None:
             first = steps.pop(0)
             above_doc = [*first.above, *([first.behind] if first.behind else [])]
         self._last = steps[-1] if steps else None
-        self._read_parameters(steps)
-        self._read_conditions(steps)
+        called = parameter_names(keys_of(steps))
+        more = more_names(called, self._added)
+        self._read_parameters(steps, called)
+        self._read_conditions(steps, {*more.values()})
+        self._add(
+            [optional_parameter(self._names, *each, self._added[each[0]]) for each in more.items()]
+        )
         if not self._found.findings:
             self._found.lines = self._written(doc, above_doc)
             self._found.parameters = [each for _, each in self._parameters]
@@ -135,8 +127,11 @@ class _Translator:
     def _leave(self, left: LeftError, statement: cst.CSTNode) -> None:
         self._found.findings.append(Finding(left.template, left.node, statement))
 
-    def _read_parameters(self, steps: Sequence[Step]) -> None:
-        called = parameter_names(_keys(steps))
+    def _add(self, parameters: Iterable[Parameter]) -> None:
+        """Parameters that no statement declares."""
+        self._parameters += [(Step(cst.Pass(), self._function, []), each) for each in parameters]
+
+    def _read_parameters(self, steps: Sequence[Step], called: Mapping[str, str]) -> None:
         reader = ParameterReader(self._names, self._known, self._code, called)
         for step in steps:
             call = step.call
@@ -154,14 +149,14 @@ class _Translator:
             except LeftError as left:
                 self._leave(left, step.statement)
 
-    def _read_conditions(self, steps: Sequence[Step]) -> None:
+    def _read_conditions(self, steps: Sequence[Step], added: Set[str]) -> None:
         declared = [each for _, each in self._parameters]
         things = {each.key: each.name for each in declared if each.is_thing}
         others = {each.key: each.name for each in declared if not each.is_thing}
-        unclear = _keys(steps) - {*things, *others}
+        unclear = keys_of(steps) - {*things, *others}
         robot = {ROBOT} - {*things, *others} - unclear
         things |= {key: key for key in robot}
-        self._names.hidden = {*things.values(), *others.values()}
+        self._names.hidden = self._hidden = {*things.values(), *others.values(), *added, ROBOT}
         reader = ConditionReader(self._names, self._known, self._code, things, others)
         for step in steps:
             if step.call is not None and method(step.call) == "addParam":
@@ -174,8 +169,7 @@ class _Translator:
                 if not (isinstance(left.template, errors.NotAThing) and about in unclear):
                     self._leave(left, step.statement)
         if robot and (self._has_robot or robot & reader.mentioned):
-            step = Step(cst.Pass(), self._function, [])
-            self._parameters.append((step, implicit_robot(self._names)))
+            self._add([implicit_robot(self._names)])
         for name, builder in reader.variables.items():
             is_unused = isinstance(builder, OrBuilder) and not builder.is_used
             if isinstance(builder, OrBuilder) and is_unused and not self._found.findings:
@@ -194,7 +188,7 @@ class _Translator:
                 self._read_call(step, call, reader)
             case cst.Assign(
                 targets=[cst.AssignTarget(target=cst.Name(value=name))], value=cst.Call() as value
-            ) if name not in {*(each.name for _, each in self._parameters), ROBOT}:
+            ) if name not in self._hidden:
                 self._read_variable(step, name, value, reader)
             case _:
                 raise _unknown(step.node, self._code)
@@ -289,45 +283,6 @@ def _needs_star(parameters: Sequence[Parameter]) -> bool:
             return True
         seen = seen or each.default is not None
     return False
-
-
-def _keys(steps: Sequence[Step]) -> Set[str]:
-    """The keys of all parameters in order, also of those that cannot be translated."""
-    found: dict[str, None] = {}
-    for step in steps:
-        if step.call is not None and method(step.call) == "addParam":
-            try:
-                found[Arguments(step.call, "addParam").text("key")] = None
-            except LeftError:
-                continue
-    return found.keys()
-
-
-def _steps(statements: Sequence[cst.CSTNode], function: cst.FunctionDef) -> Iterator[Step]:
-    """The small statements, in order."""
-    suite = function.body
-    if isinstance(suite, cst.SimpleStatementSuite):
-        yield from _line_steps(suite.body, suite, suite.trailing_whitespace.comment, [])
-        return
-    for statement in statements:
-        above = texts(getattr(statement, "leading_lines", ()))
-        if isinstance(statement, cst.SimpleStatementLine):
-            comment = statement.trailing_whitespace.comment
-            yield from _line_steps(statement.body, statement, comment, above)
-        elif isinstance(statement, cst.BaseCompoundStatement):
-            yield Step(statement, statement, above)
-
-
-def _line_steps(
-    parts: Sequence[cst.BaseSmallStatement],
-    line: cst.CSTNode,
-    comment: cst.Comment | None,
-    above: list[str],
-) -> Iterator[Step]:
-    """The statements of one line: comments above it are of the first, that behind of the last."""
-    for number, node in enumerate(parts):
-        behind = comment.value if comment and number == len(parts) - 1 else ""
-        yield Step(node, line, [] if number else above, behind)
 
 
 def _single_blanks(lines: Sequence[str]) -> list[str]:

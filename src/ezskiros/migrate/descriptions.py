@@ -12,10 +12,11 @@ from ezskiros.migrate import errors
 from ezskiros.migrate.calls import last_name
 from ezskiros.migrate.classes import describing_method, self_calls
 from ezskiros.migrate.comments import marked, without_marks
-from ezskiros.migrate.description import Finding, Translation, statements_of
+from ezskiros.migrate.description import Finding, Translation
 from ezskiros.migrate.imports import imported
 from ezskiros.migrate.names import Names
 from ezskiros.migrate.skills import Skill, skill_of
+from ezskiros.migrate.steps import statements_of
 
 
 @dataclass
@@ -40,7 +41,8 @@ class Description:
     def skill(self, path: str) -> Skill:
         """What implementations can say of it."""
         if self.findings:
-            return Skill(self.name, path, is_left=True)
+            codes = [each.template.code for each in self.findings]
+            return Skill(self.name, path, left_for=codes)
         return skill_of(self.name, path, self.translation.parameters)
 
     def leave(self, template: Template, node: cst.CSTNode) -> None:

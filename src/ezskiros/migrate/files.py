@@ -12,7 +12,8 @@ from dslkit.source import SourceFile, Span, is_file, is_folder
 from dslkit.source.python_file import read_python
 from dslkit.writing import write_whole
 from ezskiros.migrate import errors
-from ezskiros.migrate.module import Migrated, migrate_text
+from ezskiros.migrate.consequences import consequences
+from ezskiros.migrate.module import Migrated, migrate_text, with_shared_keys
 from ezskiros.migrate.modules import imported_files, reaches
 from ezskiros.migrate.robots import with_robots
 from ezskiros.migrate.skills import Skills
@@ -102,7 +103,9 @@ def migrate_paths(
         MigratedFile(each.path, each.encoding, found)
         for each, found in zip(sources, migrated, strict=True)
     ]
-    return Migration(files, [*wrong, *(d for each in migrated for d in each.diagnostics)])
+    left = {skill: what for each in migrated for skill, what in each.left_skills.items()}
+    more = consequences((one for each in migrated for one in each.followers), left)
+    return Migration(files, [*wrong, *(d for each in migrated for d in each.diagnostics), *more])
 
 
 @dataclass(frozen=True)
@@ -136,14 +139,34 @@ class _Migrations:
         )
         labels = dict(item for each in self._found for item in each.labels.items())
         skills = Skills((skill for each in self._found for skill in each.skills), robots, labels)
-        self._again(
-            lambda number, found: (skills, inherited[number], ()) if found.unimplemented else None
-        )
+        skills = self._with_shared_keys(skills, inherited)
         late = self._late()
         self._again(
             lambda number, _: (skills, inherited[number], late[number]) if late[number] else None
         )
         return self._found
+
+    def _with_shared_keys(self, skills: Skills, inherited: Sequence[set[str]]) -> Skills:
+        """Migrate the files with implementations, and those whose descriptions get parameters; the
+        skills as they are then.
+        """
+        last = skills
+
+        def migrated(known: Skills) -> list[Migrated]:
+            nonlocal last
+            is_first, changed = known is last, known.keys.changed(last.keys)
+            last = known
+            self._again(
+                lambda number, found: (
+                    (known, inherited[number], ())
+                    if (found.unimplemented if is_first else found.needs(changed))
+                    else None
+                )
+            )
+            return self._found
+
+        with_shared_keys(skills, migrated)
+        return last
 
     def _again(
         self, wanted: Callable[[int, Migrated], tuple[Skills, set[str], Collection[str]] | None]

@@ -1,4 +1,4 @@
-"""EZS721 to EZS735: implementations of SkiROS2 that cannot be translated, and are left."""
+"""EZS721 to EZS737: implementations of SkiROS2 that cannot be translated, and what follows."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ class UnusableSkill(Error, code="EZS721", name="unusable-skill"):
 
     title = "`{skill}`, which this implements, is {found}"
     label = "implementations are derived from a description of EzSkiROS"
-    help = "name the file of its description, too, and see why that is left"
+    help = "name the file of its description, too"
     skill: str
     found: str
 
@@ -20,20 +20,22 @@ class UnusableChild(Error, code="EZS722", name="unusable-child"):
 
     title = "the child `{skill}` is {found}"
     label = "trees of EzSkiROS name skills by their Python classes"
-    help = "name the files that it takes, and only these; where it is left, a finding says why"
+    help = "name the files that it takes, and only these"
     skill: str
     found: str
 
 
 class SharedName(Error, code="EZS723", name="shared-name"):
-    """A child whose parameter is renamed to something that is no parameter of the compound."""
+    """A child whose parameter is renamed to something that cannot become one of the compound."""
 
-    title = "`{key}`, which `{child}` shares with other children, is no parameter of `{skill}`"
+    title = "`{child}` shares `{key}`, which is no parameter of `{skill}`"
+    label = "{why}"
     note = "SkiROS2 makes a new name for any text that it is given, also for a misspelt one"
     help = 'declare it: self.addParam("{key}", ..., ParamTypes.Optional) in `{skill}`'
     skill: str
     key: str
     child: str
+    why: str = ""
 
 
 class UnknownKey(Error, code="EZS724", name="unknown-key"):
@@ -41,9 +43,10 @@ class UnknownKey(Error, code="EZS724", name="unknown-key"):
 
     title = "`{skill}` has no parameter `{key}`"
     note = "SkiROS2 fails, or goes on without a value, when the skill gets there"
-    help = "name one that it has, or declare this one in its description"
+    help = "{advice}"
     skill: str
     key: str
+    advice: str = "name one that it has, or declare this one in its description"
 
 
 class TwiceGiven(Error, code="EZS725", name="twice-given"):
@@ -149,6 +152,32 @@ class OfSkiros2(Warning, code="EZS735", name="of-skiros2"):
     found: str
 
 
+class AddedParameter(Warning, code="EZS736", name="added-parameter"):
+    """A key that children share, which a description gets as a parameter."""
+
+    title = "`{skill}` gets the parameter `{key}`, since it does not declare what children share"
+    label = "for {sharing}"
+    note = "in EzSkiROS children share parameters of the compound"
+    help = 'declare it, if it is meant: self.addParam("{key}", {value}, ParamTypes.Optional)'
+    skill: str
+    key: str
+    value: str
+    sharing: str
+
+
+class LeftWith(Warning, code="EZS737", name="left-with"):
+    """Implementations that are left since a description is."""
+
+    title = "{followers} {are} left with `{skill}`"
+    label = "this description is left for {codes}"
+    note = "they implement it, or have it as a child"
+    help = "change what {codes} tells, and migrate again: nothing else is needed for this skill"
+    skill: str
+    followers: str
+    are: str
+    codes: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnusableSkill,
     UnusableChild,
@@ -165,4 +194,6 @@ ALL: tuple[type[Template], ...] = (
     OtherBase,
     OtherDescription,
     OfSkiros2,
+    AddedParameter,
+    LeftWith,
 )

@@ -9,18 +9,31 @@ import libcst as cst
 
 from dslkit.diagnostics import Template
 from ezskiros.migrate import implementation_errors
+from ezskiros.migrate.aliases import without_aliases
 from ezskiros.migrate.calls import Arguments, last_name, literal_text, method
+from ezskiros.migrate.class_bodies import (
+    behind,
+    empty_lines,
+    lines_of,
+    switch,
+    with_lines,
+    with_marks,
+    without_old_marks,
+)
 from ezskiros.migrate.classes import OLD_DESCRIPTION
-from ezskiros.migrate.comments import marked, texts, without_marks
+from ezskiros.migrate.comments import texts, without_marks
 from ezskiros.migrate.description import Finding
-from ezskiros.migrate.docstrings import Text, docstring_of
+from ezskiros.migrate.docstrings import docstring_of
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.parameter_uses import ParameterUses
+from ezskiros.migrate.shared_keys import SharingChild, SharingTree
 from ezskiros.migrate.skills import Skill
 from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.trees import OLD, TreeUses
 
 BASES = frozenset({"SkillBase", "PrimitiveBase"})
+PLANNED = "available_for_planning"
+"""What EzSkiROS calls that of which SkiROS2 is told by `setAvailableForPlanning`."""
 
 
 @dataclass
@@ -31,6 +44,34 @@ class Implementation:
     new: cst.ClassDef
     findings: list[Finding] = field(default_factory=list)
     warnings: list[Finding] = field(default_factory=list)
+    skill: Skill | None = None
+    children: Sequence[SharingChild] = ()
+
+    def sharing(self) -> SharingTree | None:
+        """What its children share, if its skill is known."""
+        if self.skill is None:
+            return None
+        can_be = all(isinstance(each.template, _SHARED) for each in self.findings)
+        return SharingTree(self.node.name.value, self.skill, self.children, can_be)
+
+    def leave_out(self) -> None:
+        """Forget undeclared keys that are no reason to leave it, if there are others, and keep each
+        once.
+        """
+        others = [each for each in self.findings if not _is_open(each.template)]
+        told: dict[object, Finding] = {}
+        for each in others or self.findings:
+            is_shared = isinstance(each.template, _SHARED)
+            told.setdefault(getattr(each.template, "key", "") if is_shared else id(each), each)
+        self.findings = list(told.values())
+
+
+_SHARED = implementation_errors.SharedName
+
+
+def _is_open(template: Template) -> bool:
+    """Whether it is an undeclared key that a description may get as a parameter."""
+    return isinstance(template, _SHARED) and not template.why
 
 
 def described_by(node: cst.ClassDef) -> cst.Call | None:
@@ -90,6 +131,7 @@ class _Class:
     ) -> None:
         self._node, self._context, self._code, self._names = node, context, code, names
         self._found = Implementation(node, node)
+        self._is_planned = True
 
     def translated(self) -> Implementation:
         found = self._found
@@ -101,6 +143,8 @@ class _Class:
         bases = self._bases(base)
         comments = self._description()
         parts, used = self._methods(skill)
+        found.skill = skill
+        found.leave_out()
         if found.findings:
             return self._left()
         body = self._body(parts, comments, used)
@@ -136,7 +180,7 @@ class _Class:
         name = self._names.get(name, name)
         found = self._context.skills.called(name, self._context.path)
         if len(found) != 1 or found[0].is_left:
-            said = "left as it is" if found else "described in none of these files"
+            said = found[0].left_as() if found else "described in none of these files"
             raise LeftError(implementation_errors.UnusableSkill(skill=name, found=said), made)
         return found[0], made.func
 
@@ -168,12 +212,14 @@ class _Class:
         comments += texts(function.leading_lines)
         for part in function.body.body:
             comments += texts(getattr(part, "leading_lines", ()))
-            comments += _behind(part)
+            comments += behind(part)
             for each in _small(part):
                 is_known = isinstance(each, cst.Expr) and each.value is call
                 doc = docstring_of(part)
                 if doc is not None:
-                    comments += [f"# {line.strip()}" for line in _lines_of(doc)]
+                    comments += [f"# {line.strip()}" for line in lines_of(doc)]
+                elif (planned := _planning(each)) is not None:
+                    self._is_planned = planned
                 elif not is_known and not isinstance(each, cst.Pass):
                     self._leave(
                         implementation_errors.OtherDescription(found=self._shown(each)), each, part
@@ -198,6 +244,7 @@ class _Class:
             new[id(tree)] = tree.visit(uses)  # type: ignore[assignment]
             self._take(uses)
             used = uses.used
+            self._found.children = uses.sharing
         for part in self._node.body.body:
             name = part.name.value if isinstance(part, cst.FunctionDef) else ""
             if part is tree or name == OLD_DESCRIPTION or name in used:
@@ -205,13 +252,24 @@ class _Class:
             if name == "modifyDescription":
                 found = implementation_errors.OtherDescription(found=f"`def {name}`")
                 self._leave(found, part.name, part)  # type: ignore[union-attr]
-            plain = _Methods(skill, self._code, self._node)
-            new[id(part)] = part.visit(plain)  # type: ignore[assignment]
+            new[id(part)], plain = self._method(part, skill)
             self._take(plain)
         self._found.warnings = list(
             {getattr(each.template, "found", ""): each for each in self._found.warnings}.values()
         )
         return new, used
+
+    def _method(self, part: cst.CSTNode, skill: Skill) -> tuple[cst.CSTNode, _Methods]:
+        """A new part of the class, and what is said of the old one."""
+        uses = _Methods(skill, self._code, self._node)
+        new = part.visit(uses)
+        if uses.findings and isinstance(part, cst.FunctionDef):
+            other = _Methods(skill, self._code, self._node)
+            without = without_aliases(part).visit(other)
+            if not other.findings:  # else they would be at places that the file does not have
+                new, uses.findings = without, []
+        assert isinstance(new, cst.CSTNode)
+        return new, uses
 
     def _take(self, uses: ParameterUses) -> None:
         self._found.findings += uses.findings
@@ -226,15 +284,18 @@ class _Class:
         for part in self._node.body.body:
             if isinstance(part, cst.FunctionDef) and part.name.value == OLD_DESCRIPTION:
                 waiting += comments
+                if not self._is_planned:
+                    body.append(switch(PLANNED, waiting, is_first=not body))
+                    waiting = []
             elif not (isinstance(part, cst.FunctionDef) and part.name.value in used):
-                new = parts[id(part)].visit(_Marks({}))
-                body.append(_with_lines(new, waiting, is_first=not body))  # type: ignore[arg-type]
+                new = without_old_marks(parts[id(part)])
+                body.append(with_lines(new, waiting, is_first=not body))
                 waiting = []
         footer = getattr(self._node.body, "footer", ())
         if not body or all(docstring_of(each) is not None for each in body):
-            body.append(_with_lines(cst.SimpleStatementLine([cst.Pass()]), waiting, is_first=True))
+            body.append(with_lines(cst.SimpleStatementLine([cst.Pass()]), waiting, is_first=True))
             waiting = []
-        lines = [*_lines(waiting), *footer]
+        lines = [*empty_lines(waiting), *footer]
         if isinstance(self._node.body, cst.IndentedBlock):
             return self._node.body.with_changes(body=body, footer=lines)
         return cst.IndentedBlock(body=body, footer=lines)  # type: ignore[arg-type]
@@ -250,29 +311,14 @@ class _Methods(ParameterUses):
         self._statements.append(node)
 
 
-def _with_lines(part: cst.CSTNode, comments: Sequence[str], *, is_first: bool) -> cst.CSTNode:
-    """A part of a class with more comments above it, and without blank lines if it is the first."""
-    own_lines = list(part.leading_lines)  # type: ignore[attr-defined]
-    while is_first and own_lines and own_lines[0].comment is None:
-        own_lines.pop(0)
-    blank = [] if is_first or not comments else [cst.EmptyLine(indent=False)]
-    lines = [*blank, *_lines(comments), *own_lines]
-    return part.with_changes(leading_lines=lines)
-
-
-def _lines(comments: Sequence[str]) -> list[cst.EmptyLine]:
-    return [cst.EmptyLine(comment=cst.Comment(each)) for each in comments]
-
-
-def _behind(part: cst.CSTNode) -> list[str]:
-    """The comment behind a statement of one line."""
-    comment = getattr(getattr(part, "trailing_whitespace", None), "comment", None)
-    return [comment.value] if comment else []
-
-
-def _lines_of(text: Text) -> list[str]:
-    value = text.evaluated_value
-    return value.strip().splitlines() if isinstance(value, str) else []
+def _planning(statement: cst.CSTNode) -> bool | None:
+    """Whether it makes a skill available for planning; None if it says nothing of that."""
+    match statement:
+        case cst.Expr(
+            value=cst.Call(args=[cst.Arg(value=cst.Name(value="True" | "False" as said))]) as call
+        ) if method(call) == "setAvailableForPlanning":
+            return said == "True"
+    return None
 
 
 def _functions(node: cst.ClassDef) -> dict[str, cst.FunctionDef]:
@@ -283,34 +329,6 @@ def _functions(node: cst.ClassDef) -> dict[str, cst.FunctionDef]:
 def helpers_of(node: cst.ClassDef) -> Mapping[str, cst.FunctionDef]:
     """The methods of a class that its others may call."""
     return _functions(node)
-
-
-class _Marks(cst.CSTTransformer):
-    """Puts marks above statements, instead of those that are there."""
-
-    def __init__(self, templates: Mapping[int, Sequence[Template]]) -> None:
-        self._templates = templates
-
-    def on_leave(  # type: ignore[override]
-        self, original_node: cst.CSTNode, updated_node: cst.CSTNode
-    ) -> cst.CSTNode | cst.RemovalSentinel | cst.FlattenSentinel[cst.CSTNode]:
-        if not isinstance(original_node, (cst.SimpleStatementLine, cst.BaseCompoundStatement)):
-            return updated_node
-        lines = getattr(updated_node, "leading_lines", None)
-        if lines is None:  # `elif`
-            return updated_node
-        new = marked(lines, self._templates.get(id(original_node), ()))
-        return updated_node.with_changes(leading_lines=new)
-
-
-def with_marks(node: cst.ClassDef, findings: Sequence[Finding]) -> cst.ClassDef:
-    """A class that is left, with a comment above each statement that has no translation."""
-    templates: dict[int, list[Template]] = {}
-    for finding in findings:
-        templates.setdefault(id(finding.statement), []).append(finding.template)
-    found = node.visit(_Marks(templates))
-    assert isinstance(found, cst.ClassDef)
-    return found
 
 
 def labels_in(classes: Iterable[cst.ClassDef]) -> dict[str, str]:

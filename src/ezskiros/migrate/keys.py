@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Mapping
 from itertools import chain, count
 
 from ezskiros.migrate.names import is_name
@@ -21,6 +21,15 @@ def parameter_names(keys: Iterable[str]) -> dict[str, str]:
     for key in keys:
         if key not in found:
             found[key] = _free(_made_of(key), {*found.values(), ROBOT})
+    return found
+
+
+def more_names(called: Mapping[str, str], keys: Iterable[str]) -> dict[str, str]:
+    """The names of parameters that come to others, whose names stay, by their keys."""
+    found: dict[str, str] = {}
+    for key in keys:
+        name = key if _is_parameter_name(key) else _made_of(key)
+        found[key] = _free(name, {*called.values(), *found.values(), ROBOT})
     return found
 
 

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import libcst as cst
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, listed
 from dslkit.source import SourceFile, Span
 from dslkit.source.python_file import too_deep
 from ezskiros.migrate import errors, implementation_errors
 from ezskiros.migrate.calls import last_name
+from ezskiros.migrate.class_bodies import with_marks
 from ezskiros.migrate.classes import classes_of, with_classes
+from ezskiros.migrate.consequences import Follower, LeftSkill, consequences, follows
 from ezskiros.migrate.description import Finding, translate
 from ezskiros.migrate.descriptions import Description, Descriptions
 from ezskiros.migrate.foreign_skills import ForeignSkills
@@ -22,7 +24,6 @@ from ezskiros.migrate.implementations import (
     helpers_of,
     labels_in,
     translate_implementation,
-    with_marks,
 )
 from ezskiros.migrate.imports import (
     Wanted,
@@ -36,10 +37,14 @@ from ezskiros.migrate.imports import (
 from ezskiros.migrate.names import Names
 from ezskiros.migrate.positions import Positions
 from ezskiros.migrate.robots import Robots, robots_in, with_robots
-from ezskiros.migrate.skills import Skill, Skills, new_skills
+from ezskiros.migrate.shared_keys import SharingTree, shared_keys
+from ezskiros.migrate.skills import Skill, SkillId, Skills, new_skills
 from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.tree_context import Wanted as WantedSkills
-from ezskiros.migrate.values import known_of
+from ezskiros.migrate.values import BASIC, known_of
+
+_MOST_PASSES = 10
+"""Each is for skills one level higher in the trees."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +56,8 @@ class Migrated:
 
     `skills` are what is described, `robots` what is said of their robots, `labels` what
     implementations call themselves, with the names of their classes, `sources` the modules that are
-    imported, `wanted` the files that trees need besides.
+    imported, `wanted` the files that trees need besides, `trees` what their children share,
+    `left_skills` the skills that are left, `followers` the implementations that are left for them.
     """
 
     file: SourceFile
@@ -66,7 +72,15 @@ class Migrated:
     labels: Mapping[str, str] = field(default_factory=dict)
     sources: Collection[str] = ()
     wanted: Collection[str] = ()
+    trees: Sequence[SharingTree] = ()
+    followers: Sequence[Follower] = ()
+    left_skills: Mapping[SkillId, LeftSkill] = field(default_factory=dict)
     diagnostics: Sequence[Diagnostic] = ()
+
+    def needs(self, skills: Collection[SkillId]) -> bool:
+        """Whether it describes one of some skills, or has trees with them."""
+        named = {each.id for tree in self.trees for each in tree.skills}
+        return any(each in named or each[0] == self.file.path for each in skills)
 
 
 def migrate_text(
@@ -103,7 +117,30 @@ def migrate_text(
         names = with_robots([own.robots], own.skills)
         robots = _File(file, module, world, inherited, ambiguous, Skills((), names), ())
         skills = Skills(robots.migrated().skills, names, own.labels)
+
+        def again(known: Skills) -> list[Migrated]:
+            return [_File(file, module, world, inherited, ambiguous, known, ()).migrated()]
+
+        (migrated,) = with_shared_keys(skills, again)
+        more = consequences(migrated.followers, migrated.left_skills)
+        return replace(migrated, diagnostics=[*migrated.diagnostics, *more])
     return _File(file, module, world, inherited, ambiguous, skills, late).migrated()
+
+
+def with_shared_keys(
+    skills: Skills, migrated: Callable[[Skills], Sequence[Migrated]]
+) -> Sequence[Migrated]:
+    """What becomes of files when descriptions have the keys that children share: each time that
+    some get keys, it shows which others need them.
+    """
+    found = migrated(skills)
+    for _ in range(_MOST_PASSES):
+        keys = shared_keys(tree for each in found for tree in each.trees)
+        if keys == skills.keys:
+            break
+        skills = skills.with_keys(keys)
+        found = migrated(skills)
+    return found
 
 
 def _unreadable(file: SourceFile, problem: cst.ParserSyntaxError) -> Diagnostic:
@@ -163,11 +200,35 @@ class _File:
             labels=labels_in(classes),
             sources=sources(self._module),
             wanted=self._foreign.files(),
+            trees=[tree for each in implementing if (tree := each.sharing())],
+            followers=[follower for each in implementing for follower in self._followers(each)],
+            left_skills={
+                (self._file.path, each.name): LeftSkill(
+                    self._positions.span(each.node.name),
+                    [finding.template.code for finding in each.findings],
+                )
+                for each in found
+                if each.findings
+            },
             diagnostics=[
-                each.template.at(self._positions.span(each.node))
+                self._diagnostic(each)
                 for each in (*_all_findings(found), *_implementation_findings(implementing))
+                if not follows(each.template)
             ],
         )
+
+    def _diagnostic(self, finding: Finding) -> Diagnostic:
+        return finding.template.at(self._positions.span(finding.node))
+
+    def _followers(self, each: Implementation) -> Iterator[Follower]:
+        """What an implementation is left for besides its own findings."""
+        name = each.node.name.value
+        for finding in each.findings:
+            if follows(finding.template):
+                skill = getattr(finding.template, "skill", "")
+                known = self._skills.called(skill, self._file.path)
+                path = known[0].path if len(known) == 1 else ""
+                yield Follower(name, skill, path, self._diagnostic(finding))
 
     # --- implementations --------------------------------------------------------------------------
 
@@ -220,13 +281,25 @@ class _File:
                 self._code,
                 self._positions.indents(each.method),
                 has_robot=each.name in self._skills.robots,
+                added=self._skills.keys.added.get((self._file.path, each.name), {}),
             )
+            self._tell_added(each)
         self._descriptions.leave_related(found)
         used = spelling.like()
         for each in found:
             if not each.findings:
                 used.add(each.names)
         return used
+
+    def _tell_added(self, each: Description) -> None:
+        """Say which parameters a description gets, for which implementations."""
+        keys, skill = self._skills.keys, (self._file.path, each.name)
+        for key, kind in keys.added.get(skill, {}).items():
+            value = kind if kind in BASIC else f'Element("{kind}")'
+            template = implementation_errors.AddedParameter(
+                skill=each.name, key=key, value=value, sharing=listed(keys.sharing[skill][key])
+            )
+            each.translation.warnings.append(Finding(template, each.node.name, each.node))
 
     def _spelled(self, first: cst.Module, names: Names) -> Names:
         """How names are written, now that it is known which of them mean something else."""

@@ -14,7 +14,7 @@ from ezskiros.migrate.description import Finding
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.skills import Skill
 
-_PARAMS = {"params", "_params"}
+PARAMS = {"params", "_params"}
 _GET, _SET = {"getValue"}, {"setValue"}
 _GET_BY_KEY, _SET_BY_KEY = {"getParamValue"}, {"specify"}
 _OF_SKIROS2 = {
@@ -23,6 +23,23 @@ _OF_SKIROS2 = {
     *("hasState", "waitState"),
 }
 """What SkiROS2's base classes of skills have, and those of EzSkiROS do not."""
+
+
+def _unset_key(call: cst.BaseExpression) -> cst.BaseExpression | None:
+    """The key in a call that takes the value of a parameter away."""
+    match call:
+        case cst.Call(
+            func=cst.Attribute(
+                value=cst.Subscript(
+                    value=held, slice=[cst.SubscriptElement(slice=cst.Index(value=key))]
+                ),
+                attr=cst.Name(value="unset"),
+            ),
+            args=[],
+        ) if own(held, PARAMS):
+            return key
+    return None
+
 
 Node = TypeVar("Node", bound=cst.CSTNode)
 
@@ -43,7 +60,7 @@ def parameter_key(node: cst.CSTNode) -> cst.BaseExpression | None:
                 value=held, slice=[cst.SubscriptElement(slice=cst.Index(value=key))]
             ),
             attr=cst.Name(value="value"),
-        ) if own(held, _PARAMS):
+        ) if own(held, PARAMS):
             return key
         case cst.Call(
             func=cst.Attribute(
@@ -53,11 +70,11 @@ def parameter_key(node: cst.CSTNode) -> cst.BaseExpression | None:
                 attr=cst.Name(value=name),
             ),
             args=[],
-        ) if own(held, _PARAMS) and name in _GET:
+        ) if own(held, PARAMS) and name in _GET:
             return key
         case cst.Call(
             func=cst.Attribute(value=held, attr=cst.Name(value=name)), args=[cst.Arg(value=key)]
-        ) if own(held, _PARAMS) and name in _GET_BY_KEY:
+        ) if own(held, PARAMS) and name in _GET_BY_KEY:
             return key
     return None
 
@@ -73,12 +90,12 @@ def _setting(call: cst.Call) -> tuple[cst.BaseExpression, cst.BaseExpression] | 
                 attr=cst.Name(value=name),
             ),
             args=[cst.Arg(value=value, star="", keyword=None)],
-        ) if own(held, _PARAMS) and name in _SET:
+        ) if own(held, PARAMS) and name in _SET:
             return key, value
         case cst.Call(
             func=cst.Attribute(value=held, attr=cst.Name(value=name)),
             args=[cst.Arg(value=key, star=""), cst.Arg(value=value, star="", keyword=None)],
-        ) if own(held, _PARAMS) and name in _SET_BY_KEY:
+        ) if own(held, PARAMS) and name in _SET_BY_KEY:
             return key, value
     return None
 
@@ -143,9 +160,15 @@ class ParameterUses(cst.CSTTransformer):
 
     def visit_Call(self, node: cst.Call) -> bool | None:  # noqa: D102, N802
         self._remember(node)
-        if _setting(node) is not None:
+        if _setting(node) is not None or self._unsets_thing(node):
             self._remember_params(node.func)
         return None
+
+    def _unsets_thing(self, node: cst.BaseExpression) -> bool:
+        """Whether it is a parameter for a thing that gets nothing; values cannot be nothing."""
+        key = _unset_key(node)
+        name = self._skill.names.get(literal_text(key) or "") if key is not None else None
+        return name in self._skill.things
 
     def _remember(self, node: cst.BaseExpression) -> None:
         """The `self.params` in it is read as a part of it."""
@@ -153,14 +176,14 @@ class ParameterUses(cst.CSTTransformer):
             self._remember_params(node)
 
     def _remember_params(self, node: cst.CSTNode) -> None:
-        while not own(node, _PARAMS):
+        while not own(node, PARAMS):
             node = node.func if isinstance(node, cst.Call) else node.value  # type: ignore[attr-defined]
         self._read.add(id(node))
 
     def leave_Attribute(  # noqa: D102, N802
         self, original_node: cst.Attribute, updated_node: cst.Attribute
     ) -> cst.BaseExpression:
-        if own(original_node, _PARAMS) and id(original_node) not in self._read:
+        if own(original_node, PARAMS) and id(original_node) not in self._read:
             self.leave(implementation_errors.ParameterUse(found=self.shown()), original_node)
         return self._value(original_node, updated_node)
 
@@ -191,7 +214,7 @@ class ParameterUses(cst.CSTTransformer):
         if text is None:
             computed = errors.ComputedArgument(argument="key", call="params", wanted="the text")
             raise LeftError(computed, key)
-        if text not in self._skill.names:
+        if text not in self._skill.names or text in self._skill.added:
             raise LeftError(implementation_errors.UnknownKey(skill=self._skill.name, key=text), key)
         return self._skill.names[text]
 
@@ -199,6 +222,11 @@ class ParameterUses(cst.CSTTransformer):
         self, original_node: cst.Expr, updated_node: cst.Expr
     ) -> cst.BaseSmallStatement:
         call, new = original_node.value, updated_node.value
+        if self._unsets_thing(call):
+            key = _unset_key(call)
+            assert key is not None
+            target = cst.AssignTarget(self._parameter(key))
+            return cst.Assign([target], cst.Name("None"), semicolon=updated_node.semicolon)
         set_here = _setting(call) if isinstance(call, cst.Call) else None
         if set_here is None or not isinstance(new, cst.Call):
             return updated_node

@@ -12,7 +12,7 @@ from ezskiros.migrate import errors
 from ezskiros.migrate.calls import Arguments, last_name, literal_text
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.keys import ROBOT
-from ezskiros.migrate.names import Names
+from ezskiros.migrate.names import Names, split
 from ezskiros.migrate.values import BASIC, Known
 from ezskiros.skills.markers import Kind, Option
 
@@ -23,7 +23,7 @@ _OPTIONS = {option.value: option for option in Option}
 @dataclass(frozen=True)
 class Parameter:
     """A parameter as it is written, and what is said of it; `key` is what SkiROS2 calls it. One
-    that `is_required` has to be given.
+    that `is_required` has to be given. `kind` is such as `skiros:Product` or `float`, if known.
     """
 
     key: str
@@ -33,6 +33,7 @@ class Parameter:
     doc: str = ""
     is_thing: bool = False
     is_required: bool = False
+    kind: str = ""
 
     def __str__(self) -> str:
         return f"{self.name}: {self.annotation}" + (f" = {self.default}" if self.default else "")
@@ -41,7 +42,17 @@ class Parameter:
 def implicit_robot(names: Names) -> Parameter:
     """The parameter that SkiROS2 adds to each skill that has none of this name."""
     agent = names.entity("sumo:Agent", cst.Name(ROBOT))
-    return Parameter(ROBOT, ROBOT, f"{names.our('INFERRED')}[{agent}]", is_thing=True)
+    inferred = f"{names.our('INFERRED')}[{agent}]"
+    return Parameter(ROBOT, ROBOT, inferred, is_thing=True, kind="sumo:Agent")
+
+
+def optional_parameter(names: Names, key: str, name: str, kind: str) -> Parameter:
+    """A parameter that children share, and that the description does not have."""
+    is_thing = kind not in BASIC
+    annotation = names.entity(kind, cst.Name(name)) if is_thing else kind
+    annotation = f"{names.our(Kind.OPTIONAL.name)}[{annotation}]"
+    annotation = annotation if key == name else names.with_key(annotation, key)
+    return Parameter(key, name, annotation, is_thing=is_thing, kind=kind)
 
 
 @dataclass
@@ -64,13 +75,15 @@ class ParameterReader:
         kind, written = _kind(given["param_type"]), given.get("options")
         match given["value"]:
             case cst.Call() as element if last_name(element.func) == "Element":
-                annotation, default = self.names.entity(*_element_class(key, element)), None
-                options, is_thing = _options(written), True
+                light, node = _element_class(key, element)
+                annotation, default = self.names.entity(light, node), None
+                options, is_thing, of_kind = _options(written), True, ":".join(split(light, node))
             case value:
                 annotation, default = self._basic(key, value)
                 if kind is Kind.INFERRED:
                     raise LeftError(errors.InferredBasic(key=key), call)
                 options, is_thing = _output_alone(written), False
+                of_kind = annotation if annotation in BASIC else ""
                 if written is not None and not options and _does_something(written):
                     warn(errors.IgnoredOptions(key=key), written)
         can_be_output = kind is Kind.OPTIONAL and default is None and {*options} == {Option.OUTPUT}
@@ -81,7 +94,7 @@ class ParameterReader:
         annotation = self._marked(key, annotation, marks)
         is_required = kind is Kind.REQUIRED and default is None
         name, doc = self.called[key], _doc(given)
-        return Parameter(key, name, annotation, default, doc, is_thing, is_required)
+        return Parameter(key, name, annotation, default, doc, is_thing, is_required, of_kind)
 
     def _marked(self, key: str, annotation: str, marks: Sequence[Kind | Option]) -> str:
         """A class or basic type with all that stands around it."""

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
 
 import libcst as cst
 
 from ezskiros.migrate.calls import last_name, literal_text
-from ezskiros.migrate.keys import ROBOT
+from ezskiros.migrate.keys import ROBOT, more_names
 from ezskiros.migrate.parameters import Parameter
 from ezskiros.migrate.values import BASIC
 from ezskiros.skills.markers import Kind, Option
 
 _NOT_REQUIRED = {Kind.INFERRED.name, Kind.OPTIONAL.name, Option.OUTPUT.name}
+SkillId = tuple[str, str]
+"""The file and the name of a skill."""
 NEW = "description"
 """The method by which EzSkiROS describes a skill."""
 
@@ -24,31 +26,88 @@ NEW = "description"
 class Skill:
     """A skill: the names of its parameters by their keys, and those that stand for things.
 
-    Of one that `is_left` neither is known. One that `needs_robot` has to be given one.
+    Of one that is left neither is known, but the codes for which it is. One that `needs_robot` has
+    to be given one. `kinds` are the classes and types of parameters by their keys, where they are
+    known. `added` are the keys of parameters that only its children have in SkiROS2; one that
+    `is_new` gets none.
     """
 
     name: str
     path: str
     names: Mapping[str, str] = field(default_factory=dict)
     things: Collection[str] = frozenset()
-    is_left: bool = False
+    left_for: Sequence[str] = ()
     needs_robot: bool = False
+    kinds: Mapping[str, str] = field(default_factory=dict)
+    added: Collection[str] = frozenset()
+    is_new: bool = False
+
+    @property
+    def is_left(self) -> bool:
+        """Whether its description is not translated."""
+        return bool(self.left_for)
+
+    def left_as(self) -> str:
+        """That it is left, for marks and messages."""
+        return f"left as it is, for {' and '.join(dict.fromkeys(self.left_for))}"
+
+    @property
+    def id(self) -> SkillId:
+        """What tells it from others of its name."""
+        return self.path, self.name
+
+    def with_added(self, kinds: Mapping[str, str]) -> Skill:
+        """The same with more parameters, of which the classes and types are given."""
+        if not kinds:
+            return self
+        names = {**self.names, **more_names(self.names, kinds)}
+        things = {*self.things, *(names[key] for key, kind in kinds.items() if kind not in BASIC)}
+        return replace(
+            self, names=names, things=things, kinds={**self.kinds, **kinds}, added=kinds.keys()
+        )
 
 
-def skill_of(name: str, path: str, parameters: Iterable[Parameter]) -> Skill:
+def skill_of(
+    name: str, path: str, parameters: Iterable[Parameter], *, is_new: bool = False
+) -> Skill:
     """The skill of a description that is translated."""
     found = list(parameters)
     names = {each.key: each.name for each in found}
     things = {each.name for each in found if each.is_thing}
     needs_robot = any(each.key == ROBOT and each.is_required for each in found)
-    return Skill(name, path, names, things, needs_robot=needs_robot)
+    kinds = {each.key: each.kind for each in found if each.kind}
+    return Skill(name, path, names, things, needs_robot=needs_robot, kinds=kinds, is_new=is_new)
+
+
+@dataclass(frozen=True)
+class SharedKeys:
+    """What becomes of keys that children share and that a description does not declare: parameters
+    that are `added`, with their classes or types, and why others are `refused`. `sharing` are the
+    implementations for which a description gets parameters.
+    """
+
+    added: Mapping[SkillId, Mapping[str, str]] = field(default_factory=dict)
+    refused: Mapping[SkillId, Mapping[str, str]] = field(default_factory=dict)
+    sharing: Mapping[SkillId, Mapping[str, Sequence[str]]] = field(default_factory=dict)
+
+    def changed(self, before: SharedKeys) -> set[SkillId]:
+        """The skills for which it is not as it was before."""
+        pairs = (
+            (self.added, before.added),
+            (self.refused, before.refused),
+            (self.sharing, before.sharing),
+        )
+        return {
+            each for new, old in pairs for each in {*new, *old} if new.get(each) != old.get(each)
+        }
 
 
 class Skills:
     """All skills of some files. SkiROS2 finds them by their names alone, whatever their modules.
 
     `robots` are those that somebody speaks of the robot of, which SkiROS2 adds by itself; `labels`
-    are what implementations call themselves, and the names of their classes.
+    are what implementations call themselves, and the names of their classes; `keys`
+    are those that children share and no description declares.
     """
 
     def __init__(
@@ -56,11 +115,18 @@ class Skills:
         found: Iterable[Skill] = (),
         robots: Collection[str] = (),
         labels: Mapping[str, str] = MappingProxyType({}),
+        keys: SharedKeys | None = None,
     ) -> None:
-        self.robots, self.labels = {*robots}, labels
+        self.robots, self.labels, self.keys = {*robots}, labels, keys or SharedKeys()
+        self._before = [*found]
         self._found: dict[str, list[Skill]] = {}
-        for each in found:
-            self._found.setdefault(each.name, []).append(each)
+        for each in self._before:
+            more = self.keys.added.get(each.id, {})
+            self._found.setdefault(each.name, []).append(each.with_added(more))
+
+    def with_keys(self, keys: SharedKeys) -> Skills:
+        """The same skills with other parameters that only their children have in SkiROS2."""
+        return Skills(self._before, self.robots, self.labels, keys)
 
     def called(self, name: str, path: str) -> list[Skill]:
         """The skills of a name: the one of the same file, or of the same folder, before others."""
@@ -76,7 +142,8 @@ def new_skills(module: cst.Module, path: str) -> Iterator[Skill]:
     for node in classes:
         for part in node.body.body:
             if isinstance(part, cst.FunctionDef) and part.name.value == NEW:
-                yield skill_of(node.name.value, path, _declared(part.params))
+                declared = _declared(part.params)
+                yield skill_of(node.name.value, path, declared, is_new=True)
 
 
 def _declared(parameters: cst.Parameters) -> Iterator[Parameter]:
@@ -86,7 +153,19 @@ def _declared(parameters: cst.Parameters) -> Iterator[Parameter]:
         key, kind = _read(annotation)
         is_thing = isinstance(kind, (cst.Attribute, cst.Subscript)) or last_name(kind) not in BASIC
         is_required = each.default is None and _NOT_REQUIRED.isdisjoint(_marks(annotation))
-        yield Parameter(key or name, name, "", is_thing=is_thing, is_required=is_required)
+        yield Parameter(
+            key or name, name, "", is_thing=is_thing, is_required=is_required, kind=_kind(kind)
+        )
+
+
+def _kind(annotation: cst.BaseExpression) -> str:
+    """`skiros:Product` of `skiros.Product`, `float` of `float`; an empty text for anything else."""
+    match annotation:
+        case cst.Attribute(value=cst.Name(value=namespace), attr=cst.Name(value=name)):
+            return f"{namespace.rstrip('_')}:{name}"
+        case cst.Name(value=name) if name in BASIC:
+            return name
+    return ""
 
 
 def _marks(annotation: cst.BaseExpression) -> Iterator[str]:

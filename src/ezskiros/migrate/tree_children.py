@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import libcst as cst
 
@@ -13,6 +13,7 @@ from ezskiros.migrate.comments import inner_comments
 from ezskiros.migrate.description import LENGTH
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.names import is_name
+from ezskiros.migrate.shared_keys import SharingChild
 from ezskiros.migrate.skills import Skill
 from ezskiros.migrate.tree_context import Context, Place
 
@@ -24,7 +25,8 @@ class Children:
     """Translates the calls of skills in the tree of `skill`.
 
     `code` gives the text of an expression, `shown` that of the statement that is being read;
-    `params` is how the argument of `expandBT` is called, `imports` what the method has to import.
+    `params` is how the argument of `expandBT` is called, `imports` what the method has to import,
+    `sharing` what the children share.
     """
 
     skill: Skill
@@ -33,6 +35,7 @@ class Children:
     context: Context
     params: str = "params"
     imports: dict[str, None] = field(default_factory=dict)
+    sharing: list[SharingChild] = field(default_factory=list)
 
     def translated(self, original: cst.Call, updated: cst.Call, place: Place) -> cst.BaseExpression:
         """`Pick.pick_fast(Object=params.Object)`. Raises `LeftError`."""
@@ -49,6 +52,7 @@ class Children:
         if label and (not is_name(label) or label.startswith("_")):
             raise LeftError(implementation_errors.NoName(found=label), old["slabel"])
         remaps = list(_entries(old, "remap"))
+        self._share(child, remaps, [key for key, _ in _entries(old, "specify")])
         given = [*self._remapped(child, remaps), *self._specified(child, old, new, remaps)]
         given += self._same_keys(child, {name for name, _ in given}, remaps)
         name = self.context.wanted.name(child)
@@ -60,6 +64,19 @@ class Children:
         comments = [each for each in inner_comments(original) if each not in said]
         return _written(name, given, comments, place, self.context.step)
 
+    def _share(
+        self, child: Skill, remaps: Sequence[_Entry], values: Sequence[cst.BaseExpression]
+    ) -> None:
+        """Keep which keys a child shares with others."""
+        texts = [(literal_text(key), literal_text(target)) for key, target in remaps]
+        renamed = {key: target for key, target in texts if key in child.names and target}
+        hidden = {key for key, _ in texts if key} | {literal_text(each) for each in values}
+        shared = {target: child.kinds.get(key or "", "") for key, target in renamed.items()}
+        own = {key: child.kinds.get(key, "") for key in child.names if key not in hidden}
+        hidden_texts = {each for each in hidden if each}
+        said = {target for key, target in renamed.items() if key != target}
+        self.sharing.append(SharingChild(child, {**own, **shared}, said, hidden_texts))
+
     def _called(self, name: str, node: cst.CSTNode) -> Skill:
         """Raises `LeftError` if there is none, if it is left, or if there are several."""
         found = self.context.skills.called(name, self.context.path)
@@ -68,7 +85,7 @@ class Children:
             if not found:
                 said = "described in none of these files"
             elif len(found) == 1:
-                said = "left as it is"
+                said = found[0].left_as()
             raise LeftError(implementation_errors.UnusableChild(skill=name, found=said), node)
         return found[0]
 
@@ -78,12 +95,26 @@ class Children:
             text = _text(target, "remap")
             own_name = self.skill.names.get(text)
             if own_name is None and text != _text(key, "remap"):
-                shared = implementation_errors.SharedName(
-                    skill=self.skill.name, key=text, child=child.name
-                )
-                raise LeftError(shared, target)
+                raise self._undeclared(child, key, target, text)
             if own_name is not None:
                 yield _name_of(child, key), f"{self.params}.{own_name}"
+
+    def _undeclared(
+        self, child: Skill, key: cst.BaseExpression, target: cst.BaseExpression, shared: str
+    ) -> LeftError:
+        """Which end of a remap is wrong, where the second is no parameter of the compound."""
+        text = _text(key, "remap")
+        if text in child.names:
+            why = self.context.skills.keys.refused.get(self.skill.id, {}).get(shared, "")
+            template = implementation_errors.SharedName(
+                skill=self.skill.name, key=shared, child=child.name, why=why
+            )
+            return LeftError(template, target)
+        unknown = implementation_errors.UnknownKey(skill=child.name, key=text)
+        if shared in child.names and text in self.skill.names:
+            advice = f'write {{"{shared}": "{text}"}}: the parameter of the child stands first'
+            unknown = replace(unknown, advice=advice)
+        return LeftError(unknown, key)
 
     def _specified(
         self,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import libcst as cst
 
@@ -12,6 +12,7 @@ from ezskiros.migrate.comments import inner_comments
 from ezskiros.migrate.errors import LeftError
 from ezskiros.migrate.imports import used_names
 from ezskiros.migrate.parameter_uses import ParameterUses, parameter_key
+from ezskiros.migrate.shared_keys import SharingChild
 from ezskiros.migrate.skills import Skill
 from ezskiros.migrate.tree_children import Children
 from ezskiros.migrate.tree_context import Context, Place
@@ -47,9 +48,18 @@ class TreeUses(ParameterUses):
         """The argument of `expandBT`."""
         return cst.Name(self._children.params)
 
+    def _unsets_thing(self, node: cst.BaseExpression) -> bool:  # noqa: ARG002
+        """No parameter changes while a tree is built."""
+        return False
+
     def of_skiros2(self, node: cst.Attribute) -> None:
         """A tree is known before the robot runs."""
         self.leave(implementation_errors.NoTree(found=self.shown()), node)
+
+    @property
+    def sharing(self) -> Sequence[SharingChild]:
+        """What the children share."""
+        return self._children.sharing
 
     # --- the method ---------------------------------------------------------------------------
 

@@ -55,15 +55,18 @@ def actions(library: Library, model: Model) -> tuple[list[Action], list[Diagnost
     """The actions of the skills that are checked, and which ones no planner can make use of.
 
     As in SkiROS2, a skill needs pre- and post-conditions for that; and something that implements
-    it, so that the plan can be run.
+    it, so that the plan can be run. Skills that nothing makes available for planning are left out.
     """
     drafts, found = [], []
     for description in library.checked:
         skill = library.skill(description)
         if skill is None or not (skill.pre and skill.post):
             continue
+        implementing = library.implementations(description).values()
+        if implementing and not any(each.available_for_planning for each in implementing):
+            continue
         try:
-            if not library.implementations(description):
+            if not implementing:
                 raise _NotPlannableError("nothing in these files implements it")
             drafts.append(_draft(skill, description, model))
         except _NotPlannableError as why:

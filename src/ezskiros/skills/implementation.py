@@ -65,6 +65,9 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     description: ClassVar[type]
     """The skill that is implemented."""
+    available_for_planning: ClassVar[bool] = True
+    """Whether a task planner may use it: `available_for_planning = False` is for skills that are
+    only named by trees and by people."""
     params: Any
     """The values of its parameters, while it runs: `self.params.Speed`. Those that it finds out are
     set: `self.params.Force = 3.5`."""

@@ -102,6 +102,18 @@ def test_a_property_has_one_value_at_a_time(tmp_path: Path) -> None:
     assert names(plan) == ["Heat"]
 
 
+def test_a_skill_that_nothing_makes_available(tmp_path: Path) -> None:
+    head, _, body = DRIVE.rpartition(".SkillBase):\n")
+    switched = f"{head}.SkillBase):\n    available_for_planning = False\n{body}"
+    other = f"\n\nclass drive_too(Drive.SkillBase):\n{body}"
+    for number, (text, count) in enumerate([(switched, 0), (switched + other, 1)]):
+        folder = tmp_path / str(number)
+        folder.mkdir()
+        found, scene = world(folder, ROBOT, text)
+        plan, _ = planned(found, "(not (at cora:Robot-9 skiros:Location-1))", scene)
+        assert (names(plan) if plan else []) == ["Drive"] * count
+
+
 def test_one_of_several_conditions_is_enough(tmp_path: Path) -> None:
     either = skill(
         "Move",

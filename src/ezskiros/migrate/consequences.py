@@ -1,0 +1,73 @@
+"""Implementations that cannot be translated since a skill is not: each skill is told once, with all
+that follows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from dslkit.diagnostics import Diagnostic, Template, listed
+from dslkit.source import Span
+from ezskiros.migrate import implementation_errors
+from ezskiros.migrate.skills import SkillId
+
+
+@dataclass(frozen=True)
+class Follower:
+    """An implementation that is left for a skill, and the finding that says so at its place."""
+
+    name: str
+    skill: str
+    path: str
+    finding: Diagnostic
+
+
+@dataclass(frozen=True)
+class LeftSkill:
+    """A description that is left: where, and for which findings."""
+
+    span: Span
+    codes: Sequence[str]
+
+
+def follows(template: Template) -> bool:
+    """Whether a finding is only that a skill is not translated."""
+    return isinstance(
+        template, (implementation_errors.UnusableSkill, implementation_errors.UnusableChild)
+    )
+
+
+def consequences(
+    followers: Iterable[Follower], left: Mapping[SkillId, LeftSkill]
+) -> list[Diagnostic]:
+    """What is told of the implementations that follow."""
+    groups: dict[tuple[str, str, str], list[Follower]] = {}
+    for each in followers:
+        # A skill that is not there is told as that, by the first that needs it.
+        why = "" if (each.path, each.skill) in left else each.finding.title
+        groups.setdefault((each.path if not why else "", each.skill, why), []).append(each)
+    return [
+        _missing(group) if why else _left(skill, group, left[path, skill])
+        for (path, skill, why), group in groups.items()
+    ]
+
+
+def _left(skill: str, group: Sequence[Follower], left: LeftSkill) -> Diagnostic:
+    names = list(dict.fromkeys(each.name for each in group))
+    template = implementation_errors.LeftWith(
+        skill=skill,
+        followers=listed(names),
+        are="is" if len(names) == 1 else "are",
+        codes=" and ".join(dict.fromkeys(left.codes)),
+    )
+    return template.at(left.span)
+
+
+def _missing(group: Sequence[Follower]) -> Diagnostic:
+    first = group[0].finding
+    others = [each for each in dict.fromkeys(each.name for each in group) if each != group[0].name]
+    if not others:
+        return first
+    note = f"for the same reason {listed(others)} {'is' if len(others) == 1 else 'are'} left"
+    return replace(first, notes=(*first.notes, note))

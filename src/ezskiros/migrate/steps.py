@@ -1,0 +1,74 @@
+"""The small statements of a method `createDescription`, with the comments around them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence, Set
+from dataclasses import dataclass
+
+import libcst as cst
+
+from ezskiros.migrate.calls import Arguments, method
+from ezskiros.migrate.comments import texts
+from ezskiros.migrate.errors import LeftError
+
+
+@dataclass
+class Step:
+    """One small statement of the old description, and the comments around it."""
+
+    node: cst.BaseSmallStatement | cst.BaseCompoundStatement
+    statement: cst.CSTNode
+    above: list[str]
+    behind: str = ""
+
+    @property
+    def call(self) -> cst.Call | None:
+        """The call that it consists of."""
+        match self.node:
+            case cst.Expr(value=cst.Call() as found):
+                return found
+        return None
+
+
+def statements_of(function: cst.FunctionDef) -> Sequence[cst.CSTNode]:
+    """What is in the body of a method: lines, or the small statements behind its colon."""
+    return function.body.body
+
+
+def steps_of(statements: Sequence[cst.CSTNode], function: cst.FunctionDef) -> Iterator[Step]:
+    """The small statements, in order."""
+    suite = function.body
+    if isinstance(suite, cst.SimpleStatementSuite):
+        yield from _line_steps(suite.body, suite, suite.trailing_whitespace.comment, [])
+        return
+    for statement in statements:
+        above = texts(getattr(statement, "leading_lines", ()))
+        if isinstance(statement, cst.SimpleStatementLine):
+            comment = statement.trailing_whitespace.comment
+            yield from _line_steps(statement.body, statement, comment, above)
+        elif isinstance(statement, cst.BaseCompoundStatement):
+            yield Step(statement, statement, above)
+
+
+def keys_of(steps: Sequence[Step]) -> Set[str]:
+    """The keys of all parameters in order, also of those that cannot be translated."""
+    found: dict[str, None] = {}
+    for step in steps:
+        if step.call is not None and method(step.call) == "addParam":
+            try:
+                found[Arguments(step.call, "addParam").text("key")] = None
+            except LeftError:
+                continue
+    return found.keys()
+
+
+def _line_steps(
+    parts: Sequence[cst.BaseSmallStatement],
+    line: cst.CSTNode,
+    comment: cst.Comment | None,
+    above: list[str],
+) -> Iterator[Step]:
+    """The statements of one line: comments above it are of the first, that behind of the last."""
+    for number, node in enumerate(parts):
+        behind = comment.value if comment and number == len(parts) - 1 else ""
+        yield Step(node, line, [] if number else above, behind)

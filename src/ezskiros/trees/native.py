@@ -1,0 +1,35 @@
+"""Implementations that are written for SkiROS2 itself, of skills that are written for EzSkiROS: a
+migration leaves such.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from types import FunctionType, ModuleType
+
+from ezskiros.skills.description import SkillDescription
+
+
+def native_implementations(description: type[SkillDescription]) -> dict[str, type]:
+    """The classes whose `createDescription` sets a description of EzSkiROS, by their names."""
+    return {each.__name__: each for each in _classes() if _sets(each, description)}
+
+
+def _classes() -> Iterator[type]:
+    """The classes with a method `createDescription` of all modules that have been imported. Of
+    what else is in them, which may be anything, nothing is asked.
+    """
+    for name, module in list(sys.modules.items()):
+        for each in list(vars(module).values()) if isinstance(module, ModuleType) else ():
+            is_own = issubclass(type(each), type) and vars(each).get("__module__") == name
+            if is_own and type(vars(each).get("createDescription")) is FunctionType:
+                yield each
+
+
+def _sets(found: type, description: type[SkillDescription]) -> bool:
+    """Whether the code of a class names `setDescription` and the description."""
+    method = vars(found)["createDescription"]
+    names = method.__code__.co_names
+    is_one = any(method.__globals__.get(name) is description for name in names)
+    return is_one and "setDescription" in names

@@ -1,0 +1,49 @@
+"""What SkiROS2 is told of implementations that its task planner must not use."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+
+from ezskiros.hosts.skiros2_skills import Hosted
+from ezskiros.skills.implementation import SkillImplementation
+
+
+class Planned(SkillImplementation):
+    pass
+
+
+class Unplanned(SkillImplementation):
+    available_for_planning = False
+
+
+def told(implementation: type[SkillImplementation], *, has_switch: bool = False) -> list[object]:
+    """What SkiROS2 hears, in order, when it loads an implementation."""
+    heard: list[object] = []
+
+    def switch(_self: object, is_available: bool) -> None:
+        heard.append(is_available)
+
+    hosted = SimpleNamespace(description=lambda: "description")
+    setting = SimpleNamespace(implementation=implementation, hosted=hosted)
+    parts = {
+        "setting": setting,
+        "setDescription": lambda _self, description, _label: heard.append(description),
+        **({"setAvailableForPlanning": switch} if has_switch else {}),
+    }
+    type("Loaded", (Hosted,), parts)().createDescription()
+    return heard
+
+
+@pytest.mark.parametrize("has_switch", [True, False])
+def test_planners_use_what_says_nothing(has_switch: bool) -> None:
+    assert told(Planned, has_switch=has_switch) == ["description"]
+
+
+def test_planners_do_not_use_what_says_so() -> None:
+    assert told(Unplanned, has_switch=True) == ["description", False]
+
+
+def test_skiros2_without_the_switch() -> None:
+    assert told(Unplanned) == ["description"]
