@@ -74,4 +74,26 @@ def expand(compound, skill, tree: str) -> None:
     from skiros2_skill.core.processors import SerialStar
 
     skill.setProcessor(SerialStar())
-    skill(*eval(f"[{tree}]", {"__builtins__": {}}, _Names(compound)))  # noqa: S307
+    skill(*eval(f"[{tree}]", {"__builtins__": {}}, _Names(compound)))
+
+
+def renamed(skills):
+    """The keys on the blackboard of the last one of some skills, each with its renamings and its
+    own keys, below those before it; and the keys that its implementation has for its own ones.
+    """
+    from skiros2_common.core.params import ParamTypes
+    from skiros2_skill.core.skill import SkillInterface, SkillWrapper
+
+    skill = SkillInterface()
+    for renamings, keys in skills:
+        above, skill = skill, SkillInterface()
+        for key in {*keys, "Robot"}:
+            skill.params.addParam(key, key, ParamTypes.Optional)
+        for key, other in renamings.items():
+            skill.remap(key, other)
+        above.addChild(skill)
+    back = SkillWrapper.getParamsNoRemaps(skill)
+    return (
+        {each.value: key for key, each in skill.params.items()},
+        {each.value: key for key, each in back.items()},
+    )

@@ -47,6 +47,60 @@ class double(Double.SkillBase):
         return self.success(f"{self.params.Twofold}")
 
 
+class Tell(SkillDescription):
+    def description(self, Force: float, Speed: float):
+        pass
+
+
+class tell(Tell.SkillBase):
+    def execute(self):
+        return self.success(f"{self.params.Force} {self.params.Speed}")
+
+
+class Again(SkillDescription):
+    def description(self, Force: float):
+        pass
+
+
+class again(Again.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Tell(Force=params.Force, Speed=params.Force * 2))
+
+
+class Both(SkillDescription):
+    def description(self, Force: float, Speed: float):
+        pass
+
+
+class both(Both.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Again(Force=params.Speed))
+
+
+class Grow(SkillDescription):
+    def description(self, Force: float):
+        pass
+
+
+class grow(Grow.SkillBase):
+    def execute(self):
+        self.params.Force = self.params.Force + 1
+        return self.step() if self.params.Force < 11 else self.success(f"{self.params.Force}")
+
+
+class Stay(SkillDescription):
+    def description(self, Force: float = 0.75):
+        pass
+
+
+class stay(Stay.SkillBase):
+    count = 0
+
+    def execute(self):
+        self.count += 1
+        return self.step() if self.count < 3 else self.success(f"{self.params.Force}")
+
+
 class Task(SkillDescription):
     def description(self, *, Mine: float = 1.0, Force: float = 2.0, Speed: float = 4.0,
                     Found: OPTIONAL[float] = 6.0, Unset: OPTIONAL[float]):
@@ -86,93 +140,3 @@ IDS = [tree for tree, _ in TREES]
 def skills(tree: str) -> str:
     """The skills, among them `Task` with these children; `Mine` is to be given."""
     return SKILLS.replace("{tree}", tree)
-
-
-NATIVE = """
-from skiros2_common.core.params import ParamTypes
-from skiros2_common.core.primitive import PrimitiveBase
-from skiros2_skill.core.skill import SkillBase, SkillDescription
-
-from support.native_trees import expand
-
-
-class Push(SkillDescription):
-    def createDescription(self):
-        self.addParam("Force", 0.5, ParamTypes.Required)
-        self.addParam("Speed", 0.1, ParamTypes.Required)
-
-
-class push(PrimitiveBase):
-    def createDescription(self):
-        self.setDescription(Push(), "push")
-
-    def execute(self):
-        return self.success(f"{self.params['Force'].value} {self.params['Speed'].value}")
-
-
-class Twice(SkillDescription):
-    def createDescription(self):
-        self.addParam("Force", 0.25, ParamTypes.Required)
-
-
-class twice(SkillBase):
-    def createDescription(self):
-        self.setDescription(Twice(), "twice")
-
-    def expand(self, skill):
-        expand(self, skill, "Push(Force=params.Force), Push(Speed=params.Force)")
-
-
-class Weigh(SkillDescription):
-    def createDescription(self):
-        self.addParam("Found", 1.0, ParamTypes.Optional)
-        self.addParam("Fails", False, ParamTypes.Required)
-
-
-class weigh(PrimitiveBase):
-    def createDescription(self):
-        self.setDescription(Weigh(), "weigh")
-
-    def execute(self):
-        if self.params["Fails"].value:
-            return self.fail("empty", -1)
-        self.params["Found"].value = 3.5
-        return self.success(f"{self.params['Found'].value}")
-
-
-class Double(SkillDescription):
-    def createDescription(self):
-        self.addParam("Force", float, ParamTypes.Required)
-        self.addParam("Twofold", float, ParamTypes.Optional)
-
-
-class double(PrimitiveBase):
-    def createDescription(self):
-        self.setDescription(Double(), "double")
-
-    def execute(self):
-        self.params["Twofold"].value = 2 * self.params["Force"].value
-        return self.success(f"{self.params['Twofold'].value}")
-
-
-class Task(SkillDescription):
-    def createDescription(self):
-        for key, value in {"Mine": 1.0, "Force": 2.0, "Speed": 4.0}.items():
-            self.addParam(key, value, ParamTypes.Required)
-        self.addParam("Found", 6.0, ParamTypes.Optional)
-        self.addParam("Unset", float, ParamTypes.Optional)
-
-
-class task(SkillBase):
-    def createDescription(self):
-        self.setDescription(Task(), "task")
-
-    def expand(self, skill):
-        expand(self, skill, '''{tree}''')
-"""
-"""The same skills by SkiROS2's own API, as somebody writes them who does not know EzSkiROS."""
-
-
-def native_skills(tree: str) -> str:
-    """The skills for SkiROS2, among them `Task` with these children."""
-    return NATIVE.replace("{tree}", tree)

@@ -51,7 +51,7 @@ class Remaps:
         for key, other in above._known.items():
             self.add(key, other)
 
-    def keys(self) -> dict[str, str]:
+    def by_own(self) -> dict[str, str]:
         """The keys on the blackboard by those that the skill has."""
         return {own: key for key, own in self._own.items()}
 

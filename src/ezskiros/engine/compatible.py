@@ -22,14 +22,14 @@ class CompatibleSkill(RunningSkill):
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
         above = self.above if isinstance(self.above, CompatibleSkill) else None
-        self._blackboard: Blackboard = above._blackboard if above else Blackboard()
-        self._remaps_above = above._remaps if above else None
-        self._remaps: Remaps | None = None
+        self.blackboard: Blackboard = above.blackboard if above else Blackboard()
+        self.remaps: Remaps | None = None
+        self._remaps_above = above.remaps if above else None
         self._cells: Cells | None = None
 
     def update(self) -> Status:
         """One tick; of a compound its children are ticked first."""
-        self._values.update(self._known.values() if self._tree else self._known.read())
+        self._values.update(self._known.values() if self._tree is not None else self._known.read())
         status = super().update()
         if status is Status.RUNNING and self._tree is None:
             self._share()
@@ -42,9 +42,9 @@ class CompatibleSkill(RunningSkill):
 
     def _started_with(self, plan: Plan) -> dict[str, Any]:
         if self._cells is None:
-            self._remaps = remaps_of(self._call, plan, self._remaps_above)
+            self.remaps = remaps_of(self._call, plan, self._remaps_above)
             world = self._setting.world
-            self._cells = Cells(plan, self._remaps.keys(), self._blackboard, world)
+            self._cells = Cells(plan, self.remaps.by_own(), self.blackboard, world)
         return self._cells.start()
 
     def _start(self) -> Reason | None:
@@ -60,7 +60,12 @@ class CompatibleSkill(RunningSkill):
 
     def _expand(self) -> Reason | None:
         """The tree is that of the first start, also for other values."""
-        return super()._expand() if self._tree is None else None
+        if self._tree is not None:
+            return None
+        problem = super()._expand()
+        if problem is None:
+            self._tree_names.values = {}  # children have theirs from the blackboard
+        return problem
 
     def _share(self) -> None:
         if self.status is not Status.RUNNING:  # what is inferred is shared when the skill runs
