@@ -145,6 +145,87 @@ class stay(PrimitiveBase):
         return self.step() if self.count < 3 else self.success(f"{self.params['Force'].value}")
 
 
+class Say(SkillDescription):
+    def createDescription(self):
+        self.addParam("Force", "hard", ParamTypes.Required)
+        self.addParam("Word", "soft", ParamTypes.Required)
+
+
+class say(PrimitiveBase):
+    def createDescription(self):
+        self.setDescription(Say(), "say")
+
+    def execute(self):
+        return self.success(f"{self.params['Force'].value} {self.params['Word'].value}")
+
+
+class Read(SkillDescription):
+    def createDescription(self):
+        self.addParam("Word", str, ParamTypes.Optional)
+
+
+class read(PrimitiveBase):
+    def createDescription(self):
+        self.setDescription(Read(), "read")
+
+    def execute(self):
+        return self.success(f"{self.params['Word'].value}")
+
+
+class Count(SkillDescription):
+    def createDescription(self):
+        self.addParam("Word", int, ParamTypes.Optional)
+
+
+class count(PrimitiveBase):
+    def createDescription(self):
+        self.setDescription(Count(), "count")
+
+    def execute(self):
+        return self.success(f"{self.params['Word'].value}")
+
+
+class Note(SkillDescription):
+    def createDescription(self):
+        self.addParam("Force", float, ParamTypes.Optional)
+        self.addParam("Speed", float, ParamTypes.Optional)
+
+
+class note(PrimitiveBase):
+    def createDescription(self):
+        self.setDescription(Note(), "note")
+
+    def execute(self):
+        return self.success(f"{self.params['Force'].value} {self.params['Speed'].value}")
+
+
+class Chain(SkillDescription):
+    def createDescription(self):
+        self.addParam("One", float, ParamTypes.Required)
+        self.addParam("Other", float, ParamTypes.Required)
+
+
+class chain(SkillBase):
+    def createDescription(self):
+        self.setDescription(Chain(), "chain")
+
+    def expand(self, skill):
+        expand(self, skill, "Note(Force=params.Other, Speed=params.One)")
+
+
+class Deep(SkillDescription):
+    def createDescription(self):
+        self.addParam("Fails", False, ParamTypes.Required)
+
+
+class deep(SkillBase):
+    def createDescription(self):
+        self.setDescription(Deep(), "deep")
+
+    def expand(self, skill):
+        expand(self, skill, "Read()")
+
+
 class Task(SkillDescription):
     def createDescription(self):
         for key, value in {"Mine": 1.0, "Force": 2.0, "Speed": 4.0}.items():
@@ -210,10 +291,18 @@ TREES = [
         "self.parallelff(Push(Force=7.0), Stay(), Tell())",
         ["7.0 0.1", "0.75 0.1", "7.0 0.1", "0.75 0.1", "7.0 0.1", "0.75", "0.75 0.1"],
     ),
+    ("Say(), Tell()", ["hard soft", "2.0 4.0"]),
+    ("Say(), Deep(), Count(), Deep()", ["hard soft", "soft", "None", "None"]),
+    ("Say(), Read()", ["hard soft", "soft"]),
+    ("Chain(One=params.Force, Other=params.Mine)", ["8.0 None"]),
+    (
+        "Note(), Chain(One=params.Force, Other=params.Mine), Note()",
+        ["2.0 4.0", "8.0 None", "2.0 4.0"],
+    ),
 ]
 """Trees, and the values that their primitives have in SkiROS2; `Mine` is given, 8.0."""
 IDS = [tree for tree, _ in TREES]
-PRIMITIVES = ("push", "tell", "weigh", "double", "grow", "stay")
+PRIMITIVES = ("push", "tell", "weigh", "double", "grow", "stay", "say", "read", "count", "note")
 
 
 def skills(tree: str) -> str:
