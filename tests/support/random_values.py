@@ -5,10 +5,27 @@ All of them have some of the same few names, so that these meet on the blackboar
 
 from __future__ import annotations
 
+import json
 import random
+import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from types import MappingProxyType
 
+from py_trees.common import Status
+
+from ezskiros.driver import check_paths
+from ezskiros.engine.setting import Setting
+from ezskiros.engine.task import Task
+from ezskiros.engine.world import World
+from ezskiros.ontology import Ontology
+from ezskiros.session import NOWHERE
+from ezskiros.skills.nodes import SkillCall
+
+MOST_TICKS = 8
+RECORDED = Path(__file__).parents[1] / "ezskiros" / "engine" / "values_in_skiros2.json"
 LOG: list[str] = []
 """What the skills note while they run: their values, whenever one of their methods is called."""
 PRIMITIVES = ("Pa", "Pb", "Pc")
@@ -179,3 +196,29 @@ def _methods(skill: Skill, values: str, place: str, sets: dict[str, tuple[str, s
             text += f"        {place.format(name)} = {value}\n"
         text += f"        return {result}\n"
     return text
+
+
+@cache
+def recorded() -> dict[int, list[str]]:
+    """What some skills note in SkiROS2, by their seeds."""
+    return {int(seed): noted for seed, noted in json.loads(RECORDED.read_text()).items()}
+
+
+def noted_here(skills: list[Skill], folder: Path) -> list[str]:
+    """What the skills note in our engine with `--compatible`, and the state after each tick.
+
+    Many of them have errors; they run nevertheless.
+    """
+    path = Path(tempfile.mkdtemp(dir=folder)) / "skills.py"
+    path.write_text(written(skills))
+    known = check_paths([path]).library
+    description = next(each for each in known.descriptions() if each.__name__ == "Task")
+    setting = Setting(known, World(Ontology(())), compatible=True)
+    task = Task(SkillCall(description, None, MappingProxyType({}), NOWHERE), setting)
+    LOG.clear()
+    for _ in range(MOST_TICKS):
+        state = task.tick()
+        LOG.append(f"= {state.name.capitalize()}")
+        if state is not Status.RUNNING:
+            break
+    return [*LOG]

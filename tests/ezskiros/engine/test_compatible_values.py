@@ -10,7 +10,7 @@ import pytest
 
 from ezskiros.engine.blackboard import Remaps
 from ezskiros.engine.events import Happened
-from support import skiros2_things, skiros2_values
+from support import random_values, skiros2_things, skiros2_values
 from support.engine import Ran, Skills
 from support.passed_values import skills as passing
 
@@ -41,6 +41,12 @@ def test_things_are_those_of_skiros2(
     ran = skills.run("Task", "A=bench", "B=shelf", "Object=nut")
     texts = told(ran, skiros2_things.PRIMITIVES, Happened.SUCCEEDED)
     assert (ran.outcome.is_success, texts) == (succeeds, recorded)
+
+
+@pytest.mark.parametrize("seed", random_values.recorded())
+def test_random_skills_note_what_they_note_in_skiros2(tmp_path: Path, seed: int) -> None:
+    skills = random_values.skills_of(seed)
+    assert random_values.noted_here(skills, tmp_path) == random_values.recorded()[seed]
 
 
 def test_what_is_set_before_a_failed_start_is_there_where_the_value_was_from(

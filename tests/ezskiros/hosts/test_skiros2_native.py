@@ -9,22 +9,13 @@ import sys
 from collections.abc import Iterator
 from itertools import count
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from py_trees.common import Status
 
-from ezskiros.driver import check_paths
 from ezskiros.engine.blackboard import Remaps
-from ezskiros.engine.setting import Setting
-from ezskiros.engine.task import Task
-from ezskiros.engine.world import World
-from ezskiros.ontology import Ontology
-from ezskiros.session import NOWHERE
-from ezskiros.skills.nodes import SkillCall
 from support import random_values, skiros2_core, skiros2_things, skiros2_values
 from support.depth import examples
 from support.native_trees import renamed
@@ -34,7 +25,6 @@ pytestmark = [
     needs(SKIROS2),
     pytest.mark.filterwarnings("ignore::DeprecationWarning"),  # of what SkiROS2 uses
 ]
-MOST_TICKS = 8
 _numbers = count()
 
 
@@ -105,7 +95,13 @@ def product(core: Any, label: str) -> Any:
 @given(seed=st.integers(0, 10**6))
 def test_random_skills_have_the_same_values_in_both(folder: Path, core: Any, seed: int) -> None:
     skills = random_values.skills_of(seed)
-    assert ours(folder, skills) == theirs(folder, core, skills)
+    assert random_values.noted_here(skills, folder) == theirs(folder, core, skills)
+
+
+@pytest.mark.parametrize("seed", random_values.recorded())
+def test_what_random_skills_note_is_recorded(folder: Path, core: Any, seed: int) -> None:
+    skills = random_values.skills_of(seed)
+    assert theirs(folder, core, skills) == random_values.recorded()[seed]
 
 
 @pytest.fixture
@@ -118,25 +114,8 @@ def theirs(folder: Path, core: Any, skills: list[random_values.Skill]) -> list[s
     core.forget()
     core.load(library(folder, random_values.natively(skills)), *(each.label for each in skills))
     random_values.LOG.clear()
-    for state, _ in core.ticks("Task", "task", MOST_TICKS):
+    for state, _ in core.ticks("Task", "task", random_values.MOST_TICKS):
         random_values.LOG.append(f"= {state.name}")
-    return [*random_values.LOG]
-
-
-def ours(folder: Path, skills: list[random_values.Skill]) -> list[str]:
-    """The same in the engine. Many of the skills have errors; they run nevertheless."""
-    path = folder / f"ours{next(_numbers)}.py"
-    path.write_text(random_values.written(skills))
-    known = check_paths([path]).library
-    description = next(each for each in known.descriptions() if each.__name__ == "Task")
-    setting = Setting(known, World(Ontology(())), compatible=True)
-    task = Task(SkillCall(description, None, MappingProxyType({}), NOWHERE), setting)
-    random_values.LOG.clear()
-    for _ in range(MOST_TICKS):
-        state = task.tick()
-        random_values.LOG.append(f"= {state.name.capitalize()}")
-        if state is not Status.RUNNING:
-            break
     return [*random_values.LOG]
 
 
