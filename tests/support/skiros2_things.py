@@ -52,7 +52,7 @@ class Look(SkillDescription):
 class look(Look.SkillBase):
     def execute(self):
         found = self.params.Object
-        return self.success(f"{found and found.label}")
+        return self.success("nothing" if found is None else found.label)
 
 
 class Take(SkillDescription):
@@ -146,7 +146,7 @@ class look(PrimitiveBase):
 
     def execute(self):
         found = self.params["Object"].value
-        return self.success(f"{found.label if found.id else None}")
+        return self.success(found.label if found.id else "nothing")
 
 
 class Take(SkillDescription):
@@ -184,15 +184,15 @@ TREES = [
     ("See(A=params.B, B=params.A)", True, ["bench shelf"]),
     ("See(A=params.A, B=params.A)", True, ["bench shelf"]),
     ("Find(), Find()", False, ["found"]),
-    ("Find(), self.nofail(Find()), Look(Object=params.Unset)", True, ["found", "None"]),
-    ("Look(), Remove(), Look(), See()", True, ["nut", "removed", "None", "bench shelf"]),
+    ("Find(), self.nofail(Find()), Look(Object=params.Unset)", True, ["found", "nothing"]),
+    ("Look(), Remove(), Look(), See()", True, ["nut", "removed", "nothing", "bench shelf"]),
     (
         "Take(Taken=params.Unset, Other=params.Object), Look(Object=params.Unset)",
         True,
         ["nut", "nut"],
     ),
-    ("Take(Other=params.Object), Look(Object=params.Unset)", True, ["nut", "None"]),
-    ("Look(Object=params.Unset), Look()", True, ["None", "nut"]),
+    ("Take(Other=params.Object), Look(Object=params.Unset)", True, ["nut", "nothing"]),
+    ("Look(Object=params.Unset), Look()", True, ["nothing", "nut"]),
 ]
 """Trees, whether they succeed in SkiROS2, and what is told there by those that succeed."""
 
