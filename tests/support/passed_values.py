@@ -47,6 +47,120 @@ class double(Double.SkillBase):
         return self.success(f"{self.params.Twofold}")
 
 
+class Tell(SkillDescription):
+    def description(self, Force: float, Speed: float):
+        pass
+
+
+class tell(Tell.SkillBase):
+    def execute(self):
+        return self.success(f"{self.params.Force} {self.params.Speed}")
+
+
+class Again(SkillDescription):
+    def description(self, Force: float):
+        pass
+
+
+class again(Again.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Tell(Force=params.Force, Speed=params.Force * 2))
+
+
+class Both(SkillDescription):
+    def description(self, Force: float, Speed: float):
+        pass
+
+
+class both(Both.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Again(Force=params.Speed))
+
+
+class Grow(SkillDescription):
+    def description(self, Force: float):
+        pass
+
+
+class grow(Grow.SkillBase):
+    def execute(self):
+        self.params.Force = self.params.Force + 1
+        return self.step() if self.params.Force < 11 else self.success(f"{self.params.Force}")
+
+
+class Stay(SkillDescription):
+    def description(self, Force: float = 0.75):
+        pass
+
+
+class stay(Stay.SkillBase):
+    count = 0
+
+    def execute(self):
+        self.count += 1
+        return self.step() if self.count < 3 else self.success(f"{self.params.Force}")
+
+
+class Say(SkillDescription):
+    def description(self, Force: str = "hard", Word: str = "soft"):
+        pass
+
+
+class say(Say.SkillBase):
+    def execute(self):
+        return self.success(f"{self.params.Force} {self.params.Word}")
+
+
+class Read(SkillDescription):
+    def description(self, Word: OPTIONAL[str]):
+        pass
+
+
+class read(Read.SkillBase):
+    def execute(self):
+        return self.success(f"{self.params.Word}")
+
+
+class Count(SkillDescription):
+    def description(self, Word: OPTIONAL[int]):
+        pass
+
+
+class count(Count.SkillBase):
+    def execute(self):
+        return self.success(f"{self.params.Word}")
+
+
+class Note(SkillDescription):
+    def description(self, Force: OPTIONAL[float], Speed: OPTIONAL[float]):
+        pass
+
+
+class note(Note.SkillBase):
+    def execute(self):
+        return self.success(f"{self.params.Force} {self.params.Speed}")
+
+
+class Chain(SkillDescription):
+    def description(self, One: float, Other: float):
+        pass
+
+
+class chain(Chain.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Note(Force=params.Other, Speed=params.One))
+
+
+class Deep(SkillDescription):
+    def description(self, Fails: bool = False):
+        pass
+
+
+class deep(Deep.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Read())
+
+
 class Task(SkillDescription):
     def description(self, *, Mine: float = 1.0, Force: float = 2.0, Speed: float = 4.0,
                     Found: OPTIONAL[float] = 6.0, Unset: OPTIONAL[float]):

@@ -97,8 +97,24 @@ class Core:
         for each in skills:
             self.instanciator.add_instance(each)
 
+    def forget(self):
+        """Forget all skills."""
+        from skiros2_skill.core.skill_instanciator import SkillInstanciator
+
+        self.instanciator = SkillInstanciator(self.wm)
+
     def run(self, type_name, label, most_ticks=50, **given):
         """Run a task with one skill: its state at the end, and what its nodes have told."""
+        told, states = [], []
+        for state, visitor in self.ticks(type_name, label, most_ticks, **given):
+            states.append(state.name)
+            for _, each in visitor.snapshot():
+                if each["msg"] not in ("", "Start", "End"):
+                    told.append(f"{each['label']} {each['state'].name} {each['msg'].strip()}")
+        return states[-1], told
+
+    def ticks(self, type_name, label, most_ticks, **given):
+        """The state after each tick of a task with one skill, and what visits its nodes."""
         from skiros2_common.core.abstract_skill import State
         from skiros2_skill.core.skill import Root, SkillWrapper
         from skiros2_skill.core.visitors import VisitorExecutor
@@ -109,13 +125,9 @@ class Core:
             root.last().specifyParamDefault(key, value)
         visitor = VisitorExecutor(self.wm, self.instanciator)
         visitor.setVerbose(False)
-        told, state = [], State.Running
         for _ in range(most_ticks):
             self._monitor.deliver(self.wm._monitor_cb)
             state = visitor.traverse(root)
-            for _, each in visitor.snapshot():
-                if each["msg"] not in ("", "Start", "End"):
-                    told.append(f"{each['label']} {each['state'].name} {each['msg'].strip()}")
+            yield state, visitor
             if state is not State.Running:
                 break
-        return state.name, told

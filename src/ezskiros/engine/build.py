@@ -22,12 +22,21 @@ def behavior(root: Node, names: Names, setting: Setting, above: RunningSkill | N
     return _Builder(names, setting, above).build(root, above.depth + 1 if above else 0)
 
 
+def skill_class(setting: Setting) -> type[RunningSkill]:
+    """What runs a skill: with its values as they are meant, or as SkiROS2 has them."""
+    from ezskiros.engine.compatible import CompatibleSkill
+    from ezskiros.engine.skill import RunningSkill
+
+    return CompatibleSkill if setting.compatible else RunningSkill
+
+
 class _Builder:
     """Builds one tree."""
 
     def __init__(self, names: Names, setting: Setting, above: RunningSkill | None) -> None:
         self._names, self._setting, self._above = names, setting, above
         self._seen: Counter[str] = Counter()
+        self._skill_class = skill_class(setting)
 
     def build(self, node: Node, depth: int) -> Behaviour:
         if depth > MOST_DEPTH:
@@ -43,11 +52,9 @@ class _Builder:
         raise AssertionError(node)
 
     def _skill(self, call: SkillCall, depth: int) -> Behaviour:
-        from ezskiros.engine.skill import RunningSkill
-
         name = call.skill.__name__
         label = f"{name}.{call.implementation}" if call.implementation else name
         self._seen[label] += 1
         number = f"#{self._seen[label]}" if self._seen[label] > 1 else ""
         name = f"{label}{number}"
-        return RunningSkill(call, self._names, self._setting, name, self._above, depth)
+        return self._skill_class(call, self._names, self._setting, name, self._above, depth)

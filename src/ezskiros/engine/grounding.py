@@ -25,16 +25,6 @@ class Names:
     """Those that a child has found in the world: another may have to look again."""
 
 
-def started_with(plan: Plan, names: Names) -> dict[str, Any]:
-    """The values of the parameters, by default, from the call, or from siblings."""
-    values = dict(plan.fixed)
-    for own, shared in plan.received:
-        found = names.values.get(shared)
-        if found is not None:
-            values[own] = found
-    return values
-
-
 def missing(plan: Plan, values: Mapping[str, Any]) -> Reason | None:
     """Why a skill cannot start with these values."""
     for parameter in plan.needed:
@@ -70,13 +60,14 @@ class Grounding:
     def ground(self) -> Reason | None:
         """Why the skill cannot start, None if it can.
 
-        What another child has inferred is kept as long as the pre-conditions hold with it.
+        What another child has inferred is kept as long as the pre-conditions hold with it; in
+        SkiROS2 it is always kept.
         """
         plan, values = self._plan, self._values
         free = [each for each in plan.inferred if values[each.name] is None]
         problem = self._inferred(free) if free else broken_pre(plan, values, self._world)
-        if problem is None:
-            return None
+        if problem is None or self._setting.compatible:
+            return problem
         shared = dict(plan.shared)
         stale = [
             each

@@ -23,8 +23,8 @@ from ezskiros.engine.grounding import (
     broken,
     missing,
     missing_output,
-    started_with,
 )
+from ezskiros.engine.plans import Plan
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.simulation import simulate
 from ezskiros.engine.values import Values
@@ -150,7 +150,7 @@ class RunningSkill(Behaviour):
         self._plan = plan = setting.plans.of(self._call)
         self._holds = self._held()
         self._text = ""
-        self._values = values = started_with(plan, self._names)
+        self._values = values = self._started_with(plan)
         problem = missing(plan, values)
         if problem is not None:
             return problem
@@ -170,6 +170,16 @@ class RunningSkill(Behaviour):
         if problem is None:
             self._tell(Happened.STARTED, 0, "Start")
         return problem
+
+    def _started_with(self, plan: Plan) -> dict[str, Any]:
+        """The values of the parameters, by default, from the call, or from siblings."""
+        values = dict(plan.fixed)
+        shared_values = self._names.values
+        for own, shared in plan.received:
+            found = shared_values.get(shared)
+            if found is not None:
+                values[own] = found
+        return values
 
     def _begin(self) -> Reason | None:
         """Bind the implementation, and start it."""

@@ -10,11 +10,11 @@ from dataclasses import dataclass
 
 from py_trees.common import Status
 
+from ezskiros.engine.build import skill_class
 from ezskiros.engine.depth import deep
 from ezskiros.engine.events import Reason
 from ezskiros.engine.grounding import Names
 from ezskiros.engine.setting import Setting
-from ezskiros.engine.skill import RunningSkill
 from ezskiros.engine.user_code import kept_alive
 from ezskiros.skills.nodes import SkillCall
 
@@ -39,7 +39,8 @@ class Task:
         plan = setting.plans.of(call)
         self.setting = setting
         self.ticks = 0
-        self.root = RunningSkill(call, Names({}), setting, plan.label or plan.skill.name)
+        name = plan.label or plan.skill.name
+        self.root = skill_class(setting)(call, Names({}), setting, name)
 
     def tick(self) -> Status:
         """One tick."""

@@ -1,0 +1,160 @@
+"""The values of a task where SkiROS2 has them: on one blackboard for the skills of all levels.
+
+Each parameter has a key there. A value that is passed to a child renames a key of the child, and of
+all below it; SkiROS2 drops some of these renamings. A parameter that has a default, or is given a
+value, never takes one from the blackboard, but writes its own there.
+
+A value lies in a cell, a list with at most one item, as in SkiROS2. Cells are handed on, not
+copied: what a primitive writes into its cell is seen by all that have the same one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from ezskiros.engine.plans import Plan
+from ezskiros.engine.values import WorldThing
+from ezskiros.engine.world import World
+from ezskiros.skills.interface import Parameter
+from ezskiros.skills.nodes import SkillCall
+from ezskiros.trees.tree import ThingReference, ValueReference
+
+Cell = list[Any]
+"""Empty if there is no value. Of a thing that is not known it has None: SkiROS2 has an element
+without a name there, which counts as a value.
+"""
+_ROBOT = "Robot"
+"""SkiROS2 gives this key to all skills."""
+
+
+class Remaps:
+    """The keys of a skill while they are renamed, in SkiROS2's order and with what it drops."""
+
+    def __init__(self, keys: Iterable[str]) -> None:
+        self._own = {key: key for key in (*keys, _ROBOT)}
+        self._known: dict[str, str] = {}
+
+    def add(self, key: str, other: str) -> None:
+        """Rename a key, unless it was renamed before, or the other one is in use here."""
+        if key in self._known:
+            return
+        other = self._known.get(other, other)
+        if other in self._own:
+            return
+        if key in self._own:
+            self._own[other] = self._own.pop(key)
+        self._known[key] = other
+
+    def add_all(self, above: Remaps) -> None:
+        """Rename what the skill above has renamed, as when SkiROS2 adds a child."""
+        for key, other in above._known.items():
+            self.add(key, other)
+
+    def by_own(self) -> dict[str, str]:
+        """The keys on the blackboard by those that the skill has."""
+        return {own: key for key, own in self._own.items()}
+
+
+def remaps_of(call: SkillCall, plan: Plan, above: Remaps | None) -> Remaps:
+    """The keys of a child: first its call renames them, then what is above it."""
+    parameters = {each.name: each.key for each in plan.skill.parameters}
+    found = Remaps(parameters.values())
+    for name, value in call.arguments.items():
+        if isinstance(value, (ThingReference, ValueReference)):
+            found.add(parameters[name], value.parameter.key)
+    if above is not None:
+        found.add_all(above)
+    return found
+
+
+class Blackboard:
+    """The cells of a task by their keys. A key has the type of the first value that it got."""
+
+    def __init__(self) -> None:
+        self._cells: dict[str, tuple[type, Cell]] = {}
+
+    def read(self, key: str, kind: type) -> Cell | None:
+        """The cell of a key, None if it has none whose value is of the type."""
+        _, cell = self._cells.get(key, (kind, None))
+        return cell if cell is not None and _is_of(cell, kind) else None
+
+    def write(self, key: str, kind: type, cell: Cell) -> None:
+        """Put a cell under a key, unless its value is of another type; an empty one removes it."""
+        known = self._cells.get(key, (kind, cell))[0]
+        if not cell:
+            self._cells.pop(key, None)
+        elif _is_of(cell, known):
+            self._cells[key] = known, cell
+
+
+class Cells:
+    """Those of the parameters of one skill."""
+
+    def __init__(
+        self, plan: Plan, keys: Mapping[str, str], blackboard: Blackboard, world: World
+    ) -> None:
+        self._parameters = [
+            (each, keys[each.key], _kind(each), plan.fixed[each.name])
+            for each in plan.skill.parameters
+        ]
+        self._blackboard, self._world = blackboard, world
+        self._cells: dict[str, Cell] = {}
+
+    def start(self) -> dict[str, Any]:
+        """The values when the skill starts: by default or by the call, or from the blackboard."""
+        for parameter, _, _, fixed in self._parameters:
+            is_empty = fixed is None and not parameter.is_thing
+            self._cells[parameter.name] = [] if is_empty else [fixed]
+        return self.read()
+
+    def read(self) -> dict[str, Any]:
+        """The values with those that the blackboard has now; what is gone from the world is none.
+
+        A parameter that has lost its key keeps its value.
+        """
+        for parameter, key, kind, fixed in self._parameters:
+            found = self._blackboard.read(key, kind)
+            if found is not None and (fixed is None or (parameter.is_thing and found == [fixed])):
+                self._cells[parameter.name] = found
+            if parameter.is_thing:
+                self._forget_what_is_gone(self._cells[parameter.name])
+        return self.values()
+
+    def values(self) -> dict[str, Any]:
+        """What is in the cells."""
+        return {name: cell[0] if cell else None for name, cell in self._cells.items()}
+
+    def replace(self, values: Mapping[str, Any]) -> None:
+        """Make cells of what has been inferred."""
+        for name, cell in self._cells.items():
+            if values[name] is not None and cell != [values[name]]:
+                self._cells[name] = [values[name]]
+
+    def fill(self, values: Mapping[str, Any]) -> None:
+        """Write what the skill has set into the cells that it has; what it has emptied is gone."""
+        for name, value in values.items():
+            cell = self._cells[name]
+            if value is None:
+                if cell and cell[0] is not None:
+                    self._cells[name] = []
+            else:
+                cell[:] = [value]
+
+    def share(self) -> None:
+        """Put all cells on the blackboard."""
+        for parameter, key, kind, _ in self._parameters:
+            self._blackboard.write(key, kind, self._cells[parameter.name])
+
+    def _forget_what_is_gone(self, cell: Cell) -> None:
+        if cell and cell[0] is not None and not self._world.exists(cell[0].iri):
+            cell.clear()
+
+
+def _kind(parameter: Parameter) -> type:
+    """What the values of a parameter are; for SkiROS2 all things are of one type."""
+    return WorldThing if parameter.is_thing else parameter.type
+
+
+def _is_of(cell: Cell, kind: type) -> bool:
+    return all(isinstance(each, kind) or (each is None and kind is WorldThing) for each in cell)
