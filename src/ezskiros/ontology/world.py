@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from dslkit.diagnostics import Diagnostic, Label, listed
+from dslkit.source.named import uses_of
 from ezskiros import session
 from ezskiros.ontology import condition_errors, errors
 from ezskiros.ontology.build import build
@@ -27,6 +28,9 @@ from ezskiros.ontology.things import (
     described,
     thing_class,
 )
+
+_MOST_USES = 3
+"""Of a name in a message."""
 
 
 class Ontology:
@@ -65,7 +69,9 @@ class Ontology:
         known = f"there are {listed(sorted(self.namespaces))}"
         if near or self.is_whole:
             help = f"did you mean `{near[0]}`?" if near else known
-            session.report(errors.UnknownNamespace(spelled=name).at(session.here(), help=help))
+            here = session.here()
+            uses = (Label(each, "used here") for each in uses_of(here)[:_MOST_USES])
+            session.report(errors.UnknownNamespace(spelled=name).at(here, *uses, help=help))
         return UNKNOWN
 
     def __getitem__(self, name: str) -> Namespace:

@@ -15,6 +15,7 @@ from support.skill_files import (
     VENDOR,
     WRONG,
     check_folder,
+    checked,
     found,
     skill,
     warned,
@@ -69,6 +70,14 @@ def test_what_other_modules_do_first_is_told_as_well(tmp_path: Path) -> None:
         ("EZS231", "open('made', 'w')"),
         ("EZS231", "time.sleep(3)"),
     ]
+
+
+def test_a_namespace_that_is_not_there_is_shown_with_the_conditions_that_use_it() -> None:
+    uses = SKILL.format(line="self.pre_conditions += skirs.at(Object, Place)")
+    result = checked(f"{HEADER}\nskirs = world.skirs\n{uses}")
+    (wrong,) = result.diagnostics
+    assert (wrong.code, wrong.primary.span.text) == ("EZS110", "world.skirs")
+    assert [(each.span.begin.line, each.span.text) for each in wrong.labels] == [(13, "skirs")]
 
 
 def test_a_side_effect_that_cannot_be_replaced_is_an_error(tmp_path: Path) -> None:

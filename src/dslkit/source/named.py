@@ -1,0 +1,38 @@
+"""Where the name is used that an expression of a module of Python is assigned to."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+
+from dslkit.source.call_site import node_span
+from dslkit.source.span import Span
+
+
+def uses_of(expression: Span) -> list[Span]:
+    """The uses of the names that a module gives to the value of an expression, in order: `skiros`
+    of `skiros = load().skiros`, also if the expression is a part of a tuple that is assigned.
+    """
+    file = expression.file
+    try:
+        tree = ast.parse(file.text)
+    except (SyntaxError, ValueError, RecursionError):
+        return []
+    names = {
+        target.id
+        for statement in tree.body
+        if isinstance(statement, ast.Assign)
+        for target, value in _assigned(statement)
+        if isinstance(target, ast.Name) and node_span(file, value) == expression
+    }
+    uses = (each for each in ast.walk(tree) if isinstance(each, ast.Name) and each.id in names)
+    spans = (node_span(file, each) for each in uses if isinstance(each.ctx, ast.Load))
+    return sorted(spans, key=lambda span: span.start)
+
+
+def _assigned(statement: ast.Assign) -> Iterator[tuple[ast.expr, ast.expr]]:
+    """What gets which value."""
+    for target in statement.targets:
+        yield target, statement.value
+        if isinstance(target, ast.Tuple) and isinstance(statement.value, ast.Tuple):
+            yield from zip(target.elts, statement.value.elts, strict=False)
