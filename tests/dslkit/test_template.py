@@ -41,6 +41,15 @@ class Sent(Addressed, Error, code="ROSS996", name="sent"):
     at_s: int
 
 
+class Late(Template):
+    help = "{advice}"
+    advice: str = "ask the post"
+
+
+class Delayed(Late, Addressed, Error, code="ROSS995", name="delayed"):
+    at_s: int
+
+
 def span(start: int) -> Span:
     return Span(FILE, start, start + 1)
 
@@ -76,6 +85,11 @@ def test_fields_are_those_of_all_bases_and_have_to_be_given() -> None:
         Sent(by="a", to="b")  # type: ignore[call-arg]
     with pytest.raises(TypeError, match="'at_s', 'by', 'to'"):
         Sent(by="a", to="b", at_s=1, more=2)  # type: ignore[call-arg]
+
+
+def test_a_field_may_have_a_default() -> None:
+    assert Delayed(by="a", to="b", at_s=3).at(span(0)).help == "ask the post"
+    assert Delayed(by="a", to="b", at_s=3, advice="wait").at(span(0)).help == "wait"
 
 
 def test_templates_are_values() -> None:

@@ -20,6 +20,8 @@ A misspelt placeholder is found when the class is first used with any value, and
 from __future__ import annotations
 
 import string
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, ClassVar, NoReturn
 
 from dslkit.diagnostics.model import Diagnostic, Fix, Label, Severity
@@ -45,6 +47,7 @@ class Template:
     note: ClassVar[str | None] = None
     help: ClassVar[str | None] = None
     _fields: ClassVar[frozenset[str]] = frozenset()
+    _defaults: ClassVar[Mapping[str, object]] = MappingProxyType({})
 
     def __init_subclass__(cls, code: str = "", name: str = "", **rest: object) -> None:
         """Record the stable code, the readable name and the fields of a declared diagnostic."""
@@ -53,12 +56,15 @@ class Template:
             cls.code = code
             cls.name = name
         own = {field for field, kind in cls.__annotations__.items() if _is_field(kind)}
-        bases = (base for base in cls.__bases__ if issubclass(base, Template))
+        bases = [base for base in cls.__bases__ if issubclass(base, Template)]
         cls._fields = frozenset(own).union(*(base._fields for base in bases))
+        inherited = {name: each for base in bases for name, each in base._defaults.items()}  # noqa: SLF001
+        cls._defaults = inherited | {name: vars(cls)[name] for name in own if name in vars(cls)}
 
     if not TYPE_CHECKING:  # mypy derives it, with the type of each field
 
         def __init__(self, **values: object) -> None:
+            values = {**self._defaults, **values}
             if values.keys() != self._fields:
                 raise TypeError(f"{type(self).__name__} has the fields {sorted(self._fields)}")
             vars(self).update(values)

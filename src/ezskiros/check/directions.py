@@ -59,11 +59,18 @@ def _swapped(by_classes: Mapping[_Classes, list[_Use]], model: Model) -> Iterato
         if _are_kin(model, *classes):
             continue
         alike = [y for x in by_classes if _are_alike(model, classes, x) for y in by_classes[x]]
-        turned = classes[1], classes[0]
-        others = [y for x in by_classes if _are_alike(model, turned, x) for y in by_classes[x]]
+        others = [y for x in by_classes if _are_turned(model, classes, x) for y in by_classes[x]]
         if others and (len(others), -others[0].number) > (len(alike), -alike[0].number):
             for use in uses:
                 yield _finding(classes, use, others[0], model)
+
+
+def _are_turned(model: Model, one: _Classes, other: _Classes) -> bool:
+    """A class that is wide, and so kin to both, says nothing of a direction."""
+    is_turned = _are_alike(model, one, (other[1], other[0]))
+    return is_turned and not (
+        _are_kin(model, one[0], other[0]) or _are_kin(model, one[1], other[1])
+    )
 
 
 def _are_alike(model: Model, one: _Classes, other: _Classes) -> bool:

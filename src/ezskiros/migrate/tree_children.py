@@ -110,11 +110,11 @@ class Children:
                 skill=self.skill.name, key=shared, child=child.name, why=why
             )
             return LeftError(template, target)
-        unknown = implementation_errors.UnknownKey(skill=child.name, key=text)
+        unknown = implementation_errors.UnknownKey
         if shared in child.names and text in self.skill.names:
             advice = f'write {{"{shared}": "{text}"}}: the parameter of the child stands first'
-            unknown = replace(unknown, advice=advice)
-        return LeftError(unknown, key)
+            return LeftError(unknown(skill=child.name, key=text, advice=advice), key)
+        return LeftError(unknown(skill=child.name, key=text), key)
 
     def _specified(
         self,

@@ -52,6 +52,19 @@ def test_the_rarer_direction_is_reported(bodies: list[str], expected: list[str] 
     assert len(found) == 1 if expected is None else found == expected
 
 
+def test_a_wide_class_says_nothing_of_a_direction() -> None:
+    text = f"""{HEADER}
+class Put(SkillDescription):
+    def description(self, Object: skiros.Product, Any: sumo.Object):
+        self.pre_conditions += Any.at(Object)
+
+class Take(SkillDescription):
+    def description(self, Object: skiros.Product, Place: skiros.Location):
+        self.pre_conditions += Object.at(Place)
+"""
+    assert "EZS422" not in [code for code, _ in warned(checked(text))]
+
+
 def test_the_finding_shows_the_other_direction_and_the_fix() -> None:
     (found,) = [each for each in skills(ONCE, TURNED).diagnostics if each.code == "EZS422"]
     assert [label.span.text for label in found.labels] == ["Object.at(Place)"]
