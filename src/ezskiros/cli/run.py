@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import signal
 from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, nullcontext
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -82,6 +82,7 @@ def run(
     name_ontology(ontology)
     from ezskiros.engine.expansion import Expansions
     from ezskiros.engine.setting import Setting
+    from ezskiros.skills.stand_ins import without_stand_ins
 
     texts = [each for each in words or [] if _GIVEN.match(each)]
     paths = [Path(each) for each in words or [] if not _GIVEN.match(each)] or [Path()]
@@ -97,7 +98,8 @@ def run(
         expansions=Expansions(ready.trees),
     )
     run = _Run(ready.call, setting, period, timeout)
-    outcome = run.to_the_end(is_asked=ask, trace=trace)
+    with nullcontext() if simulate else without_stand_ins():
+        outcome = run.to_the_end(is_asked=ask, trace=trace)
     if save is not None:
         with output.writing(save):
             ready.world.save(save)
@@ -146,7 +148,8 @@ def _refuse_half_modules(ready: Ready) -> None:
     from ezskiros.skills.load_errors import ClientStandIn, ImportSideEffect, StandIn
 
     codes = (ClientStandIn.code, ImportSideEffect.code, StandIn.code)
-    lacking = [each for each in ready.warnings if each.code in codes]
+    found = [*ready.warnings, *ready.elsewhere]
+    lacking = [each for each in found if each.code in codes]
     if lacking:
         output.print_findings(lacking)
         output.fail(
