@@ -143,14 +143,15 @@ def _prefix_findings(ontology: Ontology) -> Iterator[Diagnostic]:
         if start.startswith(RESERVED):
             continue
         name, place = stem(start), _place(ontology.documents, iri)
-        if start.find("#") != len(start) - 1 or not _NAME.fullmatch(name):
+        if not start.endswith("#") or start[-2:-1] == "/" or not _NAME.fullmatch(name):
             yield errors.NoPrefix(namespace=start or iri).at(place)
             continue
         other = taken.setdefault(name, start)
         if other != start:
-            labels = [Label(_place(ontology.documents, firsts[other]), "the other one")]
+            others = [firsts[other]] if other in firsts else []
+            labels = [Label(_place(ontology.documents, each), "the other one") for each in others]
             found = errors.PrefixTaken(prefix=name, namespace=start, other=other)
-            yield found.at(place, *(labels if other in firsts else ()))
+            yield found.at(place, *labels)
 
 
 def _name_findings(documents: Iterable[Document]) -> Iterator[Diagnostic]:
