@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import signal
 from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, contextmanager, nullcontext
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Annotated, NoReturn
@@ -82,7 +82,6 @@ def run(
     name_ontology(ontology)
     from ezskiros.engine.expansion import Expansions
     from ezskiros.engine.setting import Setting
-    from ezskiros.skills.stand_ins import without_stand_ins
 
     texts = [each for each in words or [] if _GIVEN.match(each)]
     paths = [Path(each) for each in words or [] if not _GIVEN.match(each)] or [Path()]
@@ -98,8 +97,7 @@ def run(
         expansions=Expansions(ready.trees),
     )
     run = _Run(ready.call, setting, period, timeout)
-    with nullcontext() if simulate else without_stand_ins():
-        outcome = run.to_the_end(is_asked=ask, trace=trace)
+    outcome = run.to_the_end(is_asked=ask, trace=trace)
     if save is not None:
         with output.writing(save):
             ready.world.save(save)
@@ -180,11 +178,14 @@ class _Run:
         """Run the task, until it has a result or is stopped."""
         from ezskiros.engine.task import run
         from ezskiros.engine.tracing import Trace
+        from ezskiros.skills.stand_ins import without_stand_ins
 
         self._setting.tell = self._tell
         if is_asked:
             self._setting.choose = self._choose
         with ExitStack() as stack:
+            if not self._setting.simulate:
+                stack.enter_context(without_stand_ins())
             if trace is not None:
                 stack.enter_context(output.writing(trace))
                 self._trace = Trace(stack.enter_context(trace.open("w", encoding="utf-8")))

@@ -98,16 +98,18 @@ def test_two_skills_of_one_name_are_told(tmp_path: Path) -> None:
 
 
 def test_two_skills_of_one_name_in_two_libraries_are_told_with_the_rule(tmp_path: Path) -> None:
-    for name in ("one", "two"):
+    for name in ("first_library", "second_library"):
         (tmp_path / name).mkdir()
         (tmp_path / name / "__init__.py").touch()
         done = "class fine(Fine.SkillBase):\n    def execute(self): return self.success()\n"
         (tmp_path / name / "skills.py").write_text(f"{HEADER}{FINE}\n\n{done}")
-    result = check_paths([tmp_path / "one", tmp_path / "two"])
+    result = check_paths([tmp_path / "first_library", tmp_path / "second_library"])
     assert found(result) == [("EZS230", "Fine"), ("EZS230", "fine")]
     for each in result.diagnostics:
-        assert Path(each.primary.span.file.path).parent.name == "two"
-        assert [Path(label.span.file.path).parent.name for label in each.labels] == ["one"]
+        assert Path(each.primary.span.file.path).parent.name == "second_library"
+        assert [Path(label.span.file.path).parent.name for label in each.labels] == [
+            "first_library"
+        ]
         rule = "of two libraries SkiROS2 takes that of the first in `libraries_list`"
         assert rule in (each.help or "")
 
