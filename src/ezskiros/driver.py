@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from io import StringIO
 from pathlib import Path
 
-from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.diagnostics import Collector, Diagnostic, Severity
 from dslkit.source import SourceFile, Span, is_file
 from ezskiros import session
 from ezskiros.check import check_implementations, check_skills
@@ -20,6 +20,7 @@ from ezskiros.check.scene_errors import NoOntologyForScene
 from ezskiros.check.scenes import check_scene
 from ezskiros.contracts import Missing, check_contracts, missing_pre_conditions
 from ezskiros.engine.depth import deep
+from ezskiros.hosts.owl_files import owl_files
 from ezskiros.ontology import load
 from ezskiros.ontology.load import VARIABLE
 from ezskiros.skills.interface import SkillInterface
@@ -123,6 +124,20 @@ def stub_of(*, relations: bool) -> tuple[str, Sequence[Diagnostic]]:
     with session.collecting(collector):
         ontology = load(relations=relations)
     return write_stub(ontology), collector.sorted()
+
+
+def owl_of() -> tuple[dict[str, str], Sequence[Diagnostic]]:
+    """The files in which SkiROS2 gets the ontology that `load()` loads, and what is wrong with it;
+    with errors there are none.
+    """
+    collector = Collector()
+    with session.collecting(collector):
+        ontology = load(relations=False)
+    if any(each.severity is Severity.ERROR for each in collector.sorted()):
+        return {}, collector.sorted()
+    files, wrong = owl_files(ontology)
+    collector.extend(wrong)
+    return files, collector.sorted()
 
 
 def ambiguous_names() -> tuple[frozenset[str], Sequence[Diagnostic]]:

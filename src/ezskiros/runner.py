@@ -24,13 +24,17 @@ from ezskiros.trees.tree import Tree
 
 @dataclass(frozen=True)
 class Ready:
-    """A skill that can be run, with its arguments, and the world that it runs in."""
+    """A skill that can be run, with its arguments, and the world that it runs in.
+
+    `elsewhere` is what is wrong with skills that it calls, and that are not among the files.
+    """
 
     library: Library
     trees: Sequence[Tree]
     call: SkillCall
     world: World
     warnings: Sequence[Diagnostic]
+    elsewhere: Sequence[Diagnostic]
 
 
 class FaultyError(Exception):
@@ -63,7 +67,7 @@ def prepare(skill: str, paths: Iterable[Path], scene: Path | None, texts: Iterab
     assert interface is not None, "a description without errors says something"
     values = read_arguments(interface, texts, world)
     call = SkillCall(description, implementation, MappingProxyType(values), NOWHERE)
-    return Ready(library, checked.trees, call, world, found)
+    return Ready(library, checked.trees, call, world, found, library.elsewhere)
 
 
 def _ontology(library: Library) -> tuple[Ontology, Sequence[Diagnostic]]:

@@ -28,8 +28,10 @@ class _Monitor:
             to(each)
 
 
-def _server():
-    """The world model server with the ontologies of SkiROS2, without its services."""
+def _server(workspace, scene):
+    """The world model server with the ontologies of SkiROS2, and the files of a workspace, without
+    its services.
+    """
     import rospy
     from skiros2_common.core.world_element import Element
     from skiros2_common.tools.plugin_loader import PluginLoader
@@ -44,24 +46,28 @@ def _server():
     server._curr_snapshot, server._monitor = uuid.uuid4(), _Monitor()
     server._ontology = WorldModel(False, "scene", server._wm_change_cb)
     server.contexts = {"scene": server._ontology}
-    for folder in os.environ.get("ROS_PACKAGE_PATH", "").split(":"):
-        for path in sorted((Path(folder) / "skiros2" / "owl").rglob("*.owl")):
+    folders = [*os.environ.get("ROS_PACKAGE_PATH", "").split(":")]
+    for folder in [*(Path(each) / "skiros2" / "owl" for each in folders), workspace]:
+        for path in sorted(folder.rglob("*.owl")) if folder else ():
             server._ontology.load(str(path))
     server._ontology.set_default_prefix("skiros", "http://rvmi.aau.dk/ontologies/skiros.owl#")
     server._ontology.reset()
+    if scene:
+        server._ontology.workspace = str(workspace)
+        server._ontology.load_context(scene)
     server._ontology._bind("", "")
     return server
 
 
 class Core:
-    """SkiROS2 with a robot `cora:Robot` in its world."""
+    """SkiROS2 with a robot `cora:Robot` in its world, or with the scene of a workspace."""
 
-    def __init__(self):
+    def __init__(self, workspace=None, scene=None):
         from skiros2_common.core.world_element import Element
         from skiros2_skill.core.skill_instanciator import SkillInstanciator
         from skiros2_world_model.ros.world_model_interface import WorldModelInterface
 
-        server = _server()
+        server = _server(workspace, scene)
         self.wm = object.__new__(WorldModelInterface)
         WorldModelInterface._elements_cache.clear()
         for name, value in {
@@ -83,13 +89,22 @@ class Core:
             setattr(self.wm, name, value)
         self._monitor = server._monitor
         self.instanciator = SkillInstanciator(self.wm)
-        self.robot = self.add("cora:Robot", "robot")
+        self.robot = None if scene else self.add("cora:Robot", "robot")
         self._element = Element
 
     def add(self, kind, label=""):
         from skiros2_common.core.world_element import Element
 
         return self.wm.add_element(Element(kind, label))
+
+    def things(self, kind="", label=""):
+        from skiros2_common.core.world_element import Element
+
+        return self.wm.resolve_elements(Element(kind, label))
+
+    def labelled(self, kind, label):
+        (found,) = self.things(kind, label)
+        return found
 
     def load(self, library, *skills):
         """What the skill manager does when it starts."""

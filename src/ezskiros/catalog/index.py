@@ -11,7 +11,7 @@ from ezskiros.check import tree_errors as tree_check_errors
 from ezskiros.confinement import errors as confinement_errors
 from ezskiros.contracts import errors as contract_errors
 from ezskiros.drawing import errors as drawing_errors
-from ezskiros.hosts import skiros2_errors
+from ezskiros.hosts import owl_errors, skiros2_errors
 from ezskiros.migrate import errors as migrate_errors
 from ezskiros.migrate import implementation_errors
 from ezskiros.ontology import condition_errors
@@ -41,6 +41,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *drawing_errors.ALL,
     *planning_errors.ALL,
     *skiros2_errors.ALL,
+    *owl_errors.ALL,
     *catalog_errors.ALL,
 )
 

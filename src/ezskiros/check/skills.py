@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import Diagnostic
 from ezskiros import session
 from ezskiros.check.consistency import check_consistency
 from ezskiros.check.directions import check_directions
@@ -14,8 +14,9 @@ from ezskiros.check.individuals import Individuals
 from ezskiros.check.inference import check_inference
 from ezskiros.check.outputs import check_outputs
 from ezskiros.check.relations import check_relations
+from ezskiros.check.repeated import repeated
 from ezskiros.ontology import Ontology
-from ezskiros.skills import SkillDescription, errors, tree_errors
+from ezskiros.skills import SkillDescription, tree_errors
 from ezskiros.skills.describe import Described, describe
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.syntax import attributes_in, class_span
@@ -32,17 +33,17 @@ def check_skills(
     """
     individuals = Individuals(scenes)
     found: dict[type[SkillDescription], Described] = {}
-    names: dict[str, SkillInterface] = {}
+    names: dict[str, type[SkillDescription]] = {}
     for skill in skills:
         _report_implementing(skill)
         described = describe(skill)
         if described is None:
             continue
         interface = described.interface
-        if interface.name in names:
-            label = Label(names[interface.name].span, "the other one")
-            session.report(errors.DuplicateSkill(skill=interface.name).at(interface.span, label))
-        names.setdefault(interface.name, interface)
+        other = names.setdefault(interface.name, skill)
+        if other is not skill:
+            place = found[other].interface.span
+            session.report(repeated(skill, interface.span, other, place))
         found[skill] = described
         if described.ontology is not None:
             for diagnostic in _findings(skill, described, described.ontology, individuals):

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from types import MappingProxyType
 from typing import cast
 
-from dslkit.diagnostics import Label
 from ezskiros import session
 from ezskiros.check.bodies import check_bodies
 from ezskiros.check.calls import check_calls
@@ -15,8 +14,9 @@ from ezskiros.check.outcomes import Outcomes
 from ezskiros.check.parameters import check_parameters
 from ezskiros.check.protocol import check_protocol
 from ezskiros.check.reach import check_reach
+from ezskiros.check.repeated import repeated
 from ezskiros.check.sharing import check_sharing
-from ezskiros.skills import errors, tree_errors
+from ezskiros.skills import tree_errors
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.implementation import SkillImplementation
@@ -84,6 +84,4 @@ def _report_repeated(classes: Iterable[type]) -> None:
     for each in classes:
         other = seen.setdefault(each.__name__, each)
         if other is not each and issubclass(each, SkillImplementation):
-            label = Label(class_span(other), "the other one")
-            found = errors.DuplicateSkill(skill=each.__name__)
-            session.report(found.at(class_span(each), label))
+            session.report(repeated(each, class_span(each), other, class_span(other)))

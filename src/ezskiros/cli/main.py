@@ -19,6 +19,7 @@ from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Skills, name_ontology
 from ezskiros.cli.checking import asked, print_check
 from ezskiros.cli.output import output
+from ezskiros.cli.owl import owl
 from ezskiros.cli.plan import plan
 from ezskiros.cli.run import run
 from ezskiros.cli.show import show
@@ -104,6 +105,7 @@ def explain(
 
 app.command()(show)
 app.command()(plan)
+app.command()(owl)
 
 
 @app.command()

@@ -145,7 +145,8 @@ def _refuse_half_modules(ready: Ready) -> None:
     from ezskiros.skills.load_errors import ClientStandIn, ImportSideEffect, StandIn
 
     codes = (ClientStandIn.code, ImportSideEffect.code, StandIn.code)
-    lacking = [each for each in ready.warnings if each.code in codes]
+    found = [*ready.warnings, *ready.elsewhere]
+    lacking = [each for each in found if each.code in codes]
     if lacking:
         output.print_findings(lacking)
         output.fail(
@@ -178,11 +179,14 @@ class _Run:
         """Run the task, until it has a result or is stopped."""
         from ezskiros.engine.task import run
         from ezskiros.engine.tracing import Trace
+        from ezskiros.skills.stand_ins import without_stand_ins
 
         self._setting.tell = self._tell
         if is_asked:
             self._setting.choose = self._choose
         with ExitStack() as stack:
+            if not self._setting.simulate:
+                stack.enter_context(without_stand_ins())
             if trace is not None:
                 stack.enter_context(output.writing(trace))
                 self._trace = Trace(stack.enter_context(trace.open("w", encoding="utf-8")))

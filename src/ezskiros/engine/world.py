@@ -17,13 +17,14 @@ import pyoxigraph
 from dslkit.writing import write_whole
 from ezskiros.engine.literals import value_of
 from ezskiros.ontology import Ontology
-from ezskiros.ontology.iris import RDF, RDFS, XSD, split
+from ezskiros.ontology.iris import OWL, RDF, RDFS, XSD, split
 from ezskiros.ontology.model import ObjectProperty
 from ezskiros.ontology.read import Document
 from ezskiros.ontology.statements import Value
 
 _TYPE = RDF + "type"
 _LABEL = RDFS + "label"
+_NO_CLASS = {OWL + "NamedIndividual"}
 
 
 class World:
@@ -73,7 +74,8 @@ class World:
     def classes(self, thing: str) -> list[str]:
         """The classes that a thing is said to be of."""
         found = self._facts(thing, _TYPE)
-        return sorted(each.value for each in found if isinstance(each, pyoxigraph.NamedNode))
+        named = {each.value for each in found if isinstance(each, pyoxigraph.NamedNode)}
+        return sorted(named - _NO_CLASS)
 
     def is_a(self, thing: str, owl_class: str) -> bool:
         """Whether a thing is of a class."""

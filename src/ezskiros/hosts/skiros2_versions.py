@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from importlib import metadata
 
-from packaging.specifiers import SpecifierSet
-from packaging.version import Version
-
-_RDFLIB = SpecifierSet(">=6.2,<7")
+_FIRST, _BEYOND = (6, 2), (7, 0)
 
 
 def unfit() -> str | None:
@@ -16,8 +14,9 @@ def unfit() -> str | None:
         found = metadata.version("rdflib")
     except metadata.PackageNotFoundError:
         return None
-    if found in _RDFLIB:
+    version = tuple(map(int, re.findall(r"\d+", found)[:2]))
+    if _FIRST <= version < _BEYOND:
         return None
-    is_old = Version(found) < Version("6.2")
+    is_old = version < _FIRST
     fault = "finds no relations of things" if is_old else "cannot load its ontologies"
     return f'SkiROS2 {fault} with rdflib {found}: pip install "rdflib>=6.2,<7"'

@@ -12,6 +12,7 @@ import sys
 from abc import ABCMeta
 from collections.abc import Callable, Iterator, MutableSequence, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar, cast
@@ -154,6 +155,19 @@ def is_installed(module: str) -> bool:
     return importlib.machinery.PathFinder.find_spec(module) is not None
 
 
+_is_real: ContextVar[bool] = ContextVar("is_real", default=False)
+
+
+@contextmanager
+def without_stand_ins() -> Iterator[None]:
+    """Within, nothing stands in for what is not there, also while trees are looked at."""
+    token = _is_real.set(True)
+    try:
+        yield
+    finally:
+        _is_real.reset(token)
+
+
 @contextmanager
 def standing_in(tell: Callable[[str, Span], object]) -> Iterator[None]:
     """Within, modules that are not there are stood in for; `tell` hears the names of packages, and
@@ -161,6 +175,9 @@ def standing_in(tell: Callable[[str, Span], object]) -> Iterator[None]:
 
     Afterwards they are gone again, so that each module that needs one is told of.
     """
+    if _is_real.get():
+        yield
+        return
     first, last = _ClientFinder(tell), _Finder(tell)
     sys.meta_path.insert(0, first)
     sys.meta_path.append(last)

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from typing import TypeVar
 
+from dslkit.diagnostics import Diagnostic
 from ezskiros import session
 from ezskiros.ontology import Ontology
 from ezskiros.skills.describe import Described, describe
@@ -31,6 +32,8 @@ class Library:
         self.checked = tuple(described)
         """The skills that are checked, in the order in which they are written."""
         self._described: dict[type[SkillDescription], Described | None] = {**described}
+        self.elsewhere: list[Diagnostic] = []
+        """What is wrong with the skills that are not checked, as far as they were looked at."""
 
     def descriptions(self) -> list[type[SkillDescription]]:
         """All that are known so far, in the order in which they were loaded."""
@@ -73,8 +76,9 @@ class Library:
 
     def _known(self, description: type[SkillDescription]) -> Described | None:
         if description not in self._described:
-            with session.trying():
+            with session.trying() as found:
                 self._described[description] = describe(description)
+            self.elsewhere += found.sorted()
         return self._described[description]
 
 

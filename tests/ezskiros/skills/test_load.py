@@ -97,6 +97,23 @@ def test_two_skills_of_one_name_are_told(tmp_path: Path) -> None:
     assert found(result) == [("EZS230", "Fine")]
 
 
+def test_two_skills_of_one_name_in_two_libraries_are_told_with_the_rule(tmp_path: Path) -> None:
+    for name in ("first_library", "second_library"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "__init__.py").touch()
+        done = "class fine(Fine.SkillBase):\n    def execute(self): return self.success()\n"
+        (tmp_path / name / "skills.py").write_text(f"{HEADER}{FINE}\n\n{done}")
+    result = check_paths([tmp_path / "first_library", tmp_path / "second_library"])
+    assert found(result) == [("EZS230", "Fine"), ("EZS230", "fine")]
+    for each in result.diagnostics:
+        assert Path(each.primary.span.file.path).parent.name == "second_library"
+        assert [Path(label.span.file.path).parent.name for label in each.labels] == [
+            "first_library"
+        ]
+        rule = "of two libraries SkiROS2 takes that of the first in `libraries_list`"
+        assert rule in (each.help or "")
+
+
 def test_a_nested_class_is_no_other_skill(tmp_path: Path) -> None:
     names = "class Names:\n    class Fine:\n        pass\n\n\n"
     assert found(check(tmp_path, {"a": HEADER + names + FINE})) == []

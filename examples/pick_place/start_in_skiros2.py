@@ -1,0 +1,51 @@
+"""Starts a skill in SkiROS2, and tells its progress until it ends.
+
+    python start_in_skiros2.py pick_and_place Object=cable Gripper=gripper PlacingLocation=shelf
+
+Things are named by their labels.
+"""
+
+import sys
+from queue import Queue
+
+import rospy
+from skiros2_common.core.abstract_skill import State
+from skiros2_common.core.world_element import Element
+from skiros2_skill.ros.skill_manager_interface import SkillManagerInterface
+from skiros2_world_model.ros.world_model_interface import WorldModelInterface
+
+ROBOT = "/heron"
+
+
+def run(name: str, values: list[str]) -> State:
+    """Start a skill, and print what its tree says until it has a result."""
+    rospy.init_node("start_in_skiros2", anonymous=True)
+    world, manager = WorldModelInterface(), SkillManagerInterface(ROBOT, rospy.get_name())
+    skill = manager.get_skill(name)
+    for value in values:
+        parameter, _, label = value.partition("=")
+        kind = skill.ph.getParam(parameter).value.type
+        thing = world.resolve_element(Element(kind, label))
+        if thing is None:
+            sys.exit(f"the world has no {kind} with the label {label}")
+        skill.ph.specify(parameter, thing)
+    told: Queue = Queue()
+    manager.set_monitor_cb(told.put)
+    manager.execute(skill_list=[skill])
+    seen: dict[int, tuple] = {}
+    result = State.Running
+    while result is State.Running:
+        for each in told.get(timeout=60).progress:
+            state, message = State(each.state), each.progress_message
+            if seen.get(each.id) != (state, message) and message not in ("", "Start", "End"):
+                print(f"{each.label}: {state.name}: {message.strip()}", flush=True)
+            seen[each.id] = (state, message)
+            if "Root" in each.type:
+                result = state
+    return result
+
+
+if __name__ == "__main__":
+    result = run(sys.argv[1], sys.argv[2:])
+    print(f"{sys.argv[1]}: {result.name}")
+    sys.exit(result is not State.Success)

@@ -1,0 +1,211 @@
+"""An ontology as the files that SkiROS2 loads: RDF/XML, in which it finds its prefixes.
+
+SkiROS2 makes the prefix of a namespace of the IRI of the ontology that a file declares. What it has
+loaded from a file is replaced by the next file of that name, so that none may be called like its
+own.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+from xml.parsers import expat
+
+import pyoxigraph
+
+from dslkit.diagnostics import Diagnostic, Label
+from dslkit.source import Span
+from ezskiros.hosts import owl_errors as errors
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.iris import OWL, RDF, RDFS, RESERVED, XSD, split, stem
+from ezskiros.ontology.places import declaration
+from ezskiros.ontology.read import Document
+
+MARK = "Written by `ezskiros owl`. Change the ontology instead."
+START = "ezskiros-"
+"""How the names of files begin: no file of SkiROS2 is called so."""
+
+_XML = pyoxigraph.RdfFormat.RDF_XML
+_IEEE = "http://www.inf.ufrgs.br/phi-group/ontologies/"
+_OF_SKIROS2 = {
+    "skiros": "http://rvmi.aau.dk/ontologies/skiros.owl#",
+    **{each.lower(): f"{_IEEE}{each}.owl#" for each in ("cora", "coraX", "RParts", "sumo")},
+}
+"""The namespaces of SkiROS2's own ontology, by its prefixes."""
+_LANGUAGE = {"owl": OWL, "rdf": RDF, "rdfs": RDFS, "xsd": XSD}
+_NAME = re.compile(r"[a-z_][\w.-]*", re.ASCII)
+_TYPE = pyoxigraph.NamedNode(RDF + "type")
+_ONTOLOGY = pyoxigraph.NamedNode(OWL + "Ontology")
+_RELATION = pyoxigraph.NamedNode(OWL + "ObjectProperty")
+
+Triples = Sequence[pyoxigraph.Triple]
+
+
+def owl_files(ontology: Ontology) -> tuple[dict[str, str], list[Diagnostic]]:
+    """The texts of the files by their names, and what is wrong with them; then there are none."""
+    found = [*_prefix_findings(ontology), *_name_findings(ontology.documents)]
+    for document in ontology.documents:
+        found += _triple_findings(document)
+    if found:
+        return {}, found
+    prefixes = {name: start for name, start in ontology.model.names.items() if _NAME.match(name)}
+    relations = ontology.model.relations
+    files = {
+        file_name(document): _text(_triples(document, prefixes, relations), prefixes)
+        for document in ontology.documents
+    }
+    for name, start in _unnamed(ontology):
+        header = pyoxigraph.Triple(pyoxigraph.NamedNode(start[:-1]), _TYPE, _ONTOLOGY)
+        files[f"{START}{name}-namespace.owl"] = _text([header], prefixes)
+    return files, []
+
+
+def is_own(text: bytes) -> bool:
+    """Whether a file that begins like this was written from an ontology."""
+    return MARK.encode() in text
+
+
+def file_name(document: Document) -> str:
+    """How the file of a document is called."""
+    return f"{START}{Path(document.file.path).stem}.owl"
+
+
+# --- what SkiROS2 finds in them ------------------------------------------------------------------
+
+
+def _triples(document: Document, prefixes: Mapping[str, str], relations: Iterable[str]) -> Triples:
+    """What a document says, as SkiROS2 has to be told it.
+
+    It knows relations only as owl:ObjectProperty; the IRI of an ontology must not take the prefix
+    of another namespace.
+    """
+    said = _with_fixed_names([each.triple for each in document.triples])
+    kept = [each for each in said if not _is_misleading(each, prefixes)]
+    known = {each.subject for each in said if (each.predicate, each.object) == (_TYPE, _RELATION)}
+    wanted = set(map(pyoxigraph.NamedNode, relations)) - known
+    typed = dict.fromkeys(each.subject for each in said if each.predicate == _TYPE)
+    return [*kept, *(pyoxigraph.Triple(each, _TYPE, _RELATION) for each in typed if each in wanted)]
+
+
+def _with_fixed_names(triples: Triples) -> Triples:
+    """Triples whose blank nodes have the same names each time that they are read."""
+    names: dict[pyoxigraph.BlankNode, pyoxigraph.BlankNode] = {}
+
+    def fixed(term: Any) -> Any:
+        if not isinstance(term, pyoxigraph.BlankNode):
+            return term
+        return names.setdefault(term, pyoxigraph.BlankNode(f"b{len(names)}"))
+
+    return [
+        pyoxigraph.Triple(fixed(each.subject), each.predicate, fixed(each.object))
+        for each in triples
+    ]
+
+
+def _is_misleading(triple: pyoxigraph.Triple, prefixes: Mapping[str, str]) -> bool:
+    iri = _declared(triple)
+    return iri is not None and prefixes.get(stem(iri), f"{iri}#") != f"{iri}#"
+
+
+def _declared(triple: pyoxigraph.Triple) -> str | None:
+    """The IRI of the ontology that a triple declares."""
+    is_header = (triple.predicate, triple.object) == (_TYPE, _ONTOLOGY)
+    subject = triple.subject
+    return subject.value if is_header and isinstance(subject, pyoxigraph.NamedNode) else None
+
+
+def _unnamed(ontology: Ontology) -> Iterator[tuple[str, str]]:
+    """The namespaces that no file is the ontology of, by their names. Of a file with several
+    ontologies SkiROS2 takes one.
+    """
+    named = set()
+    for document in ontology.documents:
+        declared = {iri for each in document.triples if (iri := _declared(each.triple))}
+        named |= {f"{iri}#" for iri in declared if len(declared) == 1}
+    for name, start in ontology.model.names.items():
+        if start not in named:
+            yield name, start
+
+
+# --- what is wrong with them ---------------------------------------------------------------------
+
+
+def _prefix_findings(ontology: Ontology) -> Iterator[Diagnostic]:
+    """Namespaces that SkiROS2 cannot tell by their prefixes."""
+    taken: dict[str, str] = dict(_OF_SKIROS2)
+    firsts: dict[str, str] = {}
+    for iri in ontology.model.entities():
+        firsts.setdefault(split(iri)[0], iri)
+    for start, iri in sorted(firsts.items()):
+        if start.startswith(RESERVED):
+            continue
+        name, place = stem(start), _place(ontology.documents, iri)
+        if not start.endswith("#") or start[-2:-1] == "/" or not _NAME.fullmatch(name):
+            yield errors.NoPrefix(namespace=start or iri).at(place)
+            continue
+        other = taken.setdefault(name, start)
+        if other != start:
+            others = [firsts[other]] if other in firsts else []
+            labels = [Label(_place(ontology.documents, each), "the other one") for each in others]
+            found = errors.PrefixTaken(prefix=name, namespace=start, other=other)
+            yield found.at(place, *labels)
+
+
+def _name_findings(documents: Iterable[Document]) -> Iterator[Diagnostic]:
+    """Files that SkiROS2 would take for one."""
+    seen: dict[str, Document] = {}
+    for document in documents:
+        name = file_name(document)
+        other = seen.setdefault(name.lower(), document)
+        if other is not document:
+            found = errors.FileNameTaken(file=name, other=other.file.path)
+            yield found.at(Span(document.file, 0, 0))
+
+
+def _triple_findings(document: Document) -> Iterator[Diagnostic]:
+    """What is not the same when it is read again; if there is none, nothing is looked at twice."""
+    triples = [each.triple for each in document.triples]
+    if _is_kept(triples):
+        return
+    for triple in triples:
+        if not _is_kept([triple]):
+            found = errors.NotInXml(statement=str(triple).encode("unicode_escape").decode())
+            yield found.at(_place([document], getattr(triple.subject, "value", "")))
+
+
+def _is_kept(triples: Triples) -> bool:
+    text = _serialized(triples, {})
+    try:
+        expat.ParserCreate().Parse(text, True)
+        again = [each.triple for each in pyoxigraph.parse(text, format=_XML)]
+    except (expat.ExpatError, SyntaxError, ValueError):
+        return False
+    return Counter(map(_without_names, triples)) == Counter(map(_without_names, again))
+
+
+def _without_names(triple: pyoxigraph.Triple) -> tuple[object, ...]:
+    """A triple in which all blank nodes are the same; triple terms are never kept."""
+    terms = (triple.subject, triple.predicate, triple.object)
+    if isinstance(triple.object, pyoxigraph.Triple):
+        return (object(),)
+    return tuple(None if isinstance(each, pyoxigraph.BlankNode) else each for each in terms)
+
+
+def _place(documents: Sequence[Document], iri: str) -> Span:
+    return declaration(documents, iri) or Span(documents[0].file, 0, 0)
+
+
+# --- how they are written ------------------------------------------------------------------------
+
+
+def _text(triples: Triples, prefixes: Mapping[str, str]) -> str:
+    text = _serialized(triples, {**prefixes, **_LANGUAGE}).decode()
+    head, _, rest = text.partition("\n")
+    return f"{head}\n<!-- {MARK} -->\n{rest}\n"
+
+
+def _serialized(triples: Triples, prefixes: Mapping[str, str]) -> bytes:
+    return pyoxigraph.serialize(triples, format=_XML, prefixes=dict(prefixes)) or b""

@@ -1,0 +1,55 @@
+"""Users get what the sources import: a tool of developers may not be there."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Iterator
+from importlib.metadata import packages_distributions
+from pathlib import Path
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+ROOT = Path(__file__).parents[2]
+OTHERS = {"markupsafe", "glfw"}
+"""What declared ones need in turn: jinja2 and mujoco."""
+
+
+def imported() -> Iterator[tuple[str, str]]:
+    """The top-level modules that files of the sources import, at once or later."""
+    for path in sorted((ROOT / "src").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            names = [each.name for each in node.names] if isinstance(node, ast.Import) else []
+            if isinstance(node, ast.ImportFrom) and node.module and not node.level:
+                names = [node.module]
+            yield from ((path.name, name.partition(".")[0]) for name in names)
+
+
+def declared() -> set[str]:
+    """The distributions that users install: the needed ones, and those of all extras but `dev`."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    extras = {
+        name: each for name, each in project["optional-dependencies"].items() if name != "dev"
+    }
+    texts = [*project["dependencies"], *(text for each in extras.values() for text in each)]
+    return {plain(re.split(r"[^\w.-]", text, maxsplit=1)[0]) for text in texts}
+
+
+def plain(name: str) -> str:
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def test_what_the_sources_import_is_installed_with_them() -> None:
+    known, owners = {*declared(), *OTHERS, "rossmarie"}, packages_distributions()
+    missing = {
+        (file, module)
+        for file, module in imported()
+        if module not in sys.stdlib_module_names
+        and module in owners
+        and not known & {plain(each) for each in owners[module]}
+    }
+    assert missing == set()
