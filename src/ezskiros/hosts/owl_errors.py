@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class NoPrefix(Error, code="EZS884", name="no-prefix"):
     """A namespace that SkiROS2 has no prefix for."""
 
@@ -18,7 +15,6 @@ class NoPrefix(Error, code="EZS884", name="no-prefix"):
     namespace: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class PrefixTaken(Error, code="EZS885", name="prefix-taken"):
     """Two namespaces that SkiROS2 calls the same."""
 
@@ -31,7 +27,6 @@ class PrefixTaken(Error, code="EZS885", name="prefix-taken"):
     other: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class FileNameTaken(Error, code="EZS886", name="file-name-taken"):
     """Two files of an ontology that would be one."""
 
@@ -43,7 +38,6 @@ class FileNameTaken(Error, code="EZS886", name="file-name-taken"):
     other: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NotInXml(Error, code="EZS887", name="not-in-xml"):
     """A statement that RDF/XML, the form that SkiROS2 reads, cannot hold."""
 
