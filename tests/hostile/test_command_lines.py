@@ -254,6 +254,7 @@ WRITING = {
         ("verify", "none.ross", "--keep", "file/below"),
     ],
     "ezskiros": [
+        ("owl", "--out", "file"),
         ("plan", "none", "--goal", "(a b c)", "--scene", "none.turtle", "--write", "file/a.py"),
         ("run", "none", "none.py", "--save", "folder"),
         ("run", "none", "none.py", "--trace", "file/below"),

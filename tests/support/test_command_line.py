@@ -244,6 +244,7 @@ COMMANDS = {
         "explain EZS401",
         "explain Pick skills",
         "migrate skills",
+        "owl --ontology ontology --out owl",
         "plan skills --scene lab.turtle --goal '(skiros:contain shelf starter)'",
         "run pick skills --scene lab.turtle --simulate Object=cable Gripper=gripper",
         "show pick_and_place skills --svg a.svg --btcpp a.xml",

@@ -51,14 +51,16 @@ def test_a_folder_in_the_way_is_told(tmp_path: Path) -> None:
 
 def test_a_file_in_place_of_the_folder_is_told(tmp_path: Path) -> None:
     (tmp_path / "out").write_text("mine")
-    done = owl(tmp_path, "--out", "out")
-    assert (done.returncode, done.stderr.count("\n")) == (2, 1)
+    (tmp_path / "hall.ttl").write_text("no Turtle")  # told later: outputs are tried first
+    done = owl(tmp_path, "--out", "out", ontology="hall.ttl")
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
     assert done.stderr.startswith("ezskiros: cannot write to out: ")
     assert (tmp_path / "out").read_text() == "mine"
 
 
 def test_files_of_an_earlier_ontology_are_told(tmp_path: Path) -> None:
     assert owl(tmp_path, "--out", ".").returncode == 0
+    (tmp_path / "ezskiros-mine.owl").write_text("of somebody else")
     done = owl(tmp_path, "--out", ".", ontology=HALL / "sumo.ttl")
     left = [f"ezskiros: ezskiros-{name}.owl is left from an earlier ontology" for name in NAMES[:4]]
     assert done.returncode == 0

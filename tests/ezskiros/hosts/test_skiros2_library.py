@@ -88,7 +88,7 @@ def test_a_mistake_outside_of_skills_refuses_the_file(package: Any) -> None:
 
 def test_a_misspelt_base_is_told_with_all_else(package: Any) -> None:
     text = WAIT.replace("Wait.SkillBase", "Wait.SkilBase")
-    library = checked(package("six", text, ""))
+    library = checked(package("sixth", text, ""))
     assert refused(library) == ["wait"]
 
 
