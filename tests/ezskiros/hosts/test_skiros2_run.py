@@ -99,7 +99,7 @@ class Broken(SkillDescription):
 
 class broken(Broken.SkillBase):
     def execute(self):
-        return 1 / 0
+        return 1 / len("")
 
 
 class odd(Broken.SkillBase):
