@@ -57,6 +57,18 @@ def execute(instance: SkillImplementation) -> Status | Reason:
     return _wrong(instance, "execute", found, "what self.success, self.step or self.fail give")
 
 
+def initialized(instance: SkillImplementation) -> Reason | None:
+    """Call `onInit`; None if all is well. As in SkiROS2 it need not say so."""
+    try:
+        found = instance.onInit()
+    except (Exception, SystemExit) as problem:
+        return raised(problem, "onInit", Code.START)
+    if found is not False:
+        return None
+    text = f"`onInit` says that it has not succeeded ({_place(instance, 'onInit')})"
+    return Reason(Code.START, text)
+
+
 def is_willing(instance: SkillImplementation, method: str, code: Code) -> Reason | None:
     """Call `onStart` or `onEnd`; None if all is well."""
     called: Callable[[], Any] = getattr(instance, method)
