@@ -15,9 +15,10 @@ from ezskiros.migrate import errors
 from ezskiros.migrate.bases import Bases
 from ezskiros.migrate.consequences import consequences
 from ezskiros.migrate.migrated import Migrated
-from ezskiros.migrate.module import migrate_text, until_settled
+from ezskiros.migrate.module import migrate_text
 from ezskiros.migrate.modules import imported_files, reaches
 from ezskiros.migrate.robots import with_robots
+from ezskiros.migrate.settle import until_settled
 from ezskiros.migrate.skills import Skills
 from ezskiros.skills.load import skill_files
 from ezskiros.skills.load_errors import NoFile

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 import libcst as cst
@@ -49,15 +49,12 @@ from ezskiros.migrate.mixins import translate_mixin
 from ezskiros.migrate.names import Names
 from ezskiros.migrate.positions import Positions
 from ezskiros.migrate.robots import robots_in, with_robots
-from ezskiros.migrate.shared_keys import shared_keys
+from ezskiros.migrate.settle import until_settled
 from ezskiros.migrate.skills import SkillId, Skills, new_skills
 from ezskiros.migrate.states import states_in, with_states
 from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.tree_context import Wanted as WantedSkills
 from ezskiros.migrate.values import BASIC, known_of
-
-_MOST_PASSES = 10
-"""Each is for skills one level higher in the trees."""
 
 
 def migrate_text(
@@ -103,25 +100,6 @@ def migrate_text(
         more = consequences(migrated.followers, migrated.left_skills)
         return replace(migrated, diagnostics=[*migrated.diagnostics, *more])
     return _File(file, module, world, inherited, ambiguous, skills, late).migrated()
-
-
-def until_settled(
-    skills: Skills, migrated: Callable[[Skills], Sequence[Migrated]]
-) -> Sequence[Migrated]:
-    """What becomes of files when descriptions have the keys that children share, and classes that
-    are built on the same base are left together: each time that some get keys or are left, it shows
-    which others need or follow them.
-    """
-    found = migrated(skills)
-    for _ in range(_MOST_PASSES):
-        keys = shared_keys(tree for each in found for tree in each.trees)
-        causes = {id_: codes for each in found for id_, codes in each.obstacles.items()}
-        bases = skills.bases.with_left(causes)
-        if keys == skills.keys and not bases.changed(skills.bases):
-            break
-        skills = skills.with_more(keys, bases)
-        found = migrated(skills)
-    return found
 
 
 def _unreadable(file: SourceFile, problem: cst.ParserSyntaxError) -> Diagnostic:
