@@ -141,14 +141,6 @@ def test_a_post_condition_that_does_not_hold(tmp_path: Path) -> None:
          "`onStart` raised KeyError: there is no 'arm'"),
         ("def onEnd(self):\n    return bool([])\ndef execute(self):\n    return self.success()",
          "`onEnd` says that it has not succeeded"),
-        ("def onStart(self):\n    self.fail('no bus', 3)\n    return False\n"
-         "def execute(self):\n    return self.success()", "no bus"),
-        ("def onInit(self):\n    return False\ndef execute(self):\n    return self.success()",
-         "`onInit` says that it has not succeeded"),
-        ("def onInit(self):\n    self.fail('no bus', 3)\n    return False\n"
-         "def execute(self):\n    return self.success()", "no bus"),
-        ("def onInit(self):\n    raise KeyError('arm')\n"
-         "def execute(self):\n    return self.success()", "`onInit` raised KeyError"),
         ("def execute(self):\n    return self.fail('no arm', 7)", "no arm"),
         ("def __init__(self):\n    raise OSError('no bus')\n"
          "def execute(self):\n    return self.success()", "`__init__` raised OSError: no bus"),
@@ -160,21 +152,6 @@ def test_mistakes_of_primitives_are_failures(tmp_path: Path, body: str, said: st
     ran = skills(tmp_path, primitive(body)).run("Act")
     assert not ran.outcome.is_success
     assert said in re.sub(r"\(/\S*/", "(", ran.reason)
-
-
-def test_on_init_is_called_once_and_need_not_say_anything(tmp_path: Path) -> None:
-    body = (
-        "made = []\n"
-        "def onInit(self):\n    self.made.append(self.now())\n"
-        "def execute(self):\n    return self.fail(f'made {self.made}')\n"
-    )
-    again = (
-        "class Again(SkillDescription):\n    def description(self): pass\n"
-        "class again(Again.SkillBase):\n    def expandBT(self, params):\n"
-        "        self.retry(Act(), 3)\n"
-    )
-    notes = skills(tmp_path, primitive(body) + again).run("Again").notes
-    assert [each for each in notes if "made" in each][:3] == ["made [0.0]"] * 3
 
 
 def test_codes_of_failures_are_negative_as_in_skiros2(tmp_path: Path) -> None:
