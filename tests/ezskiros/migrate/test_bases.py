@@ -166,11 +166,24 @@ def test_a_skill_that_is_left_for_itself_keeps_nothing() -> None:
     assert "class ask(Caller):\n" in found.text
 
 
-def test_a_base_with_a_tree_is_left() -> None:
-    tree = "\n    def expand(self, skill):\n        skill(self.skill('Say', ''))\n"
-    found = migrated(BASE.replace("Primitive", "Skill") + tree, skill("Say"))
+@pytest.mark.parametrize(
+    ("method", "said"),
+    [
+        ("def expand(self, skill):\n        skill(self.child())", "`def expand`"),
+        ("def child(self):\n        return self.skill('Say', '')", "a child in a class"),
+    ],
+)
+def test_a_base_with_a_tree_is_left(method: str, said: str) -> None:
+    found = migrated(BASE.replace("Primitive", "Skill"), f"\n    {method}\n", skill("Say"))
     assert [code for code, _ in told(found)] == ["EZS730", "EZS738"]
+    assert found.diagnostics[0].title.startswith(said)
     assert "class Caller(SkillBase):" in found.text
+
+
+def test_a_base_that_changes_descriptions_is_left() -> None:
+    method = "\n    def modifyDescription(self, skill):\n        pass\n"
+    found = migrated(BASE, method, skill("Say"))
+    assert [code for code, _ in told(found)] == ["EZS734", "EZS738"]
 
 
 def test_keys_that_are_no_names_are_those_of_all_skills() -> None:
