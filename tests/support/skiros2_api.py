@@ -24,6 +24,7 @@ from ezskiros.hosts.skiros2_form import (
 
 ParamTypes = enum.Enum("ParamTypes", "Required Optional Inferred")
 ParamOptions = enum.Enum("ParamOptions", "Consume Output Unspecify Lock RespectType")
+State = enum.Enum("State", "Success Failure Running Idle Uninitialized")
 
 
 class Element:
@@ -144,6 +145,7 @@ def _class_of(maker: str) -> Callable[..., object]:
 _OWN: dict[str, object] = {
     "ParamTypes": ParamTypes,
     "ParamOptions": ParamOptions,
+    "State": State,
     "Element": Element,
     "SkillDescription": SkillDescription,
     "ConditionRelation": _class_of("getRelationCond"),

@@ -208,12 +208,13 @@ class RunningSkill(Behaviour):
         if kind is None or (self._plan.is_compound and not _has_life(kind)):
             return None
         try:
-            self._instance = kind()
+            made = kind()
         except (Exception, SystemExit) as problem:
             return user_code.raised(problem, "__init__", Code.START)
-        self._instance.world = self._setting.world_model
-        self._instance.now = self._setting.clock
-        return None
+        made.world, made.now = self._setting.world_model, self._setting.clock
+        problem_told = user_code.initialized(made)
+        self._instance = made if problem_told is None else None
+        return problem_told
 
     def _expand(self) -> Reason | None:
         plan, setting = self._plan, self._setting

@@ -57,6 +57,15 @@ def execute(instance: SkillImplementation) -> Status | Reason:
     return _wrong(instance, "execute", found, "what self.success, self.step or self.fail give")
 
 
+def initialized(instance: SkillImplementation) -> Reason | None:
+    """Call `onInit`; None if all is well. As in SkiROS2 it need not say so."""
+    try:
+        found = instance.onInit()
+    except (Exception, SystemExit) as problem:
+        return raised(problem, "onInit", Code.START)
+    return None if found is not False else _unwilling(instance, "onInit", Code.START)
+
+
 def is_willing(instance: SkillImplementation, method: str, code: Code) -> Reason | None:
     """Call `onStart` or `onEnd`; None if all is well."""
     called: Callable[[], Any] = getattr(instance, method)
@@ -68,6 +77,16 @@ def is_willing(instance: SkillImplementation, method: str, code: Code) -> Reason
         return None
     if found is None:
         return _wrong(instance, method, found, "whether all is well", code)
+    return _unwilling(instance, method, code)
+
+
+def _unwilling(instance: SkillImplementation, method: str, code: Code) -> Reason:
+    """The reason when a method says that all is not well: what it has told by `self.fail`, if it is
+    the first that can tell something.
+    """
+    told, text = instance.progress
+    if method != "onEnd" and told < 0:
+        return Reason(told, str(text))
     return Reason(code, f"`{method}` says that it has not succeeded ({_place(instance, method)})")
 
 

@@ -147,11 +147,15 @@ class Hosted:
     def onStart(self) -> bool:  # noqa: N802
         """Start with the instance of the node."""
         user = None if self.child is None else self.child.user
+        is_new = user is None
         if user is None:
             user = self.setting.implementation()
+        self.running = Running(self.setting.hosted, user, self)
+        # SkiROS2 calls `onInit` when it loads a primitive: then there is no node of a tree yet.
+        if is_new and self.running.call("onInit", failed=False) is False:
+            return False
         if self.child is not None:
             self.child.user = user
-        self.running = Running(self.setting.hosted, user, self)
         return bool(self.running.call("onStart", failed=False))
 
     def onPreempt(self) -> Any:  # noqa: N802

@@ -15,27 +15,46 @@ from ezskiros.migrate.skills import SkillId
 
 @dataclass(frozen=True)
 class Follower:
-    """An implementation that is left for a skill, and the finding that says so at its place."""
+    """An implementation that is left for a skill, or for another class, and the finding that says
+    so at its place. What is in none of the files has no `path`; with the same `reason` it is told
+    once.
+    """
 
     name: str
     skill: str
     path: str
     finding: Diagnostic
+    reason: str = ""
 
 
 @dataclass(frozen=True)
 class LeftSkill:
-    """A description that is left: where, and for which findings."""
+    """A description that is left, or another class: where, and for which findings."""
 
     span: Span
     codes: Sequence[str]
+    is_skill: bool = True
 
 
 def follows(template: Template) -> bool:
-    """Whether a finding is only that a skill is not translated."""
-    return isinstance(
-        template, (implementation_errors.UnusableSkill, implementation_errors.UnusableChild)
-    )
+    """Whether a finding is only that a skill or a base is not translated."""
+    return is_about_base(template) or isinstance(template, _FOLLOWING)
+
+
+def is_about_base(template: Template) -> bool:
+    """Whether a finding is that another class is not translated, or is not there."""
+    return isinstance(template, implementation_errors.OtherBase) and bool(template.base)
+
+
+def is_about_skill(template: Template) -> bool:
+    """Whether a finding is that the skill of an implementation is not translated."""
+    return isinstance(template, implementation_errors.UnusableSkill)
+
+
+_FOLLOWING = (
+    implementation_errors.UnusableSkill,
+    implementation_errors.UnusableChild,
+)
 
 
 def consequences(
@@ -45,7 +64,7 @@ def consequences(
     groups: dict[tuple[str, str, str], list[Follower]] = {}
     for each in followers:
         # A skill that is not there is told as that, by the first that needs it.
-        why = "" if (each.path, each.skill) in left else each.finding.title
+        why = "" if (each.path, each.skill) in left else each.reason or each.finding.title
         groups.setdefault((each.path if not why else "", each.skill, why), []).append(each)
     return [
         _missing(group) if why else _left(skill, group, left[path, skill])
@@ -55,13 +74,17 @@ def consequences(
 
 def _left(skill: str, group: Sequence[Follower], left: LeftSkill) -> Diagnostic:
     names = list(dict.fromkeys(each.name for each in group))
-    template = implementation_errors.LeftWith(
-        skill=skill,
-        followers=listed(names),
-        are="is" if len(names) == 1 else "are",
-        codes=" and ".join(dict.fromkeys(left.codes)),
+    followers, are = listed(names), "is" if len(names) == 1 else "are"
+    codes = " and ".join(dict.fromkeys(left.codes))
+    if left.is_skill:
+        with_skill = implementation_errors.LeftWith(
+            skill=skill, followers=followers, are=are, codes=codes
+        )
+        return with_skill.at(left.span)
+    together = implementation_errors.LeftTogether(
+        other=skill, followers=followers, are=are, codes=codes
     )
-    return template.at(left.span)
+    return together.at(left.span)
 
 
 def _missing(group: Sequence[Follower]) -> Diagnostic:

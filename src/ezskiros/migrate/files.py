@@ -12,10 +12,13 @@ from dslkit.source import SourceFile, Span, is_file, is_folder
 from dslkit.source.python_file import read_python
 from dslkit.writing import write_whole
 from ezskiros.migrate import errors
+from ezskiros.migrate.bases import Bases
 from ezskiros.migrate.consequences import consequences
-from ezskiros.migrate.module import Migrated, migrate_text, with_shared_keys
+from ezskiros.migrate.migrated import Migrated
+from ezskiros.migrate.module import migrate_text
 from ezskiros.migrate.modules import imported_files, reaches
 from ezskiros.migrate.robots import with_robots
+from ezskiros.migrate.settle import until_settled
 from ezskiros.migrate.skills import Skills
 from ezskiros.skills.load import skill_files
 from ezskiros.skills.load_errors import NoFile
@@ -127,7 +130,8 @@ class _Migrations:
     def all(self) -> list[Migrated]:
         """What becomes of the files, in order."""
         described = [skill for each in self._found for skill in each.skills]
-        robots = with_robots((each.robots for each in self._found), described)
+        bases = Bases(one for each in self._found for one in each.built)
+        robots = with_robots((each.robots for each in self._found), described) | bases.robots()
         inherited = [self._inherited(each) for each in self._found]
         no_skills = Skills((), robots)
         self._again(
@@ -138,35 +142,40 @@ class _Migrations:
             )
         )
         labels = dict(item for each in self._found for item in each.labels.items())
-        skills = Skills((skill for each in self._found for skill in each.skills), robots, labels)
-        skills = self._with_shared_keys(skills, inherited)
+        described = [skill for each in self._found for skill in each.skills]
+        skills = self._settled(Skills(described, robots, labels, bases=bases), inherited)
         late = self._late()
         self._again(
             lambda number, _: (skills, inherited[number], late[number]) if late[number] else None
         )
         return self._found
 
-    def _with_shared_keys(self, skills: Skills, inherited: Sequence[set[str]]) -> Skills:
-        """Migrate the files with implementations, and those whose descriptions get parameters; the
-        skills as they are then.
+    def _settled(self, skills: Skills, inherited: Sequence[set[str]]) -> Skills:
+        """Migrate the files with implementations and their bases, and those whose descriptions get
+        parameters; the skills as they are then.
         """
         last = skills
 
         def migrated(known: Skills) -> list[Migrated]:
             nonlocal last
-            is_first, changed = known is last, known.keys.changed(last.keys)
+            is_first, changed = known is last, known.changed(last)
             last = known
             self._again(
                 lambda number, found: (
                     (known, inherited[number], ())
-                    if (found.unimplemented if is_first else found.needs(changed))
+                    if (is_first and self._implements(found, known)) or found.needs(changed)
                     else None
                 )
             )
             return self._found
 
-        with_shared_keys(skills, migrated)
+        until_settled(skills, migrated)
         return last
+
+    def _implements(self, found: Migrated, known: Skills) -> bool:
+        """Whether a file has implementations of skills, or bases of them."""
+        is_base = any(known.bases.is_mixin(each.id) for each in found.built)
+        return is_base or bool(found.unimplemented)
 
     def _again(
         self, wanted: Callable[[int, Migrated], tuple[Skills, set[str], Collection[str]] | None]

@@ -1,4 +1,4 @@
-"""EZS721 to EZS737: implementations of SkiROS2 that cannot be translated, and what follows."""
+"""EZS721 to EZS738: implementations of SkiROS2 that cannot be translated, and what follows."""
 
 from __future__ import annotations
 
@@ -125,13 +125,19 @@ class ParameterUse(Error, code="EZS732", name="parameter-use"):
 
 
 class OtherBase(Error, code="EZS733", name="other-base"):
-    """An implementation that is built on another class than SkiROS2's own, or below one."""
+    """An implementation that is built on another class than SkiROS2's own, or below one.
+
+    What follows from a class `base` of the file `path` is told there; without a file it is nowhere.
+    """
 
     title = "`{implementation}` {found}"
-    label = "only what is derived from SkillBase or PrimitiveBase alone is translated"
-    help = "derive it from `Skill.SkillBase` by hand, with the classes around it"
+    label = "only what is derived from SkillBase or PrimitiveBase in the end is translated"
+    help = "{advice}"
     implementation: str
     found: str
+    advice: str = "derive it from `Skill.SkillBase` by hand, with the classes around it"
+    base: str = ""
+    path: str = ""
 
 
 class OtherDescription(Error, code="EZS734", name="other-description"):
@@ -178,6 +184,19 @@ class LeftWith(Warning, code="EZS737", name="left-with"):
     codes: str
 
 
+class LeftTogether(Warning, code="EZS738", name="left-together"):
+    """Classes that are left since another one is that is built on the same base."""
+
+    title = "{followers} {are} left with `{other}`"
+    label = "this class is left for {codes}"
+    note = "they are built on the same base, which cannot be of SkiROS2 and of EzSkiROS"
+    help = "change what {codes} tells, and migrate again: nothing else is needed for the others"
+    followers: str
+    are: str
+    other: str
+    codes: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnusableSkill,
     UnusableChild,
@@ -196,4 +215,5 @@ ALL: tuple[type[Template], ...] = (
     OfSkiros2,
     AddedParameter,
     LeftWith,
+    LeftTogether,
 )

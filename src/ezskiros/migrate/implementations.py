@@ -9,7 +9,7 @@ import libcst as cst
 
 from dslkit.diagnostics import Template
 from ezskiros.migrate import implementation_errors
-from ezskiros.migrate.aliases import without_aliases
+from ezskiros.migrate.built_on import SKIROS2_BASES, left_with, other_base
 from ezskiros.migrate.calls import Arguments, last_name, literal_text, method
 from ezskiros.migrate.class_bodies import (
     behind,
@@ -25,13 +25,13 @@ from ezskiros.migrate.comments import texts, without_marks
 from ezskiros.migrate.description import Finding
 from ezskiros.migrate.docstrings import docstring_of
 from ezskiros.migrate.errors import LeftError
+from ezskiros.migrate.methods import Methods, translated_part
 from ezskiros.migrate.parameter_uses import ParameterUses
 from ezskiros.migrate.shared_keys import SharingChild, SharingTree
 from ezskiros.migrate.skills import Skill
 from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.trees import OLD, TreeUses
 
-BASES = frozenset({"SkillBase", "PrimitiveBase"})
 PLANNED = "available_for_planning"
 """What EzSkiROS calls that of which SkiROS2 is told by `setAvailableForPlanning`."""
 
@@ -191,16 +191,15 @@ class _Class:
         is_plain = False
         for each in self._node.bases:
             name = last_name(each.value)
-            is_old = self._names.get(name or "", name) in BASES
+            is_old = self._names.get(name or "", name) in SKIROS2_BASES
             is_plain = is_plain or is_old
             bases.append(each.with_changes(value=new) if is_old else each)
-        if not is_plain:
-            found = ", ".join(f"`{self._code(each.value)}`" for each in self._node.bases)
-            found = f"is derived from {found or 'nothing'}"
-            template = implementation_errors.OtherBase(
-                implementation=self._node.name.value, found=found
-            )
-            self._leave(template, self._node.name, self._node)
+        if not is_plain and (found := other_base(self._node, self._context, self._names)):
+            self._leave(found, self._node.name, self._node)
+        elif not is_plain:
+            bases.append(cst.Arg(new))  # behind: what the others define hides what it has
+        if (left := left_with(self._node, self._context)) is not None:
+            self._leave(left, self._node.name, self._node)
         return bases
 
     def _description(self) -> list[str]:
@@ -252,24 +251,15 @@ class _Class:
             if name == "modifyDescription":
                 found = implementation_errors.OtherDescription(found=f"`def {name}`")
                 self._leave(found, part.name, part)  # type: ignore[union-attr]
-            new[id(part)], plain = self._method(part, skill)
+            new[id(part)], plain = translated_part(part, lambda: self._uses(skill))
             self._take(plain)
         self._found.warnings = list(
             {getattr(each.template, "found", ""): each for each in self._found.warnings}.values()
         )
         return new, used
 
-    def _method(self, part: cst.CSTNode, skill: Skill) -> tuple[cst.CSTNode, _Methods]:
-        """A new part of the class, and what is said of the old one."""
-        uses = _Methods(skill, self._code, self._node)
-        new = part.visit(uses)
-        if uses.findings and isinstance(part, cst.FunctionDef):
-            other = _Methods(skill, self._code, self._node)
-            without = without_aliases(part).visit(other)
-            if not other.findings:  # else they would be at places that the file does not have
-                new, uses.findings = without, []
-        assert isinstance(new, cst.CSTNode)
-        return new, uses
+    def _uses(self, skill: Skill) -> Methods:
+        return Methods(skill, self._code, self._node, self._context.states)
 
     def _take(self, uses: ParameterUses) -> None:
         self._found.findings += uses.findings
@@ -299,16 +289,6 @@ class _Class:
         if isinstance(self._node.body, cst.IndentedBlock):
             return self._node.body.with_changes(body=body, footer=lines)
         return cst.IndentedBlock(body=body, footer=lines)  # type: ignore[arg-type]
-
-
-class _Methods(ParameterUses):
-    """The methods of a primitive skill, and the others of a compound."""
-
-    def __init__(
-        self, skill: Skill, code: Callable[[cst.CSTNode], str], node: cst.ClassDef
-    ) -> None:
-        super().__init__(skill, code)
-        self._statements.append(node)
 
 
 def _planning(statement: cst.CSTNode) -> bool | None:

@@ -17,7 +17,7 @@ OLD_API = frozenset(
     {"SkillDescription", "ParamTypes", "ParamOptions", "Element", *CONDITION_CLASSES}
 )
 """What descriptions import of SkiROS2."""
-_IMPLEMENTING = frozenset({"SkillBase", "PrimitiveBase", *PROCESSORS})
+_IMPLEMENTING = frozenset({"SkillBase", "PrimitiveBase", "State", *PROCESSORS})
 """What implementations import of it, and no file needs for another reason."""
 _OLD_MODULES = frozenset(
     {"params", "world_element", "conditions", "abstract_skill", "skill", "primitive", "processors"}
@@ -108,6 +108,15 @@ def bound_names(module: cst.Module, without: Sequence[str]) -> set[str]:
             name = module_name(node) if isinstance(node, cst.ImportFrom) else each.evaluated_name
             found |= set() if name.startswith(tuple(without)) else {_bound(each)}
     return found
+
+
+def has_star(module: cst.Module, source: str) -> bool:
+    """Whether a module imports all that a module of some package has."""
+    return any(
+        isinstance(node.names, cst.ImportStar) and module_name(node).startswith(source)
+        for node in _imports(module)
+        if isinstance(node, cst.ImportFrom)
+    )
 
 
 def module_name(node: cst.ImportFrom) -> str:

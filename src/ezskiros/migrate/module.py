@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 
 import libcst as cst
 
@@ -11,13 +11,23 @@ from dslkit.diagnostics import Diagnostic, listed
 from dslkit.source import SourceFile, Span
 from dslkit.source.python_file import too_deep
 from ezskiros.migrate import errors, implementation_errors
+from ezskiros.migrate.bases import Bases
+from ezskiros.migrate.built import built_in
 from ezskiros.migrate.calls import last_name
 from ezskiros.migrate.class_bodies import with_marks
 from ezskiros.migrate.classes import classes_of, with_classes
-from ezskiros.migrate.consequences import Follower, LeftSkill, consequences, follows
+from ezskiros.migrate.consequences import (
+    Follower,
+    LeftSkill,
+    consequences,
+    follows,
+    is_about_base,
+    is_about_skill,
+)
 from ezskiros.migrate.description import Finding, translate
 from ezskiros.migrate.descriptions import Description, Descriptions
 from ezskiros.migrate.foreign_skills import ForeignSkills
+from ezskiros.migrate.implementation_errors import OtherBase
 from ezskiros.migrate.implementations import (
     Implementation,
     described_by,
@@ -34,53 +44,17 @@ from ezskiros.migrate.imports import (
     used_names,
     with_imports,
 )
+from ezskiros.migrate.migrated import Migrated
+from ezskiros.migrate.mixins import translate_mixin
 from ezskiros.migrate.names import Names
 from ezskiros.migrate.positions import Positions
-from ezskiros.migrate.robots import Robots, robots_in, with_robots
-from ezskiros.migrate.shared_keys import SharingTree, shared_keys
-from ezskiros.migrate.skills import Skill, SkillId, Skills, new_skills
+from ezskiros.migrate.robots import robots_in, with_robots
+from ezskiros.migrate.settle import until_settled
+from ezskiros.migrate.skills import SkillId, Skills, new_skills
+from ezskiros.migrate.states import states_in, with_states
 from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.tree_context import Wanted as WantedSkills
 from ezskiros.migrate.values import BASIC, known_of
-
-_MOST_PASSES = 10
-"""Each is for skills one level higher in the trees."""
-
-
-@dataclass(frozen=True)
-class Migrated:
-    """A file after its migration. `text` is what it was if nothing is changed.
-
-    `translated` and `left` are the classes that describe skills, `implemented` and `unimplemented`
-    those that implement them, `bases` those that any class is built on.
-
-    `skills` are what is described, `robots` what is said of their robots, `labels` what
-    implementations call themselves, with the names of their classes, `sources` the modules that are
-    imported, `wanted` the files that trees need besides, `trees` what their children share,
-    `left_skills` the skills that are left, `followers` the implementations that are left for them.
-    """
-
-    file: SourceFile
-    text: str
-    translated: Sequence[str] = ()
-    left: Sequence[str] = ()
-    implemented: Sequence[str] = ()
-    unimplemented: Sequence[str] = ()
-    bases: Collection[str] = ()
-    skills: Sequence[Skill] = ()
-    robots: Robots = field(default_factory=Robots)
-    labels: Mapping[str, str] = field(default_factory=dict)
-    sources: Collection[str] = ()
-    wanted: Collection[str] = ()
-    trees: Sequence[SharingTree] = ()
-    followers: Sequence[Follower] = ()
-    left_skills: Mapping[SkillId, LeftSkill] = field(default_factory=dict)
-    diagnostics: Sequence[Diagnostic] = ()
-
-    def needs(self, skills: Collection[SkillId]) -> bool:
-        """Whether it describes one of some skills, or has trees with them."""
-        named = {each.id for tree in self.trees for each in tree.skills}
-        return any(each in named or each[0] == self.file.path for each in skills)
 
 
 def migrate_text(
@@ -114,33 +88,18 @@ def migrate_text(
         return Migrated(file, text, diagnostics=[found.at(Span(file, 0, 0))])
     if skills is None:
         own = _File(file, module, world, inherited, ambiguous, Skills(), ()).migrated()
-        names = with_robots([own.robots], own.skills)
+        bases = Bases(own.built)
+        names = with_robots([own.robots], own.skills) | bases.robots()
         robots = _File(file, module, world, inherited, ambiguous, Skills((), names), ())
-        skills = Skills(robots.migrated().skills, names, own.labels)
+        skills = Skills(robots.migrated().skills, names, own.labels, bases=bases)
 
         def again(known: Skills) -> list[Migrated]:
             return [_File(file, module, world, inherited, ambiguous, known, ()).migrated()]
 
-        (migrated,) = with_shared_keys(skills, again)
+        (migrated,) = until_settled(skills, again)
         more = consequences(migrated.followers, migrated.left_skills)
         return replace(migrated, diagnostics=[*migrated.diagnostics, *more])
     return _File(file, module, world, inherited, ambiguous, skills, late).migrated()
-
-
-def with_shared_keys(
-    skills: Skills, migrated: Callable[[Skills], Sequence[Migrated]]
-) -> Sequence[Migrated]:
-    """What becomes of files when descriptions have the keys that children share: each time that
-    some get keys, it shows which others need them.
-    """
-    found = migrated(skills)
-    for _ in range(_MOST_PASSES):
-        keys = shared_keys(tree for each in found for tree in each.trees)
-        if keys == skills.keys:
-            break
-        skills = skills.with_keys(keys)
-        found = migrated(skills)
-    return found
 
 
 def _unreadable(file: SourceFile, problem: cst.ParserSyntaxError) -> Diagnostic:
@@ -168,6 +127,7 @@ class _File:
         self._module = module
         self._known = known_of(module)
         self._before = used_names(module)
+        self._states = states_in(module)
         self._descriptions = Descriptions(module, inherited)
         self._foreign = ForeignSkills(file.path, module, late)
 
@@ -177,12 +137,14 @@ class _File:
         # With the names of EzSkiROS qualified it shows which other meanings they have here.
         names = self._translate(found, Names(is_qualified=True))
         names = self._translate(found, self._spelled(self._replaced(found, names), names))
-        implementing = self._implementations(classes)
-        result = self._replaced(found, names, implementing)
+        implementing, mixins = self._implementations(classes), self._mixins(classes)
+        result = self._replaced(found, names, [*implementing, *mixins])
+        result, state = with_states(result, self._states)
+        obstacles = self._obstacles(mixins, implementing)
         translated = [each.name for each in found if not each.findings]
         implemented = [each.node.name.value for each in implementing if not each.findings]
-        if translated or implemented:
-            wanted = self._wanted(names) if translated else []
+        if translated or implemented or any(not each.findings for each in mixins):
+            wanted = self._wanted(names if translated else Names(), state)
             result = with_imports(result, [*wanted, *self._foreign.imports()], self._before)
         return Migrated(
             self._file,
@@ -192,6 +154,8 @@ class _File:
             implemented=implemented,
             unimplemented=[each.node.name.value for each in implementing if each.findings],
             bases={last_name(base.value) or "" for node in classes for base in node.bases},
+            built=list(built_in(classes, self._file.path, imported_names(self._module))),
+            obstacles={key: left.codes for key, left in obstacles.items()},
             skills=[
                 *(each.skill(self._file.path) for each in found),
                 *new_skills(self._module, self._file.path),
@@ -201,21 +165,46 @@ class _File:
             sources=sources(self._module),
             wanted=self._foreign.files(),
             trees=[tree for each in implementing if (tree := each.sharing())],
-            followers=[follower for each in implementing for follower in self._followers(each)],
+            followers=[
+                follower for each in (*mixins, *implementing) for follower in self._followers(each)
+            ],
             left_skills={
-                (self._file.path, each.name): LeftSkill(
-                    self._positions.span(each.node.name),
-                    [finding.template.code for finding in each.findings],
-                )
-                for each in found
-                if each.findings
+                **{
+                    (self._file.path, each.name): LeftSkill(
+                        self._positions.span(each.node.name),
+                        [finding.template.code for finding in each.findings],
+                    )
+                    for each in found
+                    if each.findings
+                },
+                **obstacles,
             },
             diagnostics=[
                 self._diagnostic(each)
-                for each in (*_all_findings(found), *_implementation_findings(implementing))
+                for each in (
+                    *_all_findings(found),
+                    *_implementation_findings([*mixins, *implementing]),
+                )
                 if not follows(each.template)
             ],
         )
+
+    def _obstacles(
+        self, mixins: Sequence[Implementation], implementing: Sequence[Implementation]
+    ) -> dict[SkillId, LeftSkill]:
+        """The classes that keep those of the same base as they are: bases that are left, and what
+        goes on working in SkiROS2, since its description is left.
+        """
+        found = {}
+        for each in (*mixins, *implementing):
+            own = [one.template for one in each.findings if not is_about_base(one.template)]
+            if own and (each in mixins or any(map(is_about_skill, own))):
+                codes = list(dict.fromkeys(one.code for one in own))
+                span = self._positions.span(each.node.name)
+                found[self._file.path, each.node.name.value] = LeftSkill(
+                    span, codes, is_skill=False
+                )
+        return found
 
     def _diagnostic(self, finding: Finding) -> Diagnostic:
         return finding.template.at(self._positions.span(finding.node))
@@ -224,11 +213,15 @@ class _File:
         """What an implementation is left for besides its own findings."""
         name = each.node.name.value
         for finding in each.findings:
-            if follows(finding.template):
-                skill = getattr(finding.template, "skill", "")
-                known = self._skills.called(skill, self._file.path)
-                path = known[0].path if len(known) == 1 else ""
-                yield Follower(name, skill, path, self._diagnostic(finding))
+            match finding.template:
+                case OtherBase(base=base, path=path) if base:
+                    told = self._diagnostic(finding)
+                    yield Follower(name, base, path, told, reason=OtherBase.code)
+                case template if follows(template):
+                    skill = getattr(template, "skill", "")
+                    known = self._skills.called(skill, self._file.path)
+                    path = known[0].path if len(known) == 1 else ""
+                    yield Follower(name, skill, path, self._diagnostic(finding))
 
     # --- implementations --------------------------------------------------------------------------
 
@@ -247,10 +240,19 @@ class _File:
             found.append(each)
         return found
 
+    def _mixins(self, classes: Sequence[cst.ClassDef]) -> list[Implementation]:
+        """What becomes of the classes that implementations are built on."""
+        names = imported_names(self._module)
+        return [
+            translate_mixin(node, self._context(node, self._foreign.wanted()), self._code, names)
+            for node in classes
+            if self._skills.bases.is_mixin((self._file.path, node.name.value))
+        ]
+
     def _context(self, node: cst.ClassDef, wanted: WantedSkills) -> Context:
         return Context(
             self._file.path, self._skills, wanted, helpers_of(node), self._positions.place,
-            self._module.default_indent, self._foreign.late_import,
+            self._module.default_indent, self._foreign.late_import, self._states,
         )  # fmt: skip
 
     def _leave_inherited(self, each: Implementation, classes: Sequence[cst.ClassDef]) -> None:
@@ -326,13 +328,17 @@ class _File:
         changed |= {id(each.node): each.new for each in implementing}
         return with_classes(self._module, changed)
 
-    def _wanted(self, names: Names) -> list[Wanted]:
+    def _wanted(self, names: Names, state: str) -> list[Wanted]:
+        """What has to be imported; `state` is the name of EzSkiROS's `State`, if that is used."""
+
         def named(found: Collection[str]) -> dict[str, str]:
             return {} if names.is_qualified else {name: name for name in found}
 
         typing = [Wanted("typing", named(names.typing))] if names.typing else []
         world = [Wanted(self._world, names.namespaces)] if names.namespaces else []
-        return [*typing, Wanted("ezskiros", named(names.ours)), *world]
+        ours = {**named(names.ours), **({"State": state} if state else {})}
+        whole = [Wanted("ezskiros", {})] if names.is_qualified and names.ours else []
+        return [*typing, *whole, *([Wanted("ezskiros", ours)] if ours else []), *world]
 
     def _code(self, node: cst.CSTNode) -> str:
         return self._module.code_for_node(node)

@@ -148,8 +148,10 @@ class ParameterUses(cst.CSTTransformer):
 
     def of_skiros2(self, node: cst.Attribute) -> None:
         """Something that EzSkiROS does not have: it stays."""
+        self._warn_of(f"self.{node.attr.value}", node)
+
+    def _warn_of(self, found: str, node: cst.CSTNode) -> None:
         told = {getattr(each.template, "found", "") for each in self.warnings}
-        found = f"self.{node.attr.value}"
         if found not in told:
             self.warnings.append(self._finding(implementation_errors.OfSkiros2(found=found), node))
 

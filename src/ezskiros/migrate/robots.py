@@ -10,6 +10,7 @@ import libcst as cst
 from ezskiros.migrate.calls import literal_text, method
 from ezskiros.migrate.implementations import described_by, description_name
 from ezskiros.migrate.keys import ROBOT
+from ezskiros.migrate.parameter_uses import PARAMS, own
 from ezskiros.migrate.skills import Skill
 
 
@@ -51,6 +52,13 @@ def with_robots(said: Iterable[Robots], skills: Iterable[Skill]) -> set[str]:
     return found | {name for name, children in callers if not needing.isdisjoint(children)}
 
 
+def is_about_robot(node: cst.ClassDef) -> bool:
+    """Whether a class speaks of the robot."""
+    found = _Visitor()
+    node.visit(found)
+    return found.is_spoken_of
+
+
 class _Visitor(cst.CSTVisitor):
     """Whether a class speaks of the robot, its children, and those whose robot it gives."""
 
@@ -75,3 +83,7 @@ class _Visitor(cst.CSTVisitor):
 
     def visit_SimpleString(self, node: cst.SimpleString) -> None:  # noqa: N802
         self.is_spoken_of = self.is_spoken_of or literal_text(node) == ROBOT
+
+    def visit_Attribute(self, node: cst.Attribute) -> None:  # noqa: N802
+        is_one = node.attr.value == ROBOT and own(node.value, PARAMS)
+        self.is_spoken_of = self.is_spoken_of or is_one

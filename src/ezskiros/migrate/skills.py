@@ -9,6 +9,7 @@ from types import MappingProxyType
 
 import libcst as cst
 
+from ezskiros.migrate.bases import Bases
 from ezskiros.migrate.calls import last_name, literal_text
 from ezskiros.migrate.keys import ROBOT, more_names
 from ezskiros.migrate.parameters import Parameter
@@ -107,7 +108,8 @@ class Skills:
 
     `robots` are those that somebody speaks of the robot of, which SkiROS2 adds by itself; `labels`
     are what implementations call themselves, and the names of their classes; `keys`
-    are those that children share and no description declares.
+    are those that children share and no description declares; `bases` are the classes that
+    implementations are built on.
     """
 
     def __init__(
@@ -116,17 +118,25 @@ class Skills:
         robots: Collection[str] = (),
         labels: Mapping[str, str] = MappingProxyType({}),
         keys: SharedKeys | None = None,
+        bases: Bases | None = None,
     ) -> None:
         self.robots, self.labels, self.keys = {*robots}, labels, keys or SharedKeys()
+        self.bases = bases or Bases()
         self._before = [*found]
         self._found: dict[str, list[Skill]] = {}
         for each in self._before:
             more = self.keys.added.get(each.id, {})
             self._found.setdefault(each.name, []).append(each.with_added(more))
 
-    def with_keys(self, keys: SharedKeys) -> Skills:
-        """The same skills with other parameters that only their children have in SkiROS2."""
-        return Skills(self._before, self.robots, self.labels, keys)
+    def with_more(self, keys: SharedKeys, bases: Bases) -> Skills:
+        """The same skills with other parameters that only their children have in SkiROS2, and with
+        other classes that are left.
+        """
+        return Skills(self._before, self.robots, self.labels, keys, bases)
+
+    def changed(self, before: Skills) -> set[SkillId]:
+        """The skills and other classes for which something is not as it was before."""
+        return self.keys.changed(before.keys) | self.bases.changed(before.bases)
 
     def called(self, name: str, path: str) -> list[Skill]:
         """The skills of a name: the one of the same file, or of the same folder, before others."""

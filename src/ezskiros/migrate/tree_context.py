@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 
 import libcst as cst
@@ -41,7 +41,8 @@ class Context:
 
     `path` is the file, `skills` all that are described, `helpers` the methods of the class, `place`
     says where a node is, `step` is the space by which the file indents. `late` gives the import
-    of a skill that cannot be imported before, None for others.
+    of a skill that cannot be imported before, None for others. `states` are the names of
+    SkiROS2's `State`.
     """
 
     path: str
@@ -51,3 +52,4 @@ class Context:
     place: Callable[[cst.CSTNode], Place]
     step: str
     late: Callable[[str, Skill], str | None]
+    states: Collection[str] = ()

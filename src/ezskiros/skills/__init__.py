@@ -7,6 +7,7 @@ from ezskiros.skills.description import (
     of_type,
     specified,
 )
+from ezskiros.skills.implementation import State
 from ezskiros.skills.markers import (
     CONSUME,
     INFERRED,
@@ -28,6 +29,7 @@ __all__ = [
     "UNSPECIFY",
     "Key",
     "SkillDescription",
+    "State",
     "abstract",
     "generated",
     "of_type",

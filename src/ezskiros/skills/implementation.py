@@ -92,7 +92,11 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     # --- primitives -------------------------------------------------------------------------------
 
-    def onStart(self) -> bool:  # noqa: N802 - as in SkiROS2
+    def onInit(self) -> bool | None:  # noqa: N802 - as in SkiROS2
+        """Called once, before the first `onStart`; the skill cannot start if it returns `False`."""
+        return True
+
+    def onStart(self) -> bool:  # noqa: N802
         """Called before the first `execute`; whether the skill can start."""
         return True
 

@@ -121,26 +121,38 @@ def _written(file: SourceFile) -> _Written:
     return found
 
 
+def _classes_behind(owner: type) -> Iterator[tuple[_Written, str]]:
+    """A class that users wrote and those that it is built on: what their files have, and how they
+    are called there.
+    """
+    for each in owner.__mro__:
+        is_ours = each.__module__.partition(".")[0] in ("builtins", "ezskiros")
+        file = None if is_ours else source_file(file_of(each))
+        if file is not None:
+            yield _written(file), each.__name__
+
+
 def attributes_in(owner: type) -> frozenset[str]:
-    """All names that stand behind a dot in a class that users wrote."""
-    file = source_file(file_of(owner))
-    return _written(file).attributes.get(owner.__name__, frozenset()) if file else frozenset()
+    """All names that stand behind a dot in a class that users wrote, or in its bases."""
+    found = (each.attributes.get(name, ()) for each, name in _classes_behind(owner))
+    return frozenset[str]().union(*found)
 
 
 def set_in(owner: type) -> frozenset[str]:
-    """The parameters that a class that users wrote gives a value: `self.params.Force = 3.5`, or for
-    a thing `self.wmi.add_element(self.params.Pose)`, which in SkiROS2 makes it one of the world.
+    """The parameters that a class that users wrote, or one of its bases, gives a value:
+    `self.params.Force = 3.5`, or for a thing `self.wmi.add_element(self.params.Pose)`, which in
+    SkiROS2 makes it one of the world.
     """
-    file = source_file(file_of(owner))
-    return _written(file).parameters_set.get(owner.__name__, frozenset()) if file else frozenset()
+    found = (each.parameters_set.get(name, ()) for each, name in _classes_behind(owner))
+    return frozenset[str]().union(*found)
 
 
 def used_in(owner: type) -> list[tuple[str, Span]]:
-    """The parameters that the methods of a class that users wrote are about, `self.params.Force`,
-    and where. `expandBT` has others.
+    """The parameters that the methods of a class that users wrote, and of its bases, are about,
+    `self.params.Force`, and where. `expandBT` has others.
     """
-    file = source_file(file_of(owner))
-    return _written(file).parameters_used.get(owner.__name__, []) if file else []
+    found = (each.parameters_used.get(name, []) for each, name in _classes_behind(owner))
+    return [use for uses in found for use in uses]
 
 
 def _parameters_used(file: SourceFile, owner: ast.ClassDef) -> Iterator[tuple[str, Span]]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from ezskiros.migrate.module import Migrated, migrate_text
+from ezskiros.migrate.migrated import Migrated
+from ezskiros.migrate.module import migrate_text
 
 PLACE = 'self.addParam("Place", Element("skiros:Location"), ParamTypes.Required)'
 AT = 'self.getRelationCond("", "skiros:at", "Robot", "Place", True)'

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from ezskiros.migrate.files import migrate_paths
-from ezskiros.migrate.module import Migrated, migrate_text
+from ezskiros.migrate.migrated import Migrated
+from ezskiros.migrate.module import migrate_text
 from support.tree_round_trip import new_trees, old_trees
 
 HEAD = """\

@@ -1,0 +1,49 @@
+"""The classes that an implementation is derived from, where that is not SkiROS2's own base."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import libcst as cst
+
+from dslkit.diagnostics import listed
+from ezskiros.migrate.bases import Root
+from ezskiros.migrate.calls import last_name
+from ezskiros.migrate.implementation_errors import OtherBase
+from ezskiros.migrate.tree_context import Context
+
+SKIROS2_BASES = frozenset({"SkillBase", "PrimitiveBase"})
+"""What SkiROS2 has for implementations to be derived from."""
+
+
+def other_base(node: cst.ClassDef, context: Context, names: Mapping[str, str]) -> OtherBase | None:
+    """Why the skill's own `SkillBase` cannot be added to the bases of a class; None if it can."""
+    called = [last_name(each.value) or "" for each in node.bases]
+    bases = [names.get(each, each) for each in called]
+    below = [(base, *context.skills.bases.below(base, context.path)) for base in bases]
+    base, root, end = min(below, key=lambda each: each[1].value, default=("", Root.PLAIN, ""))
+    name = node.name.value
+    if root is Root.DESCRIBED or not {*bases} - {"object"}:
+        said = f"is derived from {listed(bases) or 'nothing'}"
+        return OtherBase(implementation=name, found=said)
+    if root is not Root.UNKNOWN:
+        return None
+    way = f" by way of `{base}`" if base != end else ""
+    return OtherBase(
+        implementation=name,
+        found=f"is derived from `{end}`{way}, which is in none of these files",
+        advice=f"name the library that has `{end}` as well, if there is one",
+        base=end,
+    )
+
+
+def left_with(node: cst.ClassDef, context: Context) -> OtherBase | None:
+    """For which other class a class is left; None if it is not."""
+    own = (context.path, node.name.value)
+    cause = context.skills.bases.left.get(own)
+    if cause is None or cause.id == own:
+        return None
+    path, other = cause.id
+    codes = " and ".join(cause.codes)
+    found = f"belongs together with `{other}`, which is left as it is, for {codes}"
+    return OtherBase(implementation=node.name.value, found=found, base=other, path=path)

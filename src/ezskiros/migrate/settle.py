@@ -1,0 +1,31 @@
+"""Files are migrated again until what one of them shows changes nothing in the others."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from ezskiros.migrate.migrated import Migrated
+from ezskiros.migrate.shared_keys import shared_keys
+from ezskiros.migrate.skills import Skills
+
+_MOST_PASSES = 10
+"""Each is for skills one level higher in the trees."""
+
+
+def until_settled(
+    skills: Skills, migrated: Callable[[Skills], Sequence[Migrated]]
+) -> Sequence[Migrated]:
+    """What becomes of files when descriptions have the keys that children share, and classes that
+    are built on the same base are left together: each time that some get keys or are left, it shows
+    which others need or follow them.
+    """
+    found = migrated(skills)
+    for _ in range(_MOST_PASSES):
+        keys = shared_keys(tree for each in found for tree in each.trees)
+        causes = {id_: codes for each in found for id_, codes in each.obstacles.items()}
+        bases = skills.bases.with_left(causes)
+        if keys == skills.keys and not bases.changed(skills.bases):
+            break
+        skills = skills.with_more(keys, bases)
+        found = migrated(skills)
+    return found
