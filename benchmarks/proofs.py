@@ -1,26 +1,28 @@
-"""What it costs to prove the generated C of the examples, and what is proved: writes the page."""
+"""What it costs to prove the generated C of the examples, and what is proved: writes the page.
+
+Examples that are named are proved; the page keeps the rows of the others. The exit code is 1 if a
+question is not proved.
+"""
 
 from __future__ import annotations
 
+import argparse
+import re
 import resource
+import sys
 from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 
 from machine import processor
-from written_page import written_page
+from proved_examples import EXAMPLES
 
 from rossmarie.driver.verifying import prove, questions_of
 from rossmarie.verification.prover import PROGRAMS, Prover, Verdict
 from rossmarie.verification.setup import provide_prover
 
 ROOT = Path(__file__).parents[1]
-EXAMPLES = (
-    "examples/thesis/mobile_base.ross",
-    "examples/thesis/arm.ross",
-    "examples/thesis/peg_in_hole.ross",
-    "examples/husky/husky.ross",
-    "examples/demo/demo.ross",
-)
 SECONDS = 120
 
 
@@ -30,15 +32,23 @@ def processor_seconds() -> float:
     return used.ru_utime + used.ru_stime
 
 
-def row(prover: Prover, example: str) -> tuple[str, list[str]]:
-    """What comes of one rules file, and a line for each question that is not proved."""
+@dataclass(frozen=True)
+class Proved:
+    """What comes of one rules file: its row, and a line for each question that is not proved."""
+
+    row: str
+    unproved: tuple[str, ...]
+
+
+def proved(prover: Prover, example: str) -> Proved:
+    """Ask all questions about one rules file."""
     questions = questions_of(ROOT / example)
     before = processor_seconds()
     proofs = prove(questions, prover, seconds=SECONDS)
     minutes = (processor_seconds() - before) / 60
     verdicts = Counter(outcome.verdict for outcome in proofs.outcomes)
     cells = [
-        f"[{Path(example).name}](../../{example})",
+        link(example),
         len(questions.compiled.machine.rules),
         len(proofs.outcomes),
         verdicts[Verdict.PROVED],
@@ -46,20 +56,36 @@ def row(prover: Prover, example: str) -> tuple[str, list[str]]:
         verdicts[Verdict.REFUTED],
         f"{minutes:.0f}",
     ]
-    unproved = [
-        f"- {Path(example).name}: {outcome.check.about}"
+    unproved = (
+        f"- {link(example)}: {outcome.check.about}"
         for outcome in proofs.outcomes
         if outcome.verdict is not Verdict.PROVED
-    ]
-    return "| " + " | ".join(map(str, cells)) + " |", unproved
+    )
+    return Proved("| " + " | ".join(map(str, cells)) + " |", tuple(unproved))
 
 
-def page() -> str:
+def link(example: str) -> str:
+    """How the page names a rules file."""
+    return f"[{Path(example).name}](../../{example})"
+
+
+def written(page: str) -> dict[str, Proved]:
+    """What a page says of each example that it has."""
+    found = {}
+    for example in EXAMPLES:
+        named = re.escape(link(example))
+        rows = re.findall(rf"^\| {named} .*$", page, re.MULTILINE)
+        unproved = re.findall(rf"^- {named}: .*$", page, re.MULTILINE)
+        if rows:
+            found[example] = Proved(rows[0], tuple(unproved))
+    return found
+
+
+def page(prover: Prover, known: Iterable[Proved]) -> str:
     """The whole page."""
-    prover = provide_prover(print)
+    known = list(known)
     tools = ", ".join(f"{tool} {prover.version(tool)}" for tool in PROGRAMS)
-    rows = [row(prover, example) for example in EXAMPLES]
-    unproved = [line for _, lines in rows for line in lines]
+    unproved = [line for each in known for line in each.unproved]
     return "\n".join(
         [
             "# What proofs cost",
@@ -70,7 +96,7 @@ def page() -> str:
             "",
             "| Rules file | Rules | Questions | Proved | Undecided | Refuted | Processor minutes |",
             "|---|---|---|---|---|---|---|",
-            *(line for line, _ in rows),
+            *(each.row for each in known),
             *(["", "Not proved:", ""] if unproved else []),
             *unproved,
             "",
@@ -78,10 +104,24 @@ def page() -> str:
     )
 
 
-def main() -> None:
-    """Write the page."""
-    written_page(__doc__).write_text(page(), encoding="utf-8")
+def main() -> int:
+    """Prove, and write the page after each example."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, required=True, help="the page to write")
+    parser.add_argument("examples", nargs="*", metavar="EXAMPLE", help="one of the rules files")
+    arguments = parser.parse_args()
+    if unknown := {*arguments.examples} - {*EXAMPLES}:
+        parser.error(f"no example: {', '.join(unknown)}; there are {', '.join(EXAMPLES)}")
+    out: Path = arguments.out
+    known = written(out.read_text(encoding="utf-8")) if out.is_file() else {}
+    wanted = arguments.examples or EXAMPLES
+    prover = provide_prover(print)
+    for example in wanted:
+        known[example] = proved(prover, example)
+        rows = (known[each] for each in EXAMPLES if each in known)
+        out.write_text(page(prover, rows), encoding="utf-8")
+    return int(any(known[example].unproved for example in wanted))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

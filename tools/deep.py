@@ -12,6 +12,7 @@ import argparse
 import hashlib
 import os
 import re
+import runpy
 import shlex
 import subprocess
 import sys
@@ -23,6 +24,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "reference" / "deep-tests.md"
+PROVED = ROOT / "benchmarks" / "proved_examples.py"
 SOURCES = ("interpreter", "ir", "lowering", "native", "targets", "verification")
 """The generator, the semantics and the nodes, in `src/rossmarie`."""
 
@@ -64,6 +66,7 @@ def parts(soak: int, fuzz: int) -> tuple[Part, ...]:
     folders = ("tests/rossmarie", "tests/property")
     rest = " ".join(f"--ignore={folder}" for folder in (*folders, "tests/live"))
     proofs = ("benchmarks/proofs.py", "--out", "docs/reference/performance-proofs.md")
+    examples = runpy.run_path(str(PROVED))["EXAMPLES"]
     return (
         Part(
             "Tests of ROSSMarie, deep ones among them, each property with many examples",
@@ -85,7 +88,15 @@ def parts(soak: int, fuzz: int) -> tuple[Part, ...]:
             ("make", "test", "OPTIONS=--sanitize tests/live"),
             1,
         ),
-        Part("[Proofs of all examples](performance-proofs.md)", (sys.executable, *proofs), 0),
+        # One by one: an interruption costs less.
+        *(
+            Part(
+                f"[Proofs](performance-proofs.md) of {Path(example).name}",
+                (sys.executable, *proofs, example),
+                0,
+            )
+            for example in examples
+        ),
         Part(f"Damaged files, for {fuzz} s of each kind", ("make", "fuzz", f"SECONDS={fuzz}"), 1),
     )
 
