@@ -20,13 +20,25 @@ OTHERS = {"markupsafe", "glfw"}
 
 
 def imported() -> Iterator[tuple[str, str]]:
-    """The top-level modules that files of the sources import, at once or later."""
+    """The top-level modules that files of the sources import when they run, at once or later."""
     for path in sorted((ROOT / "src").rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in run(ast.parse(path.read_text(encoding="utf-8"))):
             names = [each.name for each in node.names] if isinstance(node, ast.Import) else []
             if isinstance(node, ast.ImportFrom) and node.module and not node.level:
                 names = [node.module]
             yield from ((path.name, name.partition(".")[0]) for name in names)
+
+
+def run(tree: ast.AST) -> Iterator[ast.AST]:
+    """The nodes of a module without those that only type checkers look at."""
+    yield tree
+    for node in ast.iter_child_nodes(tree):
+        match node:
+            case ast.If(test=ast.Name(id="TYPE_CHECKING"), orelse=otherwise):
+                for each in otherwise:
+                    yield from run(each)
+            case _:
+                yield from run(node)
 
 
 def declared() -> set[str]:
