@@ -1,4 +1,4 @@
-"""What it costs to prove the generated C of the examples, and what is proved: writes the page.
+"""Proves the generated C of the examples, and writes the page of proofs and their cost.
 
 Examples that are named are proved; the page keeps the rows of the others. The exit code is 1 if a
 question is not proved.
@@ -34,7 +34,7 @@ def processor_seconds() -> float:
 
 @dataclass(frozen=True)
 class Proved:
-    """What comes of one rules file: its row, and a line for each question that is not proved."""
+    """The row of one rules file, and a line for each question that is not proved."""
 
     row: str
     unproved: tuple[str, ...]
@@ -70,7 +70,7 @@ def link(example: str) -> str:
 
 
 def written(page: str) -> dict[str, Proved]:
-    """What a page says of each example that it has."""
+    """The examples that a page has, each with its rows."""
     found = {}
     for example in EXAMPLES:
         named = re.escape(link(example))

@@ -1,7 +1,7 @@
-"""What a check of one small file takes with all imports, against Python that does nothing.
+"""The CPU time of a check of one small file with all imports, beside Python that does nothing.
 
-The CPU time of the process and of its children: `ezskiros` checks in a child process. Contenders
-in turn. Absolute figures differ from machine to machine, ratios much less. By itself:
+The time of child processes counts: `ezskiros` checks in one. The contenders run in turn.
+Absolute figures differ from machine to machine, ratios much less. By itself:
 `python benchmarks/start_up.py`.
 """
 
@@ -49,7 +49,7 @@ def lines() -> Iterator[str]:
 
 
 def _cpu_seconds(*words: str | Path) -> float:
-    """What a run of Python takes, with its children."""
+    """The CPU time of a run of Python and of its children."""
     environment = {**os.environ}
     environment.pop("PYTHONDONTWRITEBYTECODE", None)  # else it compiles all modules each time
     before = resource.getrusage(resource.RUSAGE_CHILDREN)

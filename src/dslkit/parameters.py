@@ -54,7 +54,7 @@ class _Plain:
         self._parameter = parameter
 
     def itself(self) -> _Plain:
-        """What typer asks its parameters for."""
+        """Itself: typer asks each parameter for an object with the method `coerce`."""
         return self
 
     def coerce(self, value: Any, **rest: Any) -> Any:

@@ -94,7 +94,7 @@ def check_paths(
 
 
 def _launch_values(path: Path, interfaces: Sequence[SkillInterface]) -> LaunchValues:
-    """What is known at launch; only these files are written in YAML."""
+    """The values that are known at launch. YAML is loaded here, as no other file needs it."""
     from ezskiros.trees.launch import read_launch_values
 
     return read_launch_values(path, interfaces)
@@ -121,7 +121,7 @@ def stub_of(*, relations: bool) -> tuple[str, Sequence[Diagnostic]]:
     from ezskiros.stubs import write_stub
 
     collector = Collector()
-    with session.collecting(collector):
+    with session.commanding(collector):
         ontology = load(relations=relations)
     return write_stub(ontology), collector.sorted()
 
@@ -131,7 +131,7 @@ def owl_of() -> tuple[dict[str, str], Sequence[Diagnostic]]:
     with errors there are none.
     """
     collector = Collector()
-    with session.collecting(collector):
+    with session.commanding(collector):
         ontology = load(relations=False)
     if any(each.severity is Severity.ERROR for each in collector.sorted()):
         return {}, collector.sorted()
@@ -145,7 +145,7 @@ def ambiguous_names() -> tuple[frozenset[str], Sequence[Diagnostic]]:
     what is wrong with it.
     """
     collector = Collector()
-    with session.collecting(collector):
+    with session.commanding(collector):
         ontology = load()
     return ontology.ambiguous(), collector.sorted()
 

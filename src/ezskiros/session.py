@@ -35,7 +35,9 @@ LIBRARIES = tuple(
 _checked: ContextVar[tuple[str, ...]] = ContextVar("checked", default=())
 _collector: ContextVar[Collector | None] = ContextVar("collector", default=None)
 _follower: ContextVar[Callable[[str], object] | None] = ContextVar("follower", default=None)
+_is_command: ContextVar[bool] = ContextVar("is_command", default=False)
 NOWHERE = Span(SourceFile("<no source>", ""), 0, 0)
+COMMAND_LINE = Span(SourceFile("<command line>", ""), 0, 0)
 
 
 class SkillError(TypeError):
@@ -72,6 +74,17 @@ def checking(beginnings: Iterable[str]) -> Iterator[None]:
         yield
     finally:
         _checked.reset(token)
+
+
+@contextmanager
+def commanding(collector: Collector) -> Iterator[Collector]:
+    """Within, findings go to `collector`, and no code of the user's is behind them."""
+    token = _is_command.set(True)
+    try:
+        with collecting(collector):
+            yield collector
+    finally:
+        _is_command.reset(token)
 
 
 @contextmanager
@@ -119,7 +132,11 @@ def has_reported(span: Span) -> bool:
 
 
 def here() -> Span:
-    """The expression of the user's code that led here, by way of libraries or directly."""
+    """The expression of the user's code that led here, by way of libraries or directly; the command
+    line, if a command of ours did.
+    """
+    if _is_command.get():
+        return COMMAND_LINE
     span = call_site(*OURS, *LIBRARIES, but=_checked.get()) or call_site(*OURS)
     return asked(span) if span else NOWHERE
 

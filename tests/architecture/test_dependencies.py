@@ -16,7 +16,7 @@ else:
 
 ROOT = Path(__file__).parents[2]
 OTHERS = {"markupsafe", "glfw"}
-"""What declared ones need in turn: jinja2 and mujoco."""
+"""Packages that declared ones need in turn: jinja2 and mujoco."""
 
 
 def imported() -> Iterator[tuple[str, str]]:

@@ -1,4 +1,4 @@
-"""What a check of a small file does not load: each of these takes as long as the check itself."""
+"""A check of a small file does not load modules that take as long as the check itself."""
 
 from __future__ import annotations
 

@@ -70,7 +70,7 @@ class _Names(dict):
 
 
 def expand(compound, skill, tree: str) -> None:
-    """What `SkillBase.expand` does with the children of a `self.serialstar`."""
+    """The call in `SkillBase.expand` for the children of a `self.serialstar`."""
     from skiros2_skill.core.processors import SerialStar
 
     skill.setProcessor(SerialStar())

@@ -27,7 +27,7 @@ from ezskiros.skills.nodes import SkillCall
 MOST_TICKS = 8
 RECORDED = Path(__file__).parents[1] / "ezskiros" / "engine" / "values_in_skiros2.json"
 LOG: list[str] = []
-"""What the skills note while they run: their values, whenever one of their methods is called."""
+"""The notes of the skills while they run: their values at each call of one of their methods."""
 PRIMITIVES = ("Pa", "Pb", "Pc")
 COMPOUNDS = ("Cd", "Ce", "Task")
 _FLOWS = ("serial", "serialstar", "selector", "selectorstar", "parallelff", "parallelfs", "nofail")
@@ -117,7 +117,7 @@ def _tree(known: dict[str, Skill], slots: tuple[Slot, ...], chance: random.Rando
 
 
 def _argument(slot: Slot, own: tuple[Slot, ...], chance: random.Random) -> str:
-    """What a child is given for a parameter, empty if nothing."""
+    """The argument of a child for a parameter; an empty text for none."""
     way = chance.random()
     passed = chance.choice(own)
     if way < 0.5:
@@ -200,12 +200,12 @@ def _methods(skill: Skill, values: str, place: str, sets: dict[str, tuple[str, s
 
 @cache
 def recorded() -> dict[int, list[str]]:
-    """What some skills note in SkiROS2, by their seeds."""
+    """The notes of random skills in SkiROS2, by seed."""
     return {int(seed): noted for seed, noted in json.loads(RECORDED.read_text()).items()}
 
 
 def noted_here(skills: list[Skill], folder: Path) -> list[str]:
-    """What the skills note in our engine with `--compatible`, and the state after each tick.
+    """The notes of the skills in our engine with `--compatible`, and the state after each tick.
 
     Many of them have errors; they run nevertheless.
     """

@@ -1,4 +1,4 @@
-"""Where the name is used that an expression of a module of Python is assigned to."""
+"""The uses of a name to which a module of Python assigns the value of an expression."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def uses_of(expression: Span) -> list[Span]:
 
 
 def _assigned(statement: ast.Assign) -> Iterator[tuple[ast.expr, ast.expr]]:
-    """What gets which value."""
+    """The targets of an assignment, each with its value."""
     for target in statement.targets:
         yield target, statement.value
         if isinstance(target, ast.Tuple) and isinstance(statement.value, ast.Tuple):

@@ -1,8 +1,9 @@
 """The bodies of methods that a check does not run: names and attributes that nothing defines, and
 arithmetic that always fails.
 
-Nothing is reported where the method catches the exception, or where a name may be defined in a way
-that cannot be seen (`setattr`, `exec`, a base class without its source).
+Nothing is reported where the method catches the exception, or where it asks first whether something
+is there (`hasattr`, `sys.platform`). Nor is it where a name may be defined in a way that cannot be
+seen (`setattr`, `exec`, a base class without its source).
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from abc import ABCMeta
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import lru_cache
 from importlib.util import find_spec
+from inspect import unwrap
 from types import CodeType, FunctionType, ModuleType
 from typing import Any, TypeGuard
 
@@ -34,7 +36,22 @@ _CATCHING = frozenset(
         "TypeError", "ZeroDivisionError",
     )
 )  # fmt: skip
-_HIDING = frozenset(("setattr", "vars", "exec", "eval", "__dict__", "__getattr__"))
+_ASKING = frozenset(
+    ("hasattr", "platform", "version_info", "TYPE_CHECKING", "os.name", "find_spec", "locals")
+)
+"""Names in a condition that make a branch one that not every machine reaches."""
+_HIDING = frozenset(
+    (
+        "setattr",
+        "vars",
+        "exec",
+        "eval",
+        "__dict__",
+        "__getattr__",
+        "__getattribute__",
+        "__setattr__",
+    )
+)
 """Names in a class with which attributes may come from anywhere."""
 _OPERATORS: Mapping[type[ast.operator], Callable[[object, object], object]] = {
     ast.Add: operator.add,
@@ -49,12 +66,12 @@ _KINDS = (type, ABCMeta, ImplementationClass)
 
 
 def check_bodies(implementation: type[SkillImplementation]) -> Iterator[Diagnostic]:
-    """What always raises where it is reached, in the methods other than `expandBT`."""
+    """Find code that raises whenever it is reached, in the methods other than `expandBT`."""
     attributes = _attributes(implementation)
     for method in _methods(implementation):
         found = written(method)
         if found is not None:
-            body = _Body(implementation, method, found)
+            body = _Body(method, found)
             for node in _uncaught(found.node.body):
                 yield from body.undefined(node)
                 yield from body.not_in_module(node)
@@ -63,12 +80,17 @@ def check_bodies(implementation: type[SkillImplementation]) -> Iterator[Diagnost
 
 
 def _methods(implementation: type) -> Iterator[FunctionType]:
-    """Those that users wrote and that no other one hides, in the order in which they stand."""
+    """The methods that users wrote and that no other one hides, in the order in which they stand.
+    What decorates a method, and is written elsewhere, is left out.
+    """
     seen = {"expandBT"}
     for owner in _user_classes(implementation):
         for name, method in vars(owner).items():
             if name not in seen and isinstance(method, FunctionType):
-                yield method
+                inner = unwrap(method)
+                is_own = inner.__globals__.get("__name__") == owner.__module__
+                if is_own and inner.__qualname__ == f"{owner.__qualname__}.{name}":
+                    yield inner
         seen |= vars(owner).keys()
 
 
@@ -81,7 +103,9 @@ def _user_classes(implementation: type) -> Iterator[type]:
 
 
 def _uncaught(body: Iterable[ast.AST]) -> Iterator[ast.AST]:
-    """The nodes below, without those whose exceptions a `try` catches, and without annotations."""
+    """The nodes below, without those whose exceptions a `try` catches, those that a condition
+    guards, and annotations.
+    """
     work = [*body][::-1]
     while work:
         node = work.pop()
@@ -89,6 +113,8 @@ def _uncaught(body: Iterable[ast.AST]) -> Iterator[ast.AST]:
         below = list(ast.iter_child_nodes(node))
         if isinstance(node, ast.Try) and any(map(_catches, node.handlers)):
             below = [*node.handlers, *node.orelse, *node.finalbody]
+        elif isinstance(node, (ast.If, ast.IfExp, ast.While, ast.BoolOp)) and _is_guarded(node):
+            below = []
         elif isinstance(node, ast.AnnAssign):
             below = [node.target, *filter(None, [node.value])]
         elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
@@ -102,11 +128,25 @@ def _catches(handler: ast.ExceptHandler) -> bool:
     return any(isinstance(x, ast.Name) and x.id in _CATCHING for x in ast.walk(handler.type))
 
 
-class _Body:
-    """A method whose body is looked at."""
+def _is_guarded(node: ast.If | ast.IfExp | ast.While | ast.BoolOp) -> bool:
+    """Whether a condition asks what there is on a machine."""
+    test = node if isinstance(node, ast.BoolOp) else node.test
+    for each in ast.walk(test):
+        match each:
+            case ast.Attribute(value=ast.Name(id=owner), attr=name):
+                if name in _ASKING or f"{owner}.{name}" in _ASKING:
+                    return True
+            case ast.Name(id=name) | ast.Attribute(attr=name):
+                if name in _ASKING:
+                    return True
+    return False
 
-    def __init__(self, implementation: type, method: FunctionType, found: Written) -> None:
-        self._implementation, self._method, self._written = implementation, method, found
+
+class _Body:
+    """The body of a method, node by node."""
+
+    def __init__(self, method: FunctionType, found: Written) -> None:
+        self._method, self._written = method, found
         self._globals = method.__globals__
         self._local = _local_names(method.__code__, found.node)
         arguments = found.node.args.args
@@ -138,7 +178,7 @@ class _Body:
             yield self._no_attribute(node, attributes)
 
     def impossible(self, node: ast.AST) -> Iterator[Diagnostic]:
-        """Arithmetic of constants that fails, and division by a constant that is 0."""
+        """Arithmetic of constants that fails."""
         if isinstance(node, ast.BinOp):
             reason = _failure(node)
             if reason is not None:
@@ -188,7 +228,7 @@ def _local_names(code: CodeType, node: ast.FunctionDef) -> frozenset[str]:
 
 @lru_cache(maxsize=64)
 def _set_globally(file: SourceFile) -> frozenset[str]:
-    """What functions of a file may define later: `global count`."""
+    """The global names that functions of a file may define later: `global count`."""
     declared = (each for each in ast.walk(ast.parse(file.text)) if isinstance(each, ast.Global))
     return frozenset(name for each in declared for name in each.names)
 
@@ -203,16 +243,13 @@ def _may_have(module: ModuleType, name: str) -> bool:
 
 
 def _failure(node: ast.BinOp) -> str | None:
-    """The words of the exception that an operation always raises."""
-    is_division = isinstance(node.op, (ast.Div, ast.FloorDiv, ast.Mod))
+    """The words of the exception that an operation of constants raises."""
     left, right = _constant(node.left), _constant(node.right)
-    if left is None and is_division and type(right) in (int, float) and not right:
-        left = 1.0
     operation = _OPERATORS.get(type(node.op))
     if left is None or right is None or operation is None:
         return None
     if isinstance(node.op, ast.Mod) and isinstance(left, (str, bytes)):
-        return None
+        return None  # a text that is formatted
     try:
         operation(left, right)
     except (ArithmeticError, TypeError) as problem:
@@ -231,7 +268,7 @@ def _constant(node: ast.expr) -> Any:
 
 
 def _attributes(implementation: type) -> frozenset[str] | None:
-    """What `self` has, by a class or by an assignment; None if that cannot be seen."""
+    """The attributes that `self` has by a class or an assignment; None if it may have others."""
     found = {*dir(implementation), *_FROM_HOSTS}
     for owner in _user_classes(implementation):
         file = source_file(file_of(owner))
@@ -244,8 +281,8 @@ def _attributes(implementation: type) -> frozenset[str] | None:
 
 @lru_cache(maxsize=64)
 def _set_in(file: SourceFile) -> Mapping[str, frozenset[str]]:
-    """By the names of classes: the names in them that attributes of `self` may get, with those of
-    `_HIDING`.
+    """For each class by its name, the names that attributes of `self` may get in it, and those of
+    `_HIDING` in it.
     """
     classes = (each for each in ast.walk(ast.parse(file.text)) if isinstance(each, ast.ClassDef))
     return {

@@ -13,7 +13,16 @@ from ezskiros.check.errors import DoesNotFit
 from ezskiros.check.relations import misfit, wanted
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.model import Model, Union
-from ezskiros.ontology.statements import Comparison, HasProperty, Relation, Statement
+from ezskiros.ontology.statements import (
+    AnyOf,
+    Comparison,
+    Generated,
+    HasProperty,
+    OfType,
+    Relation,
+    Specified,
+    Statement,
+)
 from ezskiros.ontology.things import Unknown, described
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
@@ -210,17 +219,20 @@ class _Checker:
 def _needed(
     statement: Statement, name: str, skill: SkillInterface, model: Model
 ) -> Iterator[tuple[str, Union]]:
-    """The properties that a condition asks of a parameter, and of which things they are."""
+    """The properties that a condition asks of a parameter, and of which things they are. One of
+    several conditions, and one on what is not so, asks for none.
+    """
     match statement:
-        case Relation(subject, iri, other, is_true=True, is_abstract=False):
-            if subject == name:
+        case Relation(subject, iri, other, is_true, is_abstract):
+            is_asked = is_true and not is_abstract
+            if is_asked and subject == name:
                 yield from ((iri, union) for union in model.domain(iri))
-            if other == name:
+            if is_asked and other == name:
                 yield from ((iri, union) for union in wanted(skill, model, subject, iri))
-        case HasProperty(subject, iri, is_true=True) | Comparison(subject, iri, is_true=True):
-            if subject == name:
+        case HasProperty(subject, iri, is_true) | Comparison(subject, iri, _, _, is_true):
+            if is_true and subject == name:
                 yield from ((iri, union) for union in model.domain(iri))
-        case _:
+        case AnyOf() | OfType() | Specified() | Generated():
             return
 
 

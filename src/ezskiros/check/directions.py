@@ -20,7 +20,7 @@ from ezskiros.ontology.statements import Relation
 from ezskiros.skills.interface import Clause, SkillInterface
 
 _Classes = tuple[str, str]
-"""Of what a relation relates."""
+"""The classes of the subject and of the object of a relation."""
 
 
 class _Use(NamedTuple):

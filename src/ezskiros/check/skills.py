@@ -28,9 +28,7 @@ CHECKS = (check_relations, check_consistency, check_outputs)
 def check_skills(
     skills: Iterable[type[SkillDescription]], scenes: Sequence[Path] = ()
 ) -> dict[type[SkillDescription], Described]:
-    """What skills say of themselves; what is wrong is reported. The `scenes` say which things there
-    are.
-    """
+    """The interfaces of skills; mistakes are reported. The `scenes` say which things there are."""
     individuals = Individuals(scenes)
     found: dict[type[SkillDescription], Described] = {}
     names: dict[str, type[SkillDescription]] = {}

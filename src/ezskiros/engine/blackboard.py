@@ -16,7 +16,7 @@ from typing import Any
 from ezskiros.engine.plans import Plan
 from ezskiros.engine.values import WorldThing
 from ezskiros.engine.world import World
-from ezskiros.skills.interface import Parameter
+from ezskiros.skills.interface import ROBOT, Parameter
 from ezskiros.skills.nodes import SkillCall
 from ezskiros.trees.tree import ThingReference, ValueReference
 
@@ -24,15 +24,13 @@ Cell = list[Any]
 """Empty if there is no value. Of a thing that is not known it has None: SkiROS2 has an element
 without a name there, which counts as a value.
 """
-_ROBOT = "Robot"
-"""SkiROS2 gives this key to all skills."""
 
 
 class Remaps:
     """The keys of a skill while they are renamed, in SkiROS2's order and with what it drops."""
 
     def __init__(self, keys: Iterable[str]) -> None:
-        self._own = {key: key for key in (*keys, _ROBOT)}
+        self._own = {key: key for key in (*keys, ROBOT)}
         self._known: dict[str, str] = {}
 
     def add(self, key: str, other: str) -> None:
@@ -122,7 +120,7 @@ class Cells:
         return self.values()
 
     def values(self) -> dict[str, Any]:
-        """What is in the cells."""
+        """The values in the cells."""
         return {name: cell[0] if cell else None for name, cell in self._cells.items()}
 
     def replace(self, values: Mapping[str, Any]) -> None:
@@ -152,7 +150,7 @@ class Cells:
 
 
 def _kind(parameter: Parameter) -> type:
-    """What the values of a parameter are; for SkiROS2 all things are of one type."""
+    """The type of the values of a parameter; for SkiROS2 all things are of one type."""
     return WorldThing if parameter.is_thing else parameter.type
 
 

@@ -23,7 +23,7 @@ def behavior(root: Node, names: Names, setting: Setting, above: RunningSkill | N
 
 
 def skill_class(setting: Setting) -> type[RunningSkill]:
-    """What runs a skill: with its values as they are meant, or as SkiROS2 has them."""
+    """The class that runs skills: with values as they are meant, or as SkiROS2 has them."""
     from ezskiros.engine.compatible import CompatibleSkill
     from ezskiros.engine.skill import RunningSkill
 

@@ -77,10 +77,10 @@ def file_name(document: Document) -> str:
 
 
 def _triples(document: Document, prefixes: Mapping[str, str], relations: Iterable[str]) -> Triples:
-    """What a document says, as SkiROS2 has to be told it.
+    """The triples of a document in the form that SkiROS2 understands.
 
-    It knows relations only as owl:ObjectProperty; the IRI of an ontology must not take the prefix
-    of another namespace.
+    SkiROS2 knows relations only as owl:ObjectProperty; the IRI of an ontology must not take the
+    prefix of another namespace.
     """
     said = _with_fixed_names([each.triple for each in document.triples])
     kept = [each for each in said if not _is_misleading(each, prefixes)]
@@ -166,7 +166,9 @@ def _name_findings(documents: Iterable[Document]) -> Iterator[Diagnostic]:
 
 
 def _triple_findings(document: Document) -> Iterator[Diagnostic]:
-    """What is not the same when it is read again; if there is none, nothing is looked at twice."""
+    """Findings for triples that differ when they are read again. If all are the same together, none
+    is looked at by itself.
+    """
     triples = [each.triple for each in document.triples]
     if _is_kept(triples):
         return

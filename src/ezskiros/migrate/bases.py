@@ -35,12 +35,12 @@ class BuiltClass:
 
     @property
     def id(self) -> ClassId:
-        """What tells it from others of its name."""
+        """Its file and its name: others may have the same name."""
         return self.path, self.name
 
 
 class Root(enum.Enum):
-    """What is below a class."""
+    """The kind of class that another is derived from in the end."""
 
     NATIVE = enum.auto()
     """A base of SkiROS2's own."""
@@ -82,7 +82,7 @@ class Bases:
         return found in self._mixins
 
     def below(self, name: str, path: str) -> tuple[Root, str]:
-        """What is below the class that a file calls so, and the name of what that is."""
+        """The root of the class that a file calls so, and its name."""
         return self._below(name, path, set())
 
     def on_top(self, found: ClassId) -> list[BuiltClass]:

@@ -17,7 +17,7 @@ from ezskiros.migrate.robots import is_about_robot
 def built_in(
     classes: Iterable[cst.ClassDef], path: str, names: Mapping[str, str]
 ) -> Iterator[BuiltClass]:
-    """What is to be known of some classes; `names` are those that the file imports."""
+    """Descriptions of some classes for other files; `names` are those that the file imports."""
     for node in classes:
         called = [last_name(each.value) or "" for each in node.bases]
         bases = [names.get(each, each) for each in called]

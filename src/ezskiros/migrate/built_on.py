@@ -13,7 +13,7 @@ from ezskiros.migrate.implementation_errors import OtherBase
 from ezskiros.migrate.tree_context import Context
 
 SKIROS2_BASES = frozenset({"SkillBase", "PrimitiveBase"})
-"""What SkiROS2 has for implementations to be derived from."""
+"""The classes of SkiROS2 from which implementations are derived."""
 
 
 def other_base(node: cst.ClassDef, context: Context, names: Mapping[str, str]) -> OtherBase | None:

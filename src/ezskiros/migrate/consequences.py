@@ -60,7 +60,7 @@ _FOLLOWING = (
 def consequences(
     followers: Iterable[Follower], left: Mapping[SkillId, LeftSkill]
 ) -> list[Diagnostic]:
-    """What is told of the implementations that follow."""
+    """The findings for the implementations that follow."""
     groups: dict[tuple[str, str, str], list[Follower]] = {}
     for each in followers:
         # A skill that is not there is told as that, by the first that needs it.

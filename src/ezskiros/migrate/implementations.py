@@ -33,7 +33,7 @@ from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.trees import OLD, TreeUses
 
 PLANNED = "available_for_planning"
-"""What EzSkiROS calls that of which SkiROS2 is told by `setAvailableForPlanning`."""
+"""The attribute of EzSkiROS for SkiROS2's `setAvailableForPlanning`."""
 
 
 @dataclass
@@ -48,7 +48,7 @@ class Implementation:
     children: Sequence[SharingChild] = ()
 
     def sharing(self) -> SharingTree | None:
-        """What its children share, if its skill is known."""
+        """The tree with the keys that its children share; None if its skill is not known."""
         if self.skill is None:
             return None
         can_be = all(isinstance(each.template, _SHARED) for each in self.findings)

@@ -1,4 +1,4 @@
-"""What becomes of one file, and what others have to know of it."""
+"""The result of the migration of one file, with the facts that other files need."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ def _without_base(node: cst.ClassDef, names: Mapping[str, str]) -> cst.ClassDef:
 
 
 def _no_mixin(part: cst.CSTNode) -> list[Finding]:
-    """What only a class can have that has one description."""
+    """Methods that only a class with one description can have."""
     if not isinstance(part, cst.FunctionDef):
         return []
     name = f"`def {part.name.value}`"
@@ -101,7 +101,7 @@ def _on_top(
     code: Callable[[cst.CSTNode], str],
     context: Context,
 ) -> Callable[[], _MixinMethods]:
-    """What translates methods with the parameters that all of some skills have."""
+    """A translator of methods for the parameters that all of some skills have."""
     things = [{key for key, name in each.names.items() if name in each.things} for each in skills]
     both = set.intersection(*things) if things else set()
     names = {key: skills[0].names[key] for key in both}
@@ -120,7 +120,7 @@ class _MixinMethods(Methods):
         return self
 
     def name_of(self, key: cst.BaseExpression) -> str:
-        """What all the skills call a parameter. Raises `LeftError` if one has none."""
+        """The name that all the skills have for a parameter. Raises `LeftError` if one has none."""
         text = literal_text(key)
         if text is None:
             computed = errors.ComputedArgument(argument="key", call="params", wanted="the text")

@@ -210,7 +210,7 @@ class _File:
         return finding.template.at(self._positions.span(finding.node))
 
     def _followers(self, each: Implementation) -> Iterator[Follower]:
-        """What an implementation is left for besides its own findings."""
+        """The skills and bases for which an implementation is left, besides its own findings."""
         name = each.node.name.value
         for finding in each.findings:
             match finding.template:
@@ -241,7 +241,7 @@ class _File:
         return found
 
     def _mixins(self, classes: Sequence[cst.ClassDef]) -> list[Implementation]:
-        """What becomes of the classes that implementations are built on."""
+        """The translations of the classes that implementations are built on."""
         names = imported_names(self._module)
         return [
             translate_mixin(node, self._context(node, self._foreign.wanted()), self._code, names)
@@ -329,7 +329,7 @@ class _File:
         return with_classes(self._module, changed)
 
     def _wanted(self, names: Names, state: str) -> list[Wanted]:
-        """What has to be imported; `state` is the name of EzSkiROS's `State`, if that is used."""
+        """The imports that the file needs; `state` is the name of EzSkiROS's `State`, if any."""
 
         def named(found: Collection[str]) -> dict[str, str]:
             return {} if names.is_qualified else {name: name for name in found}

@@ -15,9 +15,9 @@ _MOST_PASSES = 10
 def until_settled(
     skills: Skills, migrated: Callable[[Skills], Sequence[Migrated]]
 ) -> Sequence[Migrated]:
-    """What becomes of files when descriptions have the keys that children share, and classes that
-    are built on the same base are left together: each time that some get keys or are left, it shows
-    which others need or follow them.
+    """The files, migrated so that descriptions have the keys that children share, and that classes
+    on the same base are left together. Each pass shows which other descriptions need keys, and
+    which other classes are left.
     """
     found = migrated(skills)
     for _ in range(_MOST_PASSES):

@@ -65,7 +65,7 @@ class _Need:
 
 
 def shared_keys(trees: Iterable[SharingTree]) -> SharedKeys:
-    """What is to be done for the trees of some files."""
+    """The keys that descriptions get or do not get for the trees of some files."""
     return _Sharing(list(trees)).found()
 
 

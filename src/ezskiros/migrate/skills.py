@@ -49,12 +49,12 @@ class Skill:
         return bool(self.left_for)
 
     def left_as(self) -> str:
-        """That it is left, for marks and messages."""
+        """The words of marks and messages for a skill that is left."""
         return f"left as it is, for {' and '.join(dict.fromkeys(self.left_for))}"
 
     @property
     def id(self) -> SkillId:
-        """What tells it from others of its name."""
+        """Its file and its name: others may have the same name."""
         return self.path, self.name
 
     def with_added(self, kinds: Mapping[str, str]) -> Skill:
@@ -82,7 +82,7 @@ def skill_of(
 
 @dataclass(frozen=True)
 class SharedKeys:
-    """What becomes of keys that children share and that a description does not declare: parameters
+    """The keys that children share and that a description does not declare: parameters
     that are `added`, with their classes or types, and why others are `refused`. `sharing` are the
     implementations for which a description gets parameters.
     """

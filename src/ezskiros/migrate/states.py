@@ -12,7 +12,7 @@ _STATE = "State"
 MEMBERS = {"Success": "SUCCESS", "Failure": "FAILURE", "Running": "RUNNING"}
 """The states that a skill can tell, as SkiROS2 calls them, and EzSkiROS."""
 PLACEHOLDER = "_state_of_ezskiros"
-"""What stands for EzSkiROS's `State` until it is known which names are free."""
+"""The name of EzSkiROS's `State` until it is known which names are free."""
 
 
 def states_in(module: cst.Module) -> frozenset[str]:

@@ -31,7 +31,7 @@ class Step:
 
 
 def statements_of(function: cst.FunctionDef) -> Sequence[cst.CSTNode]:
-    """What is in the body of a method: lines, or the small statements behind its colon."""
+    """The statements of a method: lines, or the small statements behind its colon."""
     return function.body.body
 
 

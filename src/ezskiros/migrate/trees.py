@@ -58,7 +58,7 @@ class TreeUses(ParameterUses):
 
     @property
     def sharing(self) -> Sequence[SharingChild]:
-        """What the children share."""
+        """The keys that the children share."""
         return self._children.sharing
 
     # --- the method ---------------------------------------------------------------------------

@@ -53,7 +53,7 @@ class NothingLoaded(Error, code="EZS106", name="nothing-loaded"):
 
     title = "no ontology is loaded: {reason}"
     label = "loaded here"
-    help = "check with `--ontology PATH`, or write the path here, or set EZSKIROS_ONTOLOGY"
+    help = "name it by `--ontology PATH`, by EZSKIROS_ONTOLOGY, or in the code: `load(PATH)`"
     reason: str
 
 

@@ -30,7 +30,7 @@ from ezskiros.ontology.things import (
 )
 
 _MOST_USES = 3
-"""Of a name in a message."""
+"""The number of uses of a name that a message shows."""
 
 
 class Ontology:

@@ -106,7 +106,7 @@ def _try_examples(
         function(*values, **by_name)
     except TypeError as refused:
         raise refused from None
-    except Exception:
+    except Exception:  # whatever it is, another value may be right
         return
 
 

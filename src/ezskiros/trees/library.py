@@ -33,7 +33,7 @@ class Library:
         """The skills that are checked, in the order in which they are written."""
         self._described: dict[type[SkillDescription], Described | None] = {**described}
         self.elsewhere: list[Diagnostic] = []
-        """What is wrong with the skills that are not checked, as far as they were looked at."""
+        """Findings in skills that are not checked, as far as they were looked at."""
 
     def descriptions(self) -> list[type[SkillDescription]]:
         """All that are known so far, in the order in which they were loaded."""

@@ -13,7 +13,7 @@ PARAMETERS = "Object: skiros.Product, Place: skiros.Container, Robot: cora.Robot
 
 
 def skills(*bodies: str) -> Checked:
-    """What is found in skills with these conditions."""
+    """A check of skills with these conditions."""
     text = "".join(
         f"\n\nclass Skill{number}(SkillDescription):\n"
         f"    def description(self, {PARAMETERS}):\n{indent(body, ' ' * 8)}\n"

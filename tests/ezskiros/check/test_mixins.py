@@ -10,7 +10,7 @@ from support.trees import findings
 
 
 def client(body: str, declared: str = "Goal: str", tree: str = "") -> Checked:
-    """What is found in two skills on top of a class with these lines."""
+    """A check of two skills on top of a class with these lines."""
     lines = "".join(f"    {line}\n" for line in body.splitlines())
     skills = "".join(
         f"class {name}(SkillDescription):\n    def description(self, {declared}): ...\n\n\n"

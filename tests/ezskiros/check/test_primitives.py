@@ -80,7 +80,15 @@ BODIES = [
     ("return self.success(os.path.jion('a', 'b'))", [("EZS549", "os.path.jion")]),
     ("if self.params.Speed > 2:\n    speed = 1 / 0\nreturn self.step('')", [("EZS539", "1 / 0")]),
     ("return self.step('at ' + 5)", [("EZS539", "'at ' + 5")]),
-    ("return self.step(str(self.params.Speed % 0))", [("EZS539", "self.params.Speed % 0")]),
+    ("return self.step(str(5 % 0))", [("EZS539", "5 % 0")]),
+    ("form = '%d'\nreturn self.step(form % 0)", []),
+    ("return self.step(str(self.params.Speed / 0))", []),
+    ("if hasattr(os, 'startfile'):\n    os.startfile('a')\nreturn self.step('')", []),
+    ("if sys.platform == 'win32':\n    os.startfile('a')\nreturn self.step('')", []),
+    ("if os.name == 'nt':\n    os.startfile('a')\nelse:\n    os.strat()\nreturn self.step('')", []),
+    ("found = hasattr(self, 'x') and self.y\nreturn self.step(str(found))", []),
+    ("if self.params.Speed > 1:\n    os.strat()\nreturn self.step('')", [("EZS549", "os.strat")]),
+    ("object.__setattr__(self, 'count', 1)\nreturn self.step(str(self.count))", []),
     ("def inner():\n    return spede\nreturn self.step(inner())", [("EZS548", "spede")]),
     ("try:\n    self.coutn += 1\nexcept AttributeError:\n    pass\nreturn self.step('')", []),
     (
@@ -135,10 +143,28 @@ def test_attributes_of_bases_and_other_methods_are_there() -> None:
     assert findings(found) == [("EZS549", "self.limmit")]
 
 
+def test_a_decorated_method_is_looked_at_and_its_decorator_is_not() -> None:
+    text = (
+        "from functools import wraps\n\n\n"
+        "def retried(method):\n"
+        "    @wraps(method)\n"
+        "    def again(self):\n"
+        "        return self.nothing if method is None else method(self)\n\n"
+        "    return again\n\n\n"
+        "class Move(SkillDescription):\n"
+        "    def description(self, Speed: float = 1.0): ...\n\n\n"
+        "class move(Move.SkillBase):\n"
+        "    @retried\n"
+        "    def execute(self):\n"
+        "        return self.sucess(f'{self.params.Speed}')\n"
+    )
+    assert findings(checked(HEADER + text)) == [("EZS549", "self.sucess")]
+
+
 def executed(body: str) -> Checked:
-    """What is found in a primitive skill with this `execute`."""
+    """A check of a primitive skill with this `execute`."""
     return checked(
-        f"import math, os.path, rospy\n{HEADER}\n\nclass Move(SkillDescription):\n"
+        f"import math, os, sys, rospy\n{HEADER}\n\nclass Move(SkillDescription):\n"
         "    def description(self, Speed: float = 1.0): ...\n\n\n"
         f"class move(Move.SkillBase):\n    def execute(self):\n{indent(body, ' ' * 8)}\n"
     )

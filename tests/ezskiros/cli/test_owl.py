@@ -7,6 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from support import command_line
 from support.ontologies import HALL
 from support.parts import PERMISSIONS, require
@@ -95,9 +97,19 @@ def test_a_file_that_may_not_be_written_is_told_before_any_is_written(tmp_path: 
 
 
 def _as_user() -> list[str]:
-    """What makes the superuser subject to permissions, where tests run as one."""
+    """The start of a command with which permissions hold for the superuser as well."""
     if os.geteuid() != 0:
         return []
     require(PERMISSIONS)
     powers = "-dac_override,-dac_read_search"
     return ["setpriv", f"--bounding-set={powers}", f"--inh-caps={powers}"]
+
+
+@pytest.mark.parametrize("words", [("owl", "--out", "new"), ("stubs", "--out", "world.pyi")])
+def test_without_an_ontology_no_code_is_blamed(tmp_path: Path, words: tuple[str, ...]) -> None:
+    done = command_line.run("ezskiros", *words, folder=tmp_path)
+    assert done.returncode == 2
+    assert "error[EZS106]: no ontology is loaded: no path is given\n --> <command line>\n" in (
+        done.stdout + done.stderr
+    )
+    assert [*tmp_path.iterdir()] == []

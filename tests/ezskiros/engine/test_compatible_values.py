@@ -16,7 +16,7 @@ from support.passed_values import skills as passing
 
 
 def told(ran: Ran, primitives: tuple[str, ...], *ends: Happened) -> list[str]:
-    """What the primitives tell that end so."""
+    """The texts of the primitives that end so."""
     found = [each for each in ran.events if each.happened in ends]
     return [each.text for each in found if each.path[-1].lower().startswith(primitives)]
 

@@ -23,7 +23,7 @@ from support.parts import SKIROS2, needs
 EXAMPLE = HALL.parent
 LIBRARY = "pick_place_library"
 LABEL = "skiros:heron"
-"""Of the robot: the launch file of the example says both parts of it."""
+"""The label of the robot: the launch file of the example has both parts of it."""
 
 pytestmark = [
     needs(SKIROS2),
@@ -33,7 +33,7 @@ pytestmark = [
 
 @pytest.fixture
 def workspace(tmp_path: Path) -> Path:
-    """What SkiROS2's parameter `workspace_dir` names."""
+    """The folder that SkiROS2's parameter `workspace_dir` names."""
     files, found = owl_files(load(HALL, relations=False))
     assert found == []
     for name, text in files.items():

@@ -49,7 +49,7 @@ def library(folder: Path, text: str) -> str:
 
 
 def told(found: list[str], states: tuple[str, ...]) -> Iterator[str]:
-    """What primitives tell that end so."""
+    """The texts of the primitives that end so."""
     for each in found:
         label, state, text = each.split(" ", 2)
         if state in states and label != "task":
@@ -110,7 +110,7 @@ def core() -> Any:
 
 
 def theirs(folder: Path, core: Any, skills: list[random_values.Skill]) -> list[str]:
-    """What the skills note in SkiROS2, and the state after each tick."""
+    """The notes of the skills in SkiROS2, and the state after each tick."""
     core.forget()
     core.load(library(folder, random_values.natively(skills)), *(each.label for each in skills))
     random_values.LOG.clear()

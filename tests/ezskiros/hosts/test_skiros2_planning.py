@@ -1,4 +1,4 @@
-"""What SkiROS2 is told of implementations that its task planner must not use."""
+"""SkiROS2 hears which implementations its task planner must not use."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Unplanned(SkillImplementation):
 
 
 def told(implementation: type[SkillImplementation], *, has_switch: bool = False) -> list[object]:
-    """What SkiROS2 hears, in order, when it loads an implementation."""
+    """The calls of SkiROS2, in order, when it loads an implementation."""
     heard: list[object] = []
 
     def switch(_self: object, is_available: bool) -> None:

@@ -1,4 +1,4 @@
-"""What is left since a skill is left: it is told once, and as that."""
+"""Classes that are left because a skill is left are told once, as a consequence."""
 
 from __future__ import annotations
 

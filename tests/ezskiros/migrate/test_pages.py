@@ -15,7 +15,7 @@ from support.markdown import blocks
 TEMPLATES = (*errors.ALL, *implementation_errors.ALL)
 CODES = [each.code for each in TEMPLATES]
 CAUSES = {"EZS737": ["EZS704"], "EZS738": ["EZS724"]}
-"""What an example has as well, since its finding follows from that."""
+"""The code that an example has as well, since its finding follows from that one."""
 EXPECTED = re.compile(
     r"\s*#\s*(?P<carets>\^*) ?(?P<severity>\w+)\[(?P<code>\w+)\] \"(?P<text>.*)\""
 )

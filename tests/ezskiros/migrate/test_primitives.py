@@ -1,4 +1,4 @@
-"""What implementations say of planning, and parameters that get nothing."""
+"""Implementations that speak of planning, and parameters that get nothing."""
 
 from __future__ import annotations
 

@@ -109,7 +109,7 @@ def test_a_key_that_is_no_name() -> None:
 
 
 def test_the_key_of_a_sibling() -> None:
-    """What a sibling calls so itself is shared without a word; its class is taken."""
+    """A key that a sibling has by itself is shared without a remap; its class is taken."""
     text = SKILLS + described("Park")
     text += compound("park", LOOKS.replace('{"Free": "Spot"}', "{}"), FORGETS)
     found = migrated(text.replace('"Spot"', '"Free"'))
@@ -175,7 +175,7 @@ def test_classes_that_differ() -> None:
 
 
 def test_classes_that_differ_below() -> None:
-    """What `Park` cannot hand up, `Tidy` cannot forget; `Park` goes on sharing nothing."""
+    """Below `Park` the key has two classes, so the tree of `Tidy` is left; `Park` needs no key."""
     things = described("Box", ("Spot", 'Element("skiros:Product")', "Optional")) + primitive("box")
     text = SKILLS + things + described("Lot", ("Spot", PLACE, "Optional")) + primitive("lot")
     park = described("Park") + compound("park", 'self.skill("Box", "")', 'self.skill("Lot", "")')

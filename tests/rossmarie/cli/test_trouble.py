@@ -42,7 +42,7 @@ def run_as_user(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
 
 
 def _as_user() -> list[str]:
-    """What makes the superuser subject to permissions, where tests run as one."""
+    """The start of a command with which permissions hold for the superuser as well."""
     if os.geteuid() != 0:
         return []
     require(PERMISSIONS)
