@@ -172,16 +172,19 @@ def write_skills(
 
 def _skill(number: int, chance: random.Random, *, with_mistakes: bool) -> str:
     """A skill that infers six things from a given one; a mistake is a misspelt relation."""
-    classes = [f"bench.Class_{chance.randrange(USED_CLASSES)}" for _ in range(7)]
+    numbers = [chance.randrange(USED_CLASSES) for _ in range(7)]
+    classes = [f"bench.Class_{each}" for each in numbers]
     relations = [f"relates_{chance.randrange(USED_RELATIONS)}" for _ in range(7)]
     parameters = [f"Thing_0: {classes[0]}"]
     parameters += [f"Thing_{i}: INFERRED[{classes[i]}]" for i in range(1, 7)]
     parameters += ["Speed: float = 0.1", "Style: Mode = Mode.FAST", "IsCareful: bool = True"]
-    pre = []
-    for thing in range(1, 7):
-        ends = [f"Thing_{thing}", f"Thing_{chance.randrange(thing)}"]
-        chance.shuffle(ends)
-        pre.append(f"{ends[0]}.{relations[thing]}({ends[1]})")
+
+    def related(relation: str, one: int, other: int) -> str:
+        """All relate things of two classes in one direction, as skills do."""
+        subject, object_ = sorted((one, other), key=numbers.__getitem__)
+        return f"Thing_{subject}.{relation}(Thing_{object_})"
+
+    pre = [related(relations[thing], thing, chance.randrange(thing)) for thing in range(1, 7)]
     pre.append(f"Thing_0.Value_{chance.randrange(USED_VALUES)} < 2.5")
     first = pre[0]
     if with_mistakes:
@@ -191,7 +194,7 @@ def _skill(number: int, chance: random.Random, *, with_mistakes: bool) -> str:
     lines += [f"        {each}," for each in parameters]
     lines += ["    ):"]
     lines += [f"        self.pre_conditions += {each}" for each in pre]
-    lines += [f"        self.hold_conditions += Thing_0.{relations[0]}(Thing_2)"]
+    lines += [f"        self.hold_conditions += {related(relations[0], 0, 2)}"]
     lines += [f"        self.post_conditions += ~{first}"]
-    lines += [f"        self.post_conditions += Thing_0.{relations[0]}(Thing_3)"]
+    lines += [f"        self.post_conditions += {related(relations[0], 0, 3)}"]
     return "\n".join(lines) + "\n"

@@ -34,7 +34,8 @@ class _Use(NamedTuple):
 def check_directions(skills: Iterable[SkillInterface], model: Model) -> Iterator[Diagnostic]:
     """Relations of which most conditions have the other direction; of equally many the later one.
 
-    Relations that are symmetric are left out, and those of things of one class.
+    Relations that are symmetric are left out, and those of two classes of which one is below the
+    other.
     """
     uses: dict[str, dict[_Classes, list[_Use]]] = defaultdict(lambda: defaultdict(list))
     for number, (classes, relation, clause) in enumerate(_related(skills)):
@@ -55,26 +56,13 @@ def _related(skills: Iterable[SkillInterface]) -> Iterator[tuple[_Classes, Relat
 
 
 def _swapped(by_classes: Mapping[_Classes, list[_Use]], model: Model) -> Iterator[Diagnostic]:
-    for classes, uses in by_classes.items():
-        if _are_kin(model, *classes):
+    for (subject, other), uses in by_classes.items():
+        turned = by_classes.get((other, subject), [])
+        if not turned or model.is_a(subject, other) or model.is_a(other, subject):
             continue
-        alike = [y for x in by_classes if _are_alike(model, classes, x) for y in by_classes[x]]
-        others = [y for x in by_classes if _are_turned(model, classes, x) for y in by_classes[x]]
-        if others and (len(others), -others[0].number) > (len(alike), -alike[0].number):
+        if (len(turned), -turned[0].number) > (len(uses), -uses[0].number):
             for use in uses:
-                yield _finding(classes, use, others[0], model)
-
-
-def _are_turned(model: Model, one: _Classes, other: _Classes) -> bool:
-    """A class that is wide, and so kin to both, says nothing of a direction."""
-    is_turned = _are_alike(model, one, (other[1], other[0]))
-    return is_turned and not (
-        _are_kin(model, one[0], other[0]) or _are_kin(model, one[1], other[1])
-    )
-
-
-def _are_alike(model: Model, one: _Classes, other: _Classes) -> bool:
-    return _are_kin(model, one[0], other[0]) and _are_kin(model, one[1], other[1])
+                yield _finding((subject, other), use, turned[0], model)
 
 
 def _finding(classes: _Classes, use: _Use, other: _Use, model: Model) -> Diagnostic:
@@ -87,8 +75,3 @@ def _finding(classes: _Classes, use: _Use, other: _Use, model: Model) -> Diagnos
         turned=f"{use.relation.object}.{name}({use.relation.subject})",
     )
     return found.at(use.clause.span, Label(other.clause.span, "here it is the other way round"))
-
-
-def _are_kin(model: Model, one: str, other: str) -> bool:
-    """Whether a class is the other one, or one of them is below the other."""
-    return model.is_a(one, other) or model.is_a(other, one)
