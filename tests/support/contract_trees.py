@@ -112,6 +112,9 @@ class Skills:
     def skill(self, description: type) -> SkillInterface:
         return self.known[description]
 
+    def called(self, call: SkillCall) -> SkillInterface:
+        return self.known[call.skill]
+
     def skills(self) -> list[SkillInterface]:
         return [*self.known.values()]
 

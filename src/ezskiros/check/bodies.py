@@ -26,6 +26,7 @@ from dslkit.source.call_site import node_span, source_file
 from ezskiros.check import body_errors as errors
 from ezskiros.skills.implementation import ImplementationClass, SkillImplementation
 from ezskiros.skills.methods import Written, written
+from ezskiros.skills.own_conditions import METHOD
 from ezskiros.skills.syntax import file_of
 
 _FROM_HOSTS = frozenset(("params", "world", "now", "progress", "wmi", "_wmi", "node", "_node"))
@@ -66,7 +67,7 @@ _KINDS = (type, ABCMeta, ImplementationClass)
 
 
 def check_bodies(implementation: type[SkillImplementation]) -> Iterator[Diagnostic]:
-    """Find code that raises whenever it is reached, in the methods other than `expandBT`."""
+    """Find code that raises whenever it is reached, in the methods that a check does not run."""
     attributes = _attributes(implementation)
     for method in _methods(implementation):
         found = written(method)
@@ -81,9 +82,10 @@ def check_bodies(implementation: type[SkillImplementation]) -> Iterator[Diagnost
 
 def _methods(implementation: type) -> Iterator[FunctionType]:
     """The methods that users wrote and that no other one hides, in the order in which they stand.
-    What decorates a method, and is written elsewhere, is left out.
+    What decorates a method, and is written elsewhere, is left out, and so are `expandBT` and
+    `conditions`, which a check runs.
     """
-    seen = {"expandBT"}
+    seen = {"expandBT", METHOD}
     for owner in _user_classes(implementation):
         for name, method in vars(owner).items():
             if name not in seen and isinstance(method, FunctionType):

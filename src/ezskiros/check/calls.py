@@ -193,7 +193,8 @@ class _Checker:
         """
         if given.iri == parameter.iri:
             return
-        for clause in self.skill.pre:
+        skill = self.library.called(self.call) or self.skill
+        for clause in skill.pre:
             for iri, union in _needed(clause.statement, parameter.name, self.skill, model):
                 if misfit(model, given.iri or "", union) is DoesNotFit:
                     found = errors.PassedLacksProperty(

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from dslkit.diagnostics import Diagnostic
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.no_such_parameter import no_such_parameter
 from ezskiros.skills.syntax import used_in
-from ezskiros.trees.expand import no_such_parameter
 
 
 def check_parameters(

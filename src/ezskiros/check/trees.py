@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from types import MappingProxyType
-from typing import cast
 
 from ezskiros import session
 from ezskiros.check.bodies import check_bodies
 from ezskiros.check.calls import check_calls
 from ezskiros.check.dataflow import check_dataflow
 from ezskiros.check.outcomes import Outcomes
+from ezskiros.check.own_conditions import check_own_conditions
 from ezskiros.check.parameters import check_parameters
 from ezskiros.check.protocol import check_protocol
 from ezskiros.check.reach import check_reach
@@ -18,7 +18,6 @@ from ezskiros.check.repeated import repeated
 from ezskiros.check.sharing import check_sharing
 from ezskiros.skills import tree_errors
 from ezskiros.skills.calls import SkillClass
-from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.syntax import class_span
@@ -39,12 +38,15 @@ def check_implementations(
     found: list[Tree] = []
     implementations = list(implementations)
     _report_repeated([*library.descriptions(), *implementations])
-    for implementation in _leaves(implementations):
+    # All skills are read first: trees call implementations of other files.
+    skills = {each: _implemented(each, library) for each in _leaves(implementations)}
+    for implementation, skill in skills.items():
         for diagnostic in check_protocol(implementation):
             session.report(diagnostic)
         for diagnostic in check_bodies(implementation):
             session.report(diagnostic)
-        skill = _implemented(implementation, library)
+        for diagnostic in check_own_conditions(implementation, library) if skill else ():
+            session.report(diagnostic)
         for diagnostic in check_parameters(implementation, skill) if skill else ():
             session.report(diagnostic)
         for tree in expand(implementation, skill, known.get(skill.name, {})) if skill else ():
@@ -75,7 +77,7 @@ def _implemented(
         found = tree_errors.NoSkillImplemented(implementation=implementation.__name__)
         session.report(found.at(class_span(implementation)))
         return None
-    return library.skill(cast("type[SkillDescription]", description))
+    return library.refine(implementation)
 
 
 def _report_repeated(classes: Iterable[type]) -> None:

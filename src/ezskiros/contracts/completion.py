@@ -19,20 +19,20 @@ def missing_pre_conditions(trees: Sequence[Tree], library: Library) -> list[Miss
     """All of them, in the order in which they are found; what would exclude what a skill asks for
     already is none.
     """
-    changed: dict[str, SkillInterface] = {}
+    added: dict[str, Sequence[Clause]] = {}
     found: dict[tuple[str, Statement], Missing] = {}
     seen: set[tuple[str, Statement]] = set()
     while True:
-        missing = check_contracts(trees, library, changed).missing
+        missing = check_contracts(trees, library, added).missing
         new = [each for each in missing if (each.skill.name, each.statement) not in seen]
         if not new:
             return list(found.values())
         for each in new:
             seen.add((each.skill.name, each.statement))
-            skill = changed.get(each.skill.name, each.skill)
-            pre = (*skill.pre, Clause(each.statement, skill.span))
-            if _is_possible(replace(skill, pre=pre), library):
-                changed[skill.name] = replace(skill, pre=pre)
+            skill = each.skill
+            more = (*added.get(skill.name, ()), Clause(each.statement, skill.span))
+            if _is_possible(replace(skill, pre=(*skill.pre, *more)), library):
+                added[skill.name] = more
                 found[skill.name, each.statement] = each
 
 

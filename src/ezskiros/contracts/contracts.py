@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from dslkit.diagnostics import Diagnostic, Severity, listed
@@ -18,13 +18,13 @@ from ezskiros.contracts.repairs import Repairs, in_order
 from ezskiros.contracts.statements import Asked, asked
 from ezskiros.contracts.walk import Walk
 from ezskiros.ontology.things import Unknown
-from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.interface import Clause, SkillInterface
 from ezskiros.skills.nodes import SkillCall, calls
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import Tree
 
-Changed = Mapping[str, SkillInterface]
-NOTHING: Changed = MappingProxyType({})
+Added = Mapping[str, Sequence[Clause]]
+NOTHING: Added = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -35,12 +35,10 @@ class Contracts:
     missing: Sequence[Missing]
 
 
-def check_contracts(
-    trees: Iterable[Tree], library: Library, changed: Changed = NOTHING
-) -> Contracts:
+def check_contracts(trees: Iterable[Tree], library: Library, added: Added = NOTHING) -> Contracts:
     """The conditions of compound skills against those of their children.
 
-    Trees with calls that are wrong are left out. `changed` are other descriptions than those of the
+    Trees with calls that are wrong are left out. `added` are pre-conditions besides those of the
     library, by the names of their skills.
     """
     found: dict[tuple[object, ...], Diagnostic] = {}
@@ -49,7 +47,7 @@ def check_contracts(
     for tree in trees:
         session.come_to(tree.span.file.path)
         if is_sound(tree, library):
-            findings = check_tree(tree, library, changed, branch=_branch(tree, trees))
+            findings = check_tree(tree, library, added, branch=_branch(tree, trees))
             for key, diagnostic in findings.found.items() if findings else ():
                 found.setdefault(key, diagnostic)
             for each in findings.missing.values() if findings else ():
@@ -59,7 +57,7 @@ def check_contracts(
 
 def is_sound(tree: Tree, library: Library) -> bool:
     """Whether all that a tree calls is understood, and gets what it needs."""
-    skills = [library.skill(call.skill) for call in calls(tree.root)]
+    skills = [library.called(call) for call in calls(tree.root)]
     given = (value for call in calls(tree.root) for value in call.arguments.values())
     if any(isinstance(each, Unknown) for each in given):
         return False
@@ -70,18 +68,18 @@ def is_sound(tree: Tree, library: Library) -> bool:
 
 
 def check_tree(
-    tree: Tree, library: Library, changed: Changed = NOTHING, *, branch: str = ""
+    tree: Tree, library: Library, added: Added = NOTHING, *, branch: str = ""
 ) -> Findings | None:
     """What is found in one tree; None if nothing can be. `branch` says which of several it is."""
     ontology = library.ontology()
     if ontology is None:
         return None
-    skill = changed.get(tree.skill.name, tree.skill)
-    skill_of = _skill_of(library, changed)
+    skill = _with(tree.skill, added)
+    skill_of = _skill_of(library, added)
     below = list(calls(tree.root))
     judge = Judge(ontology.model, names_of_tree(skill, below, skill_of))
     start = known_at_start(skill)
-    skills = {each.name: each for each in map(skill_of, below)}.values()
+    skills = {id(each): each for each in map(skill_of, below)}.values()
     if judge.is_impossible(start.facts) or any(_is_odd(each, judge) for each in skills):
         return None
     others = in_order(library.skills())
@@ -123,11 +121,21 @@ def known_at_start(skill: SkillInterface) -> Known:
     return Known(dict(reversed(facts.items())), frozenset(bound))
 
 
-def _skill_of(library: Library, changed: Changed) -> SkillOf:
+def _with(skill: SkillInterface, added: Added) -> SkillInterface:
+    more = added.get(skill.name)
+    return replace(skill, pre=(*skill.pre, *more)) if more else skill
+
+
+def _skill_of(library: Library, added: Added) -> SkillOf:
+    known: dict[tuple[type, str | None], SkillInterface] = {}
+
     def skill_of(call: SkillCall) -> SkillInterface:
-        skill = library.skill(call.skill)
-        assert skill is not None  # the tree is sound
-        return changed.get(skill.name, skill)
+        skill = known.get((call.skill, call.implementation))
+        if skill is None:
+            skill = library.called(call)
+            assert skill is not None  # the tree is sound
+            skill = known[call.skill, call.implementation] = _with(skill, added)
+        return skill
 
     return skill_of
 

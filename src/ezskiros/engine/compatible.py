@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from py_trees.common import Status
@@ -39,6 +40,10 @@ class CompatibleSkill(RunningSkill):
     def _known(self) -> Cells:
         assert self._cells is not None, "a skill has cells once it has started"
         return self._cells
+
+    def _plans(self) -> Sequence[Plan]:
+        """SkiROS2 tries no other implementation than the first."""
+        return super()._plans()[:1]
 
     def _started_with(self, plan: Plan) -> dict[str, Any]:
         if self._cells is None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -11,6 +11,7 @@ from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
 from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.own_conditions import has_own_conditions
 from ezskiros.skills.values import plain
 from ezskiros.trees.library import Implementations, Library
 from ezskiros.trees.names import Shared, found_out, shared_names
@@ -49,6 +50,8 @@ class _Known:
 
     skill: SkillInterface
     implementations: Implementations
+    refined: Mapping[type[SkillImplementation] | None, SkillInterface]
+    """The skill as the implementations with pre-conditions of their own do it."""
     parameters: Mapping[str, Parameter]
     defaults: Mapping[str, object]
     shared: tuple[tuple[str, str], ...]
@@ -70,27 +73,31 @@ class Plans:
 
     def __init__(self, library: Library) -> None:
         self._library = library
-        self._plans: dict[SkillCall, Plan] = {}
+        self._plans: dict[SkillCall, Sequence[Plan]] = {}
         self._known: dict[type, _Known] = {}
 
-    def of(self, call: SkillCall) -> Plan:
-        """The plan of a child. Raises `LookupError` if its description says nothing."""
-        plan = self._plans.get(call)
-        if plan is None:
-            plan = self._plans[call] = self._made(call)
-        return plan
+    def of(self, call: SkillCall) -> Sequence[Plan]:
+        """The plans of a child, at least one: the first that can start is taken. There are several
+        if it names no implementation, and if these have pre-conditions of their own.
 
-    def _made(self, call: SkillCall) -> Plan:
-        known = self._known.get(call.skill) or self._look_up(call)
+        Raises `LookupError` if its description says nothing.
+        """
+        plans = self._plans.get(call)
+        if plans is None:
+            known = self._known.get(call.skill) or self._look_up(call)
+            kinds = _implementations(call, known)
+            plans = self._plans[call] = tuple(self._made(call, known, each) for each in kinds)
+        return plans
+
+    def _made(self, call: SkillCall, known: _Known, kind: type[SkillImplementation] | None) -> Plan:
         given = call.arguments
         if known.as_they_are.issuperset(map(type, given.values())):  # as most are
             fixed = {**known.defaults, **given}
             shared = tuple(pair for pair in known.shared if pair[0] not in given)
         else:
             fixed, shared = _looked_at(call, known)
-        kind = _implementation(call, known.implementations)
         return Plan(
-            skill=known.skill,
+            skill=known.refined.get(kind, known.skill),
             implementation=kind,
             label=kind.__name__ if kind else "",
             is_compound=hasattr(kind, "expandBT"),
@@ -116,6 +123,11 @@ class Plans:
         found = self._known[call.skill] = _Known(
             skill=with_options(skill),
             implementations=implementations,
+            refined={
+                each: with_options(refined)
+                for each in implementations.values()
+                if has_own_conditions(each) and (refined := self._library.as_done_by(each))
+            },
             parameters={each.name: each for each in skill.parameters},
             defaults={each.name: each.default for each in skill.parameters},
             shared=_pairs(shared_names(nothing_given, skill)),
@@ -151,11 +163,18 @@ def _pairs(those: Iterable[Shared]) -> tuple[tuple[str, str], ...]:
     return tuple((each.parameter.name, each.shared) for each in those)
 
 
-def _implementation(call: SkillCall, known: Implementations) -> type[SkillImplementation] | None:
-    """The one that is wanted, or the first that was loaded."""
+def _implementations(call: SkillCall, known: _Known) -> list[type[SkillImplementation] | None]:
+    """The one that is wanted; or all, in the order in which they were loaded, up to the first that
+    can always do what the description says.
+    """
     if call.implementation is not None:
-        return known.get(call.implementation)
-    return next(iter(known.values()), None)
+        return [known.implementations.get(call.implementation)]
+    found: list[type[SkillImplementation] | None] = []
+    for each in known.implementations.values():
+        found.append(each)
+        if each not in known.refined:
+            return found
+    return found or [None]
 
 
 def _received(

@@ -7,7 +7,7 @@ compound ticks the tree that `expandBT` has built, a primitive is executed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from py_trees.behaviour import Behaviour
@@ -50,6 +50,7 @@ class RunningSkill(Behaviour):
         self._call, self._names, self._setting = call, names, setting
         self._values: dict[str, Any] = {}
         self._instance: SkillImplementation | None = None
+        self._instances: dict[type[SkillImplementation] | None, SkillImplementation] = {}
         self._params: Values | None = None
         self._expanded: Tree | None = None
         self._tree: Behaviour | None = None
@@ -146,29 +147,50 @@ class RunningSkill(Behaviour):
 
     def _start(self) -> Reason | None:
         """Why it cannot start, None if it has started."""
-        setting = self._setting
-        self._plan = plan = setting.plans.of(self._call)
-        self._holds = self._held()
-        self._text = ""
-        self._values = values = self._started_with(plan)
-        problem = missing(plan, values)
+        problem = self._choose()
         if problem is not None:
             return problem
+        plan, values = self._plan, self._values
         if plan.inferred or plan.skill.pre:
-            grounding = Grounding(plan, self._names, values, setting)
-            problem = grounding.ground()
-            if grounding.chosen:
-                self._tell_choice(*grounding.chosen)
-            if problem is not None:
-                return problem
             self._share()
         if plan.locked:
-            problem = setting.locks.lock(self, plan.locked, values)
+            problem = self._setting.locks.lock(self, plan.locked, values)
             if problem is not None:
                 return problem
         problem = self._begin()
         if problem is None:
             self._tell(Happened.STARTED, 0, "Start")
+        return problem
+
+    def _choose(self) -> Reason | None:
+        """Take the first plan whose pre-conditions hold; why none do, None if one is taken."""
+        problems: list[tuple[str, Reason]] = []
+        self._text = ""
+        for plan in self._plans():
+            self._plan = plan
+            self._holds = self._held()
+            self._values = values = self._started_with(plan)
+            problem = missing(plan, values)
+            if problem is not None:
+                return problem
+            problem = self._ground(plan, values)
+            if problem is None:
+                return None
+            problems.append((plan.label, problem))
+        return _none_can(problems)
+
+    def _plans(self) -> Sequence[Plan]:
+        """How it may start, in the order in which that is tried."""
+        return self._setting.plans.of(self._call)
+
+    def _ground(self, plan: Plan, values: dict[str, Any]) -> Reason | None:
+        """Infer what is to be inferred; why the pre-conditions do not hold, None if they do."""
+        if not plan.inferred and not plan.skill.pre:
+            return None
+        grounding = Grounding(plan, self._names, values, self._setting)
+        problem = grounding.ground()
+        if grounding.chosen:
+            self._tell_choice(*grounding.chosen)
         return problem
 
     def _started_with(self, plan: Plan) -> dict[str, Any]:
@@ -186,12 +208,15 @@ class RunningSkill(Behaviour):
         plan = self._plan
         if plan.implementation is None and not self._setting.simulate:
             return Reason(Code.START, f"nothing implements `{plan.skill.name}`")
+        self._instance = self._instances.get(plan.implementation)
         if plan.is_compound:
             problem = self._expand()
             if problem is not None:
                 return problem
-        elif self._setting.simulate:
-            return None
+        else:
+            self._tree = None
+            if self._setting.simulate:
+                return None
         if self._instance is None:
             problem = self._make()
             if problem is not None:
@@ -213,7 +238,8 @@ class RunningSkill(Behaviour):
             return user_code.raised(problem, "__init__", Code.START)
         made.world, made.now = self._setting.world_model, self._setting.clock
         problem_told = user_code.initialized(made)
-        self._instance = made if problem_told is None else None
+        if problem_told is None:
+            self._instance = self._instances[kind] = made
         return problem_told
 
     def _expand(self) -> Reason | None:
@@ -308,6 +334,15 @@ class RunningSkill(Behaviour):
         values = self._values if happened is Happened.STARTED else {}
         name, label = plan.skill.name, plan.label
         self._setting.tell(Event(happened, self.path, name, label, code, str(text), values))
+
+
+def _none_can(problems: Sequence[tuple[str, Reason]]) -> Reason:
+    """Why no implementation can start; of several each with its own reason."""
+    first = problems[0][1]
+    if len(problems) == 1:
+        return first
+    told = "; ".join(f"`{label}`: {problem.text}" for label, problem in problems)
+    return Reason(first.code, f"no implementation can start: {told}")
 
 
 def _has_life(kind: type[SkillImplementation]) -> bool:

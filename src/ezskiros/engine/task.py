@@ -36,7 +36,7 @@ class Task:
     """A skill with the tree below it. `ticks` says how often it was ticked."""
 
     def __init__(self, call: SkillCall, setting: Setting) -> None:
-        plan = setting.plans.of(call)
+        plan = setting.plans.of(call)[0]
         self.setting = setting
         self.ticks = 0
         name = plan.label or plan.skill.name

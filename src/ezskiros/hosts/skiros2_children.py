@@ -6,6 +6,9 @@ of a child are all renamed at once.
 
 Where a parameter has a default, SkiROS2 never takes a value from the blackboard, and writes the
 default there. Here a value that is passed is taken, and a default stays with the child.
+
+A child that names no implementation has the label of its first one in SkiROS2 as soon as that is
+assigned, and so SkiROS2 never tries another one. Here such a child has no label until it starts.
 """
 
 from __future__ import annotations
@@ -25,7 +28,7 @@ _BETWEEN = "\0"
 
 class Child:
     """What is ours of a `SkillWrapper`: `keys` are those of the blackboard by those of the child,
-    `user` is the instance of the user's class, once it has started.
+    `users` are the instances of the user's classes that have started, by these classes.
     """
 
     _params: Any
@@ -34,10 +37,12 @@ class Child:
     again.
     """
     _children: list[Any]
+    _label: str
+    _state: Any
 
     def __init__(self, call: HostedCall, label: str, instanciator: Any) -> None:
         self.keys: dict[str, str] = {}
-        self.user: Any = None
+        self.users: dict[type, Any] = {}
         self._call = call
         super().__init__(f"skiros:{call.type}", label, instanciator)  # type: ignore[call-arg]
         self.keys = dict(call.keys)
@@ -70,7 +75,24 @@ class Child:
         for kind in ("pre", "hold", "post"):
             yield from getattr(self, f"_{kind}_conditions")
 
+    def rename(self, condition: Any) -> None:
+        """Give a condition of the implementation the keys that the child shares."""
+        _rename(condition, self.keys)
+
     # --- what SkiROS2 calls -----------------------------------------------------------------------
+
+    @property
+    def label(self) -> str:
+        """The implementation that the child has; none as long as another may be taken."""
+        is_open = self._label == "" and len(self._call.known) > 1
+        is_idle = self._state in (api().State.Uninitialized, api().State.Idle)
+        return "" if is_open and is_idle else super().label  # type: ignore[misc]
+
+    def setInstance(self, instance: Any) -> None:  # noqa: N802 - as in SkiROS2
+        """Take an implementation; the children of another one are not those of this."""
+        if instance is not self._instance:
+            self._children = []
+        super().setInstance(instance)  # type: ignore[misc]
 
     def onStart(self) -> Any:  # noqa: N802 - as in SkiROS2
         """Start the implementation, which may be shared with other nodes."""

@@ -80,6 +80,14 @@ def form_of(skill: SkillInterface, model: Model) -> Form:
     )
 
 
+def conditions_of(
+    skill: SkillInterface, clauses: Iterable[Clause], model: Model
+) -> tuple[FormCondition, ...]:
+    """The forms of some conditions on the parameters of a skill."""
+    lowering = _Lowering(model, {each.name: each.key for each in skill.parameters})
+    return tuple(lowering.clauses(clauses))
+
+
 def any_of(parts: Iterable[FormCondition], *, is_true: bool) -> FormCondition:
     """An `or`; one inside another is part of it, as long as it is none that is denied."""
     flat: list[FormCondition] = []

@@ -16,7 +16,7 @@ from typing import Any, ClassVar
 from ezskiros.engine.world_model import WorldModel
 from ezskiros.hosts.skiros2_api import api
 from ezskiros.hosts.skiros2_children import Child, child
-from ezskiros.hosts.skiros2_form import Form, FormCondition, FormParameter, form_of
+from ezskiros.hosts.skiros2_form import Form, FormCondition, FormParameter, conditions_of, form_of
 from ezskiros.hosts.skiros2_processors import processor
 from ezskiros.hosts.skiros2_tree import HostedCall, HostedNode, Scope, hosted, raised
 from ezskiros.hosts.skiros2_values import HostedValues, give, refresh, taken
@@ -47,6 +47,12 @@ class Setting:
     implementation: type[SkillImplementation]
     hosted: HostedSkill
     library: Library
+
+    def own_conditions(self) -> tuple[FormCondition, ...]:
+        """The pre-conditions that the implementation has besides those of its skill."""
+        skill, refined = self.hosted.skill, self.library.as_done_by(self.implementation)
+        own = refined.pre[len(skill.pre) :] if refined else ()
+        return conditions_of(skill, own, self.hosted.ontology.model) if own else ()
 
 
 class RefusedSkillError(Exception):
@@ -96,16 +102,18 @@ class Description:
             self.addParam(each.key, _example(each), kind, description=doc)
         for kind_of in ("Pre", "Hold", "Post"):
             for condition in getattr(self.form, kind_of.lower()):
-                getattr(self, f"add{kind_of}Condition")(self._condition(condition))
+                getattr(self, f"add{kind_of}Condition")(_condition(self, condition))
 
-    def _condition(self, found: FormCondition) -> Any:
-        make = getattr(self, found.maker)
-        if found.maker == "getOrCond":
-            either = make(*found.arguments)
-            for part in found.parts:
-                either.addCondition(self._condition(part))
-            return either
-        return make(_label(found), *found.arguments)
+
+def _condition(description: Any, found: FormCondition) -> Any:
+    """A condition of SkiROS2, made with the means of a description or an implementation."""
+    make = getattr(description, found.maker)
+    if found.maker == "getOrCond":
+        either = make(*found.arguments)
+        for part in found.parts:
+            either.addCondition(_condition(description, part))
+        return either
+    return make(_label(found), *found.arguments)
 
 
 def _example(parameter: FormParameter) -> Any:
@@ -144,9 +152,18 @@ class Hosted:
         if not self.setting.implementation.available_for_planning:
             getattr(self, "setAvailableForPlanning", lambda _is_available: None)(False)
 
+    def modifyDescription(self, skill: Any) -> None:  # noqa: N802
+        """Called by SkiROS2 when it loads an implementation, and when a child gets it."""
+        for each in self.setting.own_conditions():
+            condition = _condition(self, each)
+            if isinstance(skill, Child):
+                skill.rename(condition)
+            skill.addPreCondition(condition)
+
     def onStart(self) -> bool:  # noqa: N802
         """Start with the instance of the node."""
-        user = None if self.child is None else self.child.user
+        users = {} if self.child is None else self.child.users
+        user = users.get(self.setting.implementation)
         is_new = user is None
         if user is None:
             user = self.setting.implementation()
@@ -154,8 +171,7 @@ class Hosted:
         # SkiROS2 calls `onInit` when it loads a primitive: then there is no node of a tree yet.
         if is_new and self.running.call("onInit", failed=False) is False:
             return False
-        if self.child is not None:
-            self.child.user = user
+        users[self.setting.implementation] = user
         return bool(self.running.call("onStart", failed=False))
 
     def onPreempt(self) -> Any:  # noqa: N802
@@ -208,9 +224,10 @@ def _node(found: HostedNode | HostedCall, compound: Any) -> Any:
     instanciator = compound._instanciator  # noqa: SLF001 - SkiROS2 hands it to nobody
     label = found.label
     if label is None:
-        # Any that SkiROS2 has loaded; else the first, which it then loads.
-        is_loaded = instanciator.get_instances(f"skiros:{found.type}")
-        label = "" if is_loaded else found.known[0]
+        label = ""  # any that SkiROS2 has loaded
+        if not instanciator.get_instances(f"skiros:{found.type}"):
+            for each in found.known:
+                instanciator.add_instance(each)
     return child(found, label, instanciator)
 
 

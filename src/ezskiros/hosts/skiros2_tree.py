@@ -18,8 +18,9 @@ from ezskiros.ontology.statements import Value
 from ezskiros.skills.interface import ROBOT, Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
 from ezskiros.skills.nodes import Decorator, Node, Processor, SkillCall
+from ezskiros.skills.own_conditions import has_own_conditions
 from ezskiros.skills.values import Symbol
-from ezskiros.trees.library import Library
+from ezskiros.trees.library import Implementations, Library
 from ezskiros.trees.names import found_out, shared_names
 
 
@@ -35,7 +36,7 @@ class HostedCall:
     """Where it is described."""
     label: str | None
     known: tuple[str, ...]
-    """Implementations that will do, if any does."""
+    """Implementations of which one will do, if any does."""
     keys: Mapping[str, str]
     values: Mapping[str, Value]
     """By the keys of the child."""
@@ -107,7 +108,7 @@ def _call(call: SkillCall, scope: Scope, library: Library) -> HostedCall:
         type=skill.name,
         module=call.skill.__module__,
         label=call.implementation,
-        known=tuple(library.implementations(call.skill)),
+        known=_enough(library.implementations(call.skill)),
         keys=keys,
         values={
             each.key: lowered(call.arguments[each.name], each)
@@ -120,6 +121,16 @@ def _call(call: SkillCall, scope: Scope, library: Library) -> HostedCall:
             for each in found_out(call, skill, library.doing(call))
         },
     )
+
+
+def _enough(known: Implementations) -> tuple[str, ...]:
+    """Those up to the first that can always do what the description says."""
+    found: list[str] = []
+    for name, each in known.items():
+        found.append(name)
+        if not has_own_conditions(each):
+            break
+    return tuple(found)
 
 
 def lowered(value: object, parameter: Parameter) -> Value:

@@ -144,8 +144,8 @@ class OtherDescription(Error, code="EZS734", name="other-description"):
     """An implementation that changes its description."""
 
     title = "{found} changes what an implementation says of its skill"
-    label = "in EzSkiROS all implementations of a skill have its description"
-    help = "write it into the description, and `self.setDescription(Skill(), ...)` alone here"
+    label = "in EzSkiROS an implementation adds pre-conditions, and nothing else"
+    help = "write it into the description; leave `self.setDescription(Skill(), ...)` alone here"
     found: str
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import libcst as cst
 
 from dslkit.diagnostics import Template
-from ezskiros.migrate import implementation_errors
+from ezskiros.migrate import implementation_errors, own_conditions
 from ezskiros.migrate.built_on import SKIROS2_BASES, left_with, other_base
 from ezskiros.migrate.calls import Arguments, last_name, literal_text, method
 from ezskiros.migrate.class_bodies import (
@@ -21,7 +21,7 @@ from ezskiros.migrate.class_bodies import (
     without_old_marks,
 )
 from ezskiros.migrate.classes import OLD_DESCRIPTION
-from ezskiros.migrate.comments import texts, without_marks
+from ezskiros.migrate.comments import inner_comments, texts, without_marks
 from ezskiros.migrate.description import Finding
 from ezskiros.migrate.docstrings import docstring_of
 from ezskiros.migrate.errors import LeftError
@@ -248,15 +248,24 @@ class _Class:
             name = part.name.value if isinstance(part, cst.FunctionDef) else ""
             if part is tree or name == OLD_DESCRIPTION or name in used:
                 continue
-            if name == "modifyDescription":
-                found = implementation_errors.OtherDescription(found=f"`def {name}`")
-                self._leave(found, part.name, part)  # type: ignore[union-attr]
+            if isinstance(part, cst.FunctionDef) and name == own_conditions.OLD:
+                new[id(part)] = self._own_conditions(part, skill)
+                continue
             new[id(part)], plain = translated_part(part, lambda: self._uses(skill))
             self._take(plain)
         self._found.warnings = list(
             {getattr(each.template, "found", ""): each for each in self._found.warnings}.values()
         )
         return new, used
+
+    def _own_conditions(self, function: cst.FunctionDef, skill: Skill) -> cst.CSTNode:
+        """The method `conditions`; nothing but its comments, if it has none."""
+        context = self._context
+        found, left = own_conditions.translate_own(
+            function, skill, context.names, context.known, self._code
+        )
+        self._found.findings += left
+        return found or cst.EmptyLine()
 
     def _uses(self, skill: Skill) -> Methods:
         return Methods(skill, self._code, self._node, self._context.states)
@@ -278,6 +287,10 @@ class _Class:
                     body.append(switch(PLANNED, waiting, is_first=not body))
                     waiting = []
             elif not (isinstance(part, cst.FunctionDef) and part.name.value in used):
+                if isinstance(part, cst.FunctionDef) and isinstance(parts[id(part)], cst.EmptyLine):
+                    waiting += [each for each in texts(part.leading_lines) if each]
+                    waiting += inner_comments(part.body)
+                    continue
                 new = without_old_marks(parts[id(part)])
                 body.append(with_lines(new, waiting, is_first=not body))
                 waiting = []

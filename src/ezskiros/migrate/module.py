@@ -137,7 +137,8 @@ class _File:
         # With the names of EzSkiROS qualified it shows which other meanings they have here.
         names = self._translate(found, Names(is_qualified=True))
         names = self._translate(found, self._spelled(self._replaced(found, names), names))
-        implementing, mixins = self._implementations(classes), self._mixins(classes)
+        implementing = self._implementations(classes, names)
+        mixins = self._mixins(classes)
         result = self._replaced(found, names, [*implementing, *mixins])
         result, state = with_states(result, self._states)
         obstacles = self._obstacles(mixins, implementing)
@@ -225,18 +226,23 @@ class _File:
 
     # --- implementations --------------------------------------------------------------------------
 
-    def _implementations(self, classes: Sequence[cst.ClassDef]) -> list[Implementation]:
-        """What becomes of the classes that implement skills."""
+    def _implementations(
+        self, classes: Sequence[cst.ClassDef], names_of_file: Names
+    ) -> list[Implementation]:
+        """What becomes of the classes that implement skills; the file gets the names they use."""
         names = imported_names(self._module)
         found = []
         for node in classes:
             if described_by(node) is None:
                 continue
             wanted = self._foreign.wanted()
-            each = translate_implementation(node, self._context(node, wanted), self._code, names)
+            own = names_of_file.like()
+            context = self._context(node, wanted, own)
+            each = translate_implementation(node, context, self._code, names)
             self._leave_inherited(each, classes)
             if not each.findings:
                 self._foreign.add(wanted)
+                names_of_file.add(own)
             found.append(each)
         return found
 
@@ -244,15 +250,18 @@ class _File:
         """The translations of the classes that implementations are built on."""
         names = imported_names(self._module)
         return [
-            translate_mixin(node, self._context(node, self._foreign.wanted()), self._code, names)
+            translate_mixin(
+                node, self._context(node, self._foreign.wanted(), Names()), self._code, names
+            )
             for node in classes
             if self._skills.bases.is_mixin((self._file.path, node.name.value))
         ]
 
-    def _context(self, node: cst.ClassDef, wanted: WantedSkills) -> Context:
+    def _context(self, node: cst.ClassDef, wanted: WantedSkills, names: Names) -> Context:
         return Context(
             self._file.path, self._skills, wanted, helpers_of(node), self._positions.place,
-            self._module.default_indent, self._foreign.late_import, self._states,
+            self._module.default_indent, self._foreign.late_import,
+            names, self._known, self._states,
         )  # fmt: skip
 
     def _leave_inherited(self, each: Implementation, classes: Sequence[cst.ClassDef]) -> None:

@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 
 import libcst as cst
 
+from ezskiros.migrate.names import Names
 from ezskiros.migrate.skills import Skill, Skills
+from ezskiros.migrate.values import Known
 
 
 @dataclass(frozen=True)
@@ -42,7 +44,8 @@ class Context:
     `path` is the file, `skills` all that are described, `helpers` the methods of the class, `place`
     says where a node is, `step` is the space by which the file indents. `late` gives the import
     of a skill that cannot be imported before, None for others. `states` are the names of
-    SkiROS2's `State`.
+    SkiROS2's `State`. `names` are those of the ontology and of EzSkiROS that the class uses,
+    `known` the types of values.
     """
 
     path: str
@@ -52,4 +55,6 @@ class Context:
     place: Callable[[cst.CSTNode], Place]
     step: str
     late: Callable[[str, Skill], str | None]
+    names: Names
+    known: Known
     states: Collection[str] = ()

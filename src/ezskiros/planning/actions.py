@@ -60,18 +60,29 @@ def actions(library: Library, model: Model) -> tuple[list[Action], list[Diagnost
     drafts, found = [], []
     for description in library.checked:
         skill = library.skill(description)
-        if skill is None or not (skill.pre and skill.post):
-            continue
-        implementing = library.implementations(description).values()
-        if implementing and not any(each.available_for_planning for each in implementing):
+        if skill is None:
             continue
         try:
-            if not implementing:
-                raise _NotPlannableError("nothing in these files implements it")
-            drafts.append(_draft(skill, description, model))
+            ways = _ways(description, skill, library)
+            drafts += [_draft(each, description, model) for each in ways]
         except _NotPlannableError as why:
             found.append(errors.SkillLeftOut(skill=skill.name, why=str(why)).at(skill.span))
     return [_with_consequences(each, drafts, model) for each in drafts], found
+
+
+def _ways(
+    description: type[SkillDescription], skill: SkillInterface, library: Library
+) -> list[SkillInterface]:
+    """The skill as its implementations do it: more than once, if these have pre-conditions of their
+    own. In a plan the skill is called; which implementation does it is found out at its start.
+    """
+    implementing = library.implementations(description).values()
+    available = [each for each in implementing if each.available_for_planning]
+    known = map(library.as_done_by, available) if implementing else [skill]
+    ways = {id(each): each for each in known if each and each.pre and each.post}
+    if ways and not implementing:
+        raise _NotPlannableError("nothing in these files implements it")
+    return list(ways.values())
 
 
 def _draft(skill: SkillInterface, description: type[SkillDescription], model: Model) -> Action:

@@ -8,22 +8,21 @@ from __future__ import annotations
 
 import difflib
 import inspect
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from types import FunctionType
 
 from dslkit.diagnostics import Diagnostic, Label, Template
-from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology import Ontology
-from ezskiros.ontology.things import UNKNOWN, ThingClass, symbol
+from ezskiros.ontology.things import ThingClass
 from ezskiros.skills import errors
 from ezskiros.skills.description import SkillDescription
-from ezskiros.skills.interface import Clause, Parameter, SkillInterface
+from ezskiros.skills.explored import Adding, Conditions, explored
+from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.parameters import read_parameters, signature_of
 from ezskiros.skills.syntax import class_span, definition, docs_of
-from ezskiros.skills.tracing import Method, Way, ways
-from ezskiros.skills.values import SymbolicValue
+from ezskiros.skills.tracing import Method
 
 
 @dataclass(frozen=True)
@@ -52,8 +51,7 @@ def describe(skill: type[SkillDescription]) -> Described | None:
         replace(each, doc=docs[each.name]) if each.name in docs and not each.doc else each
         for each in read_parameters(method)
     ]
-    runs = _explored(skill, method, parameters)
-    first = runs[0]
+    first, are_whole = _explored(skill, method, parameters)
     interface = SkillInterface(
         name=skill.__name__,
         span=class_span(skill),
@@ -67,7 +65,7 @@ def describe(skill: type[SkillDescription]) -> Described | None:
     types = (each.type for each in parameters)
     ontologies = [each.vocabulary for each in types if isinstance(each, ThingClass)]
     found = next((each for each in ontologies if isinstance(each, Ontology)), None)
-    return Described(interface, found, all(run.are_whole for run in runs))
+    return Described(interface, found, are_whole)
 
 
 def _unclear(method: FunctionType, parameters: Sequence[Parameter]) -> frozenset[str]:
@@ -99,42 +97,16 @@ def _has_self(method: FunctionType) -> bool:
     return first is not None and (first.name == "self" or first.annotation is first.empty)
 
 
-@dataclass(frozen=True)
-class _Conditions:
-    """The conditions of one way through a description."""
-
-    pre: tuple[Clause, ...]
-    hold: tuple[Clause, ...]
-    post: tuple[Clause, ...]
-    are_whole: bool
-    """Whether none is missing after a mistake."""
-
-    def statements(self) -> tuple[frozenset[object], ...]:
-        return tuple(
-            frozenset(each.statement for each in clauses)
-            for clauses in (self.pre, self.hold, self.post)
-        )
-
-
-def _conditions(way: Way[SkillDescription]) -> _Conditions:
-    """What a run has left in the instance that it was run on."""
-    found = way.instance or _made(SkillDescription)
-    kinds = (found.pre_conditions, found.hold_conditions, found.post_conditions)
-    pre, hold, post = (tuple(each) for each in kinds)
-    are_whole = way.has_ended and all(each.are_whole for each in kinds)
-    return _Conditions(pre, hold, post, are_whole)
-
-
-def _made(skill: type[SkillDescription]) -> SkillDescription:
+def _made(skill: type[SkillDescription]) -> Adding:
     """An instance: to call a skill by its name is to make a child of a behavior tree."""
     made: SkillDescription = type.__call__(skill)
-    return made
+    return Adding(made, made.pre_conditions, made.hold_conditions, made.post_conditions)
 
 
 def _explored(
     skill: type[SkillDescription], function: FunctionType, parameters: Sequence[Parameter]
-) -> list[_Conditions]:
-    """All ways through the description until one has other conditions than the first."""
+) -> tuple[Conditions, bool]:
+    """The conditions of a description, and whether none is missing after a mistake."""
 
     def undefined(spelled: str) -> tuple[Template, str | None]:
         known = [*(each.name for each in parameters), *function.__globals__]
@@ -149,51 +121,4 @@ def _explored(
         "a description only says what a skill needs and does; move this to its implementation",
         undefined,
     )
-
-    def run(instance: SkillDescription, described_by: FunctionType) -> None:
-        placed, named = _arguments(function, _symbols(parameters))
-        described_by(instance, *placed, **named)
-
-    found: list[_Conditions] = []
-    for way in ways(method, lambda: _made(skill), run):
-        conditions = _conditions(way)
-        if not way.has_ended:
-            return [conditions]
-        if found and conditions.statements() != found[0].statements():
-            session.report(_depends(skill, *way.decisions.last_planned()))
-            break
-        found.append(conditions)
-    return found
-
-
-def _symbols(parameters: Sequence[Parameter]) -> dict[str, object]:
-    """What stands in the places of the parameters."""
-    return {
-        each.name: symbol(each.type, each.name)
-        if isinstance(each.type, ThingClass)
-        else SymbolicValue(each.name, each.type)
-        for each in parameters
-    }
-
-
-def _depends(skill: type, span: Span, symbol: object) -> Diagnostic:
-    """The finding for conditions that are others if a symbol is true."""
-    if isinstance(symbol, SymbolicValue):
-        return errors.DependsOnValue(skill=skill.__name__, parameter=repr(symbol)).at(span)
-    return errors.DependsOnOutcome(skill=skill.__name__, call=repr(symbol)).at(span)
-
-
-def _arguments(
-    method: FunctionType, known: Mapping[str, object]
-) -> tuple[list[object], dict[str, object]]:
-    """The symbols, by place and by name; what is wrong gets something that all goes on with."""
-    placed, named = [], {}
-    for each in list(signature_of(method).parameters.values())[1:]:
-        if each.kind is inspect.Parameter.POSITIONAL_ONLY:
-            placed.append(known.get(each.name, UNKNOWN))
-        elif each.kind not in _PACKED:
-            named[each.name] = known.get(each.name, UNKNOWN)
-    return placed, named
-
-
-_PACKED = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
+    return explored(method, lambda: _made(skill), parameters)

@@ -76,6 +76,9 @@ class SkillImplementation(metaclass=ImplementationClass):
     """
     now: Any
     """The time in seconds, by the clock of the engine while it runs there: `self.now()`."""
+    pre_conditions: Any
+    """The method `conditions(self, Door)`, if there is one, adds pre-conditions that only this
+    implementation has: `self.pre_conditions += Door.Open == False`."""
     progress: tuple[int, str] = (0, "")
     """How far it is, in its own numbers, and what it says of that."""
 

@@ -153,6 +153,16 @@ class WrongMakerCall(Error, code="EZS538", name="wrong-processor-call"):
     call: str
 
 
+class OnlyPreConditions(Error, code="EZS563", name="only-pre-conditions"):
+    """A hold- or post-condition that an implementation adds."""
+
+    title = "an implementation adds pre-conditions only, and this is one of `self.{spelled}`"
+    note = "a tree that names the skill counts on what the description says, whoever does it"
+    help = "write it in the description of `{skill}`"
+    spelled: str
+    skill: str
+
+
 ALL: tuple[type[Template], ...] = (
     NoChildren,
     NoNode,
@@ -170,4 +180,5 @@ ALL: tuple[type[Template], ...] = (
     DescriptionImplemented,
     UnknownProcessor,
     WrongMakerCall,
+    OnlyPreConditions,
 )

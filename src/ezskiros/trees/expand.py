@@ -11,7 +11,7 @@ import inspect
 from collections.abc import Iterator, Mapping
 from types import FunctionType, MappingProxyType
 
-from dslkit.diagnostics import Diagnostic, Label, Template
+from dslkit.diagnostics import Label, Template
 from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown
@@ -19,19 +19,13 @@ from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.implementation import MAKERS, SkillImplementation
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.methods import written
+from ezskiros.skills.no_such_parameter import no_such_parameter
 from ezskiros.skills.nodes import Node, Nowhere, growing
 from ezskiros.skills.syntax import class_span, definition
 from ezskiros.skills.tracing import Method, ways
 from ezskiros.skills.values import Decisions
 from ezskiros.trees.library import known_skills
 from ezskiros.trees.tree import Reference, Tree, reference
-
-
-def no_such_parameter(skill: SkillInterface, name: str, place: Span) -> Diagnostic:
-    """The finding for a parameter that a skill does not have."""
-    near = difflib.get_close_matches(name, [each.name for each in skill.parameters], n=1)
-    help = f"did you mean `{near[0]}`?" if near else None
-    return errors.NoSuchParameter(skill=skill.name, spelled=name).at(place, help=help)
 
 
 class References:

@@ -14,6 +14,7 @@ from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.own_conditions import refined
 
 T = TypeVar("T")
 Implementations = Mapping[str, type[SkillImplementation]]
@@ -32,6 +33,7 @@ class Library:
         self.checked = tuple(described)
         """The skills that are checked, in the order in which they are written."""
         self._described: dict[type[SkillDescription], Described | None] = {**described}
+        self._refined: dict[type[SkillImplementation], Described | None] = {}
         self.elsewhere: list[Diagnostic] = []
         """Findings in skills that are not checked, as far as they were looked at."""
 
@@ -44,14 +46,41 @@ class Library:
         found = self._known(description)
         return found.interface if found else None
 
+    def refine(self, implementation: type[SkillImplementation]) -> SkillInterface | None:
+        """The interface of a skill as one implementation does it: with its own pre-conditions, of
+        which the mistakes are reported.
+        """
+        if implementation not in self._refined:
+            described = self._known(implementation.description)
+            found = refined(implementation, described) if described else None
+            self._refined[implementation] = found
+        known = self._refined[implementation]
+        return known.interface if known else None
+
+    def as_done_by(self, implementation: type[SkillImplementation]) -> SkillInterface | None:
+        """The same. Mistakes are those of another library, unless they have been reported."""
+        if implementation in self._refined:
+            return self.refine(implementation)
+        with session.trying() as found:
+            interface = self.refine(implementation)
+        self.elsewhere += found.sorted()
+        return interface
+
+    def called(self, call: SkillCall) -> SkillInterface | None:
+        """The interface of a child: with the pre-conditions of its implementation, if only one can
+        be meant.
+        """
+        doing = self.doing(call)
+        return self.as_done_by(doing[0]) if len(doing) == 1 else self.skill(call.skill)
+
     def skills(self) -> list[SkillInterface]:
         """All skills that are known so far."""
         return [each.interface for each in self._described.values() if each]
 
     def is_whole(self, skill: SkillInterface) -> bool:
         """Whether all conditions of a skill were understood."""
-        known = (each for each in self._described.values() if each)
-        return all(each.is_whole for each in known if each.interface is skill)
+        known = (*self._described.values(), *self._refined.values())
+        return all(each.is_whole for each in known if each and each.interface is skill)
 
     def ontology(self) -> Ontology | None:
         """The ontology that the types of the skills are from; None if no skill has things."""

@@ -372,3 +372,27 @@ def test_wrong_calls(lab: Path, arguments: tuple[str, ...], said: str) -> None:
     done = run("plan", *GOAL, *arguments, folder=lab)
     assert done.returncode == 2
     assert said in done.stdout + done.stderr
+
+
+def test_a_plan_leaves_the_choice_of_an_implementation_to_the_run(tmp_path: Path) -> None:
+    """One implementation can do it where the product has a weight, one where the robot is near."""
+    move = skill(
+        "Move",
+        "Robot: cora.Robot, Object: skiros.Product, Target: skiros.Location",
+        "post Target.contain(Object)",
+    )
+    own = (
+        "    def conditions(self, Object):\n"
+        "        self.pre_conditions += Object.Weight == 2.0\n"
+        "class carry(Move.SkillBase):\n"
+        "    def conditions(self, Robot, Target):\n"
+        "        self.pre_conditions += Robot.at(Target)\n"
+        "    def execute(self):\n"
+    )
+    skills = DRIVE + move.replace("    def execute(self):\n", own)
+    found, scene = world(tmp_path, ROBOT, skills)
+    for thing, steps in (("Product-4", ["Move"]), ("Product-5", ["Drive", "Move"])):
+        plan, said = planned(found, f"(contain skiros:Location-3 skiros:{thing})", scene)
+        assert names(plan) == steps, said
+        assert plan is not None
+        assert "            Move(" in source(plan, "moving", "a goal")

@@ -1,0 +1,29 @@
+"""The pre-conditions of an implementation against the ontology, and against those of its skill."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dslkit.diagnostics import Diagnostic
+from ezskiros.check.consistency import check_consistency
+from ezskiros.check.errors import MayNotFit
+from ezskiros.check.relations import check_relations
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.trees.library import Library
+
+
+def check_own_conditions(
+    implementation: type[SkillImplementation], library: Library
+) -> Iterator[Diagnostic]:
+    """What is wrong with the skill as this implementation does it, and with its description not."""
+    skill, ontology = library.skill(implementation.description), library.ontology()
+    refined = library.as_done_by(implementation)
+    if skill is None or refined is None or refined is skill or ontology is None:
+        return
+    for check in (check_relations, check_consistency):
+        told = {(each.code, each.primary.span) for each in check(skill, ontology)}
+        for found in check(refined, ontology):
+            # That only some things of the class can fulfil a condition is why it is asked.
+            is_choice = found.code == MayNotFit.code
+            if not is_choice and (found.code, found.primary.span) not in told:
+                yield found

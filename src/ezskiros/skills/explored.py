@@ -1,0 +1,121 @@
+"""A method that adds conditions in, the conditions out.
+
+The method is run with symbols in place of its parameters, as often as its branches ask for (the
+pattern Symbolic Tracing; thesis, Paper IV, section 4.2). Conditions that depend on a value are
+reported: SkiROS2 knows a skill before it knows any value.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from types import FunctionType
+from typing import Any
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import Span
+from ezskiros import session
+from ezskiros.ontology.things import UNKNOWN, ThingClass, symbol
+from ezskiros.skills import errors
+from ezskiros.skills.description import Conditions as Added
+from ezskiros.skills.interface import Clause, Parameter
+from ezskiros.skills.parameters import signature_of
+from ezskiros.skills.tracing import Method, Way, ways
+from ezskiros.skills.values import SymbolicValue
+
+
+@dataclass(frozen=True)
+class Adding:
+    """The `self` that a method is run on, and its attributes to which the method adds."""
+
+    instance: Any
+    pre: Added
+    hold: Added
+    post: Added
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """The conditions of one way through a method."""
+
+    pre: tuple[Clause, ...] = ()
+    hold: tuple[Clause, ...] = ()
+    post: tuple[Clause, ...] = ()
+
+    def statements(self) -> tuple[frozenset[object], ...]:
+        """The conditions without the places at which they are written."""
+        return tuple(
+            frozenset(each.statement for each in clauses)
+            for clauses in (self.pre, self.hold, self.post)
+        )
+
+
+def explored(
+    method: Method, make: Callable[[], Adding], parameters: Sequence[Parameter]
+) -> tuple[Conditions, bool]:
+    """The conditions that a method adds to what `make` makes, and whether none is missing after a
+    mistake. All ways are looked at until one has other conditions than the first.
+    """
+
+    def run(adding: Adding, function: FunctionType) -> None:
+        placed, named = _arguments(method.function, _symbols(parameters))
+        function(adding.instance, *placed, **named)
+
+    found: list[Conditions] = []
+    are_whole = True
+    for way in ways(method, make, run):
+        conditions, is_whole = _conditions(way)
+        if not way.has_ended:
+            return conditions, is_whole
+        if found and conditions.statements() != found[0].statements():
+            session.report(_depends(method.owner.__name__, *way.decisions.last_planned()))
+            break
+        found.append(conditions)
+        are_whole = are_whole and is_whole
+    return found[0], are_whole
+
+
+def _conditions(way: Way[Adding]) -> tuple[Conditions, bool]:
+    """The conditions that a run has added, and whether none is missing."""
+    if way.instance is None:
+        return Conditions(), False
+    kinds = (way.instance.pre, way.instance.hold, way.instance.post)
+    found = Conditions(*(tuple(each) for each in kinds))
+    return found, way.has_ended and all(each.are_whole for each in kinds)
+
+
+def _symbols(parameters: Sequence[Parameter]) -> dict[str, object]:
+    """What stands in the places of the parameters."""
+    return {
+        each.name: symbol(each.type, each.name)
+        if isinstance(each.type, ThingClass)
+        else SymbolicValue(each.name, each.type)
+        for each in parameters
+    }
+
+
+def _depends(skill: str, span: Span, symbol: object) -> Diagnostic:
+    """The finding for conditions that are others if a symbol is true."""
+    if isinstance(symbol, SymbolicValue):
+        return errors.DependsOnValue(skill=skill, parameter=repr(symbol)).at(span)
+    return errors.DependsOnOutcome(skill=skill, call=repr(symbol)).at(span)
+
+
+def _arguments(
+    method: FunctionType, known: Mapping[str, object]
+) -> tuple[list[object], dict[str, object]]:
+    """The symbols, by place and by name; a wrong one is replaced by something that all goes on
+    with.
+    """
+    placed: list[Any] = []
+    named: dict[str, object] = {}
+    for each in list(signature_of(method).parameters.values())[1:]:
+        if each.kind is inspect.Parameter.POSITIONAL_ONLY:
+            placed.append(known.get(each.name, UNKNOWN))
+        elif each.kind not in _PACKED:
+            named[each.name] = known.get(each.name, UNKNOWN)
+    return placed, named
+
+
+_PACKED = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)

@@ -1,0 +1,119 @@
+"""The pre-conditions that an implementation has besides those of its skill.
+
+    class open_door(Open.SkillBase):
+        def conditions(self, Door):
+            self.pre_conditions += Door.Open == False
+
+SkiROS2's `modifyDescription` adds them. They decide which implementation does a child that names
+none: the first whose pre-conditions hold.
+"""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+from collections.abc import Sequence
+from dataclasses import replace
+from types import FunctionType
+from typing import Any
+
+from dslkit.diagnostics import Template
+from ezskiros import session
+from ezskiros.ontology.things import Condition, Unknown
+from ezskiros.skills import errors, tree_errors
+from ezskiros.skills.describe import Described
+from ezskiros.skills.description import Conditions
+from ezskiros.skills.explored import Adding, explored
+from ezskiros.skills.implementation import SkillImplementation
+from ezskiros.skills.interface import Clause, SkillInterface
+from ezskiros.skills.no_such_parameter import no_such_parameter
+from ezskiros.skills.parameters import signature_of
+from ezskiros.skills.syntax import definition
+from ezskiros.skills.tracing import Method
+
+METHOD = "conditions"
+
+
+def has_own_conditions(implementation: type[SkillImplementation]) -> bool:
+    """Whether an implementation has the method `conditions`."""
+    return isinstance(inspect.getattr_static(implementation, METHOD, None), FunctionType)
+
+
+def refined(implementation: type[SkillImplementation], described: Described) -> Described:
+    """The skill as this implementation does it. What is wrong with its conditions is reported."""
+    function = inspect.getattr_static(implementation, METHOD, None)
+    if not isinstance(function, FunctionType):
+        return described
+    skill = described.interface
+    own, are_whole = _own(implementation, function, skill)
+    interface = replace(skill, pre=(*skill.pre, *own))
+    return Described(interface, described.ontology, described.is_whole and are_whole)
+
+
+def _own(
+    implementation: type[SkillImplementation], function: FunctionType, skill: SkillInterface
+) -> tuple[Sequence[Clause], bool]:
+    """The clauses, and whether none is missing after a mistake."""
+    written = definition(function)
+    unknown = [
+        name
+        for name, given in list(signature_of(function).parameters.items())[1:]
+        if given.kind not in (given.VAR_POSITIONAL, given.VAR_KEYWORD)
+        and skill.parameter(name) is None
+        and name not in skill.unclear
+    ]
+    for name in unknown:
+        session.report(no_such_parameter(skill, name, written.name_of(name)))
+
+    def undefined(spelled: str) -> tuple[Template, str | None]:
+        names = [each.name for each in skill.parameters]
+        if spelled in names:
+            found = errors.UnknownParameter(spelled=spelled, skill=skill.name)
+            return found, f"write `def {METHOD}(self, {spelled}):`"
+        near = difflib.get_close_matches(spelled, [*names, *function.__globals__], n=1)
+        found = errors.UnknownParameter(spelled=spelled, skill=skill.name)
+        return found, f"did you mean `{near[0]}`?" if near else None
+
+    method = Method(
+        implementation,
+        function,
+        f"`{METHOD}` of `{implementation.__name__}`",
+        f"`{METHOD}` only says what the implementation needs; move this to another method",
+        undefined,
+    )
+    made: list[Adding] = []
+
+    def make() -> Adding:
+        made.append(_made(implementation))
+        return made[-1]
+
+    found, are_whole = explored(method, make, skill.parameters)
+    is_replaced = any(each.instance.pre_conditions is not each.pre for each in made)
+    if is_replaced:
+        replaced = errors.ReplacedConditions(conditions="pre_conditions")
+        session.report(replaced.at(written.whole))
+    return found.pre, are_whole and not unknown and not is_replaced
+
+
+def _made(implementation: type[SkillImplementation]) -> Adding:
+    """An instance with conditions to which it adds."""
+    skill = implementation.description.__name__
+    pre, hold, post = Conditions("pre"), _OfTheSkill("hold", skill), _OfTheSkill("post", skill)
+    made: Any = implementation()
+    made.pre_conditions, made.hold_conditions, made.post_conditions = pre, hold, post
+    return Adding(made, pre, hold, post)
+
+
+class _OfTheSkill(Conditions):
+    """Hold- and post-conditions are those of the skill: an implementation adds none."""
+
+    def __init__(self, kind: str, skill: str) -> None:
+        super().__init__(kind)
+        self._skill = skill
+
+    def __iadd__(self, condition: Condition | Unknown) -> Conditions:
+        self.are_whole = False
+        spelled = f"{self._kind}_conditions"
+        found = tree_errors.OnlyPreConditions(spelled=spelled, skill=self._skill)
+        session.report(found.at(session.here()))
+        return self
