@@ -32,6 +32,7 @@ class Shove(SkillDescription):
 
 class shove(Shove.SkillBase):
     def execute(self):
+        self.world.set_value(self.params.Thing, skiros.Weight, 2.0)
         return self.success(f"shoved {self.params.Thing.label}")
 
 
@@ -79,7 +80,12 @@ TREES: list[tuple[str, str, list[str] | str]] = [
     (
         "nut",
         "self.retry(self.inverter(Move(Object=params.One)), 3)",
-        ["lifted nut", *["shoved nut", "shoved nut"] * 2],
+        ["lifted nut", "shoved nut", "shoved nut", "lifted nut"],
+    ),
+    (
+        "bolt",
+        "self.retry(self.inverter(Move(Object=params.One)), 3)",
+        ["shoved bolt", "shoved bolt", "lifted bolt", "shoved bolt", "shoved bolt"],
     ),
     # The child's own parameter is not the one of that name above it.
     (

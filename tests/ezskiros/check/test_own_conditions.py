@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from ezskiros.driver import Checked
+from support.ontologies import PREFIXES
 from support.skill_files import HEADER, checked, found
 
 SKILLS = (
@@ -133,14 +136,32 @@ class Task"""
     assert checked(said).diagnostics == ()
 
 
-def test_a_condition_that_only_some_things_can_fulfil_is_a_choice() -> None:
-    """In a description it is told that not each thing has the property (EZS402)."""
-    text = SKILLS.format(
-        lines="self.pre_conditions += Object.ContainerState == 'Empty'",
-        tree="Place(Object=params.Object)",
-        parameters="Object",
-    ).replace("Object: skiros.Product, Force", "Object: sumo.Object, Force")
-    result = checked(
-        text.replace("        self.pre_conditions += Object.Weight < 9.0\n", "        pass\n")
+def test_a_condition_that_only_some_things_can_fulfil_is_a_choice(tmp_path: Path) -> None:
+    """In a description it is told that not each thing has the property."""
+    (tmp_path / "room.ttl").write_text(
+        f"{PREFIXES}:Location a owl:Class . :Openable a owl:Class ; rdfs:subClassOf :Location .\n"
+        ":Open a owl:DatatypeProperty ; rdfs:domain :Openable ; rdfs:range xsd:boolean .\n"
     )
-    assert [each.code for each in result.diagnostics] == []
+    text = f"""
+from ezskiros import *
+from ezskiros.ontology import load
+
+test = load({str(tmp_path)!r}).test
+
+
+class Enter(SkillDescription):
+    def description(self, Place: test.Location):
+        {{described}}
+
+
+class enter(Enter.SkillBase):
+    def conditions(self, Place):
+        {{own}}
+
+    def execute(self):
+        return self.success(f"{{{{self.params.Place}}}}")
+"""
+    said = "self.pre_conditions += test.Open(Place) == True"
+    in_description = checked(text.format(described=said, own="pass"))
+    assert [each.code for each in in_description.diagnostics] == ["EZS402"]
+    assert checked(text.format(described="pass", own=said)).diagnostics == ()
