@@ -37,7 +37,6 @@ class Child:
     again.
     """
     _children: list[Any]
-    _label: str
     _state: Any
 
     def __init__(self, call: HostedCall, label: str, instanciator: Any) -> None:
@@ -84,9 +83,8 @@ class Child:
     @property
     def label(self) -> str:
         """The implementation that the child has; none as long as another may be taken."""
-        is_open = self._label == "" and len(self._call.known) > 1
         is_idle = self._state in (api().State.Uninitialized, api().State.Idle)
-        return "" if is_open and is_idle else super().label  # type: ignore[misc]
+        return "" if self._call.is_choice and is_idle else super().label  # type: ignore[misc]
 
     def setInstance(self, instance: Any) -> None:  # noqa: N802 - as in SkiROS2
         """Take an implementation; the children of another one are not those of this."""

@@ -18,10 +18,10 @@ from ezskiros.hosts.skiros2_api import api
 from ezskiros.hosts.skiros2_library import CheckedLibrary, check_library
 from ezskiros.hosts.skiros2_skills import (
     HostedSkill,
-    Setting,
     hosted_skill,
     implementation_class,
     refused_class,
+    setting_of,
 )
 from ezskiros.hosts.skiros2_versions import unfit
 from ezskiros.ontology import Ontology
@@ -81,7 +81,7 @@ def _give(checked: CheckedLibrary, text: str) -> None:
         _hosted[each] = hosted_skill(known.interface, ontology, each.__module__)
         _put(each, _hosted[each].description)
     for found in checked.implementations:
-        setting = Setting(found, _hosted[found.description], checked.library)
+        setting = setting_of(found, _hosted[found.description], checked.library)
         _put(found, implementation_class(setting))
     for refused in checked.refused:
         _put(refused, refused_class(refused, text))

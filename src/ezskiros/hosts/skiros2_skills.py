@@ -47,12 +47,8 @@ class Setting:
     implementation: type[SkillImplementation]
     hosted: HostedSkill
     library: Library
-
-    def own_conditions(self) -> tuple[FormCondition, ...]:
-        """The pre-conditions that the implementation has besides those of its skill."""
-        skill, refined = self.hosted.skill, self.library.as_done_by(self.implementation)
-        own = refined.pre[len(skill.pre) :] if refined else ()
-        return conditions_of(skill, own, self.hosted.ontology.model) if own else ()
+    own_conditions: tuple[FormCondition, ...]
+    """The pre-conditions that the implementation has besides those of its skill."""
 
 
 class RefusedSkillError(Exception):
@@ -65,6 +61,16 @@ def hosted_skill(skill: SkillInterface, ontology: Ontology, module: str) -> Host
     parts = {"form": form_of(skill, ontology.model), "docs": docs, "__doc__": skill.doc}
     bases = (Description, api().SkillDescription)
     return HostedSkill(skill, ontology, type(skill.name, bases, {**parts, "__module__": module}))
+
+
+def setting_of(
+    implementation: type[SkillImplementation], hosted: HostedSkill, library: Library
+) -> Setting:
+    """The setting of an implementation that SkiROS2 may load."""
+    skill, refined = hosted.skill, library.as_done_by(implementation)
+    own = refined.pre[len(skill.pre) :] if refined else ()
+    lowered = conditions_of(skill, own, hosted.ontology.model)
+    return Setting(implementation, hosted, library, lowered)
 
 
 def implementation_class(setting: Setting) -> Any:
@@ -154,7 +160,7 @@ class Hosted:
 
     def modifyDescription(self, skill: Any) -> None:  # noqa: N802
         """Called by SkiROS2 when it loads an implementation, and when a child gets it."""
-        for each in self.setting.own_conditions():
+        for each in self.setting.own_conditions:
             condition = _condition(self, each)
             if isinstance(skill, Child):
                 skill.rename(condition)
@@ -224,9 +230,10 @@ def _node(found: HostedNode | HostedCall, compound: Any) -> Any:
     instanciator = compound._instanciator  # noqa: SLF001 - SkiROS2 hands it to nobody
     label = found.label
     if label is None:
-        label = ""  # any that SkiROS2 has loaded
+        # Any that SkiROS2 has loaded; else the first, and with a choice all, which it then loads.
+        label = ""
         if not instanciator.get_instances(f"skiros:{found.type}"):
-            for each in found.known:
+            for each in found.known if found.is_choice else found.known[:1]:
                 instanciator.add_instance(each)
     return child(found, label, instanciator)
 

@@ -20,7 +20,7 @@ from ezskiros.skills.markers import Kind
 from ezskiros.skills.nodes import Decorator, Node, Processor, SkillCall
 from ezskiros.skills.own_conditions import has_own_conditions
 from ezskiros.skills.values import Symbol
-from ezskiros.trees.library import Implementations, Library
+from ezskiros.trees.library import Library
 from ezskiros.trees.names import found_out, shared_names
 
 
@@ -36,7 +36,9 @@ class HostedCall:
     """Where it is described."""
     label: str | None
     known: tuple[str, ...]
-    """Implementations of which one will do, if any does."""
+    """Implementations, of which any will do; with a choice, the one that can start."""
+    is_choice: bool
+    """Whether pre-conditions of their own decide which implementation it is."""
     keys: Mapping[str, str]
     values: Mapping[str, Value]
     """By the keys of the child."""
@@ -99,7 +101,7 @@ def hosted(node: Node, scope: Scope, library: Library) -> HostedNode | HostedCal
 def _call(call: SkillCall, scope: Scope, library: Library) -> HostedCall:
     skill = library.skill(call.skill)
     assert skill is not None, call  # a library with a skill that says nothing is refused
-    end = scope.call()
+    known, end = library.implementations(call.skill), scope.call()
     keys = {each.key: each.key + end for each in skill.parameters}
     shared = {each.parameter.key: scope.shared(each.shared) for each in shared_names(call, skill)}
     keys |= shared
@@ -108,7 +110,8 @@ def _call(call: SkillCall, scope: Scope, library: Library) -> HostedCall:
         type=skill.name,
         module=call.skill.__module__,
         label=call.implementation,
-        known=_enough(library.implementations(call.skill)),
+        known=tuple(known),
+        is_choice=call.implementation is None and any(map(has_own_conditions, known.values())),
         keys=keys,
         values={
             each.key: lowered(call.arguments[each.name], each)
@@ -121,16 +124,6 @@ def _call(call: SkillCall, scope: Scope, library: Library) -> HostedCall:
             for each in found_out(call, skill, library.doing(call))
         },
     )
-
-
-def _enough(known: Implementations) -> tuple[str, ...]:
-    """Those up to the first that can always do what the description says."""
-    found: list[str] = []
-    for name, each in known.items():
-        found.append(name)
-        if not has_own_conditions(each):
-            break
-    return tuple(found)
 
 
 def lowered(value: object, parameter: Parameter) -> Value:

@@ -39,12 +39,15 @@ def told(found: list[str]) -> list[str]:
     return [text for label, state, text in parts if state == "Success" and label in PRIMITIVES]
 
 
-@pytest.mark.parametrize("loaded", [("lift", "push", "leave"), ()], ids=["loaded", "not loaded"])
+ORDERS = [("lift", "push", "leave"), ("leave", "push", "lift"), ()]
+
+
+@pytest.mark.parametrize("loaded", ORDERS, ids=["loaded", "turned round", "not loaded"])
 @pytest.mark.parametrize(("one", "tree", "expected"), TREES)
 def test_the_implementation_whose_conditions_hold_is_taken(
     package: Any, one: str, tree: str, expected: list[str] | str, loaded: tuple[str, ...]
 ) -> None:
-    name = package("library", "from ezskiros import OPTIONAL\n" + skills(tree))
+    name = package("library", skills(tree))
     core = skiros2_core.Core()
     core.load(name, *loaded, "task")
     known = things(core)
@@ -55,6 +58,19 @@ def test_the_implementation_whose_conditions_hold_is_taken(
     else:
         assert told(found) == expected
         assert (state == "Success") or "inverter" in tree
+
+
+def test_the_order_in_which_skiros2_has_loaded_them_counts(package: Any) -> None:
+    """The first of the file can always start, and SkiROS2 has loaded another one before it."""
+    conditions = "    def conditions(self, Object):\n        self.pre_conditions += "
+    text = skills("Move(Object=params.One)").replace(f"{conditions}Object.Weight == 2.0\n", "")
+    name = package("library", text)
+    for one, expected in (("feather", ["left feather"]), ("nut", ["lifted nut"])):
+        core = skiros2_core.Core()
+        core.load(name, "leave", "lift", "task")
+        known = things(core)
+        state, found = core.run("Task", "task", One=known[one], Object=known["feather"])
+        assert (state, told(found)) == ("Success", expected)
 
 
 @pytest.mark.parametrize(("one", "two", "expected"), PAIRS)
