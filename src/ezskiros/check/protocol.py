@@ -1,7 +1,7 @@
-"""The methods of primitive skills: whether they return what SkiROS2 waits for.
+"""The methods of implementations: whether they are called, and return what SkiROS2 waits for.
 
 `execute` returns what `self.success`, `self.step` and `self.fail` give, `onStart` and `onEnd`
-whether they succeeded.
+whether they succeeded. Other methods are called by these.
 """
 
 from __future__ import annotations
@@ -18,10 +18,19 @@ from dslkit.source.call_site import node_span
 from ezskiros.check import tree_errors as errors
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.methods import Written, own_method, told_state, written
-from ezskiros.skills.syntax import class_span, definition
+from ezskiros.skills.own_conditions import METHOD
+from ezskiros.skills.syntax import attributes_in, class_span, definition
 
 STATE, TRUTH = "execute", ("onStart", "onEnd")
-METHODS = ("expandBT", STATE, *TRUTH, "onPreempt")
+TASKS = ("expandBT", STATE)
+METHODS = (*TASKS, "onInit", *TRUTH, "onPreempt", METHOD)
+"""The methods of an implementation that are called by others than itself."""
+_OF_SKIROS2 = {
+    "createDescription": "delete it: `Skill.SkillBase` says which skill it is",
+    "modifyDescription": f"add pre-conditions in `def {METHOD}(self, Parameter):`",
+    "expand": "write the tree in `def expandBT(self, params):`",
+}
+"""Methods of SkiROS2's own classes, and what to do instead."""
 _NO_STATE = (
     ast.Constant, ast.Compare, ast.JoinedStr, ast.List, ast.Tuple, ast.Dict, ast.Set, ast.Lambda,
 )  # fmt: skip
@@ -30,8 +39,10 @@ _PROGRESS = ((str, "a text"), (int, "a whole number"))
 
 def check_protocol(implementation: type[SkillImplementation]) -> Iterator[Diagnostic]:
     """What the methods return that nobody waits for, in the order of the protocol."""
-    if not any(own_method(implementation, name) for name in ("expandBT", STATE)):
+    if not any(own_method(implementation, name) for name in TASKS):
         yield _nothing_to_do(implementation)
+    else:
+        yield from _never_called(implementation)
     for name in (STATE, *TRUTH):
         method = own_method(implementation, name)
         found = written(method) if method else None
@@ -56,12 +67,28 @@ def _nothing_to_do(implementation: type[SkillImplementation]) -> Diagnostic:
     """The finding for an implementation that does nothing, with the method that may be meant."""
     found = errors.NothingToDo(implementation=implementation.__name__)
     for name, method in vars(implementation).items():
-        near = difflib.get_close_matches(name, ("expandBT", STATE), n=1, cutoff=0.7)
+        near = difflib.get_close_matches(name, TASKS, n=1, cutoff=0.7)
         if near and isinstance(method, FunctionType):
             is_old = name == "expand"
             help = "`ezskiros migrate` translates it" if is_old else f"did you mean `{near[0]}`?"
             return found.at(definition(method).whole, help=help)
     return found.at(class_span(implementation))
+
+
+def _never_called(implementation: type[SkillImplementation]) -> Iterator[Diagnostic]:
+    """The methods that are called like those of the protocol, or are SkiROS2's, and that nothing in
+    the class speaks of.
+    """
+    spoken_of = attributes_in(implementation)
+    lower = {each.lower(): each for each in METHODS}
+    for name, method in vars(implementation).items():
+        if not isinstance(method, FunctionType) or name in {*METHODS, *spoken_of}:
+            continue
+        near = difflib.get_close_matches(name.lower(), lower, n=1, cutoff=0.85)
+        help = _OF_SKIROS2.get(name) or (f"did you mean `{lower[near[0]]}`?" if near else None)
+        if help is not None:
+            found = errors.NeverCalled(implementation=implementation.__name__, method=name)
+            yield found.at(definition(method).whole, help=help)
 
 
 def _wrong_returns(implementation: str, method: str, found: Written) -> Iterator[Diagnostic]:

@@ -235,6 +235,15 @@ class NothingToDo(Error, code="EZS542", name="nothing-to-do"):
     implementation: str
 
 
+class NeverCalled(Warning, code="EZS564", name="never-called"):
+    """A method whose name is nearly that of one that is called, or is one of SkiROS2."""
+
+    title = "nothing calls `{method}` of `{implementation}`"
+    note = "the skill runs without it, in SkiROS2 as well"
+    implementation: str
+    method: str
+
+
 class WrongProgress(Error, code="EZS547", name="wrong-progress"):
     """What `success`, `step` or `fail` is given and cannot say."""
 
@@ -301,6 +310,7 @@ ALL: tuple[type[Template], ...] = (
     NoState,
     NoTruth,
     NothingToDo,
+    NeverCalled,
     WrongProgress,
     NeverSucceeds,
     NeverReached,
