@@ -17,7 +17,7 @@ from dataclasses import replace
 from types import FunctionType
 from typing import Any
 
-from dslkit.diagnostics import Template
+from dslkit.diagnostics import Diagnostic, Template
 from ezskiros import session
 from ezskiros.ontology.things import Condition, Unknown
 from ezskiros.skills import errors, tree_errors
@@ -63,7 +63,8 @@ def _own(
         and name not in skill.unclear
     ]
     for name in unknown:
-        session.report(no_such_parameter(skill, name, written.name_of(name)))
+        found = no_such_parameter(skill, name, written.name_of(name))
+        session.report(found if found.help else replace(found, help=_signature_help(skill)))
 
     def undefined(spelled: str) -> tuple[Template, str | None]:
         names = [each.name for each in skill.parameters]
@@ -87,12 +88,31 @@ def _own(
         made.append(_made(implementation))
         return made[-1]
 
-    found, are_whole = explored(method, make, skill.parameters)
+    added, are_whole = explored(method, make, skill.parameters)
     is_replaced = any(each.instance.pre_conditions is not each.pre for each in made)
     if is_replaced:
         replaced = errors.ReplacedConditions(conditions="pre_conditions")
         session.report(replaced.at(written.whole))
-    return found.pre, are_whole and not unknown and not is_replaced
+    elif are_whole and not unknown and not added.pre:
+        session.report(_adds_nothing(implementation, function))
+    return added.pre, are_whole and not unknown and not is_replaced
+
+
+def _signature_help(skill: SkillInterface) -> str:
+    """How the method is written for the first parameter of a skill."""
+    things = [each.name for each in skill.parameters if each.is_thing]
+    first = next(iter([*things, *(each.name for each in skill.parameters)]), "Parameter")
+    return f"write `def {METHOD}(self, {first}):`: the parameters of the skill have their own names"
+
+
+def _adds_nothing(implementation: type[SkillImplementation], function: FunctionType) -> Diagnostic:
+    found = tree_errors.NoOwnConditions(implementation=implementation.__name__)
+    help = None
+    if inspect.isgeneratorfunction(function) or inspect.isasyncgenfunction(function):
+        help = "leave out `yield`: the method is called, and nobody asks for what it yields"
+    elif inspect.iscoroutinefunction(function):
+        help = "leave out `async`: the method is called, and not awaited"
+    return found.at(definition(function).whole, help=help)
 
 
 def _made(implementation: type[SkillImplementation]) -> Adding:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template
+from dslkit.diagnostics import Error, Template, Warning
 
 
 class NoChildren(Error, code="EZS501", name="no-children"):
@@ -163,6 +163,14 @@ class OnlyPreConditions(Error, code="EZS563", name="only-pre-conditions"):
     skill: str
 
 
+class NoOwnConditions(Warning, code="EZS565", name="no-own-conditions"):
+    """A method `conditions` that adds none."""
+
+    title = "`conditions` of `{implementation}` adds no pre-condition"
+    help = "write `self.pre_conditions += ...`, or leave out the method"
+    implementation: str
+
+
 ALL: tuple[type[Template], ...] = (
     NoChildren,
     NoNode,
@@ -181,4 +189,5 @@ ALL: tuple[type[Template], ...] = (
     UnknownProcessor,
     WrongMakerCall,
     OnlyPreConditions,
+    NoOwnConditions,
 )

@@ -84,6 +84,26 @@ def test_what_is_wrong_is_told_where_it_is(
     assert found(told(lines, parameters=parameters)) == [(code, place)]
 
 
+@pytest.mark.parametrize(
+    ("lines", "help"),
+    [
+        ("Object.Weight == 2.0", "write `self.pre_conditions += ...`, or leave out the method"),
+        ("yield Object.Weight", "leave out `yield`: the method is called, and nobody asks for what "
+                                "it yields"),
+    ],
+)  # fmt: skip
+def test_a_method_that_adds_nothing_is_told(lines: str, help: str) -> None:
+    (only,) = told(lines).diagnostics
+    assert (only.code, only.help) == ("EZS565", help)
+
+
+def test_parameters_are_taken_by_their_names() -> None:
+    (only,) = told("self.pre_conditions += params.Object.Weight", parameters="params").diagnostics
+    assert (only.code, only.primary.span.text) == ("EZS508", "params")
+    assert only.help is not None
+    assert "`def conditions(self, Object):`" in only.help
+
+
 def test_a_child_that_names_the_implementation_has_to_fulfil_its_conditions() -> None:
     """The weight is 5 when `Take` starts."""
     tree = "Place(Object=params.Object), Take{}(Object=params.Object)"
@@ -110,7 +130,11 @@ def test_with_a_choice_a_child_has_to_fulfil_the_description_only() -> None:
 
 def test_a_compound_counts_on_its_own_conditions() -> None:
     """Each child needs a light object, and only the implementation says that it is one."""
-    body = SKILLS.format(lines="pass", tree="Lift(Object=params.Object)", parameters="Object")
+    body = SKILLS.format(
+        lines="self.pre_conditions += Object.Weight",
+        tree="Lift(Object=params.Object)",
+        parameters="Object",
+    )
     lift = """
 class Lift(SkillDescription):
     def description(self, Object: skiros.Product):
@@ -163,5 +187,5 @@ class enter(Enter.SkillBase):
 """
     said = "self.pre_conditions += test.Open(Place) == True"
     in_description = checked(text.format(described=said, own="pass"))
-    assert [each.code for each in in_description.diagnostics] == ["EZS402"]
+    assert [each.code for each in in_description.diagnostics] == ["EZS402", "EZS565"]
     assert checked(text.format(described="pass", own=said)).diagnostics == ()
