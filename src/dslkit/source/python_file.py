@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import tokenize
+import warnings
 from pathlib import Path
+
+from dslkit.source.call_site import line_span
+from dslkit.source.file import SourceFile
+from dslkit.source.span import Span
 
 DEEPEST = 200
 """How deep brackets may lie in each other; Python itself takes no more."""
@@ -20,6 +26,27 @@ def read_python(path: Path) -> tuple[str, str]:
     with path.open("rb") as file:
         encoding, _ = tokenize.detect_encoding(file.readline)
     return encoding, path.read_bytes().decode(encoding)
+
+
+def refusal(file: SourceFile) -> tuple[str, Span] | None:
+    """Why Python refuses the text of a file, and where; None if it takes the text.
+
+    Other parsers take some texts that Python refuses: bytes that are 0, escapes in strings that
+    mean nothing.
+    """
+    nothing = file.text.find("\0")
+    if nothing >= 0:
+        return "a byte is 0", Span(file, nothing, nothing + 1)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ast.parse(file.text)
+    except SyntaxError as problem:
+        line = min(max(problem.lineno or 1, 1), len(file.line_starts))
+        return problem.msg, line_span(file, line)
+    except (ValueError, RecursionError, MemoryError) as problem:
+        return str(problem) or type(problem).__name__, Span(file, 0, 0)
+    return None
 
 
 def too_deep(text: str) -> int | None:

@@ -9,7 +9,7 @@ import libcst as cst
 
 from dslkit.diagnostics import Diagnostic, listed
 from dslkit.source import SourceFile, Span
-from dslkit.source.python_file import too_deep
+from dslkit.source.python_file import refusal, too_deep
 from ezskiros.migrate import errors, implementation_errors
 from ezskiros.migrate.bases import Bases
 from ezskiros.migrate.built import built_in
@@ -86,6 +86,10 @@ def migrate_text(
         said = str(problem).partition("\n")[0] or type(problem).__name__
         found = errors.UnreadableSource(said=said)
         return Migrated(file, text, diagnostics=[found.at(Span(file, 0, 0))])
+    refused = refusal(file)
+    if refused is not None:
+        said, span = refused
+        return Migrated(file, text, diagnostics=[errors.UnreadableSource(said=said).at(span)])
     if skills is None:
         own = _File(file, module, world, inherited, ambiguous, Skills(), ()).migrated()
         bases = Bases(own.built)
