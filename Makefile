@@ -96,6 +96,7 @@ check: $(READY)
 bench: $(READY) compiler ros1 prover
 	@benchmarks/peers/setup.sh
 	PYTHONPATH=tests $(RUN)/python benchmarks/run.py --out docs/reference/performance.md
+	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/ros_nodes.py --out docs/reference/performance-nodes.md
 	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md
 	$(RUN)/python benchmarks/proofs.py --out docs/reference/performance-proofs.md
 	$(RUN)/python benchmarks/heron_run.py --out docs/reference/performance-heron.md

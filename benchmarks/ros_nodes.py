@@ -13,10 +13,13 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from machine import processor
+from written_page import written_page
+
 from rossmarie.ir import Machine
 from support import ros1_build, ros1_live, ros2_build, ros2_live
 from support.compiled import machine_of
-from support.live import Process, Ros
+from support.live import Process, Ros, talking
 from support.live_cases import sensors
 
 HERE = Path(__file__).parent
@@ -92,12 +95,27 @@ class Lateness:
 
 
 def lines(folder: Path) -> Iterator[str]:
-    """The sections on the nodes; one sentence for a generation that is not installed."""
+    """The page on the nodes; one sentence for a generation that is not installed."""
+    yield "# How late commands come out of the nodes"
+    yield ""
+    yield "Written by `benchmarks/ros_nodes.py`; do not edit. Each section is one run on one machine"
+    yield f"({processor()}); ratios carry over."
+    yield ""
     shutil.rmtree(folder, ignore_errors=True)
     lacking = ros1_live.missing() or (None if RELAY.exists() else f"there is no {RELAY}")
     yield from _section(ROS1, lacking, lambda: _ros1(folder.resolve() / "ros1"))
     yield ""
     yield from _section(ROS2, ros2_live.missing(), lambda: _ros2(folder.resolve() / "ros2"))
+
+
+def main() -> None:
+    """Measure, print and write."""
+    out = written_page(__doc__)
+    found: list[str] = []
+    for line in lines(HERE.parent / "build" / "bench" / "ros"):
+        print(line, flush=True)
+        found.append(line)
+    out.write_text("\n".join(found) + "\n", encoding="utf-8")
 
 
 def _section(
@@ -219,7 +237,7 @@ class _Node:
     @contextmanager
     def _running(self, program: Path, *arguments: str) -> Iterator[Process]:
         log = Path(self._ros.variables["HOME"]) / f"{program.name}.log"
-        process = Process([str(program), *arguments], self._ros.variables, log)
+        process = Process([str(program), *arguments], self._ros.variables, log, talking)
         try:
             yield process
         finally:
@@ -257,9 +275,12 @@ def _cpu_seconds(process: int) -> float:
 
 
 def _stripped_kib(program: Path) -> float:
-    stripped = program.with_suffix(".stripped")
-    subprocess.run(["strip", program, "-o", stripped], check=True)
-    return stripped.stat().st_size / 1024
+    """The size of a program with the library of its package that has the node, if there is one."""
+    library = program.parents[1] / f"lib{program.parent.name}_node.so"
+    parts = [program, library] if library.exists() else [program]
+    for each in parts:
+        subprocess.run(["strip", each, "-o", each.with_suffix(".stripped")], check=True)
+    return sum(each.with_suffix(".stripped").stat().st_size for each in parts) / 1024
 
 
 def _lateness(line: str) -> Lateness:
@@ -276,3 +297,7 @@ def _median(rounds: Sequence[Lateness]) -> Lateness:
         sum(late.count for late in rounds),
         rounds[-1].last_s,
     )
+
+
+if __name__ == "__main__":
+    main()

@@ -17,7 +17,6 @@ from pathlib import Path
 import compiler_speed
 import numpy as np
 import peers_run
-import ros_nodes
 import start_up
 from generated import (
     from_python_columns,
@@ -240,8 +239,6 @@ def main() -> None:
         *compiler_speed.lines(BENCH / "generated"),
         "",
         *start_up.lines(),
-        "",
-        *ros_nodes.lines(BENCH / "ros"),
     ]
     text = "\n".join(lines) + "\n"
     out.write_text(text, encoding="utf-8")
