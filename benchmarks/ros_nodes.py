@@ -98,8 +98,8 @@ def lines(folder: Path) -> Iterator[str]:
     """The page on the nodes; one sentence for a generation that is not installed."""
     yield "# How late commands come out of the nodes"
     yield ""
-    yield "Written by `benchmarks/ros_nodes.py`; do not edit. Each section is one run on one machine"
-    yield f"({processor()}); ratios carry over."
+    yield "Written by `benchmarks/ros_nodes.py`; do not edit. Each section is one run on one"
+    yield f"machine ({processor()}); ratios carry over."
     yield ""
     shutil.rmtree(folder, ignore_errors=True)
     lacking = ros1_live.missing() or (None if RELAY.exists() else f"there is no {RELAY}")
