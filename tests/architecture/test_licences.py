@@ -32,6 +32,7 @@ ADVICE = (
 )
 WORDS = {
     "Apache 2.0": {"Apache-2.0"},
+    "Apache License Version 2.0, January 2004": {"Apache-2.0"},
     "Apache Software License": {"Apache-2.0"},
     "BSD": {"BSD-2-Clause", "BSD-3-Clause"},
     "BSD 2-Clause License": {"BSD-2-Clause"},
@@ -68,14 +69,25 @@ def installed(name: str) -> Distribution | None:
 
 
 def told(metadata: Distribution) -> set[str]:
-    """The licences that an installed package may have, as far as its metadata say it."""
+    """The licences that an installed package may have, as far as its metadata say it; where they
+    say nothing, as its own file says in its first lines.
+    """
     fields: Mapping[str, Any] = metadata.metadata.json
     if "license_expression" in fields:
         return identifiers(fields["license_expression"])
     classifiers: Sequence[str] = fields.get("classifier", ())
     words = [each.rpartition(" :: ")[2] for each in classifiers if each.startswith("License")]
     words += fields.get("license", "").splitlines()[:1]
+    if not words:
+        words = [_first_lines(metadata)]
     return {found for each in words for found in WORDS.get(each, identifiers(each))}
+
+
+def _first_lines(metadata: Distribution) -> str:
+    """The first two lines of the licence that a package brings, in one; empty if it brings none."""
+    texts = (file.read_text() for file in metadata.files or () if file.name == "LICENSE")
+    lines = (line.strip() for line in next(texts, "").splitlines())
+    return " ".join([line for line in lines if line][:2])
 
 
 def identifiers(expression: str) -> set[str]:
