@@ -69,7 +69,7 @@ def _own(
     def undefined(spelled: str) -> tuple[Template, str | None]:
         names = [each.name for each in skill.parameters]
         if spelled in names:
-            found = errors.UnknownParameter(spelled=spelled, skill=skill.name)
+            found = errors.UnknownParameter(spelled=spelled, skill=METHOD)
             return found, f"write `def {METHOD}(self, {spelled}):`"
         near = difflib.get_close_matches(spelled, [*names, *function.__globals__], n=1)
         found = errors.UnknownParameter(spelled=spelled, skill=skill.name)
