@@ -29,10 +29,10 @@ def read_python(path: Path) -> tuple[str, str]:
 
 
 def refusal(file: SourceFile) -> tuple[str, Span] | None:
-    """Why Python refuses the text of a file, and where; None if it takes the text.
+    """The reason for which Python refuses the text of a file, and the place; None if it takes it.
 
-    Other parsers take some texts that Python refuses: bytes that are 0, escapes in strings that
-    mean nothing.
+    Other parsers take some texts that Python refuses: bytes that are 0, and escapes in strings that
+    are no escapes.
     """
     nothing = file.text.find("\0")
     if nothing >= 0:

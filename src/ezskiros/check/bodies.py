@@ -131,7 +131,7 @@ def _catches(handler: ast.ExceptHandler) -> bool:
 
 
 def _is_guarded(node: ast.If | ast.IfExp | ast.While | ast.BoolOp) -> bool:
-    """Whether a condition asks what there is on a machine."""
+    """Tell whether a condition asks what there is on a machine."""
     test = node if isinstance(node, ast.BoolOp) else node.test
     for each in ast.walk(test):
         match each:

@@ -15,7 +15,7 @@ from ezskiros.trees.library import Library
 def check_own_conditions(
     implementation: type[SkillImplementation], library: Library
 ) -> Iterator[Diagnostic]:
-    """What is wrong with the skill as this implementation does it, and with its description not."""
+    """Find mistakes that the skill has with these pre-conditions, and does not have without."""
     skill, ontology = library.skill(implementation.description), library.ontology()
     refined = library.as_done_by(implementation)
     if skill is None or refined is None or refined is skill or ontology is None:

@@ -122,6 +122,7 @@ def known_at_start(skill: SkillInterface) -> Known:
 
 
 def _with(skill: SkillInterface, added: Added) -> SkillInterface:
+    """A skill with the pre-conditions that are added to it."""
     more = added.get(skill.name)
     return replace(skill, pre=(*skill.pre, *more)) if more else skill
 

@@ -163,7 +163,7 @@ class RunningSkill(Behaviour):
         return problem
 
     def _choose(self) -> Reason | None:
-        """Take the first plan whose pre-conditions hold; why none do, None if one is taken."""
+        """Take the first plan whose pre-conditions hold; the reason if there is none, else None."""
         problems: list[tuple[str, Reason]] = []
         self._text = ""
         for plan in self._plans():
@@ -180,11 +180,11 @@ class RunningSkill(Behaviour):
         return _none_can(problems)
 
     def _plans(self) -> Sequence[Plan]:
-        """How it may start, in the order in which that is tried."""
+        """The plans by which the skill may start, in the order in which they are tried."""
         return self._setting.plans.of(self._call)
 
     def _ground(self, plan: Plan, values: dict[str, Any]) -> Reason | None:
-        """Infer what is to be inferred; why the pre-conditions do not hold, None if they do."""
+        """Infer parameters; the reason if the pre-conditions do not hold then, else None."""
         if not plan.inferred and not plan.skill.pre:
             return None
         grounding = Grounding(plan, self._names, values, self._setting)
@@ -337,7 +337,7 @@ class RunningSkill(Behaviour):
 
 
 def _none_can(problems: Sequence[tuple[str, Reason]]) -> Reason:
-    """Why no implementation can start; of several each with its own reason."""
+    """The reason for which no implementation can start; of several the reason of each."""
     first = problems[0][1]
     if len(problems) == 1:
         return first

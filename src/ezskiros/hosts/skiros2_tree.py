@@ -38,7 +38,7 @@ class HostedCall:
     known: tuple[str, ...]
     """Implementations, of which any will do; with a choice, the one that can start."""
     is_choice: bool
-    """Whether pre-conditions of their own decide which implementation it is."""
+    """Pre-conditions of their own decide which implementation it is."""
     keys: Mapping[str, str]
     values: Mapping[str, Value]
     """By the keys of the child."""

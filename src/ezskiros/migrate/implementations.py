@@ -233,9 +233,11 @@ class _Class:
 
     # --- its methods --------------------------------------------------------------------------
 
-    def _methods(self, skill: Skill) -> tuple[dict[int, cst.CSTNode], set[str]]:
-        """The new parts of the class by the old ones, and the methods that nobody needs more."""
-        new: dict[int, cst.CSTNode] = {}
+    def _methods(self, skill: Skill) -> tuple[dict[int, cst.CSTNode | None], set[str]]:
+        """The new parts of the class by the old ones, None for those that go, and the methods that
+        became part of the tree.
+        """
+        new: dict[int, cst.CSTNode | None] = {}
         used: set[str] = set()
         tree = _functions(self._node).get(OLD)
         if tree is not None:
@@ -258,14 +260,14 @@ class _Class:
         )
         return new, used
 
-    def _own_conditions(self, function: cst.FunctionDef, skill: Skill) -> cst.CSTNode:
-        """The method `conditions`; nothing but its comments, if it has none."""
+    def _own_conditions(self, function: cst.FunctionDef, skill: Skill) -> cst.FunctionDef | None:
+        """The method `conditions`; None if it would add nothing."""
         context = self._context
         found, left = own_conditions.translate_own(
             function, skill, context.names, context.known, self._code
         )
         self._found.findings += left
-        return found or cst.EmptyLine()
+        return found
 
     def _uses(self, skill: Skill) -> Methods:
         return Methods(skill, self._code, self._node, self._context.states)
@@ -275,7 +277,7 @@ class _Class:
         self._found.warnings += uses.warnings
 
     def _body(
-        self, parts: Mapping[int, cst.CSTNode], comments: Sequence[str], used: set[str]
+        self, parts: Mapping[int, cst.CSTNode | None], comments: Sequence[str], used: set[str]
     ) -> cst.BaseSuite:
         """The body, with the comments of what goes above what comes behind it."""
         waiting: list[str] = []
@@ -287,12 +289,11 @@ class _Class:
                     body.append(switch(PLANNED, waiting, is_first=not body))
                     waiting = []
             elif not (isinstance(part, cst.FunctionDef) and part.name.value in used):
-                if isinstance(part, cst.FunctionDef) and isinstance(parts[id(part)], cst.EmptyLine):
-                    waiting += [each for each in texts(part.leading_lines) if each]
-                    waiting += inner_comments(part.body)
+                new = parts[id(part)]
+                if new is None:
+                    waiting += inner_comments(without_old_marks(part))
                     continue
-                new = without_old_marks(parts[id(part)])
-                body.append(with_lines(new, waiting, is_first=not body))
+                body.append(with_lines(without_old_marks(new), waiting, is_first=not body))
                 waiting = []
         footer = getattr(self._node.body, "footer", ())
         if not body or all(docstring_of(each) is not None for each in body):

@@ -233,7 +233,7 @@ class _File:
     def _implementations(
         self, classes: Sequence[cst.ClassDef], names_of_file: Names
     ) -> list[Implementation]:
-        """What becomes of the classes that implement skills; the file gets the names they use."""
+        """Translate the classes that implement skills; the file gets the names that they use."""
         names = imported_names(self._module)
         found = []
         for node in classes:

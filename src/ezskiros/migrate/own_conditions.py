@@ -101,7 +101,9 @@ class _Method:
             self._leave(step.node, step.statement)
 
     def _is_declared(self, call: cst.Call | None) -> bool:
-        """Whether it adds an optional parameter: what uses it declares it in the description."""
+        """Tell whether a call adds an optional parameter, which the children that share it declare
+        in the description.
+        """
         if call is None or method(call, self._argument) != "addParam":
             return False
         kind = Arguments(call, "addParam").get("param_type")

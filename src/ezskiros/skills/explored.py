@@ -86,7 +86,7 @@ def _conditions(way: Way[Adding]) -> tuple[Conditions, bool]:
 
 
 def _symbols(parameters: Sequence[Parameter]) -> dict[str, object]:
-    """What stands in the places of the parameters."""
+    """The symbols that stand in the places of the parameters."""
     return {
         each.name: symbol(each.type, each.name)
         if isinstance(each.type, ThingClass)

@@ -106,7 +106,7 @@ def _try_examples(
         function(*values, **by_name)
     except TypeError as refused:
         raise refused from None
-    except Exception:  # whatever it is, another value may be right
+    except Exception:  # the values are made up: only a TypeError says that no value fits
         return
 
 

@@ -28,23 +28,26 @@ from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Clause, SkillInterface
 from ezskiros.skills.no_such_parameter import no_such_parameter
 from ezskiros.skills.parameters import signature_of
-from ezskiros.skills.syntax import definition
+from ezskiros.skills.syntax import class_span, definition
 from ezskiros.skills.tracing import Method
 
 METHOD = "conditions"
 
 
 def has_own_conditions(implementation: type[SkillImplementation]) -> bool:
-    """Whether an implementation has the method `conditions`."""
+    """Tell whether an implementation has the method `conditions`."""
     return isinstance(inspect.getattr_static(implementation, METHOD, None), FunctionType)
 
 
 def refined(implementation: type[SkillImplementation], described: Described) -> Described:
     """The skill as this implementation does it. What is wrong with its conditions is reported."""
     function = inspect.getattr_static(implementation, METHOD, None)
+    skill = described.interface
+    if function is not None and not isinstance(function, FunctionType):
+        other = tree_errors.NoOwnConditions(implementation=implementation.__name__)
+        session.report(other.at(class_span(implementation), help=_signature_help(skill)))
     if not isinstance(function, FunctionType):
         return described
-    skill = described.interface
     own, are_whole = _own(implementation, function, skill)
     interface = replace(skill, pre=(*skill.pre, *own))
     return Described(interface, described.ontology, described.is_whole and are_whole)
@@ -99,13 +102,14 @@ def _own(
 
 
 def _signature_help(skill: SkillInterface) -> str:
-    """How the method is written for the first parameter of a skill."""
+    """The help for the signature of the method, with the first parameter of a skill."""
     things = [each.name for each in skill.parameters if each.is_thing]
     first = next(iter([*things, *(each.name for each in skill.parameters)]), "Parameter")
     return f"write `def {METHOD}(self, {first}):`: the parameters of the skill have their own names"
 
 
 def _adds_nothing(implementation: type[SkillImplementation], function: FunctionType) -> Diagnostic:
+    """The finding for a method without an effect, with the keyword that may be the cause."""
     found = tree_errors.NoOwnConditions(implementation=implementation.__name__)
     help = None
     if inspect.isgeneratorfunction(function) or inspect.isasyncgenfunction(function):

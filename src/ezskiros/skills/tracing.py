@@ -7,6 +7,7 @@ not end is ended.
 
 from __future__ import annotations
 
+import difflib
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -153,7 +154,10 @@ def _raised(method: Method, problem: BaseException) -> Diagnostic:
 
 
 def _help_for(problem: BaseException) -> str | None:
-    """What to write where `self.` is forgotten: `pre_conditions += ...`."""
+    """The help where `self.` is forgotten, `pre_conditions += ...`, or the name is misspelt."""
+    if isinstance(problem, AttributeError) and problem.name:
+        near = difflib.get_close_matches(problem.name, CONDITIONS, n=1, cutoff=0.75)
+        return f"did you mean `self.{near[0]}`?" if near else None
     unbound = isinstance(problem, UnboundLocalError)
     names = (each for each in CONDITIONS if unbound and f"'{each}'" in str(problem))
     return next((f"write `self.{each} += ...`" for each in names), None)

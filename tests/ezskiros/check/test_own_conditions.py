@@ -97,6 +97,25 @@ def test_a_method_that_adds_nothing_is_told(lines: str, help: str) -> None:
     assert (only.code, only.help) == ("EZS565", help)
 
 
+def test_a_misspelt_attribute_is_told_with_the_right_one() -> None:
+    (only,) = told("self.pre_condition += Object.Weight == 2.0").diagnostics
+    assert (only.code, only.help) == ("EZS220", "did you mean `self.pre_conditions`?")
+
+
+def test_conditions_that_are_no_method_are_told() -> None:
+    text = SKILLS.format(
+        lines="self.pre_conditions += Object.Weight",
+        tree="Place(Object=params.Object)",
+        parameters="Object",
+    )
+    method = "    def conditions(self, Object):\n        self.pre_conditions += Object.Weight\n"
+    for other in ("    conditions = ['light']\n", f"    @staticmethod\n{method}"):
+        (only,) = checked(text.replace(method, other)).diagnostics
+        assert (only.code, only.primary.span.text) == ("EZS565", "take_light")
+        assert only.help is not None
+        assert only.help.startswith("write `def conditions(self, Object):`")
+
+
 def test_parameters_are_taken_by_their_names() -> None:
     (only,) = told("self.pre_conditions += params.Object.Weight", parameters="params").diagnostics
     assert (only.code, only.primary.span.text) == ("EZS508", "params")

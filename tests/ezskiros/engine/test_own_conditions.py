@@ -14,7 +14,7 @@ CHOOSING = "Move(Object=params.One)"
 
 
 def told(ran: Ran) -> list[str]:
-    """What primitives have said at their ends."""
+    """The texts that primitives have said at their ends."""
     ended = [each for each in ran.events if each.happened is Happened.SUCCEEDED]
     return [each.text for each in ended if each.text != "End"]
 
