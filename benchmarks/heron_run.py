@@ -7,7 +7,7 @@ import time
 from machine import processor
 from written_page import written_page
 
-from heron.experiments import EXPERIMENTS, Experiment
+from heron.experiments import EXPERIMENTS, USUAL, Experiment
 from heron.variants import Arm
 
 ROUNDS = 9
@@ -16,7 +16,7 @@ ROUNDS = 9
 def seconds(experiment: Experiment, variant: str, arm: Arm) -> tuple[float, float]:
     """The CPU time of an episode, and how long it was."""
     start = time.process_time()
-    episode = experiment.run(arm, experiment.variants[variant], 0, ())
+    episode = experiment.run(arm, experiment.variants[variant], 0, (), USUAL)
     return time.process_time() - start, episode.measures.duration
 
 

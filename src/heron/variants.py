@@ -10,6 +10,7 @@ class Arm(str, enum.Enum):
     """What guards the robot in an experiment."""
 
     NONE = "none"
+    COLLISION_MONITOR = "collision_monitor"  # zones of a range scan slow it down and stop it
     DEROS = "deros"  # rules stop it until an operator comes
     ROSSMARIE = "rossmarie"  # by rules, it recovers
 
@@ -43,3 +44,10 @@ VARIANTS: Mapping[str, tuple[enum.Enum, ...]] = {
     "human": (Person.INSIDE, Person.OUTSIDE),
 }
 """Of each experiment, by its name. The first one is run if none is named."""
+
+ARMS: Mapping[str, tuple[Arm, ...]] = {
+    "nav": tuple(Arm),
+    "place": (Arm.NONE, Arm.DEROS, Arm.ROSSMARIE),  # no zone says anything of a table
+    "human": tuple(Arm),
+}
+"""Of each experiment, by its name, in the order in which they are shown."""

@@ -12,6 +12,7 @@ import glfw
 import mujoco
 import mujoco.viewer
 
+from heron.appearance import Stage, moment_of
 from heron.experiments import Node
 from heron.experiments.table import Camera
 from heron.guard import Guard
@@ -42,6 +43,8 @@ class Window:
     def __init__(self, cameras: Iterable[Camera]) -> None:
         self._cameras = iter(cameras)
         self._handle: Any = None
+        self._physics: Physics | None = None
+        self._stage: Stage | None = None
         self._drawing: list[threading.Thread] = []
         self._began_s = 0.0
 
@@ -61,31 +64,37 @@ class Window:
             if not self._handle.is_running():
                 return []
             self.__exit__()
+        self._physics, self._stage = physics, Stage(physics.spec)
+        self._stage.show(moment_of(physics.data))
         others = threading.enumerate()
         self._handle = mujoco.viewer.launch_passive(
-            physics.model, physics.data, show_left_ui=False, show_right_ui=False
+            self._stage.model, self._stage.data, show_left_ui=False, show_right_ui=False
         )
         self._drawing = [each for each in threading.enumerate() if each not in others]
         camera = next(self._cameras, None)
         if camera is not None:
-            self._look(physics, camera)
+            self._look(self._stage, camera)
         self._began_s = time.monotonic()
         return [self]
 
-    def _look(self, physics: Physics, camera: Camera) -> None:
+    def _look(self, stage: Stage, camera: Camera) -> None:
         """Follow a body, or look at a thing that stands still."""
         with self._handle.lock():
             view = self._handle.cam
-            body = mujoco.mj_name2id(physics.model, mujoco.mjtObj.mjOBJ_BODY, camera.body)
+            body = mujoco.mj_name2id(stage.model, mujoco.mjtObj.mjOBJ_BODY, camera.body)
             if body >= 0:
                 view.type, view.trackbodyid = mujoco.mjtCamera.mjCAMERA_TRACKING, body
             else:
-                view.lookat[:] = physics.data.geom(camera.body).xpos
+                view.lookat[:] = stage.place_of(camera.body)
             view.distance, view.azimuth = camera.distance, camera.azimuth
             view.elevation = camera.elevation
 
     def tick(self, now_ns: int) -> None:
         """Show it, and wait for the time to come."""
         if self._handle.is_running():
+            assert self._physics is not None
+            assert self._stage is not None
+            with self._handle.lock():
+                self._stage.show(moment_of(self._physics.data))
             self._handle.sync()
             time.sleep(max(0.0, self._began_s + now_ns * 1e-9 - time.monotonic()))

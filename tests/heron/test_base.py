@@ -39,7 +39,7 @@ def test_a_gentle_ramp_is_too_much_for_the_torque_that_the_level_needs() -> None
     stalled = driven(Terrain.GENTLE, base.torque, 20)
     assert stalled.position[0] < 8.0
     assert tilt(stalled) > 10
-    assert stalled.effort == pytest.approx(1.0)
+    assert stalled.torque == pytest.approx(base.torque)
     boosted = driven(Terrain.GENTLE, base.boosted_torque, 20)
     assert boosted.position[0] > 10.0
     assert boosted.position[2] == pytest.approx(0.8, abs=0.01)
@@ -60,8 +60,10 @@ def test_the_base_stands_still_and_upright() -> None:
 
 
 def test_it_weighs_what_the_robot_weighs() -> None:
-    model = build_navigation(course(Terrain.FLAT, CourseParameters()), BaseParameters())
+    base = BaseParameters()
+    model = build_navigation(course(Terrain.FLAT, CourseParameters()), base).compile()
     assert sum(model.body_mass) == pytest.approx(99.0)
+    assert base.mass == pytest.approx(99.0)
 
 
 def test_a_ramp_ends_at_its_height() -> None:

@@ -7,7 +7,7 @@ import sys
 import pytest
 from typer.testing import CliRunner
 
-from heron.cli import main
+from heron.cli import choices
 from heron.cli.main import app
 from heron.variants import VARIANTS
 from support.parts import MUJOCO, needs
@@ -52,7 +52,7 @@ def test_somebody_comes_into_the_room() -> None:
 def test_without_mujoco_it_says_what_to_install(
     command: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(main, "find_spec", lambda _: None)
+    monkeypatch.setattr(choices, "find_spec", lambda _: None)
     found = CliRunner().invoke(app, command)
     assert found.exit_code == 2
     assert "pip install 'rossmarie[heron]'" in found.output
@@ -62,8 +62,8 @@ def test_without_mujoco_it_says_what_to_install(
 def test_it_says_why_mujoco_is_not_there(
     version: tuple[int, int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(main, "find_spec", lambda name: None if name == "mujoco" else name)
-    monkeypatch.setattr(main, "_VERSION", version)
+    monkeypatch.setattr(choices, "find_spec", lambda name: None if name == "mujoco" else name)
+    monkeypatch.setattr(choices, "_VERSION", version)
     found = CliRunner().invoke(app, ["demo"])
     is_old = version == (3, 10)
     assert ("needs Python 3.11 or later; this is Python 3.10" in found.output) is is_old

@@ -228,7 +228,7 @@ def test_a_cluster_that_is_not_there_is_told(tmp_path: Path) -> None:
 def test_without_ray_it_says_what_to_install(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("heron.cli.main.find_spec", lambda name: None if name == "ray" else name)
+    monkeypatch.setattr("heron.cli.choices.find_spec", lambda name: None if name == "ray" else name)
     found = CliRunner().invoke(app, [*AT_A_CLUSTER, str(tmp_path)])
     assert found.exit_code == 2
     assert "pip install 'rossmarie[ray]'" in found.output

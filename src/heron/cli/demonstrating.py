@@ -13,16 +13,13 @@ from dslkit.writing import write_whole
 from heron.demo import Shot, page_of, shoot_all
 from heron.experiments import EXPERIMENTS
 from heron.experiments.table import ARM_NAMES
-from heron.variants import Arm
-
-_ARMS = (Arm.NONE, Arm.ROSSMARIE)
 
 
 def demonstrate(output: CommandLine, seed: int, out: Path) -> None:
     """Run the episodes, print the comparison, write the page."""
     console = Console(highlight=False)
     with Console(stderr=True).status("the experiments are running"):
-        shots = shoot_all(_ARMS, seed)
+        shots = shoot_all(seed)
     for name in EXPERIMENTS:
         console.print(_table([shot for shot in shots if shot.experiment == name]))
     with output.writing(out):

@@ -24,7 +24,7 @@ def run_live(
     host = os.environ.get("ROS_IP") or os.environ.get("ROS_HOSTNAME") or "localhost"
     try:
         with closing(Ros1Link(master, host)) as link:
-            episode = run_navigation(arm, terrain, seed, observers, link)
+            episode = run_navigation(arm, terrain, seed, observers, link=link)
     except Ros1Error as error:
         output.fail(str(error), exit_code=1)
     print_episode(NAVIGATION, episode)

@@ -8,44 +8,32 @@ number of a signal that ended it (130: Ctrl-C).
 from __future__ import annotations
 
 import enum
-import os
-import re
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
-from ctypes.util import find_library
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dslkit.catalog import Catalog
-from dslkit.command_line import CommandLine
+from heron.cli.choices import (
+    draw_without_display,
+    known,
+    output,
+    require_arm,
+    require_drawing,
+    require_film,
+    require_new,
+    require_simulation,
+    variant_of,
+    workers_of,
+)
 from heron.variants import VARIANTS, Arm, Person, Table, Terrain
 
 if TYPE_CHECKING:  # needs MuJoCo
-    from campaign import Workers
     from heron.experiments import Observer
 
-
-def _catalog() -> Catalog:
-    from rossmarie.catalog import CATALOG
-
-    return CATALOG
-
-
-_LIMIT_S = 600.0  # of one episode
-_PARTS = {"MuJoCo": "mujoco", "Matplotlib": "matplotlib", "Pillow": "PIL", "SciPy": "scipy"}
-_VERSION = sys.version_info[:2]
-_OLDEST = (3, 11)  # for which MuJoCo has wheels
-output = CommandLine(
-    tool="heron",
-    subject="what you called it with",
-    internal_code="HERON",
-    unreadable=frozenset(),
-    catalog=_catalog,
-)
+_SHOWN_SEED = 1
+"""Episodes as most are; seed 0 shows a block that is placed wrongly, as four of thirty are."""
 app = typer.Typer(
     help="The experiments of the thesis, in physics.",
     no_args_is_help=True,
@@ -64,8 +52,12 @@ def heron(version: Annotated[bool, output.version_option()] = False) -> None:
 
 
 Guarding = Annotated[Arm, typer.Option("--arm", help="What guards the robot.")]
-View = Annotated[bool, typer.Option("--view", help="In a window, in real time.")]
-Seed = Annotated[int, typer.Option("--seed", min=0, help="Of all that is left to chance.")]
+View = Annotated[bool, typer.Option("--view", help="Show it in a window, in real time.")]
+Filming = Annotated[
+    Path | None,
+    typer.Option("--film", metavar="FILE", help="Write a film of it: FILE ends in .mp4 or .gif."),
+]
+Seed = Annotated[int, typer.Option("--seed", min=0, help="Random seed.")]
 
 
 @runs.command()
@@ -74,17 +66,22 @@ def nav(
     terrain: Annotated[Terrain, typer.Option(help="What is in its way.")] = Terrain.GENTLE,
     seed: Seed = 0,
     view: View = False,
+    film: Filming = None,
     ros1: Annotated[
         bool, typer.Option("--ros1", help="With the generated node on guard, by ROS_MASTER_URI.")
     ] = False,
 ) -> None:
     """Experiment I: through a corridor with a bump, up a ramp, to the block in the room."""
     if not ros1:
-        _run("nav", arm, terrain, seed, is_viewed=view)
+        _run("nav", arm, terrain, seed, view, film)
         return
-    if arm is Arm.NONE:
-        output.fail("--ros1 is about the node on guard, and --arm none has none", exit_code=2)
-    _require_simulation()
+    if arm in (Arm.NONE, Arm.COLLISION_MONITOR):
+        output.fail(
+            f"--ros1 is about the node on guard, and --arm {arm.value} has none", exit_code=2
+        )
+    if film is not None:
+        output.fail("--film needs an episode in this process: leave out --ros1", exit_code=2)
+    require_simulation()
     from heron.cli.live import run_live
 
     with _observers("nav", is_viewed=view) as observers:
@@ -97,11 +94,12 @@ def place(
     table: Annotated[Table, typer.Option(help="Where it is, and in what haste.")] = Table.HIGH,
     seed: Seed = 0,
     view: View = False,
+    film: Filming = None,
 ) -> None:
     """Experiment II: place a block on a table that is higher than the arm believes, or carry it
     there in too much haste.
     """
-    _run("place", arm, table, seed, is_viewed=view)
+    _run("place", arm, table, seed, view, film)
 
 
 @runs.command()
@@ -110,19 +108,44 @@ def human(
     person: Annotated[Person, typer.Option(help="Where somebody walks.")] = Person.INSIDE,
     seed: Seed = 0,
     view: View = False,
+    film: Filming = None,
 ) -> None:
     """Experiment III: carry a block to and fro while somebody comes into the room."""
-    _run("human", arm, person, seed, is_viewed=view)
+    _run("human", arm, person, seed, view, film)
 
 
-def _run(name: str, arm: Arm, variant: enum.Enum, seed: int, *, is_viewed: bool) -> None:
-    _require_simulation()
+def _run(
+    name: str,
+    arm: Arm,
+    variant: enum.Enum,
+    seed: int,
+    is_viewed: bool,
+    film: Path | None,
+) -> None:
+    require_arm(name, arm)
+    if film is not None:
+        _film(name, arm, variant, seed, film, is_viewed=is_viewed)
+        return
+    require_simulation()
     from heron.cli.episodes import print_episode
-    from heron.experiments import EXPERIMENTS
+    from heron.experiments import EXPERIMENTS, USUAL
 
     experiment = EXPERIMENTS[name]
     with _observers(name, is_viewed=is_viewed) as observers:
-        print_episode(experiment, experiment.run(arm, variant, seed, observers))
+        print_episode(experiment, experiment.run(arm, variant, seed, observers, USUAL))
+
+
+def _film(
+    name: str, arm: Arm, variant: enum.Enum, seed: int, out: Path, *, is_viewed: bool
+) -> None:
+    if is_viewed:
+        output.fail("--film draws without a window: leave out --view", exit_code=2)
+    require_film(out)
+    require_simulation()
+    require_drawing()
+    from heron.cli.filming import film
+
+    film(output, name, variant, arm, seed, out)
 
 
 @contextmanager
@@ -155,13 +178,13 @@ def record(
     seed: Seed = 0,
 ) -> None:
     """Run one episode, and write all its topics into an MCAP file."""
-    chosen = _variant(_known(experiment), variant)
+    chosen = variant_of(known(experiment), variant)
+    require_arm(experiment, arm)
     if out.suffix != ".mcap":
         output.fail(f"the name of the recording has to end in .mcap, not as {out}", exit_code=2)
-    if out.exists():
-        output.fail(f"{out} is there already, and is not written over", exit_code=2)
+    require_new(out)
     output.try_folder(out.parent)
-    _require_simulation()
+    require_simulation()
     from heron.cli.recording import record as record_episode
 
     record_episode(output, experiment, chosen, arm, seed, out)
@@ -188,10 +211,10 @@ def evaluate(
 
     A run that was interrupted goes on where it was.
     """
-    chosen = list(map(_known, dict.fromkeys(experiment or VARIANTS)))
+    chosen = list(map(known, dict.fromkeys(experiment or VARIANTS)))
     output.try_folder(out)
-    _require_simulation()
-    workers = _workers(jobs, ray)
+    require_simulation()
+    workers = workers_of(jobs, ray)
     from heron.cli.evaluating import evaluate as run_all
 
     run_all(output, chosen, seeds, out, workers)
@@ -199,67 +222,32 @@ def evaluate(
 
 @app.command()
 def demo(
-    seed: Seed = 0,
+    seed: Seed = _SHOWN_SEED,
     out: Annotated[Path, typer.Option(help="The page.")] = Path("build/heron.html"),
 ) -> None:
-    """Episodes with and without the monitor, side by side on one page."""
+    """Show one episode of each experiment with all guards, side by side on one page."""
     output.try_folder(out.parent)
     if out.parent.exists():
         output.try_file(out)
-    _require_simulation()
-    # MuJoCo looks at this when it is imported, and cannot be without what it names.
-    os.environ.setdefault("MUJOCO_GL", "egl" if find_library("EGL") else "disable")
+    require_simulation()
+    draw_without_display()
     from heron.cli.demonstrating import demonstrate
 
     demonstrate(output, seed, out)
 
 
-def _workers(jobs: int | None, ray: str | None) -> Workers:
-    from campaign import Processes
+@app.command()
+def gallery(
+    seed: Seed = _SHOWN_SEED,
+    out: Annotated[Path, typer.Option(help="Folder of the page and its films.")] = Path("build"),
+) -> None:
+    """Write films of the experiments, without a monitor and with one, and a page of them."""
+    output.try_folder(out)
+    require_simulation()
+    require_drawing()
+    from heron.cli.filming import show_gallery
 
-    if ray is None:
-        return Processes(jobs or Processes.cores(), _LIMIT_S)
-    if not re.fullmatch(r"\S+:\d+", ray):
-        output.fail(f"--ray needs HOST:PORT, not `{ray}`", exit_code=2)
-    if find_spec("ray") is None:
-        output.fail("--ray needs the extra of that name: pip install 'rossmarie[ray]'", exit_code=2)
-    from campaign.ray_cluster import RayCluster
-
-    return RayCluster(ray)
-
-
-def _known(experiment: str) -> str:
-    """The name of an experiment that there is; known before the simulation is imported."""
-    if experiment not in VARIANTS:
-        there_are = ", ".join(VARIANTS)
-        output.fail(f"there is no experiment {experiment}; there are {there_are}", exit_code=2)
-    return experiment
-
-
-def _variant(experiment: str, wanted: str | None) -> enum.Enum:
-    """A variant by its name, else the first one."""
-    variants = {variant.value: variant for variant in VARIANTS[experiment]}
-    if wanted is None:
-        return VARIANTS[experiment][0]
-    if wanted not in variants:
-        there_are = ", ".join(variants)
-        output.fail(f"{experiment} has no variant {wanted}; there are {there_are}", exit_code=2)
-    return variants[wanted]
-
-
-def _require_simulation() -> None:
-    """End the run with the reason if a part of the simulation is not installed."""
-    missing = [name for name, module in _PARTS.items() if find_spec(module) is None]
-    if not missing:
-        return
-    reason = f"the simulation needs {', '.join(missing)}, not installed for {sys.executable}"
-    if "MuJoCo" in missing and _VERSION < _OLDEST:
-        python, oldest = (".".join(map(str, each)) for each in (_VERSION, _OLDEST))
-        reason = (
-            f"the simulation needs MuJoCo, which needs Python {oldest} or later; "
-            f"this is Python {python}"
-        )
-    output.fail(f"{reason}: pip install 'rossmarie[heron]'", exit_code=2)
+    show_gallery(output, seed, out)
 
 
 def main() -> None:

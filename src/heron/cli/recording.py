@@ -9,7 +9,7 @@ import typer
 
 from dslkit.command_line import CommandLine
 from heron.cli.episodes import print_episode
-from heron.experiments import EXPERIMENTS
+from heron.experiments import EXPERIMENTS, USUAL
 from heron.recording import Recorder
 from heron.variants import Arm
 
@@ -24,7 +24,7 @@ def record(
 ) -> None:
     """Run it, print it, write it."""
     experiment, recorder = EXPERIMENTS[name], Recorder()
-    print_episode(experiment, experiment.run(arm, variant, seed, (recorder,)))
+    print_episode(experiment, experiment.run(arm, variant, seed, (recorder,), USUAL))
     with output.writing(out):
         recorder.write(out)
     typer.echo(f"the recording:  {out}")

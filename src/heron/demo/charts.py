@@ -1,35 +1,31 @@
-"""Signals over time as SVG: all charts of an experiment have one time axis."""
+"""Signals over time: all charts of an experiment have one time axis.
+
+A chart is drawn in a plane that is 1000 wide and 100 high, and stretched to wherever it is shown;
+what is text stands beside it, in percent of its sides.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+
+from matplotlib.ticker import MaxNLocator
 
 from heron.demo.shots import Curve, Shot
 from heron.experiments.table import Signal
 from heron.variants import Arm
 
-WIDTH, RIGHT = 1000, 12
-_HEIGHT, _TOP = 104, 8
-Text = tuple[float, float, str]
+WIDTH, HEIGHT = 1000, 100
+_STEPS = (1, 2, 5, 10)
+_HEADROOM = 0.04  # of the span, above and below
 
 
 @dataclass(frozen=True)
-class Axis:
-    """Time, from `left` on, where names end, up to so many seconds."""
+class Tick:
+    """A line of the grid, at so many percent of the width or the height."""
 
-    left: float
-    duration: float
-
-    def x_of(self, time: float) -> float:
-        """Where an instant is drawn."""
-        return round(self.left + (WIDTH - self.left - RIGHT) * time / self.duration, 1)
-
-    def ticks(self) -> tuple[Text, ...]:
-        """A mark every 1, 2, 5, 10... seconds, about ten of them."""
-        step = next(step for step in (1, 2, 5, 10, 20, 50, 100) if self.duration / step <= 12)
-        times = range(0, int(self.duration) + 1, step)
-        return tuple((self.x_of(time), 14.0, f"{time} s") for time in times)
+    at: float
+    text: str
 
 
 @dataclass(frozen=True)
@@ -42,41 +38,59 @@ class Line:
 
 @dataclass(frozen=True)
 class Chart:
-    """A signal in all arms. Positions are in the coordinates of the drawing."""
+    """A signal in all arms, from `low` to `high`. `limit` is in percent of the height."""
 
     label: str
-    height: int
+    unit: str
+    digits: int
+    low: float
+    high: float
     lines: tuple[Line, ...]
-    limit: float | None
-    limit_text: str
-    marks: tuple[Text, ...]
+    limit: Tick | None
+    ticks: tuple[Tick, ...]
 
 
-def chart_of(signal: Signal, shots: Sequence[Shot], axis: Axis) -> Chart:
+def time_ticks(duration: float) -> tuple[Tick, ...]:
+    """A mark every 1, 2, 5, 10... seconds."""
+    return tuple(
+        Tick(round(100 * time / duration, 3), f"{time:g} s")
+        for time in MaxNLocator(8, steps=_STEPS).tick_values(0.0, duration)
+        if 0.0 <= time <= duration
+    )
+
+
+def chart_of(signal: Signal, shots: Sequence[Shot], duration: float) -> Chart:
     """One signal of all shots."""
     curves = {shot.arm: shot.curves[signal.label] for shot in shots}
     values = [value for curve in curves.values() for _, value in curve]
     if signal.limit is not None:
         values += [signal.limit, 0.0]
-    low, high = min(values), max(values)
-    span = (high - low) or 1.0
+    span = (max(values) - min(values)) or 1.0
+    low, high = min(values) - _HEADROOM * span, max(values) + _HEADROOM * span
 
-    def y_of(value: float) -> float:
-        return round(_TOP + (_HEIGHT - 2 * _TOP) * (high - value) / span, 1)
+    def tick(value: float, text: str) -> Tick:
+        return Tick(round(100 * (high - value) / (high - low), 2), text)
+
+    def points(curve: Curve) -> str:
+        return " ".join(
+            f"{round(WIDTH * time / duration, 2):g},"
+            f"{round(HEIGHT * (high - value) / (high - low), 2):g}"
+            for time, value in curve
+        )
 
     return Chart(
-        label=f"{signal.label} ({signal.unit})",
-        height=_HEIGHT,
-        lines=tuple(Line(arm, _points(curve, axis, y_of)) for arm, curve in curves.items()),
-        limit=None if signal.limit is None else y_of(signal.limit),
-        limit_text="" if signal.limit is None else f"{signal.limit:g} {signal.unit}",
-        marks=tuple((axis.left - 6.0, y_of(value) + 4, _number(value)) for value in (low, high)),
+        label=signal.label,
+        unit=signal.unit,
+        digits=2 if span < 2 else 1,
+        low=low,
+        high=high,
+        lines=tuple(Line(arm, points(curve)) for arm, curve in curves.items()),
+        limit=None
+        if signal.limit is None
+        else tick(signal.limit, f"{signal.limit:g} {signal.unit}"),
+        ticks=tuple(
+            tick(value, f"{value:g}")
+            for value in MaxNLocator(4, steps=_STEPS).tick_values(low, high)
+            if low <= value <= high
+        ),
     )
-
-
-def _number(value: float) -> str:
-    return f"{value:.0f}" if abs(value) >= 10 else f"{round(value, 1) + 0.0:.1f}"
-
-
-def _points(curve: Curve, axis: Axis, y_of: Callable[[float], float]) -> str:
-    return " ".join(f"{axis.x_of(time)},{y_of(value)}" for time, value in curve)

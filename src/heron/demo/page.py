@@ -4,30 +4,51 @@ from __future__ import annotations
 
 import base64
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
-from heron.demo.charts import RIGHT, WIDTH, Axis, Chart, chart_of
-from heron.demo.lanes import SIGNS, Lanes, axis_of, rules_of, running_of, tree_of
+from heron.demo.charts import HEIGHT, WIDTH, Chart, Tick, chart_of, time_ticks
+from heron.demo.lanes import SIGNS, Lanes, rules_of, tree_of
 from heron.demo.shots import Shot
 from heron.experiments import EXPERIMENTS
 from heron.experiments.table import ARM_NAMES
+from heron.tasks.tree import running_of
+from heron.variants import Arm
 
-_PLAYING_S = 14.0
+SHOWN_FIRST = (Arm.NONE, Arm.ROSSMARIE)
+_SPEEDS = (1, 2, 4, 8)
+_PLAYING_S = 20.0
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A hazard of an arm: when it began (s), and at how many percent of the time axis."""
+
+    arm: Arm
+    hazard: str
+    time: float
+    at: float
 
 
 @dataclass(frozen=True)
 class Section:
-    """What the page shows of one experiment. `data` is for the script, as JSON."""
+    """What the page shows of one experiment. `data` is for the script, as JSON; the player stands
+    at `opening` (s) first.
+    """
 
     name: str
     title: str
+    about: str
     variant: str
     shots: Sequence[Shot]
-    axis: Axis
+    duration: float
+    opening: float
+    speed: int
+    ticks: Sequence[Tick]
+    marks: Sequence[Mark]
     charts: Sequence[Chart]
     rules: Sequence[Lanes]
     trees: Sequence[Lanes]
@@ -53,29 +74,60 @@ def page_of(shots: Sequence[Shot]) -> str:
     return environment.get_template("demo.html.j2").render(
         sections=sections,
         names=ARM_NAMES,
+        shown_first=SHOWN_FIRST,
+        speeds=_SPEEDS,
         style=palette + own.joinpath("demo.css").read_text("utf-8"),
         script=own.joinpath("demo.js").read_text("utf-8"),
         signs=[(status.value, sign) for status, sign in SIGNS.items()],
         width=WIDTH,
-        right=WIDTH - RIGHT,
+        height=HEIGHT,
     )
 
 
 def _section(name: str, shots: Sequence[Shot]) -> Section:
     experiment = EXPERIMENTS[name]
-    axis = axis_of(shots)
+    duration = max(shot.duration for shot in shots)
     return Section(
         name=name,
         title=f"Experiment {experiment.title}",
+        about=experiment.about,
         variant=shots[0].title,
         shots=shots,
-        axis=axis,
-        charts=[chart_of(signal, shots, axis) for signal in experiment.signals],
-        rules=[rules_of(shot, axis) for shot in shots if shot.rules],
-        trees=[tree_of(shot, axis) for shot in shots],
+        duration=duration,
+        opening=_opening(name, shots),
+        speed=_speed(shots),
+        ticks=time_ticks(duration),
+        marks=list(_marks(name, shots, duration)),
+        charts=[chart_of(signal, shots, duration) for signal in experiment.signals],
+        rules=[rules_of(shot, duration) for shot in shots if shot.rules],
+        trees=[tree_of(shot, duration) for shot in shots],
         rows=_rows(shots),
-        data=_data(shots, axis.duration),
+        data=_data(shots, duration),
     )
+
+
+def _opening(name: str, shots: Sequence[Shot]) -> float:
+    """When the hazard that the experiment is about has come in each of the arms shown first."""
+    hazard, later = EXPERIMENTS[name].opening
+    found = [
+        shot.onsets[hazard] for shot in shots if shot.arm in SHOWN_FIRST and hazard in shot.onsets
+    ]
+    return max(found) + later if found else 0.0
+
+
+def _speed(shots: Sequence[Shot]) -> int:
+    """So fast that the arms shown first are over in time, if anything is that fast."""
+    longest = max(
+        (shot.duration for shot in shots if shot.arm in SHOWN_FIRST), default=shots[0].duration
+    )
+    return next((speed for speed in _SPEEDS if longest / speed <= _PLAYING_S), _SPEEDS[-1])
+
+
+def _marks(name: str, shots: Sequence[Shot], duration: float) -> Iterator[Mark]:
+    words = EXPERIMENTS[name].hazards
+    for shot in shots:
+        for hazard, time in shot.onsets.items():
+            yield Mark(shot.arm, words[hazard], time, round(100 * time / duration, 3))
 
 
 def _rows(shots: Sequence[Shot]) -> list[tuple[str, list[str]]]:
@@ -88,9 +140,9 @@ def _data(shots: Sequence[Shot], duration: float) -> str:
     """JSON that cannot end the script element it stands in."""
     data = {
         "duration": duration,
-        "speed": max(1.0, duration / _PLAYING_S),
         "films": [
             {
+                "arm": shot.arm.value,
                 "period": shot.frames.period,
                 "duration": shot.duration,
                 "rules": [[rule, *span] for rule, spans in shot.rules.items() for span in spans],

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import multiprocessing
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 
 from campaign import undisturbed
-from heron.demo.film import Film, Frames
-from heron.demo.rules_watch import RulesWatch, Spans
+from heron.demo.frames import Frames, frames_of
 from heron.experiments import EXPERIMENTS, Episode, Experiment
+from heron.films import Spans, film_of
 from heron.tasks import TreeSkill
 from heron.variants import Arm
 from rossmarie.report.envelope import envelope
@@ -32,6 +32,7 @@ class Shot:
     duration: float
     measures: dict[str, str]
     told: tuple[tuple[float, str], ...]
+    onsets: Mapping[str, float]
     rules: Spans
     tree: tuple[TreeSkill, ...]
     curves: dict[str, Curve]
@@ -41,8 +42,8 @@ class Shot:
 def shoot(name: str, variant: str, arm: Arm, seed: int) -> Shot:
     """Run an episode, and draw it."""
     experiment = EXPERIMENTS[name]
-    film, rules = Film(), RulesWatch()
-    episode = experiment.run(arm, experiment.variants[variant], seed, (film, rules))
+    clip = film_of(experiment, experiment.variants[variant], arm, seed)
+    episode = clip.episode
     return Shot(
         experiment=name,
         arm=arm,
@@ -51,19 +52,20 @@ def shoot(name: str, variant: str, arm: Arm, seed: int) -> Shot:
         duration=episode.measures.duration,
         measures=_measures(experiment, episode),
         told=episode.told,
-        rules=rules.spans(),
+        onsets=dict(episode.onsets),
+        rules=clip.rules,
         tree=episode.tree,
         curves=_curves(experiment, episode),
-        frames=film.develop(experiment.cameras),
+        frames=frames_of(clip.film, experiment.cameras),
     )
 
 
-def shoot_all(arms: Sequence[Arm], seed: int) -> list[Shot]:
-    """The first variant of each experiment, in each of these arms."""
+def shoot_all(seed: int) -> list[Shot]:
+    """The first variant of each experiment, in all of its arms."""
     wanted = [
         (name, next(iter(experiment.variants)), arm, seed)
         for name, experiment in EXPERIMENTS.items()
-        for arm in arms
+        for arm in experiment.arms
     ]
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(min(len(wanted), os.cpu_count() or 1), context) as pool:

@@ -2,13 +2,15 @@
 
 from heron.evaluation.episodes import keys_of, row_of, sources
 from heron.evaluation.folder import PAGE, Folder, write_page
-from heron.evaluation.page import page_of
-from heron.evaluation.rows import Row, read_rows, write_rows
+from heron.evaluation.page import Results, page_of
+from heron.evaluation.rows import Row, StudyRow, read_rows, write_rows
 
 __all__ = [
     "PAGE",
     "Folder",
+    "Results",
     "Row",
+    "StudyRow",
     "keys_of",
     "page_of",
     "read_rows",

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from heron.evaluation.sample import Sample
-from heron.evaluation.statistics import Estimate
+from heron.evaluation.statistics import Estimate, median
 from heron.experiments.table import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
 from heron.variants import Arm
 
@@ -50,11 +50,22 @@ def claims_of(sample: Sample) -> Iterator[Claim]:
     for harm in sample.harms:
         yield _there_is_harm(sample, harm, Arm.DEROS)
         yield _there_is_harm(sample, harm, Arm.ROSSMARIE)
-        yield _as_safe(sample, harm)
+        yield from (_as_safe(sample, harm, other) for other in _others(sample))
+    for gain in sample.gains:
+        yield from (_better(sample, gain, other) for other in _others(sample))
+    for hazard, seconds in sample.acts_within.items():
+        yield _acts_in_time(sample, hazard, seconds)
     yield _unguarded_is_fastest(sample)
     yield _finishes_with_operator(sample)
     yield _finishes_alone(sample)
     yield _sooner(sample)
+    if Arm.COLLISION_MONITOR in sample.arms:
+        yield _does_as_much(sample)
+
+
+def _others(sample: Sample) -> list[Arm]:
+    """What ROSSMARie is compared with: the guards besides it."""
+    return [arm for arm in sample.arms if arm not in (Arm.NONE, Arm.ROSSMARIE)]
 
 
 def between(estimate: Estimate, digits: int) -> str:
@@ -84,26 +95,78 @@ def _greater(difference: float, chance: float) -> Verdict:
     return Verdict.OPEN if difference > 0 else Verdict.FAILS
 
 
-def _as_safe(sample: Sample, harm: str) -> Claim:
+def _as_safe(sample: Sample, harm: str, other: Arm) -> Claim:
     measure = sample.experiment.measure(harm)
-    found = sample.compared(harm, Arm.ROSSMARIE, Arm.DEROS).difference
-    margin = _MARGIN * float(np.median(sample.values(Arm.DEROS, harm)))
-    if np.isnan(found.low):
-        verdict = Verdict.OPEN
-    elif found.high <= margin:
-        verdict = Verdict.HOLDS
-    else:
-        verdict = Verdict.FAILS if found.low > margin else Verdict.OPEN
+    found = sample.compared(harm, Arm.ROSSMARIE, other).difference
+    margin = _MARGIN * float(np.median(sample.values(other, harm)))
     return Claim(
-        f"safe {harm}",
-        f"{measure.label}: with ROSSMARie at most a tenth more than with DeROS",
+        f"safe {other.value} {harm}",
+        f"{measure.label}: with ROSSMARie at most a tenth more than with {_with(other)}",
         f"the difference is {between(found, measure.digits)} {measure.unit}",
+        _at_most(found, margin),
+    )
+
+
+def _with(arm: Arm) -> str:
+    """As it stands in a sentence."""
+    return f"the {ARM_NAMES[arm]}" if arm is Arm.COLLISION_MONITOR else ARM_NAMES[arm]
+
+
+def _at_most(found: Estimate, most: float) -> Verdict:
+    if np.isnan(found.low):
+        return Verdict.OPEN
+    if found.high <= most:
+        return Verdict.HOLDS
+    return Verdict.FAILS if found.low > most else Verdict.OPEN
+
+
+def _better(sample: Sample, gain: str, other: Arm) -> Claim:
+    measure = sample.experiment.measure(gain)
+    compared = sample.compared(gain, Arm.ROSSMARIE, other)
+    return Claim(
+        f"better {other.value} {gain}",
+        f"{measure.label}: more with ROSSMARie than with {_with(other)}",
+        f"by {between(compared.difference, measure.digits)} {measure.unit}, "
+        f"p = {compared.chance:.2g}",
+        _greater(compared.difference.value, compared.chance),
+    )
+
+
+def _acts_in_time(sample: Sample, hazard: str, seconds: float) -> Claim:
+    """An episode without a reaction has no value here; how many have one stands in the table."""
+    measure = sample.experiment.measure(f"reaction_{hazard}")
+    values = sample.values(Arm.ROSSMARIE, measure.name)
+    found = median(values) if values else None
+    return Claim(
+        f"in time {hazard}",
+        f"{measure.label}: with ROSSMARie within {seconds:g} s",
+        "it never acted" if found is None else f"{between(found, measure.digits)} s",
+        Verdict.FAILS if found is None else _at_most(found, seconds),
+    )
+
+
+def _does_as_much(sample: Sample) -> Claim:
+    """Times are compared where both arms always finish."""
+    other = Arm.COLLISION_MONITOR
+    ours, theirs = sample.completed(Arm.ROSSMARIE), sample.completed(other)
+    found = sample.compared(DURATION.name, Arm.ROSSMARIE, other).difference
+    if theirs == sample.count(other):
+        margin = _MARGIN * float(np.median(sample.values(other, DURATION.name)))
+        verdict = _at_most(found, margin) if ours == sample.count(Arm.ROSSMARIE) else Verdict.FAILS
+    else:
+        verdict = Verdict.HOLDS if ours >= theirs else Verdict.FAILS
+    return Claim(
+        "does as much",
+        "ROSSMARie finishes as often as the collision monitor or more often, and if both always "
+        "finish, at most a tenth later",
+        f"{ours} and {theirs} episodes finish; ROSSMARie is later by "
+        f"{between(found, DURATION.digits)} s",
         verdict,
     )
 
 
 def _unguarded_is_fastest(sample: Sample) -> Claim:
-    times = {arm: float(np.median(sample.values(arm, DURATION.name))) for arm in Arm}
+    times = {arm: float(np.median(sample.values(arm, DURATION.name))) for arm in sample.arms}
     completed, total = sample.completed(Arm.NONE), sample.count(Arm.NONE)
     is_fastest = times[Arm.NONE] == min(times.values())
     return Claim(
@@ -151,7 +214,7 @@ def _sooner(sample: Sample) -> Claim:
 
 
 def _everybody_finishes(sample: Sample) -> Claim:
-    found = {ARM_NAMES[arm]: (sample.completed(arm), sample.count(arm)) for arm in Arm}
+    found = {ARM_NAMES[arm]: (sample.completed(arm), sample.count(arm)) for arm in sample.arms}
     words = "; ".join(f"{name}: {done} of {total}" for name, (done, total) in found.items())
     all_do = all(done == total for done, total in found.values())
     return Claim(

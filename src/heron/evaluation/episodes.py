@@ -1,4 +1,6 @@
-"""The episodes of an evaluation, by keys such as `nav/steep/deros/3`."""
+"""The episodes of an evaluation, by keys such as `nav/steep/deros/3`. Those of studies have the
+study and its value in front: `operator=10/nav/steep/deros/3`.
+"""
 
 from __future__ import annotations
 
@@ -11,37 +13,54 @@ import ezskiros
 import heron
 import rossmarie
 from campaign import Value
-from heron.experiments import EXPERIMENTS, Experiment
+from heron.experiments import EXPERIMENTS, STUDIES, USUAL, Experiment
 from heron.variants import Arm
 
 _KINDS = (".action", ".c", ".h", ".j2", ".lark", ".py", ".ross", ".ttl", ".turtle")
 # What has no say in how an episode goes.
 _TELLING = (
-    *("heron/cli", "heron/demo", "heron/evaluation"),
+    *("heron/appearance", "heron/cli", "heron/demo", "heron/evaluation", "heron/films"),
     *("ezskiros/cli", "ezskiros/drawing", "rossmarie/cli", "rossmarie/report"),
 )
 
 
 def keys_of(experiments: Iterable[Experiment], seeds: int) -> Iterator[str]:
-    """Seed by seed, so that whatever is done first has all arms."""
+    """Seed by seed, so that whatever is done first has all arms; then the studies."""
     chosen = list(experiments)
     for seed in range(seeds):
         for experiment in chosen:
             for variant in experiment.variants:
-                for arm in Arm:
+                for arm in experiment.arms:
                     yield f"{experiment.name}/{variant}/{arm.value}/{seed}"
+    for study in STUDIES.values():
+        for seed in range(min(seeds, study.seeds)):
+            for case in study.cases:
+                if case.of in chosen:
+                    yield from (
+                        f"{study.name}={value:g}/{case.key}/{seed}" for value in study.values
+                    )
 
 
 def row_of(key: str) -> Value:
     """Run an episode."""
-    name, variant, arm, seed = key.split("/")
+    *changed, name, variant, arm, seed = key.split("/")
     experiment = EXPERIMENTS[name]
-    episode = experiment.run(Arm(arm), experiment.variants[variant], int(seed), ())
+    study, value = changed[0].split("=") if changed else ("", "")
+    settings = STUDIES[study].settings(float(value)) if changed else USUAL
+    episode = experiment.run(Arm(arm), experiment.variants[variant], int(seed), (), settings)
     found = {one.name: one.of(episode.measures) for one in experiment.measures}
     measured = {
         measure: None if value is None else float(value) for measure, value in found.items()
     }
-    return {"experiment": name, "variant": variant, "arm": arm, "seed": int(seed), **measured}
+    of_study: Value = {"study": study, "value": value} if changed else {}
+    return {
+        **of_study,
+        "experiment": name,
+        "variant": variant,
+        "arm": arm,
+        "seed": int(seed),
+        **measured,
+    }
 
 
 def sources() -> str:

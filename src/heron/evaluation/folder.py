@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from campaign import Value
-from heron.evaluation.page import page_of
-from heron.evaluation.plots import plot_of
-from heron.evaluation.rows import Row, read_rows, write_rows
+from heron.evaluation.page import Results, page_of
+from heron.evaluation.plots import plot_of, plot_of_study
+from heron.evaluation.rows import read_rows, read_study, write_rows, write_study
 from heron.evaluation.sample import samples_of
-from heron.experiments import EXPERIMENTS
+from heron.experiments import EXPERIMENTS, STUDIES
 
 PAGE = "experiments.md"
 _REST = "experiments"
@@ -29,33 +29,44 @@ class Folder:
         return self.path / _REST / "episodes.jsonl"
 
     def rows(self, name: str) -> Path:
-        """The results of an experiment."""
+        """The results of an experiment or a study."""
         return self.path / _REST / f"{name}.csv"
 
     def plot(self, name: str) -> Path:
-        """Its picture."""
+        """The picture of an experiment or a study."""
         return self.path / _REST / f"{name}.svg"
 
-    def results(self) -> dict[str, list[Row]]:
-        """Of all experiments that have some."""
-        return {
-            name: read_rows(self.rows(name)) for name in EXPERIMENTS if self.rows(name).exists()
-        }
+    def results(self) -> Results:
+        """Of all experiments and studies that have some."""
+        return Results(
+            {name: read_rows(path) for name in EXPERIMENTS if (path := self.rows(name)).exists()},
+            {name: read_study(path) for name in STUDIES if (path := self.rows(name)).exists()},
+        )
 
 
 def write_page(folder: Folder, values: Mapping[str, Value]) -> Path:
-    """Rows and plots of the experiments that these results are of, and the page of all that are in
-    the folder.
-    """
+    """Rows and plots of what these results are of, and the page of all that is in the folder."""
     for name, experiment in EXPERIMENTS.items():
-        rows = [value for value in values.values() if value["experiment"] == name]
-        if rows:
+        if rows := _chosen(values, experiment=name, study=None):
             write_rows(folder.rows(name), experiment, rows)
+    for name, study in STUDIES.items():
+        if rows := _chosen(values, study=name):
+            write_study(folder.rows(name), study, rows)
     results = folder.results()
-    for name, rows_of_experiment in results.items():
+    for name, rows_of_experiment in results.experiments.items():
         samples = samples_of(EXPERIMENTS[name], rows_of_experiment)
         if samples:
             folder.plot(name).write_bytes(plot_of(samples))
+    for name, rows_of_study in results.studies.items():
+        folder.plot(name).write_bytes(plot_of_study(STUDIES[name], rows_of_study))
     page = folder.path / PAGE
     page.write_text(page_of(results, _REST), encoding="utf-8")
     return page
+
+
+def _chosen(values: Mapping[str, Value], **wanted: str | None) -> list[Value]:
+    return [
+        value
+        for value in values.values()
+        if all(value.get(key) == each for key, each in wanted.items())
+    ]

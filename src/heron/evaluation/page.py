@@ -5,13 +5,16 @@ figure on it is computed from the rows.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
 
 from heron.evaluation.claims import Claim, Verdict, between, claims_of
 from heron.evaluation.reasons import REASONS
-from heron.evaluation.rows import Row
+from heron.evaluation.rows import Row, StudyRow
 from heron.evaluation.sample import Sample, samples_of
 from heron.evaluation.statistics import median, share
-from heron.experiments import EXPERIMENTS, Measure
+from heron.evaluation.study_section import section_of
+from heron.experiments import EXPERIMENTS, STUDIES, Experiment, Measure
 from heron.experiments.table import ARM_NAMES, COMPLETED
 from heron.variants import Arm
 
@@ -20,27 +23,58 @@ _HEAD = """\
 
 <!-- Written by `heron evaluate`; do not edit. -->
 
-Each experiment is run in three arms on the same seeds: without a monitor; with DeROS, whose rules
-stop the robot until an operator has come, half a minute later; and with ROSSMARie, whose rules let
-it recover. [How to run the experiments](how-to/run-the-experiments.md) says what differs from seed
-to seed, and how this page is made.
+The thesis describes its experiments and gives no figures. So none of the figures below can agree or
+disagree with it; what is expected of the arms was written down from its words before they were
+run. Each experiment is run on the same seeds in these arms:
+
+- *no monitor*
+- *collision monitor*: what robots of ROS 2 have today. Zones of a range scan slow the robot down
+  and stop it, as in [Nav2's collision monitor][nav2], and it goes on when they are free. A base is
+  never faster than 0.25 m/s, the speed up to which a maker of such bases allows bumps (Neobotix
+  MP-500, data sheet), and the joystick has precedence, as by [twist_mux][mux]. Nothing recovers.
+  It has no say in experiment II: no range scan tells of a table's height.
+- *DeROS*: rules stop the robot until an operator has come, half a minute later.
+- *ROSSMARie*: rules let the robot recover.
+
+[How to run the experiments](how-to/run-the-experiments.md) says what differs from seed to seed, and
+how this page is made.
 
 A cell is the median over the episodes, in brackets its 95 % interval (bootstrap), unless all are
 the same; of completed tasks, that of their share (Wilson). Where not all episodes have a value,
 their number follows. Arms are compared seed by seed: the median of the differences with its
 interval, and the p of Wilcoxon's signed-rank test, one-sided.
+
+[nav2]: https://docs.nav2.org/tutorials/docs/using_collision_monitor.html
+[mux]: https://docs.ros.org/en/jazzy/p/twist_mux/
 """
 
 
-def page_of(results: Mapping[str, Sequence[Row]], plots: str) -> str:
-    """The whole page. `results` are rows by the names of experiments, `plots` is the folder of the
-    pictures as seen from the page.
-    """
-    samples = {name: samples_of(EXPERIMENTS[name], rows) for name, rows in results.items()}
-    lines = [_HEAD, *_summary([one for found in samples.values() for one in found])]
+@dataclass(frozen=True)
+class Results:
+    """Rows by the names of the experiments and of the studies."""
+
+    experiments: Mapping[str, Sequence[Row]]
+    studies: Mapping[str, Sequence[StudyRow]]
+
+
+def _changes() -> str:
+    """What differs from the thesis."""
+    return files("heron.evaluation").joinpath("assets/changes.md").read_text("utf-8")
+
+
+def page_of(results: Results, plots: str) -> str:
+    """The whole page. `plots` is the folder of the pictures as seen from the page."""
+    samples = {
+        name: samples_of(EXPERIMENTS[name], rows) for name, rows in results.experiments.items()
+    }
+    lines = [_HEAD, *_summary([one for found in samples.values() for one in found]), _changes()]
+    if results.studies:
+        lines += ["## How much depends on our choices", ""]
+    for name, rows in results.studies.items():
+        lines += section_of(STUDIES[name], rows, plots)
     for name, found in samples.items():
         lines += [f"## Experiment {EXPERIMENTS[name].title}", ""]
-        lines += _missing(results[name])
+        lines += _missing(EXPERIMENTS[name], results.experiments[name])
         for sample in found:
             lines += _section(sample)
         lines += [f"![{EXPERIMENTS[name].title}: every episode]({plots}/{name}.svg)", ""]
@@ -84,11 +118,11 @@ def _place(sample: Sample) -> str:
 def _section(sample: Sample) -> Iterator[str]:
     yield f"### {_place(sample)}"
     yield ""
-    yield f"| | {' | '.join(ARM_NAMES[arm] for arm in Arm)} |"
-    yield f"|---|{'---|' * len(Arm)}"
+    yield f"| | {' | '.join(ARM_NAMES[arm] for arm in sample.arms)} |"
+    yield f"|---|{'---|' * len(sample.arms)}"
     for measure in sample.experiment.measures:
-        if any(sample.values(arm, measure.name) for arm in Arm):
-            cells = " | ".join(_cell(sample, arm, measure) for arm in Arm)
+        if any(sample.values(arm, measure.name) for arm in sample.arms):
+            cells = " | ".join(_cell(sample, arm, measure) for arm in sample.arms)
             yield f"| {_label(measure)} | {cells} |"
     yield ""
     yield "| expected | found | |"
@@ -115,14 +149,14 @@ def _cell(sample: Sample, arm: Arm, measure: Measure) -> str:
     return text if len(values) == total else f"{text}, of {len(values)}"
 
 
-def _missing(rows: Sequence[Row]) -> Iterator[str]:
+def _missing(experiment: Experiment, rows: Sequence[Row]) -> Iterator[str]:
     """The episodes that were not finished, although others of their seed were."""
     there = {(row.variant, row.arm, row.seed) for row in rows}
     variants = list(dict.fromkeys(row.variant for row in rows))
     wanted = [
         (variant, arm.value, seed)
         for variant in variants
-        for arm in Arm
+        for arm in experiment.arms
         for seed in sorted({row.seed for row in rows})
     ]
     missing = [f"{variant}/{arm}/{seed}" for variant, arm, seed in wanted

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import textwrap
+from collections.abc import Callable, Sequence
 from io import BytesIO
 from typing import Any
 
@@ -11,13 +12,23 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from heron.evaluation.rows import StudyRow
 from heron.evaluation.sample import Sample
-from heron.experiments import Measure
-from heron.experiments.table import ARM_NAMES, DURATION
+from heron.evaluation.study_section import of_case
+from heron.experiments import Measure, Study
+from heron.experiments.studies import Case
+from heron.experiments.table import ARM_NAMES, COMPLETED, DURATION
 from heron.variants import Arm
 
-_COLORS = {Arm.NONE: "#7a7a7a", Arm.DEROS: "#d1690f", Arm.ROSSMARIE: "#1f6fb4"}
-_WIDTH, _HEIGHT = 2.2, 2.0
+_COLORS = {
+    Arm.NONE: "#7a7a7a",
+    Arm.COLLISION_MONITOR: "#2e7d4f",
+    Arm.DEROS: "#d1690f",
+    Arm.ROSSMARIE: "#1f6fb4",
+}
+_MARKERS = "os^Dv"
+_WIDTH, _HEIGHT = 2.5, 2.3
+_LETTERS = 30  # that a title has room for
 _STYLE: Any = {
     "font.size": 8,
     "svg.hashsalt": "heron",  # the same rows give the same file
@@ -32,11 +43,37 @@ def plot_of(samples: Sequence[Sample]) -> bytes:
     """One row of axes for each variant with hazards, as SVG."""
     chosen = [sample for sample in samples if sample.harms]
     columns = 1 + max(len(sample.harms) for sample in chosen)
-    with mpl.rc_context(_STYLE):
-        figure = Figure(figsize=(_WIDTH * columns, _HEIGHT * len(chosen)), layout="constrained")
-        grid = figure.subplots(len(chosen), columns, squeeze=False)
+
+    def fill(grid: Any) -> None:
         for axes_of_row, sample in zip(grid, chosen, strict=True):
             _fill(list(axes_of_row), sample)
+
+    return _drawn(len(chosen), columns, fill)
+
+
+def plot_of_study(study: Study, rows: Sequence[StudyRow]) -> bytes:
+    """How many tasks are completed, and how long they take, over the values of the study."""
+
+    def fill(grid: Any) -> None:
+        done, times = grid[0]
+        for index, case in enumerate(study.cases):
+            found = {value: each for value in study.values if (each := of_case(rows, case, value))}
+            _add_line(done, case, index, found, COMPLETED, lambda values: 100 * np.mean(values))
+            _add_line(times, case, index, found, DURATION, np.median)
+        done.set_title("task completed (%)", fontsize=8)
+        times.set_title(f"{DURATION.label} (s)", fontsize=8)
+        for axes in (done, times):
+            axes.set_xlabel(f"{study.label} ({study.unit})")
+            axes.set_ylim(bottom=0)
+        times.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
+
+    return _drawn(1, 2, fill, width=3.6)
+
+
+def _drawn(rows: int, columns: int, fill: Callable[[Any], None], width: float = _WIDTH) -> bytes:
+    with mpl.rc_context(_STYLE):
+        figure = Figure(figsize=(width * columns, _HEIGHT * rows), layout="constrained")
+        fill(figure.subplots(rows, columns, squeeze=False))
         file = BytesIO()
         figure.savefig(file, format="svg", metadata={"Date": None})
     return file.getvalue()
@@ -52,13 +89,28 @@ def _fill(row: Sequence[Axes], sample: Sample) -> None:
 
 
 def _draw(axes: Axes, sample: Sample, measure: Measure) -> None:
-    for place, arm in enumerate(Arm):
+    for place, arm in enumerate(sample.arms):
         values = sample.values(arm, measure.name)
         spread = np.linspace(-0.25, 0.25, len(values)) if len(values) > 1 else [0.0]
         axes.plot(
             place + np.asarray(spread), values, "o", color=_COLORS[arm], markersize=2.5, alpha=0.6
         )
         axes.hlines(float(np.median(values)), place - 0.35, place + 0.35, color=_COLORS[arm])
-    axes.set_title(f"{measure.label} ({measure.unit})", fontsize=8)
-    axes.set_xticks(range(len(Arm)), [ARM_NAMES[arm] for arm in Arm])
+    title = textwrap.fill(f"{measure.label} ({measure.unit})", _LETTERS)
+    axes.set_title(title, fontsize=8)
+    names = [ARM_NAMES[arm].replace(" ", "\n") for arm in sample.arms]
+    axes.set_xticks(range(len(names)), names, fontsize=7)
     axes.set_ylim(bottom=0)
+
+
+def _add_line(
+    axes: Axes,
+    case: Case,
+    index: int,
+    found: dict[float, list[StudyRow]],
+    measure: Measure,
+    middle: Callable[[list[float]], Any],
+) -> None:
+    values = [middle([one.row.numbers[measure.name] for one in each]) for each in found.values()]
+    variant = f"{case.of.title}, {case.variant.value}: {ARM_NAMES[case.arm]}"
+    axes.plot(list(found), values, marker=_MARKERS[index], markersize=4, label=variant)

@@ -1,16 +1,17 @@
-"""Rows of episodes as CSV: one file for each experiment, with six digits."""
+"""Rows of episodes as CSV: one file for each experiment and each study, with six digits."""
 
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from campaign import Value
-from heron.experiments import Experiment
+from heron.experiments import Experiment, Measure, Study
 
 _KEYS = ("variant", "arm", "seed")
+_STUDY_KEYS = ("value", "experiment", *_KEYS)
 
 
 @dataclass(frozen=True)
@@ -23,30 +24,66 @@ class Row:
     numbers: dict[str, float]
 
 
+@dataclass(frozen=True)
+class StudyRow:
+    """An episode of a study: of an experiment, with another value of a setting."""
+
+    value: float
+    experiment: str
+    row: Row
+
+
+def measures_of(study: Study) -> tuple[Measure, ...]:
+    """Those that all its experiments have."""
+    first, *others = {case.experiment: case.of for case in study.cases}.values()
+    return tuple(one for one in first.measures if all(one in other.measures for other in others))
+
+
 def write_rows(path: Path, experiment: Experiment, values: Iterable[Value]) -> None:
-    """The results of an experiment, in the order of the variants, the arms and the seeds."""
-    names = [measure.name for measure in experiment.measures]
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow([*_KEYS, *names])
-        for value in values:
-            writer.writerow(
-                [*(value[key] for key in _KEYS), *(_text(value[name]) for name in names)]
-            )
+    """The results of an experiment, in the order in which they were run."""
+    _write(path, _KEYS, experiment.measures, values)
+
+
+def write_study(path: Path, study: Study, values: Iterable[Value]) -> None:
+    """The results of a study, in the order in which they were run."""
+    _write(path, _STUDY_KEYS, measures_of(study), values)
 
 
 def read_rows(path: Path) -> list[Row]:
-    """What was written."""
+    """What was written of an experiment."""
+    with path.open(encoding="utf-8", newline="") as file:
+        return [_row(line) for line in csv.DictReader(file)]
+
+
+def read_study(path: Path) -> list[StudyRow]:
+    """What was written of a study."""
     with path.open(encoding="utf-8", newline="") as file:
         return [
-            Row(
-                line.pop("variant"),
-                line.pop("arm"),
-                int(line.pop("seed")),
-                {name: float(text) for name, text in line.items() if text},
-            )
+            StudyRow(float(line.pop("value")), line.pop("experiment"), _row(line))
             for line in csv.DictReader(file)
         ]
+
+
+def _write(
+    path: Path, keys: Sequence[str], measures: Sequence[Measure], values: Iterable[Value]
+) -> None:
+    names = [measure.name for measure in measures]
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow([*keys, *names])
+        for value in values:
+            writer.writerow(
+                [*(value[key] for key in keys), *(_text(value[name]) for name in names)]
+            )
+
+
+def _row(line: dict[str, str]) -> Row:
+    return Row(
+        line.pop("variant"),
+        line.pop("arm"),
+        int(line.pop("seed")),
+        {name: float(text) for name, text in line.items() if text},
+    )
 
 
 def _text(value: object) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import enum
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from heron.evaluation.rows import Row
@@ -23,7 +24,26 @@ class Sample:
     @property
     def harms(self) -> tuple[str, ...]:
         """The measures of what is dangerous in it."""
-        return self.experiment.harms[self.experiment.variants[self.variant]]
+        return self.experiment.harms[self._of_variant]
+
+    @property
+    def gains(self) -> tuple[str, ...]:
+        """The measures that are the better, the more."""
+        return self.experiment.gains.get(self._of_variant, ())
+
+    @property
+    def acts_within(self) -> Mapping[str, float]:
+        """How soon (s) something has to be done about each hazard."""
+        return self.experiment.acts_within.get(self._of_variant, {})
+
+    @property
+    def arms(self) -> tuple[Arm, ...]:
+        """What guarded the robot."""
+        return self.experiment.arms
+
+    @property
+    def _of_variant(self) -> enum.Enum:
+        return self.experiment.variants[self.variant]
 
     def values(self, arm: Arm, name: str) -> list[float]:
         """A measure of all episodes of an arm that have it."""
@@ -56,4 +76,4 @@ def samples_of(experiment: Experiment, rows: Sequence[Row]) -> list[Sample]:
         Sample(experiment, variant, [row for row in rows if row.variant == variant])
         for variant in experiment.variants
     ]
-    return [sample for sample in found if all(sample.count(arm) for arm in Arm)]
+    return [sample for sample in found if all(map(sample.count, experiment.arms))]

@@ -1,4 +1,4 @@
-"""The experiments of the thesis: each in three arms, on the same seeds, with measures."""
+"""The experiments of the thesis: each in several arms, on the same seeds, with measures."""
 
 from heron.experiments.human import HumanEpisode, HumanMeasures, run_human
 from heron.experiments.measures import NavigationMeasures
@@ -6,10 +6,14 @@ from heron.experiments.navigation import NavigationEpisode, run_navigation
 from heron.experiments.observer import Observer
 from heron.experiments.placing import PlacingEpisode, PlacingMeasures, run_placing
 from heron.experiments.runner import Node
+from heron.experiments.settings import USUAL, Settings
+from heron.experiments.studies import STUDIES, Study
 from heron.experiments.table import EXPERIMENTS, Episode, Experiment, Measure
 
 __all__ = [
     "EXPERIMENTS",
+    "STUDIES",
+    "USUAL",
     "Episode",
     "Experiment",
     "HumanEpisode",
@@ -21,6 +25,8 @@ __all__ = [
     "Observer",
     "PlacingEpisode",
     "PlacingMeasures",
+    "Settings",
+    "Study",
     "run_human",
     "run_navigation",
     "run_placing",

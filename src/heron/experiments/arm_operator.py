@@ -15,8 +15,8 @@ class ArmOperator:
 
     period_ns = 100_000_000
 
-    def __init__(self, guard: Guard, mend: Callable[[], None]) -> None:
-        self.summons = Summons(guard)
+    def __init__(self, guard: Guard, mend: Callable[[], None], delay: float) -> None:
+        self.summons = Summons(guard, delay)
         self._mend = mend
 
     def tick(self, now_ns: int) -> None:

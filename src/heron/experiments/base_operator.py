@@ -25,8 +25,10 @@ _TOO_STEEP = math.radians(20)
 
 @dataclass(frozen=True)
 class BaseOperatorParameters:
-    """Lengths in m, speeds in m/s."""
+    """Lengths in m, speeds in m/s, times in s."""
 
+    delay: float = 30.0
+    """From a call until he is there."""
     pace: float = 0.2
     way: float = 1.2
     """He drives at least so far: the robot is 0.9 m long, and all of it has to be past a bump."""
@@ -46,7 +48,7 @@ class BaseOperator:
         parameters: BaseOperatorParameters,
     ) -> None:
         self._physics = physics
-        self.summons = Summons(guard)
+        self.summons = Summons(guard, parameters.delay)
         self._course = course
         self._parameters = parameters
         self._drive = carrier.publisher(JOYSTICK)

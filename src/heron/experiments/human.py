@@ -11,13 +11,14 @@ from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import HUMAN_RULES, machine_of
 from heron.experiments.episode import acting, seeded, told_by
-from heron.experiments.measures import Flags, reactions, time_of, without_need
+from heron.experiments.measures import Flags, onsets, prolonged, reactions, time_of, without_need
 from heron.experiments.observer import Observer, attended
 from heron.experiments.proximity import ProximityWitness
 from heron.experiments.runner import Node
+from heron.experiments.settings import USUAL, Settings
 from heron.experiments.trace import Trace
 from heron.experiments.visitor import Visitor, Walk, varied
-from heron.guard import InProcessGuard
+from heron.guard import ArmCollisionMonitor, Guard, InProcessGuard
 from heron.robot import (
     Arm as RobotArm,
 )
@@ -29,15 +30,17 @@ from heron.robot import (
 )
 from heron.robot.physics import Floats
 from heron.scene import ArmParameters, PersonParameters, RoomParameters, build_room
+from heron.scene.scene import STEP_NS
 from heron.tasks import Outcome, SkillTask, TreeSkill
 from heron.topics import InProcess
 from heron.variants import Arm, Person
 
 LONGEST_S = 150.0
 _HOVER = 0.1  # m above the table, and so far down to it
-_NEAR = 1.5  # m, as in the rules
+_NEAR = 2.36  # m, as in the rules
 _REDUCED = 0.25  # m/s, the reduced speed of ISO 10218
 _CLOSE = 1.0  # m from the arm itself: nearer than this, its speed counts
+_SWINGS_ON = 0.3  # s after a push
 _SETTLING_STEPS = 250
 _SEEDED = ("walk", "scan")
 
@@ -49,7 +52,9 @@ class HumanMeasures:
     `nearest` is the least distance between the arm and the person, `fastest_near` the greatest
     speed of the hand while it is less than 1 m. `risk` puts both together: the greatest product of
     speed and closeness, which is 1 where they touch and 0 at 1 m. `time_too_fast` is how long the
-    hand was faster than 0.25 m/s within 1 m of them. A person who leads the arm moves it, too.
+    hand was faster than 0.25 m/s within 1 m of them. None of these counts while the person pushes
+    the hand: `led` is its greatest speed then, and `gives_way` how far it goes; None where no guard
+    acts, as the arm then goes where its task leads it.
     """
 
     is_completed: bool
@@ -59,6 +64,8 @@ class HumanMeasures:
     fastest_near: float
     risk: float
     time_too_fast: float
+    led: float | None
+    gives_way: float | None
     reactions: Mapping[str, float]
     time_restricted: float
     time_restricted_without_need: float
@@ -75,6 +82,7 @@ class HumanEpisode:
     outcome: Outcome
     measures: HumanMeasures
     told: tuple[tuple[float, str], ...]
+    onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     trace: Trace
 
@@ -87,12 +95,16 @@ class _Cell(ArmCell):
 
 
 def run_human(
-    arm: Arm, person: Person, seed: int, observers: Sequence[Observer] = ()
+    arm: Arm,
+    person: Person,
+    seed: int,
+    observers: Sequence[Observer] = (),
+    settings: Settings = USUAL,
 ) -> HumanEpisode:
     """One episode. The same arguments give the same episode, number for number."""
     generators = seeded(_SEEDED, seed)
     walk = varied(person, generators["walk"])
-    cell = _assembled(arm, walk, generators["scan"], observers)
+    cell = _assembled(arm, walk, generators["scan"], observers, settings)
     cell.play(LONGEST_S)
     trace = cell.witness.trace()
     return HumanEpisode(
@@ -103,13 +115,18 @@ def run_human(
         outcome=cell.task.outcome,
         measures=_measured(cell, trace),
         told=told_by(cell.guard),
+        onsets=onsets(trace, hazards(trace)),
         tree=cell.task.tree,
         trace=trace,
     )
 
 
 def _assembled(
-    arm: Arm, walk: Walk, generator: np.random.Generator, observers: Sequence[Observer]
+    arm: Arm,
+    walk: Walk,
+    generator: np.random.Generator,
+    observers: Sequence[Observer],
+    settings: Settings,
 ) -> _Cell:
     built, room, person = ArmParameters(), RoomParameters(), PersonParameters()
     robot = RobotArm(build_room(room, built, person), built)
@@ -119,12 +136,16 @@ def _assembled(
     places = stations(room, built)
     controller = ArmController(robot, carrier, places, ArmControllerParameters())
     scan = RangeScan(robot, carrier, generator, RangeScanParameters())
-    guard, operator = None, None
+    guard: Guard | None = None
+    operator: ArmOperator | None = None
     nodes: list[Node] = [visitor, scan, controller]
-    if arm is not Arm.NONE:
+    if arm in HUMAN_RULES:
         guard = InProcessGuard(machine_of(HUMAN_RULES[arm]), carrier, lambda: robot.now_ns)
-        operator = ArmOperator(guard, lambda: None)
+        operator = ArmOperator(guard, lambda: None, settings.operator_delay)
         nodes += [guard, operator]
+    elif arm is Arm.COLLISION_MONITOR:
+        guard = ArmCollisionMonitor(carrier)
+        nodes.append(guard)
     task = SkillTask(carrier, "CarryToAndFro", "arm.turtle", [])
     witness = ProximityWitness(robot, visitor, room, acting(guard))
     nodes += [task, witness, *attended(observers, robot, carrier, guard)]
@@ -153,10 +174,12 @@ def hazards(trace: Trace) -> dict[str, Flags]:
 
 
 def _measured(cell: _Cell, trace: Trace) -> HumanMeasures:
-    distance, speed = trace.columns["distance"], trace.columns["speed"]
+    distance, is_led = trace.columns["distance"], trace.columns["is_led"] > 0
+    speed = np.where(prolonged(is_led, _SWINGS_ON), 0.0, trace.columns["speed"])
     closeness = np.clip(1.0 - distance / _CLOSE, 0.0, 1.0)
     is_close = distance < _CLOSE
     present = hazards(trace)
+    led = trace.columns["speed"][is_led & (trace.columns["is_restricted"] > 0)]
     return HumanMeasures(
         is_completed=cell.task.outcome is Outcome.COMPLETED,
         duration=cell.arm.now_ns * 1e-9,
@@ -165,6 +188,8 @@ def _measured(cell: _Cell, trace: Trace) -> HumanMeasures:
         fastest_near=float(speed[is_close].max(initial=0.0)),
         risk=float((speed * closeness).max()),
         time_too_fast=time_of(is_close & (speed > _REDUCED)),
+        led=float(led.max()) if len(led) else None,
+        gives_way=float(led.sum()) * STEP_NS * 1e-9 if len(led) else None,
         reactions=reactions(trace, present, cell.occurrences),
         time_restricted=time_of(trace.columns["is_restricted"] > 0),
         time_restricted_without_need=time_of(without_need(trace, present)),

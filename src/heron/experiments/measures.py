@@ -21,6 +21,8 @@ _GRAVITY = 9.81
 _BANDWIDTH = 50.0  # Hz; what is above is ringing of the contact model
 _ON_SLOPE = math.radians(10)
 _ON_STEEP_SLOPE = math.radians(20)
+_SHAKEN = 0.5  # s that an axle may swing on after a bump
+_TOUCHED = 0.1  # s before what counts as on the bump, that belong to it
 _FORESEEN = 3.0  # s after a hazard in which caution is no needless one
 Flags = NDArray[np.bool_]
 
@@ -29,38 +31,47 @@ Flags = NDArray[np.bool_]
 class NavigationMeasures:
     """Times in s, accelerations in m/s^2.
 
-    `peaks` are the greatest accelerations at the axles, below 50 Hz and without gravity;
-    `reactions` the times from when a hazard began to the first action of a rule against it, for the
-    hazards that there were and that somebody acted on.
+    `peaks` are the greatest accelerations at the axles on the bump, by their names, and anywhere
+    else of whichever axle, as `elsewhere`: below 50 Hz and without gravity. `distance` is how far
+    the base went (m), `time_over_torque` how long a wheel had the usual limit of torque or more,
+    whatever the limit was then. `reactions` are the times from when a hazard began to the first
+    action of a rule against it, for the hazards that there were and that somebody acted on.
     """
 
     is_completed: bool
     duration: float
     interventions: int
     replanned: int
+    distance: float
     peaks: Mapping[str, float]
-    time_at_torque_limit: float
+    time_over_torque: float
     reactions: Mapping[str, float]
     time_restricted: float
     time_restricted_without_need: float
 
 
-def peaks(trace: Trace) -> dict[str, float]:
-    """The greatest acceleration at each axle, on whichever side."""
-    return {axle: _peak(trace.accelerations[axle]) for axle in AXLES}
+def peaks(trace: Trace, is_on_bump: Flags) -> dict[str, float]:
+    """The greatest acceleration of each axle on the bump, if there is one, and elsewhere; on
+    whichever side.
+    """
+    sizes = {axle: _sizes(trace.accelerations[axle]) for axle in AXLES}
+    there = prolonged(is_on_bump, _SHAKEN) | prolonged(is_on_bump[::-1], _TOUCHED)[::-1]
+    found = {axle: float(sizes[axle][there].max()) for axle in AXLES if there.any()}
+    found["elsewhere"] = max(float(each[~there].max(initial=0.0)) for each in sizes.values())
+    return found
 
 
-def _peak(accelerations: Floats) -> float:
-    """Of both sides: of shape (rows, sides, 3)."""
-    if len(accelerations) == 0:
-        return 0.0
+def _sizes(accelerations: Floats) -> Floats:
+    """Of both sides, of shape (rows, sides, 3), that of the greater one at each row."""
     kernel = _low_pass()
-    smooth = np.apply_along_axis(
-        lambda column: np.convolve(column, kernel, "same"), 0, accelerations
-    )
     half = len(kernel) // 2  # where the kernel hangs over the ends there is nothing to see
-    norms = np.linalg.norm(smooth[half : len(smooth) - half], axis=2)
-    return float(np.max(np.abs(norms - _GRAVITY), initial=0.0))
+    found: Floats = np.zeros(len(accelerations))
+    if len(accelerations) > 2 * half:
+        smooth = np.apply_along_axis(
+            lambda column: np.convolve(column, kernel, "valid"), 0, accelerations
+        )
+        found[half:-half] = np.abs(np.linalg.norm(smooth, axis=2) - _GRAVITY).max(axis=1)
+    return found
 
 
 def _low_pass() -> Floats:
@@ -123,6 +134,13 @@ def reactions(
     return found
 
 
+def onsets(trace: Trace, present: Mapping[str, Flags]) -> dict[str, float]:
+    """When each hazard that there was began (s)."""
+    return {
+        hazard: float(trace.times[flags][0]) for hazard, flags in present.items() if flags.any()
+    }
+
+
 def time_of(flags: Flags) -> float:
     """How long something was so."""
     return float(np.count_nonzero(flags)) * STEP_NS * 1e-9
@@ -132,11 +150,12 @@ def without_need(trace: Trace, present: Mapping[str, Flags]) -> Flags:
     """When commands were restricted though no hazard was there, nor had been just before."""
     is_restricted = trace.columns["is_restricted"] > 0
     needed = np.any(list(present.values()), axis=0)
-    return is_restricted & ~_prolonged(needed, round(_FORESEEN * 1e9 / STEP_NS))
+    return is_restricted & ~prolonged(needed, _FORESEEN)
 
 
-def _prolonged(flags: Flags, steps: int) -> Flags:
-    """Each stretch of true, and so many steps more."""
+def prolonged(flags: Flags, seconds: float) -> Flags:
+    """Each stretch of true, and so many seconds more."""
+    steps = round(seconds * 1e9 / STEP_NS)
     rows = np.arange(len(flags))
     last = np.maximum.accumulate(np.where(flags, rows, -steps - 1))
     found: Flags = rows - last <= steps

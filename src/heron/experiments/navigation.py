@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,6 +13,7 @@ from heron.experiments.episode import seeded, told_by
 from heron.experiments.measures import (
     NavigationMeasures,
     hazards,
+    onsets,
     peaks,
     reactions,
     time_of,
@@ -21,8 +22,9 @@ from heron.experiments.measures import (
 from heron.experiments.observer import Observer, attended
 from heron.experiments.picking import Standing, pick_up
 from heron.experiments.runner import Node, run
+from heron.experiments.settings import USUAL, Settings
 from heron.experiments.trace import BaseWitness, Trace
-from heron.guard import Guard, InProcessLink, Link, unfiltered
+from heron.guard import BaseCollisionMonitor, Guard, InProcessLink, Link, unfiltered
 from heron.robot import (
     Base,
     Drive,
@@ -31,6 +33,8 @@ from heron.robot import (
     ImuParameters,
     Localization,
     LocalizationParameters,
+    RangeScan,
+    RangeScanParameters,
     WheelOdometry,
     WheelOdometryParameters,
 )
@@ -41,8 +45,8 @@ from heron.variants import Arm, Terrain
 
 LONGEST_S = 240.0
 _SETTLING_STEPS = 500
-_NEARLY = 0.98  # of what a servo may give
-_SEEDED = ("course", "imu", "odometry", "localization", "picking", "joints")
+_NEARLY = 0.98  # of the usual limit of torque
+_SEEDED = ("course", "imu", "odometry", "localization", "picking", "joints", "scan")
 
 
 @dataclass(frozen=True)
@@ -56,6 +60,7 @@ class NavigationEpisode:
     outcome: Outcome
     measures: NavigationMeasures
     told: tuple[tuple[float, str], ...]
+    onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     trace: Trace
 
@@ -85,21 +90,22 @@ def run_navigation(
     terrain: Terrain,
     seed: int,
     observers: Sequence[Observer] = (),
+    settings: Settings = USUAL,
     link: Link | None = None,
 ) -> NavigationEpisode:
     """One episode, in this process if no other link is given. The same arguments give the same
     episode, number for number.
     """
-    base = BaseParameters()
     generators = seeded(_SEEDED, seed)
     built = course(terrain, varied(generators["course"]))
-    robot = _assembled(arm, built, base, generators, link or InProcessLink())
+    robot = _assembled(arm, built, settings, generators, link or InProcessLink())
     _drive(robot, observers)
-    measures = _measured(robot, built, base)
+    measures = _measured(robot, built)
     if robot.navigation.outcome is Outcome.COMPLETED:
         picked = pick_up(robot.standing(), built, robot.task, generators, observers)
         duration = measures.duration + picked.seconds
         measures = replace(measures, is_completed=picked.is_held, duration=duration)
+    trace = robot.witness.trace()
     return NavigationEpisode(
         arm=arm,
         terrain=terrain,
@@ -108,8 +114,9 @@ def run_navigation(
         outcome=robot.navigation.outcome,
         measures=measures,
         told=told_by(robot.guard),
+        onsets=onsets(trace, hazards(trace, built, BaseParameters())),
         tree=robot.task.tree,
-        trace=robot.witness.trace(),
+        trace=trace,
     )
 
 
@@ -126,10 +133,11 @@ def varied(generator: np.random.Generator) -> CourseParameters:
 def _assembled(
     arm: Arm,
     built: Course,
-    base: BaseParameters,
+    settings: Settings,
     generators: dict[str, np.random.Generator],
     link: Link,
 ) -> _Robot:
+    base = replace(BaseParameters(), torque=settings.usual_torque)
     physics = Base(build_navigation(built, base))
     physics.settle(_SETTLING_STEPS)
 
@@ -141,14 +149,21 @@ def _assembled(
         Imu(physics, carrier, generators["imu"], ImuParameters()),
         WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
         Localization(physics, carrier, generators["localization"], LocalizationParameters()),
+        RangeScan(physics, carrier, generators["scan"], RangeScanParameters()),
         Drive(physics, carrier, base, DriveParameters()),
     ]
-    guard, operator = None, None
+    guard: Guard | None = None
+    operator: BaseOperator | None = None
     view: Carrier = carrier
-    if arm is not Arm.NONE:
+    if arm in NAVIGATION_RULES:
         guard = link.guard(machine_of(NAVIGATION_RULES[arm]), carrier, clock)
-        operator = BaseOperator(physics, carrier, guard, built, BaseOperatorParameters())
+        parameters = BaseOperatorParameters(settings.operator_delay)
+        operator = BaseOperator(physics, carrier, guard, built, parameters)
         nodes += [guard, operator]
+    elif arm is Arm.COLLISION_MONITOR:
+        guard = BaseCollisionMonitor(carrier, clock)
+        nodes.append(guard)
+    if guard is not None:
         view = Remapped(carrier, {COMMAND.name: unfiltered(COMMAND.name)})
     navigation = Navigation(view, built.routes, NavigationParameters(), clock)
     witness = BaseWitness(physics, lambda: guard is not None and guard.is_restricting)
@@ -170,9 +185,9 @@ def _drive(robot: _Robot, observers: Sequence[Observer]) -> None:
     )
 
 
-def _measured(robot: _Robot, built: Course, base: BaseParameters) -> NavigationMeasures:
+def _measured(robot: _Robot, built: Course) -> NavigationMeasures:
     """Of the way, on which nothing has been picked up yet."""
-    trace = robot.witness.trace()
+    trace, base = robot.witness.trace(), BaseParameters()
     present = hazards(trace, built, base)
     guard, operator = robot.guard, robot.operator
     return NavigationMeasures(
@@ -180,8 +195,9 @@ def _measured(robot: _Robot, built: Course, base: BaseParameters) -> NavigationM
         duration=robot.physics.now_ns * 1e-9,
         interventions=0 if operator is None else operator.summons.visits,
         replanned=robot.navigation.replanned,
-        peaks=peaks(trace),
-        time_at_torque_limit=time_of(trace.columns["effort"] >= _NEARLY),
+        distance=float(trace.columns["distance"][-1]),
+        peaks=peaks(trace, present["bump"]),
+        time_over_torque=time_of(trace.columns["torque"] >= _NEARLY * base.torque),
         reactions=reactions(trace, present, [] if guard is None else guard.occurrences),
         time_restricted=time_of(trace.columns["is_restricted"] > 0),
         time_restricted_without_need=time_of(without_need(trace, present)),

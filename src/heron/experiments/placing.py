@@ -14,9 +14,10 @@ from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import PLACING_RULES, machine_of
 from heron.experiments.episode import acting, seeded, told_by
-from heron.experiments.measures import reactions, time_of
+from heron.experiments.measures import Flags, onsets, reactions, time_of
 from heron.experiments.observer import Observer, attended
 from heron.experiments.runner import Node
+from heron.experiments.settings import USUAL, Settings
 from heron.experiments.trace import ArmWitness, Trace
 from heron.guard import InProcessGuard, unfiltered
 from heron.robot import (
@@ -79,6 +80,7 @@ class PlacingEpisode:
     outcome: Outcome
     measures: PlacingMeasures
     told: tuple[tuple[float, str], ...]
+    onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     trace: Trace
 
@@ -92,13 +94,17 @@ class _Cell(ArmCell):
 
 
 def run_placing(
-    arm: Arm, table: Table, seed: int, observers: Sequence[Observer] = ()
+    arm: Arm,
+    table: Table,
+    seed: int,
+    observers: Sequence[Observer] = (),
+    settings: Settings = USUAL,
 ) -> PlacingEpisode:
     """One episode. The same arguments give the same episode, number for number."""
     generators = seeded(_SEEDED, seed)
     parameters = varied(table, generators["table"])
     skill = skill_of(table, generators["table"])
-    cell = _assembled(arm, parameters, skill, generators, observers)
+    cell = _assembled(arm, parameters, skill, generators, observers, settings)
     cell.play(LONGEST_S)
     trace = cell.witness.trace()
     return PlacingEpisode(
@@ -110,6 +116,7 @@ def run_placing(
         outcome=cell.task.outcome,
         measures=_measured(cell, trace, table, parameters),
         told=told_by(cell.guard),
+        onsets=onsets(trace, _hazards(trace, parameters)),
         tree=cell.task.tree,
         trace=trace,
     )
@@ -137,6 +144,7 @@ def _assembled(
     skill: Sequence[str],
     generators: Mapping[str, np.random.Generator],
     observers: Sequence[Observer],
+    settings: Settings,
 ) -> _Cell:
     built = ArmParameters()
     robot = RobotArm(build_placing(table, built), built)
@@ -151,9 +159,10 @@ def _assembled(
     ]
     guard, operator = None, None
     view: Carrier = carrier
-    if arm is not Arm.NONE:
+    if arm in PLACING_RULES:
         guard = InProcessGuard(machine_of(PLACING_RULES[arm]), carrier, lambda: robot.now_ns)
-        operator = ArmOperator(guard, _remedy(guard, controller, table, built))
+        mend = _remedy(guard, controller, table, built)
+        operator = ArmOperator(guard, mend, settings.operator_delay)
         nodes += [guard, operator]
         view = Remapped(carrier, _remapped(guard))
     task = SkillTask(view, skill[0], "arm.turtle", skill[1:])
@@ -192,9 +201,8 @@ def _remapped(guard: InProcessGuard) -> dict[str, str]:
 
 def _measured(cell: _Cell, trace: Trace, variant: Table, table: TableParameters) -> PlacingMeasures:
     force = np.abs(trace.columns["force"])
-    is_over = trace.columns["effort"] > _OVER
     is_acting = trace.columns["is_restricted"] > 0
-    present = {"hammering": (force > _TOUCH) & (table.too_high > 0), "torque": is_over}
+    present = _hazards(trace, table)
     return PlacingMeasures(
         is_completed=cell.task.outcome is Outcome.COMPLETED and _is_placed(cell, table),
         duration=cell.arm.now_ns * 1e-9,
@@ -203,11 +211,20 @@ def _measured(cell: _Cell, trace: Trace, variant: Table, table: TableParameters)
         peak_force=float(force.max()),
         time_above_30_n=time_of(force > _HARD),
         peak_effort=float(trace.columns["effort"].max()),
-        time_over_torque=time_of(is_over),
+        time_over_torque=time_of(present["torque"]),
         reactions=reactions(trace, present, cell.occurrences),
         time_restricted=time_of(is_acting),
         time_restricted_without_need=time_of(is_acting & (variant is Table.EXPECTED)),
     )
+
+
+def _hazards(trace: Trace, table: TableParameters) -> dict[str, Flags]:
+    """When each hazard is there: a table that is touched too early, a torque above its limit."""
+    is_touching = np.abs(trace.columns["force"]) > _TOUCH
+    return {
+        "hammering": is_touching & (table.too_high > 0),
+        "torque": trace.columns["effort"] > _OVER,
+    }
 
 
 def _is_placed(cell: _Cell, table: TableParameters) -> bool:

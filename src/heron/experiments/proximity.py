@@ -19,7 +19,10 @@ from heron.scene.scene import STEP_NS
 FAR = 2.0
 """m; what is further away than this is not measured."""
 _EVERY = 10  # steps: nobody comes nearer by more than 4 cm meanwhile
-_COLUMNS = ("distance", "speed", "from_axis", "is_inside", "x", "y", "effort", "is_restricted")
+_COLUMNS = (
+    *("distance", "speed", "from_axis", "is_inside", "is_led"),
+    *("x", "y", "effort", "is_restricted"),
+)
 
 
 class ProximityWitness:
@@ -55,6 +58,7 @@ class ProximityWitness:
                 self._speed(),
                 from_axis,
                 any(self._room.is_inside(*foot) for foot in feet),
+                self._visitor.is_leading,
                 float(grasp[0]),
                 float(grasp[1]),
                 float(self._arm.efforts.max()),

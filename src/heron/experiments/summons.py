@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from heron.guard import Guard
 
-ARRIVAL_NS = 30_000_000_000
-
 
 class Summons:
-    """`visits` counts how often somebody had to come."""
+    """`visits` counts how often somebody had to come, `delay` seconds after each call."""
 
-    def __init__(self, guard: Guard) -> None:
+    def __init__(self, guard: Guard, delay: float) -> None:
         self._guard = guard
+        self._delay_ns = round(delay * 1e9)
         self._called_ns: int | None = None
         self._arrived_ns: int | None = None
         self.visits = 0
@@ -24,7 +23,7 @@ class Summons:
         if self._called_ns is None:
             self._called_ns = now_ns
         if self._arrived_ns is None:
-            if now_ns - self._called_ns < ARRIVAL_NS:
+            if now_ns - self._called_ns < self._delay_ns:
                 return None
             self._arrived_ns = now_ns
             self.visits += 1

@@ -16,9 +16,11 @@ from heron.experiments.human import HumanEpisode, run_human
 from heron.experiments.navigation import NavigationEpisode, run_navigation
 from heron.experiments.observer import Observer
 from heron.experiments.placing import PlacingEpisode, run_placing
+from heron.experiments.settings import Settings
 from heron.experiments.trace import Trace
+from heron.scene import BaseParameters
 from heron.tasks import Outcome, TreeSkill
-from heron.variants import VARIANTS, Arm, Person, Table, Terrain
+from heron.variants import ARMS, VARIANTS, Arm, Person, Table, Terrain
 
 
 class Measures(Protocol):
@@ -73,6 +75,10 @@ class Episode(Protocol):
         """What the guard said, with its instants (s)."""
 
     @property
+    def onsets(self) -> Mapping[str, float]:
+        """When each hazard that there was began (s)."""
+
+    @property
     def tree(self) -> tuple[TreeSkill, ...]:
         """What became of the skills of the task."""
 
@@ -81,7 +87,12 @@ class Episode(Protocol):
         """What really happened."""
 
 
-ARM_NAMES = {Arm.NONE: "no monitor", Arm.DEROS: "DeROS", Arm.ROSSMARIE: "ROSSMARie"}
+ARM_NAMES: Mapping[Arm, str] = {
+    Arm.NONE: "no monitor",
+    Arm.COLLISION_MONITOR: "collision monitor",
+    Arm.DEROS: "DeROS",
+    Arm.ROSSMARIE: "ROSSMARie",
+}
 
 
 @dataclass(frozen=True)
@@ -114,29 +125,39 @@ class Signal:
 
 @dataclass(frozen=True)
 class Camera:
-    """From where an episode is looked at (m, degrees): so far from the body, in that direction."""
+    """From where an episode is looked at (m, degrees): so far from a place above the body, in that
+    direction.
+    """
 
     body: str
     distance: float
     azimuth: float
     elevation: float
+    above: float = 0.0
 
 
 @dataclass(frozen=True)
 class Experiment:
-    """`harms` names for each variant the measures of what is dangerous there: none, and whatever a
-    monitor restricts there is without need. The first variant is shown in the demo, by a camera for
-    each scene.
+    """`harms` names for each variant the measures of what is dangerous there and in no variant
+    before it: none, and whatever a monitor restricts there is without need. `gains` are those that
+    are the better, the more. `acts_within` says how soon (s) something has to be done about a
+    hazard, `hazards` how each is called. The first variant is shown in the demo, by a camera for
+    each scene, from so many seconds after the beginning of a hazard on: that is `opening`.
     """
 
     name: str
     title: str
-    run: Callable[[Arm, Any, int, Sequence[Observer]], Episode]
+    about: str
+    run: Callable[[Arm, Any, int, Sequence[Observer], Settings], Episode]
     describe: Callable[[Any], str]
     own_measures: tuple[Measure, ...]
+    hazards: Mapping[str, str]
     harms: Mapping[enum.Enum, tuple[str, ...]]
+    gains: Mapping[enum.Enum, tuple[str, ...]]
+    acts_within: Mapping[enum.Enum, Mapping[str, float]]
     signals: tuple[Signal, ...]
     cameras: tuple[Camera, ...]
+    opening: tuple[str, float]
 
     @property
     def variants(self) -> Mapping[str, enum.Enum]:
@@ -144,9 +165,15 @@ class Experiment:
         return {variant.value: variant for variant in VARIANTS[self.name]}
 
     @property
+    def arms(self) -> tuple[Arm, ...]:
+        """What may guard the robot in it."""
+        return ARMS[self.name]
+
+    @property
     def measures(self) -> tuple[Measure, ...]:
         """All of them, in the order in which they are shown."""
-        return (*_TASK, *self.own_measures, *_RESTRICTIONS)
+        reactions = (_reaction(*each) for each in self.hazards.items())
+        return (*_TASK, *self.own_measures, *reactions, *_RESTRICTIONS)
 
     def measure(self, name: str) -> Measure:
         """The one of that name. Raises `StopIteration`."""
@@ -156,7 +183,7 @@ class Experiment:
 COMPLETED = Measure("completed", "task completed", "", 0, attrgetter("is_completed"))
 DURATION = Measure("duration", "time", "s", 1, attrgetter("duration"))
 INTERVENTIONS = Measure(
-    "interventions", "visits of the operator", "", 0, attrgetter("interventions")
+    "interventions", "operator interventions", "", 0, attrgetter("interventions")
 )
 WITHOUT_NEED = Measure(
     "restricted_without_need",
@@ -183,13 +210,14 @@ def _reaction(hazard: str, words: str) -> Measure:
     )
 
 
-def _peak(axle: str) -> Measure:
+def _peak(place: str, words: str) -> Measure:
+    """None where there is no bump."""
     return Measure(
-        f"peak_{axle}",
-        f"peak acceleration, {axle} axle",
+        f"peak_{place}",
+        f"peak acceleration, {words}",
         "m/s²",
         1,
-        lambda measures: measures.peaks[axle],
+        lambda measures: measures.peaks.get(place),
     )
 
 
@@ -207,41 +235,62 @@ def _of_person(episode: HumanEpisode) -> str:
     return f"somebody {episode.person.value}"
 
 
-_PEAKS = ("peak_front", "peak_drive", "peak_rear")
-_STALLS = "time_at_torque_limit"
+_ON_BUMP = ("peak_front", "peak_drive", "peak_rear")
+_OVER_TORQUE = "time_over_torque"
+_USUAL_TORQUE = BaseParameters().torque
 
 NAVIGATION = Experiment(
     name="nav",
     title="I, navigation",
+    about=(
+        "The base drives along a corridor with a bump, up a ramp into a room, and the arm picks up "
+        "a block there. The ramp needs more torque than the base usually gives."
+    ),
     run=run_navigation,
     describe=_on_terrain,
     own_measures=(
-        Measure("replanned", "other ways taken", "", 0, attrgetter("replanned")),
-        *map(_peak, ("front", "drive", "rear")),
-        Measure(_STALLS, "at the limit of torque", "s", 1, attrgetter("time_at_torque_limit")),
-        _reaction("bump", "bump"),
-        _reaction("gentle", "gentle slope"),
-        _reaction("steep", "steep slope"),
+        Measure("replanned", "reroutes", "", 0, attrgetter("replanned")),
+        Measure("distance", "distance travelled", "m", 1, attrgetter("distance")),
+        *(_peak(axle, f"{axle} axle on the bump") for axle in ("front", "drive", "rear")),
+        _peak("elsewhere", "any axle off the bump"),
+        Measure(
+            _OVER_TORQUE,
+            f"torque of {_USUAL_TORQUE:.0f} Nm or more",
+            "s",
+            1,
+            attrgetter("time_over_torque"),
+        ),
     ),
+    hazards={"bump": "bump", "gentle": "gentle slope", "steep": "steep slope"},
     harms={
-        Terrain.GENTLE: (*_PEAKS, _STALLS),
-        Terrain.STEEP: (*_PEAKS, _STALLS),
+        Terrain.GENTLE: (*_ON_BUMP, _OVER_TORQUE),
+        Terrain.STEEP: ("peak_elsewhere", _OVER_TORQUE),
         Terrain.FLAT: (),
     },
+    gains={},
+    acts_within={
+        Terrain.GENTLE: {"bump": 0.5, "gentle": 1.0},  # an axle comes 0.7 s after the one before
+        Terrain.STEEP: {"steep": 2.5},
+    },
     signals=(
-        Signal("x", "way", "m"),
+        Signal("distance", "distance travelled", "m"),
         Signal("pitch", "tilt", "°", -math.degrees(1), 10.0),
-        Signal("effort", "torque, of its limit", "%", 100.0, 100.0),
+        Signal("torque", "torque of a drive wheel", "Nm", 1.0, _USUAL_TORQUE),
     ),
     cameras=(
-        Camera("base", distance=3.6, azimuth=75.0, elevation=-16.0),
-        Camera("shoulder", distance=1.9, azimuth=130.0, elevation=-12.0),
+        Camera("base", distance=3.2, azimuth=62.0, elevation=-14.0, above=0.4),
+        Camera("shoulder", distance=2.2, azimuth=130.0, elevation=-14.0),
     ),
+    opening=("gentle", 9.5),
 )
 
 PLACING = Experiment(
     name="place",
     title="II, placing",
+    about=(
+        "The arm puts a block on a table that is some centimeters higher than it believes. Its "
+        "compliant controller starts to hammer when the block touches the table too early."
+    ),
     run=run_placing,
     describe=_on_table,
     own_measures=(
@@ -262,25 +311,31 @@ PLACING = Experiment(
             2,
             attrgetter("time_over_torque"),
         ),
-        _reaction("hammering", "hammering"),
-        _reaction("torque", "torque too high"),
     ),
+    hazards={"hammering": "hammering", "torque": "torque too high"},
     harms={
         Table.HIGH: ("peak_force", "time_above_30_n"),
         Table.HURRIED: ("peak_effort", "time_over_torque"),
         Table.EXPECTED: (),
     },
+    gains={},
+    acts_within={Table.HIGH: {"hammering": 0.5}, Table.HURRIED: {"torque": 0.05}},
     signals=(
         Signal("force", "force on the hand", "N", 1.0, 30.0),
         Signal("height", "height of the hand", "cm", 100.0),
         Signal("effort", "torque, of its limit", "%", 100.0, 60.0),
     ),
-    cameras=(Camera("table", distance=1.3, azimuth=130.0, elevation=-10.0),),
+    cameras=(Camera("table", distance=0.85, azimuth=140.0, elevation=-5.0, above=0.13),),
+    opening=("hammering", 1.9),
 )
 
 HUMAN = Experiment(
     name="human",
     title="III, a human in the room",
+    about=(
+        "The arm carries a block to and fro. Somebody comes in, stands beside it, pushes the hand "
+        "aside, and leaves. The red line is as near as a person may come to a moving arm."
+    ),
     run=run_human,
     describe=_of_person,
     own_measures=(
@@ -292,19 +347,23 @@ HUMAN = Experiment(
         Measure(
             "time_too_fast", "faster than 0.25 m/s within 1 m", "s", 1, attrgetter("time_too_fast")
         ),
-        _reaction("entered", "somebody in the room"),
-        _reaction("close", "somebody close"),
+        Measure("gives_way", "gives way to a push of 15 N", "m", 2, attrgetter("gives_way")),
+        Measure("led", "fastest while it is pushed", "m/s", 2, attrgetter("led")),
     ),
+    hazards={"entered": "somebody in the room", "close": "somebody close"},
     harms={
         Person.INSIDE: ("fastest_near", "risk", "time_too_fast"),
         Person.OUTSIDE: (),
     },
+    gains={Person.INSIDE: ("gives_way",)},
+    acts_within={Person.INSIDE: {"entered": 0.5, "close": 0.3}},
     signals=(
         Signal("distance", "distance of arm and person, up to 2 m", "m", 1.0, 1.0),
         Signal("speed", "speed of the hand", "m/s", 1.0, 0.25),
         Signal("x", "hand, to and fro", "m"),
     ),
-    cameras=(Camera("shoulder", distance=3.2, azimuth=25.0, elevation=-16.0),),
+    cameras=(Camera("shoulder", distance=3.9, azimuth=28.0, elevation=-16.0),),
+    opening=("close", 2.0),
 )
 
 EXPERIMENTS: Mapping[str, Experiment] = {one.name: one for one in (NAVIGATION, PLACING, HUMAN)}

@@ -87,6 +87,8 @@ class Visitor:
         self._hand = arm.model.body("hand").id
         self.place: Point = walk.legs[0].start
         self.feet: tuple[Point, ...] = ()
+        self.is_leading = False
+        """Whether they push the hand."""
         self.tick(0)
 
     def tick(self, now_ns: int) -> None:
@@ -106,7 +108,9 @@ class Visitor:
             ahead = -math.sin(side * swing) * self._hip_height
             feet.append((x + ahead * math.cos(facing), y + ahead * math.sin(facing)))
         self.feet = tuple(feet)
-        data.xfrc_applied[self._hand, :2] = self._push(now_s)
+        push = self._push(now_s)
+        self.is_leading = push != (0.0, 0.0)
+        data.xfrc_applied[self._hand, :2] = push
 
     def _push(self, now_s: float) -> Point:
         """What they push the hand with: away from them."""

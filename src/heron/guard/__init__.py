@@ -3,11 +3,14 @@
 It performs what the nodes that ROSSMARie generates for ROS perform, in the same order.
 """
 
+from heron.guard.collision_monitor import ArmCollisionMonitor, BaseCollisionMonitor
 from heron.guard.guard import InProcessGuard, InProcessLink
 from heron.guard.model import Guard, Link, Occurrence, unfiltered, waiting
 from heron.guard.performing import UnsupportedEffectError
 
 __all__ = [
+    "ArmCollisionMonitor",
+    "BaseCollisionMonitor",
     "Guard",
     "InProcessGuard",
     "InProcessLink",

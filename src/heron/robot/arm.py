@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 
 from heron.robot.physics import Floats, Physics
-from heron.scene.arm import HOME, JOINTS, LINKS, ArmParameters
+from heron.scene.arm import GRIP, HOME, JOINTS, LINKS, ArmParameters
 from heron.scene.placing import lay_down, take_up
 
 _DAMPING = 1e-6  # of the inverse: the arm never comes near a singularity here
@@ -23,8 +23,9 @@ class Arm(Physics):
     else.
     """
 
-    def __init__(self, model: Any, parameters: ArmParameters, block: Floats | None = None) -> None:
-        super().__init__(model)
+    def __init__(self, spec: Any, parameters: ArmParameters, block: Floats | None = None) -> None:
+        super().__init__(spec)
+        model = self.model
         if block is None:
             take_up(model, self.data, parameters)
         else:
@@ -39,7 +40,7 @@ class Arm(Physics):
         self._stride = np.zeros(self._count)
         self._grasp = model.site("grasp").id
         self._flange = model.site("flange").id
-        self._grip = model.equality("grip").id
+        self._grip = model.equality(GRIP).id
         self._commanded = mujoco.MjData(model)  # the kinematics of what is asked of the servos
         self._commanded.qpos[: self._count] = HOME
         mujoco.mj_kinematics(model, self._commanded)

@@ -11,12 +11,12 @@ from heron.scene.base import SIDES
 class Base(Physics):
     """A scene with the base in it."""
 
-    def __init__(self, model: Any) -> None:
-        super().__init__(model)
+    def __init__(self, spec: Any) -> None:
+        super().__init__(spec)
+        model = self.model
         wheels = tuple(f"wheel_{side}" for side in SIDES)
         self._angles = [model.joint(name).qposadr[0] for name in wheels]
         self._servos = [model.actuator(name).id for name in wheels]
-        self._most = float(model.actuator_forcerange[self._servos[0], 1])
 
     @property
     def position(self) -> Floats:
@@ -37,10 +37,10 @@ class Base(Physics):
         return left, right
 
     @property
-    def effort(self) -> float:
-        """The torque of the servo that gives more, as a share of what it may give."""
+    def torque(self) -> float:
+        """That of the servo that gives more (Nm)."""
         left, right = (abs(float(self.data.actuator_force[index])) for index in self._servos)
-        return max(left, right) / self._most
+        return max(left, right)
 
     def turn_wheels(self, left: float, right: float) -> None:
         """Asks the servos for angular velocities (rad/s)."""
@@ -49,4 +49,3 @@ class Base(Physics):
     def limit_torque(self, most: float) -> None:
         """How much the servo of each wheel may give (Nm)."""
         self.model.actuator_forcerange[self._servos] = (-most, most)
-        self._most = most

@@ -25,12 +25,13 @@ class Attitude:
 
 
 class Physics:
-    """A compiled scene and its state. `now_ns` is the time in this scene: where an episode goes on
+    """A scene and its state. `now_ns` is the time in this scene: where an episode goes on
     in another scene, that one begins at `began_ns` of the episode.
     """
 
-    def __init__(self, model: Any) -> None:
-        self.model = model
+    def __init__(self, spec: Any) -> None:
+        self.spec = spec
+        self.model = model = spec.compile()
         self.data = mujoco.MjData(model)
         self.now_ns = 0
         self.began_ns = 0

@@ -11,7 +11,7 @@ import numpy as np
 from heron import messages
 from heron.robot.imperfection import Late
 from heron.robot.physics import Physics
-from heron.scene.person import SEEN_GROUP
+from heron.scene.ground import SEEN_GROUP
 from heron.topics import SCAN, Carrier
 
 
@@ -24,7 +24,6 @@ class RangeScanParameters:
     rate: float = 12.5
     latency: float = 0.1
     step: float = math.radians(0.5)
-    height: float = 0.2
     least: float = 0.1
     most: float = 30.0
     noise: float = 0.02
@@ -33,7 +32,7 @@ class RangeScanParameters:
 
 
 class RangeScan:
-    """Looks from the middle of the robot, over what it carries itself."""
+    """Looks from the site `scanner`, in its plane, past what the robot carries itself."""
 
     def __init__(
         self,
@@ -50,8 +49,8 @@ class RangeScan:
         self._count = round(2 * math.pi / parameters.step)
         angles = -math.pi + parameters.step * np.arange(self._count)
         self._angles = (-math.pi, float(angles[-1]), parameters.step)
-        beams = np.stack((np.cos(angles), np.sin(angles), np.zeros(self._count)), axis=1)
-        self._beams = beams.reshape(-1)
+        self._beams = np.stack((np.cos(angles), np.sin(angles), np.zeros(self._count)), axis=1)
+        self._scanner = physics.model.site("scanner").id
         self._groups = np.zeros(6, dtype=np.uint8)
         self._groups[SEEN_GROUP] = 1
         self._met = np.zeros(self._count, dtype=np.int32)
@@ -73,11 +72,13 @@ class RangeScan:
         return np.where(is_dust, early, np.where(true > found.most, np.inf, seen))
 
     def _true_ranges(self) -> np.ndarray:
+        data = self._physics.data
+        turned = data.site_xmat[self._scanner].reshape(3, 3)
         mujoco.mj_multiRay(
             self._physics.model,
-            self._physics.data,
-            np.array([0.0, 0.0, self._parameters.height]),
-            self._beams,
+            data,
+            data.site_xpos[self._scanner],
+            (self._beams @ turned.T).reshape(-1),
             self._groups,
             True,
             -1,

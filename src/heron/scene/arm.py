@@ -18,6 +18,8 @@ _GEOM = mujoco.mjtGeom
 _HALF_TURN = math.sqrt(0.5)
 _ABOUT_Y = (_HALF_TURN, 0.0, _HALF_TURN, 0.0)
 _UPRIGHT = (1.0, 0.0, 0.0, 0.0)
+GRIP = "grip"
+"""The equality that is active while the hand holds the block."""
 HOME = (-math.pi / 2, -math.pi / 2, math.pi / 2, -math.pi / 2, -math.pi / 2, 0.0)
 
 
@@ -147,7 +149,7 @@ def _add_block(spec: Any, arm: ArmParameters, reach: float) -> None:
     geom.rgba = [0.2, 0.4, 0.9, 1]
     Contact(0.8, arm.contact_time).apply(geom)
     grip = spec.add_equality(
-        name="grip",
+        name=GRIP,
         type=mujoco.mjtEq.mjEQ_WELD,
         objtype=mujoco.mjtObj.mjOBJ_BODY,
         name1="hand",

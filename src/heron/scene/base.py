@@ -52,6 +52,13 @@ class BaseParameters:
     gain: float = 12.0
     """Of the velocity servo on each wheel, in Nm s/rad."""
     imu_z: float = 0.2
+    scanner_z: float = 0.2
+
+    @property
+    def mass(self) -> float:
+        """Of all of it (kg)."""
+        wheels = 2 * (self.wheel_mass + self.rocker_mass) + 4 * self.caster_mass
+        return self.chassis_mass + self.tower_mass + wheels
 
 
 def add_base(spec: Any, base: BaseParameters, contact: Contact) -> None:
@@ -62,6 +69,7 @@ def add_base(spec: Any, base: BaseParameters, contact: Contact) -> None:
     for side, sign in zip(SIDES, (1, -1), strict=True):
         _add_side(spec, body, base, contact, side, sign * base.half_track)
     body.add_site(name="imu", pos=[0, 0, base.imu_z])
+    body.add_site(name="scanner", pos=[0, 0, base.scanner_z])
     for name, kind in (("acceleration", "ACCELEROMETER"), ("gyro", "GYRO")):
         _add_sensor(spec, name, kind, "imu")
 

@@ -110,9 +110,9 @@ def add_course(spec: Any, built: Course) -> Contact:
     if built.terrain is Terrain.FLAT:
         return contact
     add_bump(spec, contact, found.bump_x, found.bump_height, found.bump_radius)
-    for slope in built.slopes:
-        toe = (slope.start_x, slope.y)
-        add_ramp(spec, contact, toe, _pieces(slope.angle, found), found.ramp_width)
+    for index, slope in enumerate(built.slopes):
+        toe, pieces = (slope.start_x, slope.y), _pieces(slope.angle, found)
+        add_ramp(spec, contact, f"ramp_{index}", toe, pieces, found.ramp_width)
     margin = found.ramp_width
     low = (found.room_x, found.detour_y - margin)
     add_platform(spec, contact, low, (found.room_x + 5, margin), found.room_height)

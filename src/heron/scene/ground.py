@@ -11,6 +11,8 @@ import mujoco
 
 _THICKNESS = 0.2
 _OVERLAP = 0.001  # so that no wheel finds a gap between two pieces
+SEEN_GROUP = 1
+"""Of geoms that a range scan sees: what the robot does not carry itself."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +46,7 @@ def add_floor(spec: Any, contact: Contact) -> None:
         name="floor", type=mujoco.mjtGeom.mjGEOM_PLANE, size=[30, 30, 0.1]
     )
     floor.rgba = [0.75, 0.76, 0.78, 1]
+    floor.group = SEEN_GROUP
     contact.apply(floor)
 
 
@@ -57,6 +60,7 @@ def add_bump(spec: Any, contact: Contact, x: float, height: float, radius: float
         size=[radius, 0, 0],
     )
     bump.rgba = [0.9, 0.75, 0.2, 1]
+    bump.group = SEEN_GROUP
     contact.apply(bump)
 
 
@@ -79,12 +83,17 @@ def run_of(pieces: Sequence[Piece]) -> float:
 
 
 def add_ramp(
-    spec: Any, contact: Contact, toe: tuple[float, float], pieces: Sequence[Piece], width: float
+    spec: Any,
+    contact: Contact,
+    name: str,
+    toe: tuple[float, float],
+    pieces: Sequence[Piece],
+    width: float,
 ) -> None:
     """A ramp in the direction of x from its toe (x, y) on the floor."""
     x, y = toe
     z = 0.0
-    for piece in pieces:
+    for index, piece in enumerate(pieces):
         sine, cosine = math.sin(piece.slope), math.cos(piece.slope)
         end_x, end_z = x + piece.length * cosine, z + piece.length * sine
         middle = (
@@ -93,12 +102,14 @@ def add_ramp(
             (z + end_z) / 2 - cosine * _THICKNESS / 2,
         )
         box = spec.worldbody.add_geom(
+            name=f"{name}_{index}",
             type=mujoco.mjtGeom.mjGEOM_BOX,
             pos=middle,
             quat=[math.cos(piece.slope / 2), 0, -math.sin(piece.slope / 2), 0],
             size=[piece.length / 2 + _OVERLAP, width / 2, _THICKNESS / 2],
         )
         box.rgba = [0.6, 0.65, 0.7, 1]
+        box.group = SEEN_GROUP
         contact.apply(box)
         x, z = end_x, end_z
 
@@ -114,4 +125,5 @@ def add_platform(
         size=[(high[0] - low[0]) / 2, (high[1] - low[1]) / 2, height / 2],
     )
     box.rgba = [0.7, 0.72, 0.68, 1]
+    box.group = SEEN_GROUP
     contact.apply(box)

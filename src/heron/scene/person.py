@@ -10,10 +10,10 @@ from typing import Any
 
 import mujoco
 
+from heron.scene.ground import SEEN_GROUP
+
 PERSON = "person"
 LEGS = ("left_leg", "right_leg")
-SEEN_GROUP = 1
-"""Of geoms that a range scan sees: what the robot does not carry itself."""
 _GEOM = mujoco.mjtGeom
 _SKIN = (0.87, 0.68, 0.55, 1)
 _CLOTHES = (0.9, 0.45, 0.15, 1)

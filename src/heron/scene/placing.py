@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from heron.scene.arm import HOME, ArmParameters, add_arm
+from heron.scene.arm import GRIP, HOME, ArmParameters, add_arm
 from heron.scene.ground import Contact
 from heron.scene.scene import new_spec
 
@@ -32,13 +32,13 @@ class TableParameters:
 
 
 def build_placing(table: TableParameters, arm: ArmParameters) -> Any:
-    """The arm at its home pose, the block in its hand, as a model of MuJoCo."""
+    """The arm at its home pose, the block in its hand."""
     spec = new_spec()
     add_arm(spec, arm)
     contact = Contact(table.friction, arm.contact_time)
     top = add_table(spec, table.place, table.height, _HALF, contact)
     top.name = "table"
-    return spec.compile()
+    return spec
 
 
 def add_table(
@@ -60,7 +60,7 @@ def add_table(
 def lay_down(model: Any, data: Any, place: NDArray[np.float64]) -> None:
     """An initial state: the arm at home with open fingers, the middle of the block at a place."""
     _go_home(model, data)
-    data.eq_active[model.equality("grip").id] = 0
+    data.eq_active[model.equality(GRIP).id] = 0
     address = model.joint("block").qposadr[0]
     data.qpos[address : address + 3] = place
     mujoco.mj_forward(model, data)

@@ -9,8 +9,8 @@ from typing import Any
 import mujoco
 
 from heron.scene.arm import ArmParameters, add_arm
-from heron.scene.ground import Contact, add_floor
-from heron.scene.person import SEEN_GROUP, PersonParameters, add_person
+from heron.scene.ground import SEEN_GROUP, Contact, add_floor
+from heron.scene.person import PersonParameters, add_person
 from heron.scene.placing import add_table
 from heron.scene.scene import new_spec
 
@@ -28,6 +28,7 @@ class RoomParameters:
     wall_half: float = 0.05
     wall_height: float = 1.0
     door_half: float = 0.6
+    scanner_height: float = 0.2
     table_height: float = 0.75
     table_radius: float = 0.51
     table_angle: float = math.radians(40)
@@ -48,10 +49,13 @@ def build_room(room: RoomParameters, arm: ArmParameters, person: PersonParameter
     spec = new_spec()
     add_floor(spec, Contact())
     add_arm(spec, arm)
-    for side in (-1, 1):
-        add_table(spec, room.table(side), room.table_height, _TABLE_HALF, Contact())
-    for place, half in _walls(room):
+    spec.worldbody.add_site(name="scanner", pos=[0, 0, room.scanner_height])
+    for name, side in (("right_table", -1), ("left_table", 1)):
+        table = add_table(spec, room.table(side), room.table_height, _TABLE_HALF, Contact())
+        table.name = name
+    for index, (place, half) in enumerate(_walls(room)):
         wall = spec.worldbody.add_geom(
+            name=f"wall_{index}",
             type=mujoco.mjtGeom.mjGEOM_BOX,
             pos=[*place, room.wall_height / 2],
             size=[*half, room.wall_height / 2],
@@ -61,7 +65,7 @@ def build_room(room: RoomParameters, arm: ArmParameters, person: PersonParameter
         )
         wall.rgba = [0.8, 0.82, 0.85, 1]
     add_person(spec, person)
-    return spec.compile()
+    return spec
 
 
 Flat = tuple[float, float]

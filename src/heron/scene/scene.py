@@ -1,4 +1,4 @@
-"""Whole scenes, compiled."""
+"""Whole scenes, as specifications of MuJoCo that are yet to be compiled."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def new_spec() -> Any:
 
 
 def build_navigation(built: Course, base: BaseParameters) -> Any:
-    """The base at the start of the course, as a model of MuJoCo."""
+    """The base at the start of the course."""
     spec = new_spec()
     add_base(spec, base, add_course(spec, built))
-    return spec.compile()
+    return spec

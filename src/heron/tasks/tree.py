@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -59,6 +59,17 @@ def tree_over_time(
     return tuple(
         TreeSkill(_label(skill), len(skill.path) - 1, tuple(spans[skill.path])) for skill in skills
     )
+
+
+def running_of(tree: Sequence[TreeSkill], over: float) -> list[tuple[str, float, float]]:
+    """What has nothing below it: its name, and from when to when it ran."""
+    below = [one.depth for one in tree[1:]]
+    leaves = [one for one, depth in zip(tree, [*below, 0], strict=True) if depth <= one.depth]
+    return [
+        (one.label, span.start, over if span.end is None else span.end)
+        for one in leaves
+        for span in one.spans
+    ]
 
 
 def _skills(node: Behaviour) -> Iterator[RunningSkill]:

@@ -1,19 +1,60 @@
-// Plays the films of a section in step, and moves the cursors of its charts along.
+// Plays the films of a section in step, shows the values at the pointer, and hides what is not chosen.
 "use strict";
 
 for (const section of document.querySelectorAll("section[data-experiment]")) {
   const data = JSON.parse(section.querySelector("script").textContent);
-  const slider = section.querySelector("input");
-  const button = section.querySelector("button");
+  const slider = section.querySelector(".slider input");
+  const button = section.querySelector(".player button");
+  const speed = section.querySelector("select");
   const output = section.querySelector("output");
-  const cursors = [...section.querySelectorAll(".cursor")];
+  const plots = section.querySelector(".plots");
+  const track = section.querySelector(".cursor-track");
+  const pointer = section.querySelector(".pointer");
+  const boxes = [...section.querySelectorAll(".arms input")];
   const figures = [...section.querySelectorAll("figure")];
-  const axis = section.querySelector("svg .axis");
-  const left = axis.x1.baseVal.value;
-  const right = axis.ownerSVGElement.viewBox.baseVal.width - 12;
+  const charts = [...section.querySelectorAll(".chart")].map(read);
   const sources = data.films.map((film) =>
     film.pictures.map((picture) => "data:image/webp;base64," + picture));
   let before = null;
+
+  // A chart as numbers: what is drawn is also what is told at the pointer.
+  function read(element) {
+    const { low, high, digits, unit } = element.dataset;
+    const { width, height } = element.querySelector("svg").viewBox.baseVal;
+    const toValue = (y) => Number(high) - (Number(high) - Number(low)) * y / height;
+    const curves = [...element.querySelectorAll("polyline")].map((line) => ({
+      arm: line.classList[1],
+      points: line.getAttribute("points").split(" ").map((point) => point.split(",").map(Number))
+        .map(([x, y]) => [x / width * data.duration, toValue(y)]),
+    }));
+    return { curves, digits: Number(digits), unit, told: element.querySelector(".values") };
+  }
+
+  // Between the two points that an instant lies between; nothing after the end.
+  function valueAt(points, time) {
+    const after = points.findIndex(([at]) => at >= time);
+    if (after < 0) return null;
+    if (after === 0) return points[0][1];
+    const [[t0, v0], [t1, v1]] = [points[after - 1], points[after]];
+    return t1 === t0 ? v1 : v0 + (v1 - v0) * (time - t0) / (t1 - t0);
+  }
+
+  function chosen() {
+    return boxes.filter((box) => box.checked).map((box) => box.value);
+  }
+
+  function tell(time) {
+    const arms = chosen();
+    for (const { curves, digits, unit, told } of charts) {
+      told.replaceChildren(...curves.filter(({ arm }) => arms.includes(arm)).map(({ arm, points }) => {
+        const value = valueAt(points, time);
+        const span = document.createElement("span");
+        span.className = arm;
+        span.textContent = value === null ? "over" : (value + 0).toFixed(digits) + " " + unit;
+        return span;
+      }));
+    }
+  }
 
   // The names of those spans that an instant is in.
   function at(spans, time) {
@@ -29,32 +70,74 @@ for (const section of document.querySelectorAll("section[data-experiment]")) {
       figures[index].querySelector(".skill").textContent = isOver ? "over" : at(film.skills, time);
       figures[index].querySelector(".rules").textContent = isOver ? "" : at(film.rules, time);
     });
-    const x = left + (right - left) * time / data.duration;
-    for (const cursor of cursors) {
-      cursor.setAttribute("x1", x);
-      cursor.setAttribute("x2", x);
-    }
-    output.textContent = time.toFixed(1) + " s, " + data.speed.toFixed(1) + " times as fast";
+    section.querySelector(".cursor").style.left = 100 * time / data.duration + "%";
+    output.textContent = time.toFixed(1) + " s";
+    tell(time);
+  }
+
+  function seek(time) {
+    slider.value = Math.max(0, Math.min(time, end()));
+    show(Number(slider.value));
   }
 
   function step(now) {
     if (button.textContent !== "pause") return;
-    const time = Number(slider.value) + (before === null ? 0 : (now - before) / 1000 * data.speed);
+    const passed = before === null ? 0 : (now - before) / 1000 * Number(speed.value);
     before = now;
-    slider.value = Math.min(time, data.duration);
-    if (time >= data.duration) button.textContent = "play";
-    show(Number(slider.value));
+    seek(Number(slider.value) + passed);
+    if (Number(slider.value) >= end()) button.textContent = "play";
     requestAnimationFrame(step);
+  }
+
+  // When the last of the chosen films is over.
+  function end() {
+    const arms = chosen();
+    const ends = data.films.filter((film) => arms.includes(film.arm)).map((film) => film.duration);
+    return Math.min(data.duration, Math.max(0.1, ...ends));
+  }
+
+  function choose() {
+    const arms = chosen();
+    for (const element of section.querySelectorAll(".of")) {
+      element.classList.toggle("absent", !arms.some((arm) => element.classList.contains(arm)));
+    }
+    section.style.setProperty("--zoom", data.duration / end());
+    slider.max = end();
+    show(Number(slider.value));
+  }
+
+  function timeOf(event) {
+    const { left, width } = track.getBoundingClientRect();
+    return (event.clientX - left) / width * end();
   }
 
   button.addEventListener("click", () => {
     const isPlaying = button.textContent === "pause";
     button.textContent = isPlaying ? "play" : "pause";
     if (isPlaying) return;
-    if (Number(slider.value) >= data.duration) slider.value = 0;
+    if (Number(slider.value) >= end()) slider.value = 0;
     before = null;
     requestAnimationFrame(step);
   });
   slider.addEventListener("input", () => show(Number(slider.value)));
-  show(0);
+  for (const box of boxes) box.addEventListener("change", choose);
+  for (const jump of section.querySelectorAll(".jumps button")) {
+    jump.addEventListener("click", () => seek(Number(jump.dataset.time)));
+  }
+  plots.addEventListener("pointermove", (event) => {
+    const time = timeOf(event);
+    const isInside = time >= 0 && time <= end();
+    pointer.style.display = isInside ? "block" : "none";
+    pointer.style.left = 100 * time / data.duration + "%";
+    tell(isInside ? time : Number(slider.value));
+  });
+  plots.addEventListener("pointerleave", () => {
+    pointer.style.display = "none";
+    tell(Number(slider.value));
+  });
+  plots.addEventListener("click", (event) => {
+    const time = timeOf(event);
+    if (time >= 0 && time <= end()) seek(time);
+  });
+  choose();
 }

@@ -1,0 +1,7 @@
+"""What a scene looks like: shapes, materials and light for whoever looks on. The physics never sees
+any of it: a copy of the scene is dressed, and shows the states of the plain one.
+"""
+
+from heron.appearance.stage import Moment, Stage, moment_of
+
+__all__ = ["Moment", "Stage", "moment_of"]

@@ -1,0 +1,41 @@
+"""A scene in its clothes: which of them it gets depends on what is in it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from heron.appearance.materials import add_light, add_materials
+from heron.appearance.robot import dress_arm, dress_base, dress_pedestal
+from heron.appearance.surroundings import (
+    add_hall,
+    dress_course,
+    dress_person,
+    dress_room,
+    dress_table,
+)
+from heron.scene import BaseParameters, PersonParameters, RoomParameters
+from heron.scene.person import PERSON
+
+_ALONG, _AGAINST = (0.45, 0.5, -1.0), (-0.45, 0.4, -1.0)  # the x axis; to walls that are seen
+_SEPARATION = 2.36  # m, as in the rules of experiment III
+
+
+def dressed(spec: Any) -> Any:
+    """A model to be looked at, with the same joints as the scene, in the same order."""
+    copy = spec.copy()
+    add_materials(copy)
+    table = copy.geom("table")
+    add_light(copy, _ALONG if table is None else _AGAINST)
+    if copy.body("base") is not None:
+        dress_base(copy, BaseParameters())
+        dress_course(copy)
+    else:
+        dress_arm(copy)
+        dress_pedestal(copy, BaseParameters())
+    if table is not None:
+        dress_table(copy, table)
+        add_hall(copy)
+    if copy.body(PERSON) is not None:
+        dress_room(copy, RoomParameters(), _SEPARATION)
+        dress_person(copy, PersonParameters())
+    return copy.compile()

@@ -1,0 +1,137 @@
+"""Shapes that nothing touches, and meshes of our own making."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+Point = Sequence[float]
+SHOWN_GROUP = 2
+"""Of geoms that are there to be looked at."""
+HIDDEN_GROUP = 4
+"""Of geoms of the physics that something else is shown for."""
+_GEOM = mujoco.mjtGeom
+_COLOR_OF_MATERIAL = (0.5, 0.5, 0.5, 1.0)  # the default, which MuJoCo takes for none
+_CORNER = 6  # edges of a rounded corner
+_AROUND = 72  # edges of a ring
+
+
+class Section(NamedTuple):
+    """A rectangle with rounded corners, at a height (m)."""
+
+    z: float
+    half_x: float
+    half_y: float
+    radius: float
+
+
+def add_box(body: Any, pos: Point, half: Point, material: str, **more: Any) -> Any:
+    """A box by its middle and its half sizes."""
+    return _add(body, _GEOM.mjGEOM_BOX, material, pos=pos, size=half, **more)
+
+
+def add_rod(body: Any, start: Point, end: Point, radius: float, material: str) -> Any:
+    """A cylinder from point to point."""
+    return _add(body, _GEOM.mjGEOM_CYLINDER, material, fromto=[*start, *end], size=[radius, 0, 0])
+
+
+def add_limb(body: Any, start: Point, end: Point, radius: float, material: str) -> Any:
+    """A rod with round ends."""
+    return _add(body, _GEOM.mjGEOM_CAPSULE, material, fromto=[*start, *end], size=[radius, 0, 0])
+
+
+def add_ball(body: Any, pos: Point, half: Point, material: str) -> Any:
+    """An ellipsoid."""
+    return _add(body, _GEOM.mjGEOM_ELLIPSOID, material, pos=pos, size=half)
+
+
+def add_loft(spec: Any, body: Any, name: str, sections: Sequence[Section], material: str) -> Any:
+    """The skin over sections, each above the one before, closed at both ends."""
+    rings = np.array([_outline(section) for section in sections])
+    count = rings.shape[1]
+    points = rings.reshape(-1, 3)
+    faces = []
+    for level in range(len(sections) - 1):
+        low, high = level * count, (level + 1) * count
+        for index in range(count):
+            following = (index + 1) % count
+            faces += [
+                (low + index, low + following, high + following),
+                (low + index, high + following, high + index),
+            ]
+    top = (len(sections) - 1) * count
+    for index in range(1, count - 1):
+        faces += [(0, index + 1, index), (top, top + index, top + index + 1)]
+    return _add_mesh(spec, body, name, points, faces, material)
+
+
+def add_ring(spec: Any, name: str, radius: float, width: float, material: str) -> Any:
+    """A line on the floor, all around."""
+    angles = np.linspace(0.0, 2 * math.pi, _AROUND, endpoint=False)
+    corners = [(radius - width / 2, 0.001), (radius + width / 2, 0.001)]
+    corners += [(radius + width / 2, 0.004), (radius - width / 2, 0.004)]
+    points = np.array([(r * math.cos(a), r * math.sin(a), z) for a in angles for r, z in corners])
+    faces = []
+    for index in range(_AROUND):
+        here, there = 4 * index, 4 * ((index + 1) % _AROUND)
+        for one in range(4):
+            other = (one + 1) % 4
+            faces += [
+                (here + one, there + one, there + other),
+                (here + one, there + other, here + other),
+            ]
+    return _add_mesh(spec, spec.worldbody, name, points, faces, material)
+
+
+def paint(geom: Any, material: str) -> None:
+    """A geom of the scene gets a material in place of its color."""
+    geom.material = material
+    geom.rgba = _COLOR_OF_MATERIAL
+
+
+def hide(geom: Any) -> None:
+    """Something else is shown for it."""
+    geom.group = HIDDEN_GROUP
+
+
+def _outline(section: Section) -> list[tuple[float, float, float]]:
+    z, half_x, half_y, radius = section
+    points = []
+    for quarter, (sign_x, sign_y) in enumerate(((1, 1), (-1, 1), (-1, -1), (1, -1))):
+        for step in range(_CORNER + 1):
+            angle = math.pi / 2 * (quarter + step / _CORNER)
+            x = sign_x * (half_x - radius) + radius * math.cos(angle)
+            y = sign_y * (half_y - radius) + radius * math.sin(angle)
+            points.append((x, y, z))
+    return points
+
+
+def _add_mesh(
+    spec: Any,
+    body: Any,
+    name: str,
+    points: NDArray[np.float64],
+    faces: Sequence[tuple[int, int, int]],
+    material: str,
+) -> Any:
+    mesh = spec.add_mesh(name=name)
+    mesh.uservert = points.astype(np.float64).ravel().tolist()
+    mesh.userface = np.array(faces, dtype=np.int32).ravel().tolist()
+    return _add(body, _GEOM.mjGEOM_MESH, material, meshname=name)
+
+
+def _add(body: Any, kind: Any, material: str, **more: Any) -> Any:
+    return body.add_geom(
+        type=kind,
+        material=material,
+        mass=0.0,
+        contype=0,
+        conaffinity=0,
+        group=SHOWN_GROUP,
+        **more,
+    )

@@ -1,0 +1,82 @@
+"""A dressed scene that shows the states of the plain one."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from heron.appearance.dressing import dressed
+from heron.appearance.robot import FINGERS
+from heron.scene.arm import GRIP
+
+Floats = NDArray[np.float64]
+_OPEN = 0.02  # m that each finger goes aside
+_LAMP_AWAY = 5.0  # m
+_STILL = 0.002  # m or rad that nobody sees
+
+
+class Moment(NamedTuple):
+    """All of a state that can be seen: joints, moved bodies, and what the hand holds."""
+
+    joints: Floats
+    places: Floats
+    turns: Floats
+    holds: NDArray[np.uint8]
+
+    def looks_like(self, other: Moment) -> bool:
+        """Whether nothing has moved between the two."""
+        return np.array_equal(self.holds, other.holds) and all(
+            np.allclose(mine, its, rtol=0.0, atol=_STILL)
+            for mine, its in zip(self[:3], other[:3], strict=True)
+        )
+
+
+def moment_of(data: Any) -> Moment:
+    """The present state of a scene."""
+    return Moment(
+        data.qpos.copy(), data.mocap_pos.copy(), data.mocap_quat.copy(), data.eq_active.copy()
+    )
+
+
+class Stage:
+    """`model` and `data` are for whoever draws."""
+
+    def __init__(self, spec: Any) -> None:
+        self.model = dressed(spec)
+        self.data = mujoco.MjData(self.model)
+        names = [self.model.geom(index).name for index in range(self.model.ngeom)]
+        self._fingers = [names.index(name) for name in FINGERS if name in names]
+        self._closed = self.model.geom_pos[self._fingers].copy()
+
+    def show(self, moment: Moment) -> None:
+        """Be in this state."""
+        model, data = self.model, self.data
+        data.qpos[:], data.eq_active[:] = moment.joints, moment.holds
+        data.mocap_pos[:], data.mocap_quat[:] = moment.places, moment.turns
+        self._move_fingers()
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        mujoco.mj_camlight(model, data)
+
+    def place_of(self, name: str) -> Floats:
+        """Where a body is, or a part of one."""
+        model, data = self.model, self.data
+        if mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, name) >= 0:
+            found: Floats = data.body(name).xpos
+        else:
+            found = data.geom(name).xpos
+        return found
+
+    def light(self, place: Floats) -> None:
+        """Shadows are thrown around a place."""
+        self.model.light_pos[0] = place - _LAMP_AWAY * self.model.light_dir[0]
+        mujoco.mj_camlight(self.model, self.data)
+
+    def _move_fingers(self) -> None:
+        """They close while the hand holds the block."""
+        for index, place, side in zip(self._fingers, self._closed, (-1, 1), strict=False):
+            is_open = not self.data.eq_active[self.model.equality(GRIP).id]
+            self.model.geom_pos[index] = place + np.array([side * _OPEN * is_open, 0.0, 0.0])

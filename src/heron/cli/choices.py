@@ -1,0 +1,135 @@
+"""What the subcommands ask of what they are called with, before the simulation is imported. What is
+not there, or not installed, ends the run with one line.
+"""
+
+from __future__ import annotations
+
+import enum
+import os
+import re
+import sys
+from ctypes.util import find_library
+from importlib.util import find_spec
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from dslkit.catalog import Catalog
+from dslkit.command_line import CommandLine
+from heron.variants import ARMS, VARIANTS, Arm
+
+if TYPE_CHECKING:  # needs MuJoCo
+    from campaign import Workers
+
+
+def _catalog() -> Catalog:
+    from rossmarie.catalog import CATALOG
+
+    return CATALOG
+
+
+_LIMIT_S = 600.0  # of one episode
+_FILMS = (".mp4", ".gif")
+_PARTS = {
+    "MuJoCo": "mujoco",
+    "Matplotlib": "matplotlib",
+    "Pillow": "PIL",
+    "SciPy": "scipy",
+    "imageio-ffmpeg": "imageio_ffmpeg",
+}
+_VERSION = sys.version_info[:2]
+_OLDEST = (3, 11)  # for which MuJoCo has wheels
+output = CommandLine(
+    tool="heron",
+    subject="what you called it with",
+    internal_code="HERON",
+    unreadable=frozenset(),
+    catalog=_catalog,
+)
+
+
+def draw_without_display() -> None:
+    """MuJoCo looks at this when it is imported, and cannot be without what it names."""
+    os.environ.setdefault("MUJOCO_GL", "egl" if find_library("EGL") else "disable")
+
+
+def require_drawing() -> None:
+    """End the run if nothing can be drawn here, before it takes its time."""
+    draw_without_display()
+    if os.environ["MUJOCO_GL"] == "disable":
+        output.fail(
+            "films are drawn by EGL, which is not there: on Debian, install libegl1 and "
+            "libgl1-mesa-dri",
+            exit_code=2,
+        )
+
+
+def require_arm(experiment: str, arm: Arm) -> None:
+    """End the run if the experiment has no such guard."""
+    if arm not in ARMS[experiment]:
+        there_are = ", ".join(each.value for each in ARMS[experiment])
+        output.fail(
+            f"experiment {experiment} has no arm {arm.value}; there are {there_are}", exit_code=2
+        )
+
+
+def require_new(out: Path) -> None:
+    """End the run if a file would be written over."""
+    if out.exists():
+        output.fail(f"{out} is there already, and is not written over", exit_code=2)
+
+
+def require_film(out: Path) -> None:
+    """End the run if a film could not be written into a file of this name."""
+    if out.suffix not in _FILMS:
+        output.fail(f"the name of the film has to end in .mp4 or .gif, not as {out}", exit_code=2)
+    require_new(out)
+    output.try_folder(out.parent)
+
+
+def workers_of(jobs: int | None, ray: str | None) -> Workers:
+    """Processes of this machine, or a Ray cluster at HOST:PORT."""
+    from campaign import Processes
+
+    if ray is None:
+        return Processes(jobs or Processes.cores(), _LIMIT_S)
+    if not re.fullmatch(r"\S+:\d+", ray):
+        output.fail(f"--ray needs HOST:PORT, not `{ray}`", exit_code=2)
+    if find_spec("ray") is None:
+        output.fail("--ray needs the extra of that name: pip install 'rossmarie[ray]'", exit_code=2)
+    from campaign.ray_cluster import RayCluster
+
+    return RayCluster(ray)
+
+
+def known(experiment: str) -> str:
+    """The name of an experiment that there is; known before the simulation is imported."""
+    if experiment not in VARIANTS:
+        there_are = ", ".join(VARIANTS)
+        output.fail(f"there is no experiment {experiment}; there are {there_are}", exit_code=2)
+    return experiment
+
+
+def variant_of(experiment: str, wanted: str | None) -> enum.Enum:
+    """A variant by its name, else the first one."""
+    variants = {variant.value: variant for variant in VARIANTS[experiment]}
+    if wanted is None:
+        return VARIANTS[experiment][0]
+    if wanted not in variants:
+        there_are = ", ".join(variants)
+        output.fail(f"{experiment} has no variant {wanted}; there are {there_are}", exit_code=2)
+    return variants[wanted]
+
+
+def require_simulation() -> None:
+    """End the run with the reason if a part of the simulation is not installed."""
+    missing = [name for name, module in _PARTS.items() if find_spec(module) is None]
+    if not missing:
+        return
+    reason = f"the simulation needs {', '.join(missing)}, not installed for {sys.executable}"
+    if "MuJoCo" in missing and _VERSION < _OLDEST:
+        python, oldest = (".".join(map(str, each)) for each in (_VERSION, _OLDEST))
+        reason = (
+            f"the simulation needs MuJoCo, which needs Python {oldest} or later; "
+            f"this is Python {python}"
+        )
+    output.fail(f"{reason}: pip install 'rossmarie[heron]'", exit_code=2)

@@ -1,0 +1,53 @@
+"""`heron run --film` and `heron gallery`: episodes as films."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import typer
+from rich.console import Console
+
+from dslkit.command_line import CommandLine
+from heron.cli.episodes import print_episode
+from heron.experiments import EXPERIMENTS
+from heron.films import CannotDrawError, film_of
+from heron.films.gallery import write_gallery
+from heron.films.movie import write_movie
+from heron.variants import Arm
+
+_SIZE = (640, 360)
+
+
+@contextmanager
+def _drawing(output: CommandLine) -> Iterator[None]:
+    """Tell how it goes, and why it does not go."""
+    try:
+        with Console(stderr=True).status("films are drawn"):
+            yield
+    except CannotDrawError as error:
+        output.fail(
+            f"no film: OpenGL cannot draw without a display ({error}); on Debian, libegl1 and "
+            "libgl1-mesa-dri do that",
+            exit_code=2,
+        )
+
+
+def film(
+    output: CommandLine, name: str, variant: enum.Enum, arm: Arm, seed: int, out: Path
+) -> None:
+    """Run an episode, print it, and write its film."""
+    clip = film_of(EXPERIMENTS[name], variant, arm, seed)
+    print_episode(clip.experiment, clip.episode)
+    with output.writing(out), _drawing(output):
+        write_movie(out, [clip], _SIZE)
+    typer.echo(f"the film:  {out}")
+
+
+def show_gallery(output: CommandLine, seed: int, out: Path) -> None:
+    """Films of episodes side by side, and a page with all of them."""
+    with output.writing_to(out), _drawing(output):
+        page = write_gallery(out, seed)
+    typer.echo(f"the page:  {page}")

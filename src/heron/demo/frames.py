@@ -1,0 +1,44 @@
+"""The pictures of a film as a page has them."""
+
+from __future__ import annotations
+
+import io
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PIL import Image
+
+from heron.experiments.table import Camera
+from heron.films import CannotDrawError, Film, Pixels
+
+_MOST = 80
+_LEAST_PERIOD = 0.1  # s
+_SIZE = (480, 270)
+_QUALITY = 72
+
+
+@dataclass(frozen=True)
+class Frames:
+    """Pictures (WebP) at equal distances (s); none, and why, where nothing can be drawn."""
+
+    pictures: tuple[bytes, ...]
+    period: float
+    trouble: str = ""
+
+
+def frames_of(film: Film, cameras: Sequence[Camera]) -> Frames:
+    """All of a film, in a limited number of pictures."""
+    period = max(_LEAST_PERIOD, film.duration / _MOST)
+    times = [index * period for index in range(math.ceil(film.duration / period))]
+    try:
+        pictures = tuple(map(_encoded, film.pictures(cameras, times, _SIZE)))
+    except CannotDrawError as error:
+        return Frames((), period, str(error))
+    return Frames(pictures, period)
+
+
+def _encoded(pixels: Pixels) -> bytes:
+    file = io.BytesIO()
+    Image.fromarray(pixels).save(file, "webp", quality=_QUALITY)
+    return file.getvalue()

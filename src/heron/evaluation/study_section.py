@@ -1,0 +1,75 @@
+"""What the page says of a study: a table of all values, and why there is the usual one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+from heron.evaluation.claims import between
+from heron.evaluation.rows import StudyRow
+from heron.evaluation.statistics import median
+from heron.experiments import Study
+from heron.experiments.studies import OPERATOR, TORQUE, Case
+from heron.experiments.table import ARM_NAMES, COMPLETED, DURATION
+from heron.scene import BaseParameters, CourseParameters
+
+_GRAVITY = 9.81
+
+
+def section_of(study: Study, rows: Sequence[StudyRow], plots: str) -> Iterator[str]:
+    """Lines of Markdown."""
+    yield f"### {study.title}"
+    yield ""
+    yield _WORDS[study.name]
+    yield ""
+    yield f"Seeds: {len({one.row.seed for one in rows})}. A cell is how many episodes completed"
+    yield "their task, and the median of their times (s) with its interval."
+    yield ""
+    yield f"| {study.label} ({study.unit}) | {' | '.join(_title(case) for case in study.cases)} |"
+    yield f"|---|{'---|' * len(study.cases)}"
+    for value in study.values:
+        cells = " | ".join(_cell(of_case(rows, case, value)) for case in study.cases)
+        yield f"| {value:g} | {cells} |"
+    yield ""
+    yield f"![{study.title}]({plots}/{study.name}.svg)"
+    yield ""
+
+
+def of_case(rows: Sequence[StudyRow], case: Case, value: float) -> list[StudyRow]:
+    """The episodes of a case at a value."""
+    wanted = (value, case.experiment, case.variant.value, case.arm.value)
+    return [
+        one for one in rows if (one.value, one.experiment, one.row.variant, one.row.arm) == wanted
+    ]
+
+
+def _title(case: Case) -> str:
+    return f"{case.of.title}, {case.variant.value}: {ARM_NAMES[case.arm]}"
+
+
+def _cell(rows: Sequence[StudyRow]) -> str:
+    if not rows:
+        return "-"
+    done = sum(one.row.numbers[COMPLETED.name] > 0 for one in rows)
+    times = median([one.row.numbers[DURATION.name] for one in rows])
+    return f"{done} of {len(rows)}, {between(times, DURATION.digits)}"
+
+
+def slope_torque() -> float:
+    """What each of two wheels needs to hold the base on the gentle slope (Nm)."""
+    base, course = BaseParameters(), CourseParameters()
+    return base.mass * _GRAVITY * math.sin(course.gentle) * base.wheel_radius / 2
+
+
+_WORDS: Mapping[str, str] = {
+    TORQUE.name: f"""\
+The thesis says that a slope needs more torque than the robot usually gives, and not how much. Each
+wheel needs {slope_torque():.1f} Nm on the gentle slope and about 1.3 Nm on the level. We chose
+{BaseParameters().torque:.0f} Nm as the usual limit, so that the base stalls: below what the slope
+needs there is a hazard for rules to recover from. Above it there is none, and a robot without a
+monitor arrives sooner than one with rules, which slow it down on the bump.""",
+    OPERATOR.name: """\
+In the arm of DeROS somebody has to come. Half a minute is our choice; with 0 s the operator stands
+beside the robot all the time. He comes for each stop, and drives the robot over the hazard or away
+from it by hand, which takes its time as well.""",
+}

@@ -1,0 +1,79 @@
+"""What the results of the experiments depend on, although nobody measured it on the robot: the same
+episodes with another setting.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from heron.experiments.settings import USUAL, Settings
+from heron.experiments.table import EXPERIMENTS, Experiment
+from heron.variants import Arm, Person, Table, Terrain
+
+
+@dataclass(frozen=True)
+class Case:
+    """Episodes of a study: a variant of an experiment, with one guard."""
+
+    experiment: str
+    variant: enum.Enum
+    arm: Arm
+
+    @property
+    def key(self) -> str:
+        """`nav/gentle/none`."""
+        return f"{self.experiment}/{self.variant.value}/{self.arm.value}"
+
+    @property
+    def of(self) -> Experiment:
+        """The experiment."""
+        return EXPERIMENTS[self.experiment]
+
+
+@dataclass(frozen=True)
+class Study:
+    """All cases at all values of one field of `Settings`, each on `seeds` seeds."""
+
+    name: str
+    title: str
+    setting: str
+    label: str
+    unit: str
+    values: tuple[float, ...]
+    cases: tuple[Case, ...]
+    seeds: int = 10
+
+    def settings(self, value: float) -> Settings:
+        """The usual ones, but for this value."""
+        return replace(USUAL, **{self.setting: value})
+
+
+_STOPPED = (
+    ("nav", Terrain.GENTLE),
+    ("nav", Terrain.STEEP),
+    ("place", Table.HIGH),
+    ("place", Table.HURRIED),
+    ("human", Person.INSIDE),
+)
+
+TORQUE = Study(
+    name="torque",
+    title="The limit of torque",
+    setting="usual_torque",
+    label="usual limit of torque",
+    unit="Nm",
+    values=(5.0, 5.5, 6.0, 6.5, 7.0, 8.0, 10.0, 13.0),
+    cases=tuple(Case("nav", Terrain.GENTLE, arm) for arm in (Arm.NONE, Arm.ROSSMARIE)),
+)
+OPERATOR = Study(
+    name="operator",
+    title="How soon the operator comes",
+    setting="operator_delay",
+    label="until the operator is there",
+    unit="s",
+    values=(0.0, 10.0, 30.0),
+    cases=tuple(Case(name, variant, Arm.DEROS) for name, variant in _STOPPED),
+)
+STUDIES: Mapping[str, Study] = {study.name: study for study in (TORQUE, OPERATOR)}

@@ -1,0 +1,128 @@
+"""A page of films: without a monitor and with one, side by side."""
+
+from __future__ import annotations
+
+import enum
+import multiprocessing
+import os
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from campaign import undisturbed
+from dslkit.writing import write_whole
+from heron.experiments import EXPERIMENTS
+from heron.films.clip import film_of
+from heron.films.movie import write_movie
+from heron.variants import Arm, Person, Table, Terrain
+
+PAGE = "gallery.md"
+_FOLDER = "gallery"
+_SIZE = (400, 225)
+_ARMS = (Arm.NONE, Arm.ROSSMARIE)
+
+
+@dataclass(frozen=True)
+class Exhibit:
+    """Episodes of a variant, and what there is to see in their film."""
+
+    experiment: str
+    variant: enum.Enum
+    option: str
+    words: str
+
+    @property
+    def name(self) -> str:
+        """`nav-gentle`."""
+        return f"{self.experiment}-{self.variant.value}"
+
+
+EXHIBITS = (
+    Exhibit(
+        "nav",
+        Terrain.GENTLE,
+        "terrain",
+        "A bump, and a ramp that needs more torque than the base usually gives. Without a monitor "
+        "the base hits the bump at full speed and stalls on the ramp. The rules slow it down on "
+        "the bump and let it push on the ramp, until the ground is level again.",
+    ),
+    Exhibit(
+        "nav",
+        Terrain.STEEP,
+        "terrain",
+        "The same corridor with a ramp of 25 degrees. Without a monitor the base stalls at its "
+        "toe. The rules let it back off, and take the other way into the room.",
+    ),
+    Exhibit(
+        "place",
+        Table.HIGH,
+        "table",
+        "A table that is higher than the arm believes. Without a monitor the arm hammers on it "
+        "until it lets go. The rules let it retract, soften, and place the block once more.",
+    ),
+    Exhibit(
+        "human",
+        Person.INSIDE,
+        "person",
+        "Somebody comes into the room where the arm works. Without a monitor it goes on at full "
+        "speed beside them. With rules it is slower as soon as they are in the room, stands still "
+        "before they are within its reach, gives way when they push it, and goes on when they "
+        "have left.",
+    ),
+)
+
+
+def write_gallery(out: Path, seed: int) -> Path:
+    """The page, and beside it a folder with the films. Raises `CannotDrawError` and `OSError`."""
+    folder = out / _FOLDER
+    folder.mkdir(parents=True, exist_ok=True)
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(min(len(EXHIBITS), os.cpu_count() or 1), context) as pool:
+        with undisturbed():
+            running = [
+                pool.submit(_write_film, exhibit, seed, folder / f"{exhibit.name}.webp")
+                for exhibit in EXHIBITS
+            ]
+        for each in running:
+            each.result()
+    page = out / PAGE
+    write_whole(page, page_of(EXHIBITS, seed))
+    return page
+
+
+def _write_film(exhibit: Exhibit, seed: int, path: Path) -> None:
+    experiment = EXPERIMENTS[exhibit.experiment]
+    clips = [film_of(experiment, exhibit.variant, arm, seed) for arm in _ARMS]
+    write_movie(path, clips, _SIZE)
+
+
+def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
+    """The page, in Markdown."""
+    lines = [
+        "# Gallery",
+        "",
+        "<!-- Written by `heron gallery`; do not edit. -->",
+        "",
+        f"Each film shows two episodes with the same seed ({seed}), at the same time and speed.",
+        "The line below a picture has the skill that runs, and the rules that are active.",
+        "[The experiments](experiments.md) has the figures of 30 seeds.",
+        "",
+    ]
+    for exhibit in exhibits:
+        experiment = EXPERIMENTS[exhibit.experiment]
+        title = f"{experiment.title}, {exhibit.variant.value}"
+        lines += [
+            f"## {title}",
+            "",
+            exhibit.words,
+            "",
+            f"![{title}: without a monitor, and with ROSSMARie]({_FOLDER}/{exhibit.name}.webp)",
+            "",
+            "For a film of your own, of one episode, as MP4 or GIF:",
+            "",
+            f"    heron run {exhibit.experiment} --{exhibit.option} {exhibit.variant.value} "
+            f"--seed {seed} --film {exhibit.name}.mp4",
+            "",
+        ]
+    return "\n".join(lines)

@@ -1,0 +1,87 @@
+"""Films as files: MP4 for talks, GIF and WebP for pages."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+
+import imageio_ffmpeg
+import numpy as np
+from PIL import Image
+
+from heron.films.clip import Clip
+from heron.films.film import Pixels, Size
+
+_RATES = {".mp4": 20, ".gif": 10, ".webp": 8}  # pictures in a second
+_SPEEDS = (1, 2, 4, 8)
+_LONGEST_S = 15.0
+_GAP = 8  # pixels between clips
+_QUALITY = 60
+
+
+def speed_for(duration: float) -> int:
+    """How many times as fast as in reality an episode (s) is shown, so that nobody waits."""
+    return next((speed for speed in _SPEEDS if duration / speed <= _LONGEST_S), _SPEEDS[-1])
+
+
+def write_movie(path: Path, clips: Sequence[Clip], size: Size) -> None:
+    """Clips side by side, each picture of one of that size, in the format that the suffix says.
+
+    Raises `CannotDrawError` and `OSError`; then there is no file.
+    """
+    duration = max(clip.duration for clip in clips)
+    speed, rate = speed_for(duration), _RATES[path.suffix]
+    count = round(duration / speed * rate) + rate  # for a second, how it ended
+    times = [index * speed / rate for index in range(count)]
+    pictures = _beside(clips, times, speed, size)
+    with tempfile.TemporaryDirectory(dir=path.parent) as folder:
+        written = Path(folder) / path.name
+        write = _write_mp4 if path.suffix == ".mp4" else _write_animation
+        write(written, pictures, rate)
+        written.replace(path)
+
+
+def _beside(
+    clips: Sequence[Clip], times: Sequence[float], speed: float, size: Size
+) -> Iterator[Pixels]:
+    for pictures in zip(*(clip.pictures(times, speed, size) for clip in clips), strict=True):
+        first, *others = pictures
+        gap = np.full((first.shape[0], _GAP, 3), 255, np.uint8)
+        yield np.hstack([first, *(part for other in others for part in (gap, other))])
+
+
+def _write_mp4(path: Path, pictures: Iterator[Pixels], rate: int) -> None:
+    """H.264, as every player has it."""
+    try:
+        imageio_ffmpeg.get_ffmpeg_exe()
+    except RuntimeError as error:  # of a machine that the package brings no program for
+        raise OSError(f"there is no FFmpeg: {error}") from error
+    first = next(pictures)
+    height, width, _ = first.shape
+    file = imageio_ffmpeg.write_frames(
+        str(path), (width, height), fps=rate, codec="libx264", macro_block_size=2, quality=7
+    )
+    file.send(None)
+    try:
+        for pixels in _all(first, pictures):
+            file.send(np.ascontiguousarray(pixels))
+    finally:
+        file.close()
+
+
+def _write_animation(path: Path, pictures: Iterator[Pixels], rate: int) -> None:
+    first, *others = map(Image.fromarray, pictures)
+    first.save(
+        path,
+        save_all=True,
+        append_images=others,
+        duration=round(1000 / rate),
+        loop=0,
+        quality=_QUALITY,
+    )
+
+
+def _all(first: Pixels, others: Iterable[Pixels]) -> Iterator[Pixels]:
+    yield first
+    yield from others

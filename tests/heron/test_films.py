@@ -1,0 +1,114 @@
+"""Films as files, and the gallery."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import imageio_ffmpeg
+import numpy as np
+import pytest
+
+from support.parts import EGL, MUJOCO, needs, require
+
+require(MUJOCO)
+
+from PIL import Image
+from typer.testing import CliRunner
+
+from heron.cli.main import _SHOWN_SEED, app
+from heron.films.clip import STRIP
+from heron.films.gallery import EXHIBITS, PAGE, page_of
+from heron.films.movie import speed_for
+
+DOCS = Path(__file__).parents[2] / "docs"
+
+
+def heron(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    """The command in a process of its own, which alone looks at how to draw."""
+    program = Path(sys.executable).with_name("heron")
+    return subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
+
+
+def test_an_episode_is_shown_so_fast_that_nobody_waits() -> None:
+    assert [speed_for(duration) for duration in (8.0, 15.0, 15.1, 38.0, 62.0, 300.0)] == [
+        1, 1, 2, 4, 8, 8,
+    ]  # fmt: skip
+
+
+@needs(EGL)
+def test_an_episode_becomes_a_film_that_players_read(tmp_path: Path) -> None:
+    path = tmp_path / "placing.mp4"
+    done = heron("run", "place", "--seed", "3", "--arm", "none", "--film", path)
+    assert done.returncode == 0, done.stderr
+    assert f"the film:  {path}" in done.stdout
+    assert "none, table 4.2 cm too high, seed 3" in done.stdout
+    decoded = subprocess.run(
+        [imageio_ffmpeg.get_ffmpeg_exe(), "-i", path, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+        capture_output=True,
+        check=True,
+    )
+    assert b"Video: h264" in decoded.stderr
+    pictures = np.frombuffer(decoded.stdout, np.uint8).reshape(-1, 360 + STRIP, 640, 3)
+    assert len(pictures) / 20 == pytest.approx(7.9 + 1.0, abs=0.2), "the end is shown for a second"
+    assert np.abs(pictures[0].astype(int) - pictures[-1]).mean() > 3
+    assert list(tmp_path.iterdir()) == [path], "nothing else is left"
+
+
+@needs(EGL)
+def test_a_gif_is_a_film_too_and_nothing_is_written_over(tmp_path: Path) -> None:
+    path = tmp_path / "placing.gif"
+    command = ("run", "place", "--seed", "3", "--film", path)
+    done = heron(*command)
+    assert done.returncode == 0, done.stderr
+    with Image.open(path) as film:
+        assert film.size == (640, 360 + STRIP)
+        assert getattr(film, "n_frames", 1) > 60
+        assert film.info["loop"] == 0
+    again = heron(*command)
+    assert again.returncode == 2
+    assert again.stderr == f"heron: {path} is there already, and is not written over\n"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("--film", "drive.avi"), "the name of the film has to end in .mp4 or .gif"),
+        (("--film", "drive.mp4", "--view"), "leave out --view"),
+        (("--film", "drive.mp4", "--ros1"), "leave out --ros1"),
+        (("--film", "/dev/null/drive.mp4"), "cannot write"),
+    ],
+)
+def test_a_film_that_cannot_be_is_told_at_once(arguments: tuple[str, ...], told: str) -> None:
+    found = CliRunner().invoke(app, ["run", "nav", *arguments])
+    assert found.exit_code == 2
+    assert told in found.output
+
+
+def test_without_egl_it_says_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("MUJOCO_GL", "disable")
+    for command in (["run", "nav", "--film", str(tmp_path / "a.mp4")], ["gallery", "--out", "x"]):
+        found = CliRunner().invoke(app, command)
+        assert found.exit_code == 2
+        assert "libegl1" in found.output
+
+
+def test_the_gallery_in_the_documentation_is_what_the_command_writes() -> None:
+    text = (DOCS / PAGE).read_text(encoding="utf-8")
+    assert text == page_of(EXHIBITS, _SHOWN_SEED)
+    for exhibit in EXHIBITS:
+        with Image.open(DOCS / "gallery" / f"{exhibit.name}.webp") as film:
+            assert getattr(film, "n_frames", 1) > 40
+            assert film.size == (808, 225 + STRIP)
+
+
+def test_every_command_of_the_gallery_is_one_that_there_is() -> None:
+    commands = [line.split()[1:] for line in page_of(EXHIBITS, 1).splitlines() if "--film" in line]
+    assert len(commands) == len(EXHIBITS)
+    for command in commands:
+        assert command[-1].endswith(".mp4")
+        found = CliRunner().invoke(app, [*command[:-1], "no-film.txt"])
+        assert "has to end in .mp4" in found.output, "all that is before the name is understood"
