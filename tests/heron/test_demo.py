@@ -236,7 +236,9 @@ def test_the_player_plays_at_the_speed_that_is_chosen(tmp_path: Path) -> None:
         input.dispatchEvent(new Event("input"));
         document.title = document.querySelector("output").textContent
           + ", " + document.querySelector(".values").textContent;
-        document.querySelector("select").value = "8";
+        document.querySelector("select").value = "4";
+        let now = 0;  // a screen that is drawn every 100 ms
+        window.requestAnimationFrame = (draw) => setTimeout(() => draw(now += 100), 1);
         document.querySelector(".player button").click();
         """,
     )

@@ -17,12 +17,24 @@ from typer.testing import CliRunner
 
 from campaign import Journal, Value
 from heron.cli.main import app
-from heron.evaluation import Folder, Row, keys_of, page_of, read_rows, row_of, sources, write_page
+from heron.evaluation import (
+    Folder,
+    Results,
+    Row,
+    StudyRow,
+    keys_of,
+    page_of,
+    read_rows,
+    row_of,
+    sources,
+    write_page,
+)
 from heron.evaluation.claims import Verdict, claims_of
 from heron.evaluation.sample import samples_of
 from heron.evaluation.statistics import compare, median, share
-from heron.experiments import EXPERIMENTS
-from heron.variants import Arm
+from heron.evaluation.study_section import slope_torque
+from heron.experiments import EXPERIMENTS, STUDIES
+from heron.variants import Arm, Person
 
 DOCS = Folder(Path(__file__).parents[2] / "docs")
 PLACING = EXPERIMENTS["place"]
@@ -41,8 +53,8 @@ def as_expected(seeds: Iterable[int]) -> list[Row]:
         found += [
             row(Arm.NONE, seed, duration=8.0, peak_force=100.0 + seed, time_above_30_n=1.0),
             row(Arm.DEROS, seed, duration=40.0 + seed, interventions=1.0),
-            row(Arm.ROSSMARIE, seed, duration=11.0),
-            *(row(arm, seed, "expected") for arm in Arm),
+            row(Arm.ROSSMARIE, seed, duration=11.0, reaction_hammering=0.3),
+            *(row(arm, seed, "expected") for arm in PLACING.arms),
         ]
     return found
 
@@ -56,14 +68,15 @@ def test_what_the_thesis_says_is_as_expected() -> None:
     rows = as_expected(range(10))
     found = {**verdicts(rows), **verdicts(rows, "expected")}
     assert set(found.values()) == {Verdict.HOLDS}
-    assert len(found) == 12
+    assert len(found) == 13
 
 
 @pytest.mark.parametrize(
     ("key", "variant", "arm", "numbers"),
     [
         ("harm deros time_above_30_n", "high", Arm.DEROS, {"time_above_30_n": 30.0}),
-        ("safe peak_force", "high", Arm.ROSSMARIE, {"peak_force": 56.0}),
+        ("safe deros peak_force", "high", Arm.ROSSMARIE, {"peak_force": 56.0}),
+        ("in time hammering", "high", Arm.ROSSMARIE, {"reaction_hammering": 0.6}),
         ("fastest", "high", Arm.NONE, {"completed": 0.0}),
         ("fastest", "high", Arm.NONE, {"duration": 12.0}),
         ("operator", "high", Arm.DEROS, {"interventions": 0.0}),
@@ -91,7 +104,57 @@ def test_what_is_otherwise_is_not(
 def test_few_episodes_tell_nothing() -> None:
     found = verdicts(as_expected(range(2)))
     assert found["harm rossmarie peak_force"] is Verdict.OPEN
-    assert verdicts(as_expected(range(1)))["safe peak_force"] is Verdict.OPEN
+    assert verdicts(as_expected(range(1)))["safe deros peak_force"] is Verdict.OPEN
+
+
+# --- a collision monitor beside them ---------------------------------------------------------
+
+HUMAN = EXPERIMENTS["human"]
+
+
+def visit(arm: Arm, seed: int, **numbers: float) -> Row:
+    """An episode with somebody in the room, as safe as can be, and 40 s long."""
+    every = {measure.name: 0.0 for measure in HUMAN.measures}
+    usual = {"completed": 1.0, "duration": 40.0, "gives_way": 0.1 + 0.001 * seed}
+    return Row(Person.INSIDE.value, arm.value, seed, every | usual | numbers)
+
+
+def of_visits(**changed: dict[str, float]) -> dict[str, Verdict]:
+    """The verdicts on ten visits in each arm; numbers of an arm are changed by its name."""
+    rows = [visit(arm, seed, **changed.get(arm.value, {})) for seed in range(10) for arm in Arm]
+    (sample,) = (one for one in samples_of(HUMAN, rows) if one.variant == "inside")
+    return {claim.key: claim.verdict for claim in claims_of(sample)}
+
+
+@pytest.mark.parametrize(
+    ("key", "arm", "numbers", "verdict"),
+    [
+        ("does as much", "rossmarie", {"duration": 43.0}, Verdict.HOLDS),
+        ("does as much", "rossmarie", {"duration": 45.0}, Verdict.FAILS),
+        ("does as much", "rossmarie", {"completed": 0.0}, Verdict.FAILS),
+        ("does as much", "collision_monitor", {"completed": 0.0}, Verdict.HOLDS),
+        ("safe collision_monitor risk", "rossmarie", {"risk": 0.1}, Verdict.FAILS),
+        ("safe collision_monitor risk", "collision_monitor", {"risk": 0.1}, Verdict.HOLDS),
+        ("better collision_monitor gives_way", "collision_monitor", {"gives_way": 0.0},
+         Verdict.HOLDS),
+        ("better collision_monitor gives_way", "rossmarie", {"gives_way": 0.0}, Verdict.FAILS),
+    ],
+)  # fmt: skip
+def test_rossmarie_is_compared_with_the_collision_monitor(
+    key: str, arm: str, numbers: dict[str, float], verdict: Verdict
+) -> None:
+    assert of_visits(**{arm: numbers})[key] is verdict
+
+
+def test_where_no_zone_says_anything_nothing_is_expected_of_it() -> None:
+    assert not any("collision" in key for key in verdicts(as_expected(range(3))))
+
+
+def test_what_repeats_itself_is_expected_once() -> None:
+    for experiment in EXPERIMENTS.values():
+        chosen = [harm for harms in experiment.harms.values() for harm in harms]
+        on_bump = [harm for harm in chosen if harm in ("peak_front", "peak_drive", "peak_rear")]
+        assert len(on_bump) == len(set(on_bump)), "there is one bump, and it is in two terrains"
 
 
 def test_intervals_hold_what_they_are_of() -> None:
@@ -109,13 +172,13 @@ def test_intervals_hold_what_they_are_of() -> None:
 
 def test_the_page_tells_what_failed_and_what_is_missing() -> None:
     rows = as_expected(range(10))
-    page = page_of({"place": rows}, "experiments")
-    assert "- 12 came out as expected" in page
+    page = page_of(Results({"place": rows}, {}), "experiments")
+    assert "- 13 came out as expected" in page
     assert "Not as expected" not in page
     assert "| task completed | 10 of 10 [72, 100 %] |" in page
     assert "Not finished" not in page
     rows[2] = row(Arm.ROSSMARIE, 0, completed=0.0)
-    page = page_of({"place": rows[:-1]}, "experiments")
+    page = page_of(Results({"place": rows[:-1]}, {}), "experiments")
     assert "- 1 came out not as expected" in page
     assert (
         "*II, placing, high*, with ROSSMARie it finishes without an operator: it finishes in 9"
@@ -125,10 +188,49 @@ def test_the_page_tells_what_failed_and_what_is_missing() -> None:
 
 
 def test_every_episode_of_every_arm_is_run_seed_by_seed() -> None:
-    keys = list(keys_of([PLACING], 2))
+    keys = [key for key in keys_of([PLACING], 2) if "=" not in key]
     assert len(keys) == len(set(keys)) == 18
     assert keys[:3] == ["place/high/none/0", "place/high/deros/0", "place/high/rossmarie/0"]
     assert keys[9].endswith("/1")
+
+
+# --- studies ---------------------------------------------------------------------------------
+
+
+def test_studies_are_run_for_the_experiments_that_are_chosen() -> None:
+    studied = [key for key in keys_of([PLACING], 30) if "=" in key]
+    assert len(studied) == len(set(studied)) == 2 * 3 * STUDIES["operator"].seeds
+    assert studied[0] == "operator=0/place/high/deros/0"
+    assert not any(key.startswith("torque") for key in studied)
+    assert any(key.startswith("torque=6.5/nav") for key in keys_of(EXPERIMENTS.values(), 1))
+
+
+def test_an_operator_who_stands_beside_the_robot_costs_no_half_minute() -> None:
+    usual, at_once = (row_of(f"{study}place/high/deros/3") for study in ("", "operator=0/"))
+    assert "study" not in usual
+    assert (at_once["study"], at_once["value"]) == ("operator", "0")
+    assert (usual["interventions"], at_once["interventions"]) == (1.0, 1.0)
+    assert isinstance(usual["duration"], float)
+    assert isinstance(at_once["duration"], float)
+    assert usual["duration"] - at_once["duration"] == pytest.approx(30.0, abs=0.5)
+
+
+def test_more_torque_takes_the_hazard_away() -> None:
+    assert slope_torque() == pytest.approx(6.3, abs=0.05)
+    assert row_of("torque=7/nav/gentle/none/3")["completed"] == 1.0
+
+
+def test_the_page_shows_what_depends_on_a_choice() -> None:
+    study = STUDIES["operator"]
+    rows = [
+        StudyRow(value, "place", row(Arm.DEROS, seed, duration=10.0 + value + seed))
+        for value in study.values
+        for seed in range(3)
+    ]
+    page = page_of(Results({}, {"operator": rows}), "experiments")
+    assert "| 30 | - | - | 3 of 3, 41.0 [40.0, 42.0] | - | - |" in page
+    assert "![How soon the operator comes](experiments/operator.svg)" in page
+    assert "The thesis describes its experiments and gives no figures" in page
 
 
 # --- what is in the documentation ------------------------------------------------------------
@@ -136,11 +238,12 @@ def test_every_episode_of_every_arm_is_run_seed_by_seed() -> None:
 
 def test_the_page_in_the_documentation_is_made_of_the_rows_beside_it() -> None:
     results = DOCS.results()
-    assert results.keys() == EXPERIMENTS.keys()
+    assert results.experiments.keys() == EXPERIMENTS.keys()
+    assert results.studies.keys() == STUDIES.keys()
     assert (DOCS.path / "experiments.md").read_text(encoding="utf-8") == page_of(
         results, "experiments"
     )
-    for name in results:
+    for name in (*results.experiments, *results.studies):
         assert DOCS.plot(name).read_bytes().startswith(b"<?xml")
 
 
@@ -151,7 +254,7 @@ def test_an_episode_that_is_run_again_is_the_one_in_the_documentation(key: str) 
     name, variant, arm, seed = key.split("/")
     (there,) = (
         row
-        for row in DOCS.results()[name]
+        for row in DOCS.results().experiments[name]
         if (row.variant, row.arm, row.seed) == (variant, arm, int(seed))
     )
     again = {name: value for name, value in row_of(key).items() if isinstance(value, float)}
@@ -164,9 +267,10 @@ def test_an_episode_that_is_run_again_is_the_one_in_the_documentation(key: str) 
 
 def test_an_evaluation_writes_its_page_and_does_nothing_twice(tmp_path: Path) -> None:
     keys = list(keys_of([PLACING], 2))
+    assert len(keys) == 18 + 2 * 2 * 3
     with Journal(Folder(tmp_path).journal, sources()) as journal:
         for key in keys:
-            _, variant, arm, seed = key.split("/")
+            *study, _, variant, arm, seed = key.split("/")
             numbers = row(Arm(arm), int(seed), variant, duration=12.3456789).numbers
             place: Value = {
                 "experiment": "place",
@@ -174,11 +278,14 @@ def test_an_evaluation_writes_its_page_and_does_nothing_twice(tmp_path: Path) ->
                 "arm": arm,
                 "seed": int(seed),
             }
-            journal.append(key, {**numbers, **place})
+            changed: Value = (
+                dict(zip(("study", "value"), study[0].split("="), strict=True)) if study else {}
+            )
+            journal.append(key, {**numbers, **place, **changed})
     command = ["evaluate", "--seeds", "2", "--experiment", "place", "--out", str(tmp_path)]
     found = CliRunner().invoke(app, command)
     assert found.exit_code == 0, found.output
-    assert "18 of 18 are done already" in found.output
+    assert "30 of 30 are done already" in found.output
     assert "Seeds: 2." in (tmp_path / "experiments.md").read_text(encoding="utf-8")
     written = read_rows(Folder(tmp_path).rows("place"))
     assert len(written) == 18

@@ -96,6 +96,17 @@ def test_without_egl_it_says_what_to_install(
         assert "libegl1" in found.output
 
 
+def test_a_renderer_that_is_not_there_is_told(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("MUJOCO_GL", "crayon")
+    for command in (["run", "place"], ["demo", "--out", tmp_path / "heron.html"]):
+        done = heron(*command)
+        assert done.returncode == 2
+        assert "heron: MuJoCo cannot draw with MUJOCO_GL=crayon (" in done.stderr
+        assert len(done.stderr.splitlines()) == 1
+
+
 def test_the_gallery_in_the_documentation_is_what_the_command_writes() -> None:
     text = (DOCS / PAGE).read_text(encoding="utf-8")
     assert text == page_of(EXHIBITS, _SHOWN_SEED)

@@ -121,9 +121,12 @@ def variant_of(experiment: str, wanted: str | None) -> enum.Enum:
 
 
 def require_simulation() -> None:
-    """End the run with the reason if a part of the simulation is not installed."""
+    """End the run with the reason if a part of the simulation is not installed, or cannot draw as
+    the environment says.
+    """
     missing = [name for name, module in _PARTS.items() if find_spec(module) is None]
     if not missing:
+        _require_renderer()
         return
     reason = f"the simulation needs {', '.join(missing)}, not installed for {sys.executable}"
     if "MuJoCo" in missing and _VERSION < _OLDEST:
@@ -133,3 +136,18 @@ def require_simulation() -> None:
             f"this is Python {python}"
         )
     output.fail(f"{reason}: pip install 'rossmarie[heron]'", exit_code=2)
+
+
+def _require_renderer() -> None:
+    """MuJoCo loads what MUJOCO_GL names as soon as it is imported."""
+    renderer = os.environ.get("MUJOCO_GL")
+    if not renderer:
+        return
+    try:
+        import mujoco  # noqa: F401
+    except Exception as error:  # each renderer fails in its own way
+        output.fail(
+            f"MuJoCo cannot draw with MUJOCO_GL={renderer} ({error}): unset it, or set it to egl "
+            "or disable",
+            exit_code=2,
+        )

@@ -42,6 +42,7 @@ def film(
     clip = film_of(EXPERIMENTS[name], variant, arm, seed)
     print_episode(clip.experiment, clip.episode)
     with output.writing(out), _drawing(output):
+        out.parent.mkdir(parents=True, exist_ok=True)
         write_movie(out, [clip], _SIZE)
     typer.echo(f"the film:  {out}")
 

@@ -141,8 +141,8 @@ def _film(
     if is_viewed:
         output.fail("--film draws without a window: leave out --view", exit_code=2)
     require_film(out)
-    require_simulation()
     require_drawing()
+    require_simulation()
     from heron.cli.filming import film
 
     film(output, name, variant, arm, seed, out)
@@ -229,8 +229,8 @@ def demo(
     output.try_folder(out.parent)
     if out.parent.exists():
         output.try_file(out)
-    require_simulation()
     draw_without_display()
+    require_simulation()
     from heron.cli.demonstrating import demonstrate
 
     demonstrate(output, seed, out)
@@ -243,8 +243,8 @@ def gallery(
 ) -> None:
     """Write films of the experiments, without a monitor and with one, and a page of them."""
     output.try_folder(out)
-    require_simulation()
     require_drawing()
+    require_simulation()
     from heron.cli.filming import show_gallery
 
     show_gallery(output, seed, out)

@@ -1,17 +1,14 @@
-"""What the demo shows of one episode; episodes are run beside each other, in processes."""
+"""What the demo shows of one episode."""
 
 from __future__ import annotations
 
-import multiprocessing
-import os
 from collections.abc import Mapping
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 
-from campaign import undisturbed
 from heron.demo.frames import Frames, frames_of
 from heron.experiments import EXPERIMENTS, Episode, Experiment
 from heron.films import Spans, film_of
+from heron.films.processes import in_processes
 from heron.tasks import TreeSkill
 from heron.variants import Arm
 from rossmarie.report.envelope import envelope
@@ -67,16 +64,7 @@ def shoot_all(seed: int) -> list[Shot]:
         for name, experiment in EXPERIMENTS.items()
         for arm in experiment.arms
     ]
-    context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(min(len(wanted), os.cpu_count() or 1), context) as pool:
-        try:
-            with undisturbed():
-                running = [pool.submit(shoot, *each) for each in wanted]
-            return [each.result() for each in running]
-        except BaseException:
-            for process in multiprocessing.active_children():  # otherwise the pool waits for them
-                process.kill()
-            raise
+    return in_processes(shoot, wanted)
 
 
 def _measures(experiment: Experiment, episode: Episode) -> dict[str, str]:

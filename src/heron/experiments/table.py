@@ -114,13 +114,16 @@ class Measure:
 
 @dataclass(frozen=True)
 class Signal:
-    """A column of the trace as it is shown: times `factor`, with a line at `limit`."""
+    """A column of the trace as it is shown: times `factor`, with a line at `limit`. In films it is
+    told by its `short` name, if it has one.
+    """
 
     column: str
     label: str
     unit: str
     factor: float = 1.0
     limit: float | None = None
+    short: str = ""
 
 
 @dataclass(frozen=True)
@@ -275,7 +278,7 @@ NAVIGATION = Experiment(
     signals=(
         Signal("distance", "distance travelled", "m"),
         Signal("pitch", "tilt", "°", -math.degrees(1), 10.0),
-        Signal("torque", "torque of a drive wheel", "Nm", 1.0, _USUAL_TORQUE),
+        Signal("torque", "torque of a drive wheel", "Nm", 1.0, _USUAL_TORQUE, "torque"),
     ),
     cameras=(
         Camera("base", distance=3.2, azimuth=62.0, elevation=-14.0, above=0.4),
@@ -321,7 +324,7 @@ PLACING = Experiment(
     gains={},
     acts_within={Table.HIGH: {"hammering": 0.5}, Table.HURRIED: {"torque": 0.05}},
     signals=(
-        Signal("force", "force on the hand", "N", 1.0, 30.0),
+        Signal("force", "force on the hand", "N", 1.0, 30.0, "force"),
         Signal("height", "height of the hand", "cm", 100.0),
         Signal("effort", "torque, of its limit", "%", 100.0, 60.0),
     ),
@@ -359,7 +362,7 @@ HUMAN = Experiment(
     acts_within={Person.INSIDE: {"entered": 0.5, "close": 0.3}},
     signals=(
         Signal("distance", "distance of arm and person, up to 2 m", "m", 1.0, 1.0),
-        Signal("speed", "speed of the hand", "m/s", 1.0, 0.25),
+        Signal("speed", "speed of the hand", "m/s", 1.0, 0.25, "hand"),
         Signal("x", "hand, to and fro", "m"),
     ),
     cameras=(Camera("shoulder", distance=3.9, azimuth=28.0, elevation=-16.0),),

@@ -18,8 +18,11 @@ from heron.films.rules_watch import RulesWatch, Spans
 from heron.tasks.tree import running_of
 from heron.variants import Arm
 
-STRIP = 44
+STRIP = 62
 """How high the words are (pixels)."""
+_LINES = (5, 23, 41)
+_LATELY_S = 0.15
+_NEARLY = 0.98  # of a limit counts as reached
 _LETTERS = 13
 _MARGIN = 10
 _PAPER, _INK, _MUTED = (255, 255, 255), (29, 35, 41), (98, 108, 118)
@@ -57,21 +60,38 @@ class Clip:
             yield np.vstack((pixels, self._strip(time, speed, running, active, size[0])))
 
     def _strip(self, time: float, speed: float, running: str, active: str, width: int) -> Pixels:
-        is_over = time >= self.duration
-        is_done = self.episode.measures.is_completed
         strip = Image.new("RGB", (width, STRIP), _PAPER)
         draw = ImageDraw.Draw(strip)
         right = width - _MARGIN
-        draw.text((_MARGIN, 5), ARM_NAMES[self.episode.arm], _INK, _BOLD)
-        if is_over:
+        draw.text((_MARGIN, _LINES[0]), ARM_NAMES[self.episode.arm], _INK, _BOLD)
+        if time >= self.duration:
+            is_done = self.episode.measures.is_completed
             words = f"{'completed' if is_done else 'not completed'} after {self.duration:.1f} s"
-            draw.text((right, 5), words, _DONE if is_done else _ACTIVE, _PLAIN, anchor="ra")
+            color = _DONE if is_done else _ACTIVE
+            draw.text((right, _LINES[0]), words, color, _PLAIN, anchor="ra")
         else:
             words = f"{time:.1f} s" if speed == 1 else f"{time:.1f} s, {speed:g} times as fast"
-            draw.text((right, 5), words, _MUTED, _PLAIN, anchor="ra")
-            draw.text((_MARGIN, 23), running, _MUTED, _PLAIN)
-            draw.text((right, 23), active, _ACTIVE, _PLAIN, anchor="ra")
+            draw.text((right, _LINES[0]), words, _MUTED, _PLAIN, anchor="ra")
+            draw.text((_MARGIN, _LINES[1]), running, _MUTED, _PLAIN)
+            words, is_beyond = self._signal(time)
+            color = _ACTIVE if is_beyond else _MUTED
+            draw.text((right, _LINES[1]), words, color, _PLAIN, anchor="ra")
+            draw.text((_MARGIN, _LINES[2]), active, _ACTIVE, _PLAIN)
         return np.asarray(strip)
+
+    def _signal(self, time: float) -> tuple[str, bool]:
+        """The most of the signal that is told, in the last moments, and whether that reaches its
+        limit; nothing after its end.
+        """
+        signal = next(one for one in self.experiment.signals if one.short)
+        trace = self.episode.trace
+        lately = (trace.times > time - _LATELY_S) & (trace.times <= time)
+        if time > trace.times[-1] or not lately.any():
+            return "", False
+        value = signal.factor * float(trace.columns[signal.column][lately].max())
+        digits = 2 if signal.limit is not None and signal.limit < 1 else 0
+        is_beyond = signal.limit is not None and value >= _NEARLY * signal.limit
+        return f"{signal.short} {round(value, digits) + 0.0:.{digits}f} {signal.unit}", is_beyond
 
 
 def film_of(experiment: Experiment, variant: enum.Enum, arm: Arm, seed: int) -> Clip:

@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import enum
-import multiprocessing
-import os
 from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from campaign import undisturbed
 from dslkit.writing import write_whole
 from heron.experiments import EXPERIMENTS
 from heron.films.clip import film_of
 from heron.films.movie import write_movie
+from heron.films.processes import in_processes
 from heron.variants import Arm, Person, Table, Terrain
 
 PAGE = "gallery.md"
@@ -77,15 +74,7 @@ def write_gallery(out: Path, seed: int) -> Path:
     """The page, and beside it a folder with the films. Raises `CannotDrawError` and `OSError`."""
     folder = out / _FOLDER
     folder.mkdir(parents=True, exist_ok=True)
-    context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(min(len(EXHIBITS), os.cpu_count() or 1), context) as pool:
-        with undisturbed():
-            running = [
-                pool.submit(_write_film, exhibit, seed, folder / f"{exhibit.name}.webp")
-                for exhibit in EXHIBITS
-            ]
-        for each in running:
-            each.result()
+    in_processes(_write_film, [(each, seed, folder / f"{each.name}.webp") for each in EXHIBITS])
     page = out / PAGE
     write_whole(page, page_of(EXHIBITS, seed))
     return page
