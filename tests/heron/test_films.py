@@ -51,8 +51,10 @@ def test_an_episode_becomes_a_film_that_players_read(tmp_path: Path) -> None:
     )
     assert b"Video: h264" in decoded.stderr
     pictures = np.frombuffer(decoded.stdout, np.uint8).reshape(-1, 360 + STRIP, 640, 3)
-    assert len(pictures) / 20 == pytest.approx(7.9 + 1.0, abs=0.2), "the end is shown for a second"
-    assert np.abs(pictures[0].astype(int) - pictures[-1]).mean() > 3
+    assert len(pictures) / 20 == pytest.approx(1.0 + 7.9 + 1.0, abs=0.2), "hazard, film, end"
+    first, start, last = (pictures[index, :360].astype(int) for index in (0, 25, -1))
+    assert np.abs(start - last).mean() > 3
+    assert np.abs(first - start).mean() > 3, "the first picture shows the hazard"
     assert list(tmp_path.iterdir()) == [path], "nothing else is left"
 
 

@@ -94,7 +94,7 @@ def _section(name: str, shots: Sequence[Shot]) -> Section:
         variant=shots[0].title,
         shots=shots,
         duration=duration,
-        opening=_opening(name, shots),
+        opening=experiment.opening_of(shot.onsets for shot in shots if shot.arm in SHOWN_FIRST),
         speed=_speed(shots),
         ticks=time_ticks(duration),
         marks=list(_marks(name, shots, duration)),
@@ -104,15 +104,6 @@ def _section(name: str, shots: Sequence[Shot]) -> Section:
         rows=_rows(shots),
         data=_data(shots, duration),
     )
-
-
-def _opening(name: str, shots: Sequence[Shot]) -> float:
-    """When the hazard that the experiment is about has come in each of the arms shown first."""
-    hazard, later = EXPERIMENTS[name].opening
-    found = [
-        shot.onsets[hazard] for shot in shots if shot.arm in SHOWN_FIRST and hazard in shot.onsets
-    ]
-    return max(found) + later if found else 0.0
 
 
 def _speed(shots: Sequence[Shot]) -> int:

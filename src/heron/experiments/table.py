@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import enum
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any, Protocol
@@ -177,6 +177,12 @@ class Experiment:
         """All of them, in the order in which they are shown."""
         reactions = (_reaction(*each) for each in self.hazards.items())
         return (*_TASK, *self.own_measures, *reactions, *_RESTRICTIONS)
+
+    def opening_of(self, onsets: Iterable[Mapping[str, float]]) -> float:
+        """When there is most to see (s) in episodes whose hazards began at these instants."""
+        hazard, later = self.opening
+        found = [each[hazard] for each in onsets if hazard in each]
+        return max(found) + later if found else 0.0
 
     def measure(self, name: str) -> Measure:
         """The one of that name. Raises `StopIteration`."""

@@ -62,8 +62,8 @@ class Film:
     def pictures(
         self, cameras: Sequence[Camera], times: Sequence[float], size: Size
     ) -> Iterator[Pixels]:
-        """Pictures at these times (s), which rise; each scene as its camera sees it. After the end
-        the last one stays. Raises `CannotDrawError`.
+        """Pictures at these times (s), each scene as its camera sees it. After the end the last one
+        stays. Raises `CannotDrawError`.
         """
         if not hasattr(mujoco, "GLContext"):
             raise CannotDrawError("there is no EGL")

@@ -26,14 +26,16 @@ def speed_for(duration: float) -> int:
 
 
 def write_movie(path: Path, clips: Sequence[Clip], size: Size) -> None:
-    """Clips side by side, each picture of one of that size, in the format that the suffix says.
+    """Clips side by side, each picture of one of that size, in the format that the suffix says. The
+    first second shows the hazard, for whoever sees the first picture only.
 
     Raises `CannotDrawError` and `OSError`; then there is no file.
     """
     duration = max(clip.duration for clip in clips)
     speed, rate = speed_for(duration), _RATES[path.suffix]
     count = round(duration / speed * rate) + rate  # for a second, how it ended
-    times = [index * speed / rate for index in range(count)]
+    opening = clips[0].experiment.opening_of(clip.episode.onsets for clip in clips)
+    times = [opening] * rate + [index * speed / rate for index in range(count)]
     pictures = _beside(clips, times, speed, size)
     with tempfile.TemporaryDirectory(dir=path.parent) as folder:
         written = Path(folder) / path.name
