@@ -248,7 +248,14 @@ def test_the_page_in_the_documentation_is_made_of_the_rows_beside_it() -> None:
 
 
 @pytest.mark.parametrize(
-    "key", ["place/high/rossmarie/1", "nav/gentle/none/1", "human/inside/deros/1"]
+    "key",
+    [
+        "place/high/rossmarie/1",
+        "nav/gentle/none/1",
+        "nav/gentle/collision_monitor/1",
+        "human/inside/deros/1",
+        "human/inside/collision_monitor/1",
+    ],
 )
 def test_an_episode_that_is_run_again_is_the_one_in_the_documentation(key: str) -> None:
     name, variant, arm, seed = key.split("/")
@@ -260,6 +267,17 @@ def test_an_episode_that_is_run_again_is_the_one_in_the_documentation(key: str) 
     again = {name: value for name, value in row_of(key).items() if isinstance(value, float)}
     assert again.keys() == there.numbers.keys()
     assert there.numbers == pytest.approx(again, rel=1e-3, abs=1e-3)
+
+
+def test_an_episode_of_a_study_that_is_run_again_is_the_one_in_the_documentation() -> None:
+    (there,) = (
+        one.row
+        for one in DOCS.results().studies["operator"]
+        if (one.value, one.experiment) == (0.0, "place")
+        and (one.row.variant, one.row.seed) == ("high", 1)
+    )
+    again = row_of("operator=0/place/high/deros/1")
+    assert there.numbers == pytest.approx({name: again[name] for name in there.numbers}, rel=1e-3)
 
 
 # --- the command -----------------------------------------------------------------------------

@@ -266,6 +266,8 @@ WRITING = {
         ("demo", "--out", "file/below.html"),
         ("demo", "--out", "folder"),
         ("evaluate", "--out", "file/below"),
+        ("gallery", "--out", "file/below"),
+        ("run", "place", "--film", "file/below.gif"),
         ("record", "nav", "--out", "file/below.mcap"),
     ],
 }

@@ -24,8 +24,9 @@ _HEAD = """\
 <!-- Written by `heron evaluate`; do not edit. -->
 
 The thesis describes its experiments and gives no figures. So none of the figures below can agree or
-disagree with it; what is expected of the arms was written down from its words before they were
-run. Each experiment is run on the same seeds in these arms:
+disagree with it; what is expected of the arms is taken from its words. It says nothing of a
+collision monitor: there it is expected that ROSSMARie is no worse. Each experiment is run on the
+same seeds in these arms:
 
 - *no monitor*
 - *collision monitor*: what robots of ROS 2 have today. Zones of a range scan slow the robot down
@@ -71,7 +72,7 @@ def page_of(results: Results, plots: str) -> str:
     if results.studies:
         lines += ["## How much depends on our choices", ""]
     for name, rows in results.studies.items():
-        lines += section_of(STUDIES[name], rows, plots)
+        lines += section_of(STUDIES[name], rows, results.experiments, plots)
     for name, found in samples.items():
         lines += [f"## Experiment {EXPERIMENTS[name].title}", ""]
         lines += _missing(EXPERIMENTS[name], results.experiments[name])

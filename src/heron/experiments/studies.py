@@ -34,7 +34,9 @@ class Case:
 
 @dataclass(frozen=True)
 class Study:
-    """All cases at all values of one field of `Settings`, each on `seeds` seeds."""
+    """All cases at all values of one field of `Settings`, each on `seeds` seeds. They are compared
+    with episodes of `beside`, which the setting does not change.
+    """
 
     name: str
     title: str
@@ -43,6 +45,7 @@ class Study:
     unit: str
     values: tuple[float, ...]
     cases: tuple[Case, ...]
+    beside: Arm | None = None
     seeds: int = 10
 
     def settings(self, value: float) -> Settings:
@@ -75,5 +78,6 @@ OPERATOR = Study(
     unit="s",
     values=(0.0, 10.0, 30.0),
     cases=tuple(Case(name, variant, Arm.DEROS) for name, variant in _STOPPED),
+    beside=Arm.ROSSMARIE,
 )
 STUDIES: Mapping[str, Study] = {study.name: study for study in (TORQUE, OPERATOR)}
