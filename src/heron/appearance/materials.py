@@ -78,6 +78,7 @@ def add_light(spec: Any, towards: tuple[float, float, float]) -> None:
     head.ambient, head.diffuse, head.specular = [0.34] * 3, [0.22] * 3, [0.0] * 3
     quality = spec.visual.quality
     quality.shadowsize, quality.offsamples = 2048, 4
+    quality.numslices, quality.numstacks, quality.numquads = 20, 10, 1
     spec.stat.extent = _EXTENT
     spec.visual.map.shadowclip = 1.0
     spec.visual.map.zfar = 12.0

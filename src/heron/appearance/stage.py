@@ -15,7 +15,6 @@ from heron.scene.arm import GRIP
 Floats = NDArray[np.float64]
 _OPEN = 0.02  # m that each finger goes aside
 _LAMP_AWAY = 5.0  # m
-_STILL = 0.002  # m or rad that nobody sees
 
 
 class Moment(NamedTuple):
@@ -25,13 +24,6 @@ class Moment(NamedTuple):
     places: Floats
     turns: Floats
     holds: NDArray[np.uint8]
-
-    def looks_like(self, other: Moment) -> bool:
-        """Whether nothing has moved between the two."""
-        return np.array_equal(self.holds, other.holds) and all(
-            np.allclose(mine, its, rtol=0.0, atol=_STILL)
-            for mine, its in zip(self[:3], other[:3], strict=True)
-        )
 
 
 def moment_of(data: Any) -> Moment:
@@ -60,6 +52,11 @@ class Stage:
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_camlight(model, data)
+
+    def places(self) -> Floats:
+        """Where all parts are: of shape (parts, 3)."""
+        found: Floats = self.data.geom_xpos.copy()
+        return found
 
     def place_of(self, name: str) -> Floats:
         """Where a body is, or a part of one."""

@@ -18,6 +18,7 @@ from heron.robot.physics import Physics
 from heron.topics import InProcess
 
 PERIOD_NS = 50_000_000
+_UNSEEN = 0.0012  # of the distance of the camera: half of a pixel
 Pixels = NDArray[np.uint8]
 Size = tuple[int, int]
 """Width and height, in pixels."""
@@ -98,11 +99,12 @@ def _drawn(stage: Stage, moments: Sequence[Moment], camera: Camera, size: Size) 
     with renderer:
         before, pixels = None, np.zeros((height, width, 3), np.uint8)
         for moment in moments:
-            if before is None or not moment.looks_like(before):
-                stage.show(moment)
+            stage.show(moment)
+            places = stage.places()
+            if before is None or np.abs(places - before).max() > _UNSEEN * camera.distance:
                 view.lookat[:] = stage.place_of(camera.body)
                 view.lookat[2] += camera.above
                 stage.light(view.lookat)
                 renderer.update_scene(stage.data, view, shown)
-                before, pixels = moment, renderer.render().copy()
+                before, pixels = places, renderer.render().copy()
             yield pixels

@@ -52,13 +52,13 @@ class _CollisionMonitor:
 
     @property
     def active(self) -> tuple[str, ...]:
-        """The zones that are in force."""
-        return tuple(self._in_force)
+        """The zones that are in force, once the first scan has come."""
+        return tuple(self._in_force) if self._has_begun else ()
 
     @property
     def is_acting(self) -> bool:
         """Whether any zone is in force; a robot that waits for its first scan does not move."""
-        return self._has_begun and bool(self._in_force)
+        return bool(self.active)
 
     @property
     def ratio(self) -> float:

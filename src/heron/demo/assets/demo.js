@@ -39,6 +39,11 @@ for (const section of document.querySelectorAll("section[data-experiment]")) {
     return t1 === t0 ? v1 : v0 + (v1 - v0) * (time - t0) / (t1 - t0);
   }
 
+  // No zero with a sign.
+  function text(value, digits) {
+    return (Number(value.toFixed(digits)) + 0).toFixed(digits);
+  }
+
   function chosen() {
     return boxes.filter((box) => box.checked).map((box) => box.value);
   }
@@ -50,7 +55,7 @@ for (const section of document.querySelectorAll("section[data-experiment]")) {
         const value = valueAt(points, time);
         const span = document.createElement("span");
         span.className = arm;
-        span.textContent = value === null ? "over" : (value + 0).toFixed(digits) + " " + unit;
+        span.textContent = value === null ? "over" : text(value, digits) + " " + unit;
         return span;
       }));
     }
