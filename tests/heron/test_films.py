@@ -10,7 +10,7 @@ import imageio_ffmpeg
 import numpy as np
 import pytest
 
-from support.parts import EGL, MUJOCO, needs, require
+from support.parts import EGL, MOUNTS, MUJOCO, needs, require
 
 require(MUJOCO)
 
@@ -71,6 +71,24 @@ def test_a_gif_is_a_film_too_and_nothing_is_written_over(tmp_path: Path) -> None
     again = heron(*command)
     assert again.returncode == 2
     assert again.stderr == f"heron: {path} is there already, and is not written over\n"
+
+
+@needs(EGL)
+@needs(MOUNTS)
+def test_a_film_that_does_not_fit_the_disk_is_an_error_and_not_a_film(tmp_path: Path) -> None:
+    (tmp_path / "small").mkdir()
+    subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=64k", "none", tmp_path / "small"], check=True
+    )
+    try:
+        done = heron("run", "place", "--seed", "3", "--film", tmp_path / "small" / "a.mp4")
+        left = list((tmp_path / "small").iterdir())
+    finally:
+        subprocess.run(["umount", tmp_path / "small"], check=True)
+    assert done.returncode == 2
+    assert done.stderr.startswith("heron: cannot write ")
+    assert "No space left on device" in done.stderr
+    assert left == []
 
 
 @pytest.mark.parametrize(

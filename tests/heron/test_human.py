@@ -11,9 +11,15 @@ from support.parts import MUJOCO, require
 
 require(MUJOCO)
 
+from heron import messages
 from heron.experiments import HumanEpisode, run_human
+from heron.experiments.arms import HUMAN_RULES, machine_of
 from heron.experiments.visitor import varied
+from heron.guard import InProcessGuard
+from heron.robot.arm_controller import SPEED_SCALE
+from heron.scene import RoomParameters
 from heron.tasks import Status
+from heron.topics import SCAN, InProcess, Parameter
 from heron.variants import Arm, Person
 
 SEED = 3
@@ -95,6 +101,19 @@ def test_a_gravity_free_arm_gives_way_to_who_leads_it() -> None:
     free = during(episode(Arm.ROSSMARIE, Person.INSIDE), *instants, "y")
     assert np.ptp(free) > 0.05
     assert free[-1] == pytest.approx(free[-500], abs=0.01), "it stays where it was led to"
+
+
+@pytest.mark.parametrize(("beyond", "is_close"), [(0.02, False), (-0.02, True)])
+def test_close_is_as_near_as_the_rules_say(beyond: float, is_close: bool) -> None:
+    ranges = np.full(720, np.inf, dtype=np.float32)
+    ranges[:10] = RoomParameters().close + beyond
+    carrier = InProcess()
+    carrier.declare(SPEED_SCALE, Parameter(lambda: 1.0, lambda _: None))
+    guard = InProcessGuard(machine_of(HUMAN_RULES[Arm.ROSSMARIE]), carrier, lambda: 0)
+    scan = messages.laser_scan(0, (-np.pi, np.pi, np.radians(0.5)), (0.1, 30.0), ranges)
+    carrier.publisher(SCAN)(scan)
+    assert ("stop_when_close" in guard.active) == is_close
+    assert "slow_when_entered" in guard.active
 
 
 def test_it_reacts_as_soon_as_a_scan_shows_it() -> None:

@@ -17,7 +17,6 @@ from heron.scene import BaseParameters, PersonParameters, RoomParameters
 from heron.scene.person import PERSON
 
 _ALONG, _AGAINST = (0.45, 0.5, -1.0), (-0.45, 0.4, -1.0)  # the x axis; to walls that are seen
-_SEPARATION = 2.36  # m, as in the rules of experiment III
 
 
 def dressed(spec: Any) -> Any:
@@ -36,6 +35,6 @@ def dressed(spec: Any) -> Any:
         dress_table(copy, table)
         add_hall(copy)
     if copy.body(PERSON) is not None:
-        dress_room(copy, RoomParameters(), _SEPARATION)
+        dress_room(copy, RoomParameters())
         dress_person(copy, PersonParameters())
     return copy.compile()

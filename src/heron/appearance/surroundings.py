@@ -75,10 +75,10 @@ def add_hall(spec: Any) -> None:
     _add_wall(spec.worldbody, (-3.0, 2.5), (-3.0, -4.0), 0.0, high=2.2)
 
 
-def dress_room(spec: Any, room: RoomParameters, separation: float) -> None:
-    """Lines on the floor show how far the room of the rules reaches, and how near is close."""
+def dress_room(spec: Any, room: RoomParameters) -> None:
+    """A line on the floor shows how near is close."""
     paint(spec.geom("floor"), TILES)
-    add_ring(spec, "separation", separation, 0.05, WARNING)
+    add_ring(spec, "close", room.close, 0.05, WARNING)
     for geom in spec.worldbody.geoms:
         if geom.name.startswith("wall"):
             paint(geom, WALL)

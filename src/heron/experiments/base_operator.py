@@ -27,7 +27,7 @@ _TOO_STEEP = math.radians(20)
 class BaseOperatorParameters:
     """Lengths in m, speeds in m/s, times in s."""
 
-    delay: float = 30.0
+    delay: float
     """From a call until he is there."""
     pace: float = 0.2
     way: float = 1.2

@@ -37,7 +37,6 @@ from heron.variants import Arm, Person
 
 LONGEST_S = 150.0
 _HOVER = 0.1  # m above the table, and so far down to it
-_NEAR = 2.36  # m, as in the rules
 _REDUCED = 0.25  # m/s, the reduced speed of ISO 10218
 _CLOSE = 1.0  # m from the arm itself: nearer than this, its speed counts
 _SWINGS_ON = 0.3  # s after a push
@@ -169,7 +168,7 @@ def hazards(trace: Trace) -> dict[str, Flags]:
     """When each hazard is there: somebody in the room, somebody close."""
     return {
         "entered": trace.columns["is_inside"] > 0,
-        "close": trace.columns["from_axis"] < _NEAR,
+        "close": trace.columns["from_axis"] < RoomParameters().close,
     }
 
 

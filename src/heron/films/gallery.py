@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -74,7 +75,11 @@ def write_gallery(out: Path, seed: int) -> Path:
     """The page, and beside it a folder with the films. Raises `CannotDrawError` and `OSError`."""
     folder = out / _FOLDER
     folder.mkdir(parents=True, exist_ok=True)
-    in_processes(_write_film, [(each, seed, folder / f"{each.name}.webp") for each in EXHIBITS])
+    with tempfile.TemporaryDirectory(dir=folder) as unfinished:
+        films = [(each, seed, Path(unfinished) / f"{each.name}.webp") for each in EXHIBITS]
+        in_processes(_write_film, films)
+        for _, _, film in films:
+            film.replace(folder / film.name)
     page = out / PAGE
     write_whole(page, page_of(EXHIBITS, seed))
     return page

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
+import subprocess
 import tempfile
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from itertools import chain
 from pathlib import Path
 
 import imageio_ffmpeg
@@ -56,20 +59,26 @@ def _beside(
 def _write_mp4(path: Path, pictures: Iterator[Pixels], rate: int) -> None:
     """H.264, as every player has it."""
     try:
-        imageio_ffmpeg.get_ffmpeg_exe()
+        program = imageio_ffmpeg.get_ffmpeg_exe()
     except RuntimeError as error:  # of a machine that the package brings no program for
         raise OSError(f"there is no FFmpeg: {error}") from error
     first = next(pictures)
     height, width, _ = first.shape
-    file = imageio_ffmpeg.write_frames(
-        str(path), (width, height), fps=rate, codec="libx264", macro_block_size=2, quality=7
-    )
-    file.send(None)
-    try:
-        for pixels in _all(first, pictures):
-            file.send(np.ascontiguousarray(pixels))
-    finally:
-        file.close()
+    raw = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", str(rate)]
+    coded = ["-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "20", "-movflags", "+faststart"]
+    command = [program, "-loglevel", "error", *raw, "-i", "-", *coded, str(path)]
+    with tempfile.TemporaryFile() as told:
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=told) as running:
+            assert running.stdin is not None
+            with contextlib.suppress(BrokenPipeError):  # it tells why it has ended
+                for pixels in chain([first], pictures):
+                    running.stdin.write(pixels.tobytes())
+            with contextlib.suppress(BrokenPipeError):
+                running.stdin.close()
+        told.seek(0)
+        reasons = told.read().decode(errors="replace").splitlines()
+    if running.returncode or reasons:
+        raise OSError(f"FFmpeg failed: {reasons[-1] if reasons else running.returncode}")
 
 
 def _write_animation(path: Path, pictures: Iterator[Pixels], rate: int) -> None:
@@ -82,8 +91,3 @@ def _write_animation(path: Path, pictures: Iterator[Pixels], rate: int) -> None:
         loop=0,
         quality=_QUALITY,
     )
-
-
-def _all(first: Pixels, others: Iterable[Pixels]) -> Iterator[Pixels]:
-    yield first
-    yield from others

@@ -32,8 +32,7 @@ ARM_ZONES = (
     Zone("stop_when_close", Circle(2.4), 0.0),
     Zone("slow_when_entered", Circle(3.8), 0.3),
 )
-"""The stop zone is the separation distance of ISO/TS 15066 at the speed of the slow zone, as in the
-rules; the slow zone is the room."""
+"""The stop zone is what the rules call close, rounded up; the slow zone is the room."""
 
 
 class _CollisionMonitor:

@@ -34,6 +34,9 @@ class RoomParameters:
     table_angle: float = math.radians(40)
     """To both sides of -y."""
 
+    close: float = 2.36
+    """Nearer than this to the middle a person is close, as the rules have it."""
+
     def table(self, side: int) -> tuple[float, float]:
         """Where the table on one side (-1 or 1) is."""
         angle = -math.pi / 2 + side * self.table_angle
