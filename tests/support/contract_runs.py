@@ -92,7 +92,9 @@ class Run:
             case Flow.NO_FAIL:
                 yield from self._in_turn(below, spared, while_is=True, is_star=True)
                 return True
-        return (yield from self._parallel(below, place, is_race=flow is Flow.PARALLEL_FS))
+            case Flow.PARALLEL_FF | Flow.PARALLEL_FS:
+                is_race = flow is Flow.PARALLEL_FS
+                return (yield from self._parallel(below, place, is_race=is_race))
 
     def _in_turn(
         self, below: Sequence[Node], place: Place, *, while_is: bool, is_star: bool

@@ -141,6 +141,8 @@ def _is_guarded(node: ast.If | ast.IfExp | ast.While | ast.BoolOp) -> bool:
             case ast.Name(id=name) | ast.Attribute(attr=name):
                 if name in _ASKING:
                     return True
+            case _:  # open: any other node
+                pass
     return False
 
 
@@ -304,3 +306,5 @@ def _may_set(node: ast.AST) -> Iterator[str]:
         case ast.Name(id=name) | ast.Attribute(attr=name) | ast.FunctionDef(name=name):
             if name in _HIDING:
                 yield name
+        case _:  # open: any other node
+            pass

@@ -145,7 +145,7 @@ class _Checker:
                     found=described(value),
                 )
                 yield wrong.at(span, _declared(parameter))
-            case _:
+            case _:  # open: a value of its type
                 return
 
     def _inherited(self, parameter: Parameter) -> Iterator[Diagnostic]:

@@ -14,7 +14,16 @@ from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import split
 from ezskiros.ontology.model import DataProperty, Model, Union
 from ezskiros.ontology.python_names import identifier
-from ezskiros.ontology.statements import AnyOf, Comparison, HasProperty, Relation, Statement
+from ezskiros.ontology.statements import (
+    AnyOf,
+    Comparison,
+    Generated,
+    HasProperty,
+    OfType,
+    Relation,
+    Specified,
+    Statement,
+)
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
 from ezskiros.skills.syntax import compared_value, names_in
 
@@ -73,7 +82,7 @@ class _Checker:
             case Comparison(subject=subject, property=iri):
                 yield from self._fits(subject, iri, self._model.domain(iri), clause)
                 yield from self._value(statement, clause)
-            case _:
+            case OfType() | Specified() | Generated() | AnyOf():
                 pass
 
     def _related(self, subject: str, iri: str, other: str, clause: Clause) -> Iterator[Diagnostic]:

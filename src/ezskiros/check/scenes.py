@@ -270,6 +270,8 @@ def _things(document: Document) -> dict[str, _Thing]:
                 thing.relations.append((triple.predicate.value, value))
             case pyoxigraph.Literal():
                 thing.values.append((triple.predicate.value, triple.object))
+            case _:  # open: what has no name
+                pass
     return found
 
 

@@ -21,7 +21,9 @@ from ezskiros.contracts.touching import Touching
 from ezskiros.ontology.model import Model
 from ezskiros.ontology.statements import (
     AnyOf,
+    Comparison,
     Generated,
+    HasProperty,
     OfType,
     Relation,
     Specified,
@@ -105,7 +107,7 @@ class Judge:
                 ways = alternatives(said)
                 if any(all(self._entails(facts, ors, bound, each) for each in way) for way in ways):
                     return True
-            case _:
+            case Relation() | Comparison() | HasProperty():
                 if self._follows(facts, said):
                     return True
         return self._follows_from_each(facts, ors, bound, said)

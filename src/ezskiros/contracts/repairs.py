@@ -17,9 +17,13 @@ from ezskiros.ontology.python_names import identifier
 from ezskiros.ontology.statements import (
     AnyOf,
     Comparison,
+    Generated,
     HasProperty,
+    OfType,
     Relation,
+    Specified,
     Statement,
+    Value,
 )
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.nodes import SkillCall
@@ -145,24 +149,32 @@ class Repairs:
 
 def _unified(made: Statement, said: Statement) -> Mapping[str, str] | None:
     """Names for the parameters of a post-condition by which it says the same; None if none do."""
-    match made, said:
-        case Relation(), Relation():
-            here = (made.relation, made.is_true, made.is_abstract)
-            if here != (said.relation, said.is_true, said.is_abstract):
-                return None
-            names = {made.subject: said.subject}
-            if names.setdefault(made.object, said.object) != said.object:
-                return None
-            return names
-        case Comparison(), Comparison():
-            here_value = (made.property, made.operator, made.value, made.is_true)
-            there_value = (said.property, said.operator, said.value, said.is_true)
-            return {made.subject: said.subject} if here_value == there_value else None
-        case HasProperty(), HasProperty():
-            is_same = (made.property, made.is_true) == (said.property, said.is_true)
-            return {made.subject: said.subject} if is_same else None
-        case _:
-            return None
+    match made:
+        case Relation():
+            return _unified_relations(made, said) if isinstance(said, Relation) else None
+        case Comparison():
+            if isinstance(said, Comparison) and _compared(made) == _compared(said):
+                return {made.subject: said.subject}
+        case HasProperty(property=iri, is_true=is_true):
+            if isinstance(said, HasProperty) and (iri, is_true) == (said.property, said.is_true):
+                return {made.subject: said.subject}
+        case OfType() | Specified() | Generated() | AnyOf():
+            pass
+    return None
+
+
+def _unified_relations(made: Relation, said: Relation) -> Mapping[str, str] | None:
+    here = (made.relation, made.is_true, made.is_abstract)
+    if here != (said.relation, said.is_true, said.is_abstract):
+        return None
+    names = {made.subject: said.subject}
+    if names.setdefault(made.object, said.object) != said.object:
+        return None
+    return names
+
+
+def _compared(said: Comparison) -> tuple[str, str, Value, bool]:
+    return said.property, said.operator, said.value, said.is_true
 
 
 def _properties(said: Statement) -> Iterator[str]:
@@ -175,7 +187,7 @@ def _properties(said: Statement) -> Iterator[str]:
             yield iri
         case Comparison(property=iri) | HasProperty(property=iri):
             yield iri
-        case _:
+        case OfType() | Specified() | Generated():
             return
 
 

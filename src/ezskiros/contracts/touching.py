@@ -56,7 +56,7 @@ class Touching:
                 return any(self._may_be_same(subject, each) for each in names_of(fact))
             case Relation():
                 return isinstance(fact, Relation) and self._relates(made, fact)
-            case _:
+            case Comparison() | HasProperty():
                 return isinstance(fact, (Comparison, HasProperty)) and self._sets(made, fact)
 
     def _touches_in_parts(self, made: Made, fact: Statement) -> bool:

@@ -174,7 +174,7 @@ def _arguments(call: SkillCall) -> Iterator[Line]:
                 yield Line(Role.PASSED, f"{name} <- {written(call, name)}")
             case enum.Enum():
                 yield Line(Role.VALUE, f"{name} = {given}")
-            case _:
+            case _:  # open: any other value
                 yield Line(Role.VALUE, f"{name} = {given!r}")
 
 

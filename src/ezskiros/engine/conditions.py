@@ -107,13 +107,15 @@ def make(statement: Statement, bound: Bound, world: World) -> None:
             _make_compare(statement, subject, world)
         case HasProperty(property=iri, is_true=is_true):
             if is_true:
-                world.set_value(subject, iri, _any_value(iri, world))
+                world.set_some_value(subject, iri)
             else:
                 world.unset(subject, iri)
         case OfType(owl_class=owl_class):
             world.set_class(subject, owl_class)
         case Generated(is_true=False):
             world.remove(subject)
+        case Specified() | Generated():
+            pass
 
 
 def _make_related(said: Relation, subject: str, other: str | None, world: World) -> None:
@@ -138,19 +140,6 @@ def _value_so(sign: str, value: Value) -> Value:
     if sign in ("=", "<=", ">=") or isinstance(value, (str, bool)):
         return value
     return value - 1 if sign == "<" else value + 1
-
-
-def _any_value(iri: str, world: World) -> Value:
-    """Some value of a data property."""
-    declared = world.ontology.model.values.get(iri)
-    if declared is not None and declared.values:
-        return min(declared.values)
-    kinds = {name.rpartition("#")[2] for union in world.ontology.model.range(iri) for name in union}
-    if kinds & {"float", "double", "decimal"}:
-        return 0.0
-    if kinds & {"integer", "int", "long"}:
-        return 0
-    return True if "boolean" in kinds else "simulated"
 
 
 # --- reasons --------------------------------------------------------------------------------------
@@ -189,5 +178,5 @@ def _facts(statement: Statement, bound: Bound, world: World) -> Iterator[str]:
             yield f"{subject} is of {found}"
         case Generated(subject=subject, is_true=is_true):
             yield f"{subject} is {'not ' if is_true else ''}in the world"
-        case _:
+        case Specified():
             return

@@ -167,12 +167,28 @@ class World:
         self.unset(thing, data_property)
         self._add(thing, data_property, pyoxigraph.Literal(value))
 
+    def set_some_value(self, thing: str, data_property: str) -> None:
+        """Give a data property a value that the ontology allows, where nothing says which."""
+        self.set_value(thing, data_property, self._some_value(data_property))
+
     def unset(self, thing: str, data_property: str) -> None:
         """Take all values of a data property away."""
         for each in self._properties(data_property):
             self._forget(thing, each, None)
 
     # --- what the ontology says -------------------------------------------------------------------
+
+    def _some_value(self, data_property: str) -> Value:
+        model = self.ontology.model
+        declared = model.values.get(data_property)
+        if declared is not None and declared.values:
+            return min(declared.values)
+        kinds = {name.rpartition("#")[2] for union in model.range(data_property) for name in union}
+        if kinds & {"float", "double", "decimal"}:
+            return 0.0
+        if kinds & {"integer", "int", "long"}:
+            return 0
+        return True if "boolean" in kinds else "simulated"
 
     def _implying(self, relation: str) -> tuple[tuple[str, bool], ...]:
         """The relations from which one follows, and whether from subject to object."""

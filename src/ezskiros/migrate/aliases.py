@@ -39,6 +39,8 @@ def _alias(statement: cst.CSTNode) -> tuple[str, cst.BaseExpression | None]:
             ]
         ) if own(held, PARAMS) and literal_text(key) is not None:
             return name, value
+        case _:  # open: any other node
+            pass
     return "", None
 
 
@@ -62,6 +64,8 @@ class _Inlined(cst.CSTTransformer):
         match original_node.value:
             case cst.Name(value=name) if name in self._found:
                 return updated_node.with_changes(value=self._found[name].deep_clone())
+            case _:  # open: any other node
+                pass
         return updated_node
 
     def leave_IndentedBlock(  # noqa: N802

@@ -51,6 +51,8 @@ def method(expression: cst.BaseExpression, owner: str = "self") -> str | None:
     match expression:
         case cst.Call(func=cst.Attribute(value=cst.Name(value=name), attr=attr)) if name == owner:
             return attr.value
+        case _:  # open: any other node
+            pass
     return None
 
 
@@ -100,7 +102,8 @@ class Arguments:
         match self[key]:
             case cst.Name(value="True" | "False" as found):
                 return found == "True"
-        raise self._computed(key, "True or False")
+            case _:
+                raise self._computed(key, "True or False")
 
     def _computed(self, key: str, wanted: str) -> LeftError:
         found = errors.ComputedArgument(argument=key, call=self.name, wanted=wanted)

@@ -19,7 +19,8 @@ def docstring_of(statement: cst.CSTNode) -> Text | None:
             body=[cst.Expr(value=cst.SimpleString() | cst.ConcatenatedString() as text)]
         ):
             return text
-    return None
+        case _:  # open: any other statement
+            return None
 
 
 def with_arguments(

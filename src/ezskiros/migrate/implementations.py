@@ -82,6 +82,8 @@ def described_by(node: cst.ClassDef) -> cst.Call | None:
             match small:
                 case cst.Expr(value=cst.Call() as call) if method(call) == "setDescription":
                     return call
+                case _:  # open: any other node
+                    pass
     return None
 
 
@@ -104,7 +106,8 @@ def description_name(call: cst.Call) -> str | None:
     match call.args:
         case [cst.Arg(value=cst.Call(func=func)), *_]:
             return last_name(func)
-    return None
+        case _:  # open: any other arguments
+            return None
 
 
 def translate_implementation(
@@ -312,6 +315,8 @@ def _planning(statement: cst.CSTNode) -> bool | None:
             value=cst.Call(args=[cst.Arg(value=cst.Name(value="True" | "False" as said))]) as call
         ) if method(call) == "setAvailableForPlanning":
             return said == "True"
+        case _:  # open: any other node
+            pass
     return None
 
 

@@ -270,6 +270,8 @@ def _imported_by(line: Line, source: str) -> dict[str, str] | None:
         case cst.SimpleStatementLine(body=[cst.ImportFrom(lpar=None) as small]):
             if module_name(small) == source and not isinstance(small.names, cst.ImportStar):
                 return {each.evaluated_name: _bound(each) for each in small.names}
+        case _:  # open: any other line
+            pass
     return None
 
 

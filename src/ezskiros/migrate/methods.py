@@ -53,6 +53,8 @@ class Methods(ParameterUses):
         match updated_node:
             case cst.Attribute(value=cst.Name(value=name), attr=member) if name == PLACEHOLDER:
                 return updated_node.with_changes(attr=cst.Name(MEMBERS[member.value]))
+            case _:  # open: any other node
+                pass
         return super().leave_Attribute(original_node, updated_node)
 
 

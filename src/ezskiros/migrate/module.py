@@ -227,6 +227,8 @@ class _File:
                     known = self._skills.called(skill, self._file.path)
                     path = known[0].path if len(known) == 1 else ""
                     yield Follower(name, skill, path, self._diagnostic(finding))
+                case _:  # open: any other diagnostic
+                    pass
 
     # --- implementations --------------------------------------------------------------------------
 

@@ -38,6 +38,8 @@ def _unset_key(call: cst.BaseExpression) -> cst.BaseExpression | None:
             args=[],
         ) if own(held, PARAMS):
             return key
+        case _:  # open: any other node
+            pass
     return None
 
 
@@ -49,7 +51,8 @@ def own(node: cst.CSTNode, names: Collection[str]) -> bool:
     match node:
         case cst.Attribute(value=cst.Name(value="self"), attr=cst.Name(value=name)):
             return name in names
-    return False
+        case _:  # open: any other node
+            return False
 
 
 def parameter_key(node: cst.CSTNode) -> cst.BaseExpression | None:
@@ -76,6 +79,8 @@ def parameter_key(node: cst.CSTNode) -> cst.BaseExpression | None:
             func=cst.Attribute(value=held, attr=cst.Name(value=name)), args=[cst.Arg(value=key)]
         ) if own(held, PARAMS) and name in _GET_BY_KEY:
             return key
+        case _:  # open: any other node
+            pass
     return None
 
 
@@ -97,6 +102,8 @@ def _setting(call: cst.Call) -> tuple[cst.BaseExpression, cst.BaseExpression] | 
             args=[cst.Arg(value=key, star=""), cst.Arg(value=value, star="", keyword=None)],
         ) if own(held, PARAMS) and name in _SET_BY_KEY:
             return key, value
+        case _:  # open: any other node
+            pass
     return None
 
 
@@ -259,7 +266,8 @@ class ParameterUses(cst.CSTTransformer):
                     body=[new.with_changes(value=cst.Name("False"))], leading_lines=()
                 )
                 return cst.FlattenSentinel([first, second])
-        return updated_node
+            case _:  # open: any other line
+                return updated_node
 
     def shown(self) -> str:
         """The statement that is being read, cut short."""

@@ -120,7 +120,8 @@ class ParameterReader:
                 return "a dict"
             case cst.Tuple() | cst.Name(value="tuple"):
                 return "a tuple"
-        return f"`{' '.join(self.code(value).split())}`"
+            case _:  # open: any other expression
+                return f"`{' '.join(self.code(value).split())}`"
 
 
 def _kind(node: cst.BaseExpression) -> Kind:

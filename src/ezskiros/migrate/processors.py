@@ -40,6 +40,8 @@ def wrapper(processor: cst.BaseExpression) -> Wrapper:
                 return _no_fail(wrapper(inner), inner)
             if last_name(func) == "RetryOnFail" and (tries := _tries(inner)):
                 return _retry(tries)
+        case _:  # open: any other expression
+            pass
     found = last_name(processor.func) if isinstance(processor, cst.Call) else None
     raise LeftError(implementation_errors.NoProcessor(found=found or "this expression"), processor)
 
@@ -64,7 +66,8 @@ def _tries(value: cst.BaseExpression) -> int | None:
     match value:
         case cst.Integer(value=text):
             return int(text, 0) + 1
-    return None  # -1 is forever
+        case _:  # open: any other expression, as -1, which is forever
+            return None
 
 
 def _retry(tries: int) -> Wrapper:
@@ -93,4 +96,5 @@ def _without_comment(space: cst.BaseParenthesizableWhitespace) -> cst.BaseParent
             first_line=cst.TrailingWhitespace(comment=None), empty_lines=[]
         ):
             return space
-    return cst.SimpleWhitespace(" ")
+        case _:  # open: any other space
+            return cst.SimpleWhitespace(" ")

@@ -175,6 +175,8 @@ def _kind(annotation: cst.BaseExpression) -> str:
             return f"{namespace.rstrip('_')}:{name}"
         case cst.Name(value=name) if name in BASIC:
             return name
+        case _:  # open: any other node
+            pass
     return ""
 
 
@@ -204,4 +206,6 @@ def _key(parts: Iterable[cst.BaseSlice]) -> str:
             case cst.Index(value=cst.Call(args=[cst.Arg(value=text)]) as call):
                 if last_name(call.func) == "Key":
                     return literal_text(text) or ""
+            case _:  # open: any other slice
+                pass
     return ""

@@ -27,7 +27,8 @@ class Step:
         match self.node:
             case cst.Expr(value=cst.Call() as found):
                 return found
-        return None
+            case _:  # open: any other statement
+                return None
 
 
 def statements_of(function: cst.FunctionDef) -> Sequence[cst.CSTNode]:

@@ -21,6 +21,8 @@ def made_by(helper: cst.FunctionDef) -> cst.BaseExpression | None:
         ) if len(body) == 1:
             names = {method(each) for each in m.findall(made, m.Call())}  # type: ignore[arg-type]
             return made if names & MAKERS else None
+        case _:  # open: any other node
+            pass
     return None
 
 

@@ -37,6 +37,8 @@ class Plan:
                     self._call(statement, call, flow)
                 case cst.If():
                     flow = self._branches(statement, flow)
+                case _:  # open: any other statement
+                    pass
         return flow
 
     def _call(self, line: cst.SimpleStatementLine, call: cst.Call, flow: _Flow) -> None:
@@ -133,4 +135,5 @@ def _leaves(statements: Sequence[cst.CSTNode]) -> bool:
     match statements[-1] if statements else None:
         case cst.SimpleStatementLine(body=[*_, cst.Return() | cst.Raise()]):
             return True
-    return False
+        case _:  # open: any other statement, or none
+            return False

@@ -49,6 +49,8 @@ class Known:
             case cst.Name(value=name) if name in self.constants:
                 others = {key: each for key, each in self.constants.items() if key != name}
                 return Known(others, self.enumerations).type_of(self.constants[name])
+            case _:  # open: any other node
+                pass
         return self._of_math(value)
 
     def _arithmetic(self, value: cst.BinaryOperation) -> str | None:

@@ -152,7 +152,7 @@ def literal(statement: Statement) -> Literal:
             return Literal(Fluent(About.CLASS, iri), (subject,))
         case Generated(subject=subject):
             return Literal(GONE, (subject,), not statement.is_true)
-        case _:
+        case Specified() | AnyOf():
             raise _NotPlannableError("it has a condition of an unknown kind")
 
 
@@ -168,7 +168,7 @@ def _effects(statement: Statement) -> Iterator[Literal]:
             raise _NotPlannableError("which number a property will have is not known")
         case Specified():
             return
-        case _:
+        case Relation() | Comparison() | HasProperty() | Generated():
             yield literal(statement)
 
 

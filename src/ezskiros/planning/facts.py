@@ -93,19 +93,25 @@ def is_so(literal: Literal, world: World) -> bool:
 def make_so(literal: Literal, world: World) -> None:
     """Change a world so that it is so; what follows from that is for the world to know."""
     fluent, subject = literal.fluent, literal.arguments[0]
-    match fluent.about, literal.is_true:
-        case About.RELATION, True:
-            world.relate(subject, fluent.iri, literal.arguments[1])
-        case About.RELATION, False:
-            world.unrelate(subject, fluent.iri, literal.arguments[1])
-        case About.COMPARISON, True:
-            world.set_value(subject, fluent.iri, fluent.value)
-        case (About.COMPARISON, False) if fluent.value in world.values(subject, fluent.iri):
-            world.unset(subject, fluent.iri)
-        case About.PROPERTY, False:
-            world.unset(subject, fluent.iri)
-        case About.GONE, True:
-            world.remove(subject)
+    match fluent.about:
+        case About.RELATION:
+            change = world.relate if literal.is_true else world.unrelate
+            change(subject, fluent.iri, literal.arguments[1])
+        case About.COMPARISON:
+            if literal.is_true:
+                world.set_value(subject, fluent.iri, fluent.value)
+            elif fluent.value in world.values(subject, fluent.iri):
+                world.unset(subject, fluent.iri)
+        case About.PROPERTY:
+            if literal.is_true:
+                world.set_some_value(subject, fluent.iri)
+            else:
+                world.unset(subject, fluent.iri)
+        case About.CLASS:
+            pass
+        case About.GONE:
+            if literal.is_true:
+                world.remove(subject)
 
 
 def implied(relation: str, model: Model) -> Sequence[tuple[str, bool]]:

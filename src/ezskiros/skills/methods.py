@@ -91,7 +91,8 @@ def told_state(value: ast.expr | None) -> str | None:
     match value:
         case ast.Call(func=ast.Attribute(value=ast.Name(id="self"), attr=name)):
             return name if name in ("success", "step", "fail") else None
-    return None
+        case _:  # open: any other expression
+            return None
 
 
 def _alternatives(value: ast.expr | None) -> Iterator[ast.expr | None]:
@@ -141,7 +142,7 @@ def _leaves(statement: ast.stmt) -> bool:
             return _ends(final) or is_left
         case ast.Match(cases=cases):
             return _is_exhaustive(cases) and all(_ends(each.body) for each in cases)
-        case _:
+        case _:  # open: any other statement
             return False
 
 

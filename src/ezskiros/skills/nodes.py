@@ -160,7 +160,7 @@ def children(node: Node) -> tuple[Node, ...]:
             return below
         case Decorator(child=child):
             return (child,)
-        case _:
+        case SkillCall():
             return ()
 
 

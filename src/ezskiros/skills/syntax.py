@@ -164,6 +164,8 @@ def _parameters_used(file: SourceFile, owner: ast.ClassDef) -> Iterator[tuple[st
                         value=ast.Attribute(value=ast.Name(id="self"), attr="params"), attr=name
                     ):
                         yield name, node_span(file, each)
+                    case _:  # open: any other node
+                        pass
 
 
 def _parameters_set(owner: ast.ClassDef) -> Iterator[str]:
@@ -191,6 +193,8 @@ def _things_added(method: ast.FunctionDef) -> Iterator[str]:
                 args=[given, *_],
             ):
                 added += given.elts if isinstance(given, ast.List) else [given]
+            case _:  # open: any other node
+                pass
     for thing in added:
         parameter = called.get(thing.id) if isinstance(thing, ast.Name) else _parameter(thing)
         if parameter is not None:
@@ -202,7 +206,8 @@ def _parameter(node: ast.expr) -> str | None:
     match node:
         case ast.Attribute(value=ast.Attribute(attr="params"), attr=name):
             return name
-    return None
+        case _:  # open: any other expression
+            return None
 
 
 def names_in(span: Span) -> dict[str, Span]:

@@ -15,10 +15,12 @@ from heron.topics import Carrier, Goal, Parameter, Scalar, Topic
 from heron.topics import Publish as Publisher
 from rossmarie.ir import Machine
 from rossmarie.ir.reactions import (
+    Call,
     CancelGoal,
     CommandTopic,
     Diagnose,
     Effect,
+    Hook,
     Interrupted,
     Limit,
     Log,
@@ -27,9 +29,9 @@ from rossmarie.ir.reactions import (
     Scale,
     SendGoal,
     SetParameter,
+    SwitchControllers,
 )
 
-_IN_WORDS_ONLY = (Limit, Scale, Log, Diagnose)
 NEVER = 2**62
 """Later than everything."""
 Report = Callable[[bool], None]
@@ -215,9 +217,11 @@ class Workshop:
                 return Sending(self.relays[effect.server], None, _resends(effect), report)
             case Reset():
                 return Once(self.reset)
-            case _ if isinstance(effect, _IN_WORDS_ONLY):
+            case Limit() | Scale() | Log() | Diagnose():
                 return Nothing()
-        raise UnsupportedEffectError(f"`{type(effect).__name__}` is not performed here")
+            case SetParameter() | CancelGoal() | Call() | SwitchControllers() | Hook():
+                kind = type(effect).__name__
+                raise UnsupportedEffectError(f"`{kind}` is not performed here")
 
 
 def servers(machine: Machine) -> set[str]:

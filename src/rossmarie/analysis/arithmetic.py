@@ -11,6 +11,7 @@ import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from typing import Literal
 
 import z3
 
@@ -20,7 +21,7 @@ from rossmarie.ir import Function
 LARGEST = constant(sys.float_info.max)
 _RELATIVE = Fraction(1, 2**53)
 _ABSOLUTE = Fraction(1, 2**200)
-_ROUNDS = {Function.ADD, Function.SUBTRACT, Function.MULTIPLY, Function.DIVIDE}
+_Rounding = Literal[Function.ADD, Function.SUBTRACT, Function.MULTIPLY, Function.DIVIDE]
 _LARGEST_ANGLE = {
     Function.PITCH: math.pi / 2,  # the double that `asin(1)` is
     Function.ROLL: math.pi,
@@ -43,13 +44,26 @@ def apply(
     """
     known = z3.And([operand.known for operand in operands])
     values = [operand.value for operand in operands]
-    if function in _LARGEST_ANGLE or function is Function.NORM:
-        # Of an orientation of zeros, and where squares are too large, nothing comes out.
-        known = z3.And(known, z3.FreshBool("finite")) if rounded else known
-        result = _norm if function is Function.NORM else _angle
-        return Number(known, result(function, values, facts))
-    if function not in _ROUNDS:
-        return Number(known, _EXACT[function](*values))
+    match function:
+        case Function.ROLL | Function.PITCH | Function.YAW | Function.NORM:
+            # Of an orientation of zeros, and where squares are too large, nothing comes out.
+            known = z3.And(known, z3.FreshBool("finite")) if rounded else known
+            measure = _norm if function is Function.NORM else _angle
+            return Number(known, measure(function, values, facts))
+        case Function.NEGATE | Function.ABSOLUTE | Function.MINIMUM | Function.MAXIMUM:
+            return Number(known, _EXACT[function](*values))
+        case Function.ADD | Function.SUBTRACT | Function.MULTIPLY | Function.DIVIDE:
+            return _arithmetic(function, known, values, facts, rounded=rounded)
+
+
+def _arithmetic(
+    function: _Rounding,
+    known: z3.BoolRef,
+    values: Sequence[z3.ArithRef],
+    facts: list[z3.BoolRef],
+    *,
+    rounded: bool,
+) -> Number:
     if function is Function.DIVIDE:
         known = z3.And(known, values[1] != 0)
     exact = _exact(function, values, facts)
@@ -60,7 +74,7 @@ def apply(
 
 
 def _exact(
-    function: Function, values: Sequence[z3.ArithRef], facts: list[z3.BoolRef]
+    function: _Rounding, values: Sequence[z3.ArithRef], facts: list[z3.BoolRef]
 ) -> z3.ArithRef:
     left, right = values
     match function:
@@ -70,6 +84,11 @@ def _exact(
             return left - right
         case Function.MULTIPLY:
             return left * right
+        case Function.DIVIDE:
+            return _quotient(left, right, facts)
+
+
+def _quotient(left: z3.ArithRef, right: z3.ArithRef, facts: list[z3.BoolRef]) -> z3.ArithRef:
     if z3.is_rational_value(right):
         return left / right if right.as_fraction() != 0 else left
     quotient = z3.FreshReal("number")

@@ -19,11 +19,16 @@ from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.witness import View, shown_value
 from rossmarie.ir import (
+    AgeReaches,
+    And,
     Apply,
     Array,
+    Between,
+    Compare,
     Constant,
     Count,
     Element,
+    Flag,
     Fold,
     Function,
     Held,
@@ -31,7 +36,11 @@ from rossmarie.ir import (
     Literal,
     Machine,
     Not,
+    Or,
+    Oscillates,
+    Previous,
     Quantified,
+    Rate,
     Read,
     Slot,
     TruthValue,
@@ -69,13 +78,17 @@ def find_decided(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
 
 def _lacking(machine: Machine, constant: Mapping[int, TruthValue], truth: int) -> TruthValue | None:
     """The value that a truth lacks, if it does; `not` and `for` lack what is inside of them."""
-    node = machine.truths[truth].node
-    if isinstance(node, Held):
-        return _lacking(machine, constant, node.operand)
-    if isinstance(node, Not):
-        inner = _lacking(machine, constant, node.operand)
-        return None if inner is None else kleene.negation(inner)
-    return constant.get(truth)
+    match machine.truths[truth].node:
+        case Held(operand=operand):
+            return _lacking(machine, constant, operand)
+        case Not(operand=operand):
+            inner = _lacking(machine, constant, operand)
+            return None if inner is None else kleene.negation(inner)
+        case (
+            Literal() | Compare() | Between() | Flag() | AgeReaches() | Oscillates()
+            | Quantified() | And() | Or()
+        ):  # fmt: skip
+            return constant.get(truth)
 
 
 def _impossible(inquiry: Inquiry, truth: int) -> TruthValue | None:
@@ -210,7 +223,7 @@ def _range(machine: Machine, signal: int) -> str:
             return f"{_whole(machine, signal, machine.arrays[array])}, as its type says"
         case Fold(element=element):
             return _range(machine, element)
-        case _:
+        case Constant() | Read() | Apply() | Rate() | Previous() | Element():
             return ""
     if high == math.inf:
         return "never negative"

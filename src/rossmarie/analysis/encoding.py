@@ -58,6 +58,11 @@ class Questioned:
                     uses[self._array(self.elements.signals[element])] += 1
                 case ir.Count(element=element):
                     uses[self._array(self.elements.truths[element])] += 1
+                case (
+                    ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Previous()
+                    | ir.Element()
+                ):  # fmt: skip
+                    pass
         for truth in self.machine.truths:
             if isinstance(truth.node, ir.Quantified):
                 uses[self._array(self.elements.truths[truth.node.element])] += 1
@@ -227,7 +232,7 @@ class Encoding(ABC):
                 return self._leaf(index, node, self.has_arrived(channel), reached)
             case ir.Quantified():
                 return self._quantified(index, node)
-            case _:
+            case ir.Compare() | ir.Between() | ir.Flag():
                 numbers = [self.signal(signal) for signal in ir.compared_signals(node)]
                 known = z3.And([number.known for number in numbers])
                 return self._leaf(index, node, known, _holds(node, numbers))
@@ -306,7 +311,7 @@ class Encoding(ABC):
             case ir.Apply(function=function, operands=operands):
                 numbers = [self._element_signal(operand, element) for operand in operands]
                 return Encoding.apply(self, index, function, numbers)
-            case node:
+            case (ir.Read() | ir.Rate() | ir.Previous() | ir.Fold() | ir.Count()) as node:
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
     def element_truth(self, index: int, element: Number) -> Fact:
@@ -322,13 +327,19 @@ class Encoding(ABC):
                 return conjunction(operands)
             case ir.Or():
                 return disjunction(operands)
+            case ir.Compare() | ir.Between() | ir.Flag():
+                return self._element_leaf(node, element)
+            case ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
+                raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
+
+    def _element_leaf(self, node: ir.Compare | ir.Between | ir.Flag, element: Number) -> Fact:
         numbers = [self._element_signal(signal, element) for signal in ir.compared_signals(node)]
         known = z3.And([number.known for number in numbers])
         holds = _holds(node, numbers)
         return Fact(z3.And(known, holds), z3.And(known, z3.Not(holds)), NO)
 
 
-def _holds(node: ir.TruthNode, numbers: Sequence[Number]) -> z3.BoolRef:
+def _holds(node: ir.Compare | ir.Between | ir.Flag, numbers: Sequence[Number]) -> z3.BoolRef:
     """S27 to S29, of known numbers."""
     values = [number.value for number in numbers]
     match node:
@@ -338,8 +349,6 @@ def _holds(node: ir.TruthNode, numbers: Sequence[Number]) -> z3.BoolRef:
             return z3.And(values[1] <= values[0], values[0] <= values[2])
         case ir.Flag():
             return values[0] != 0
-        case _:
-            raise AssertionError(f"{type(node).__name__} compares no numbers")
 
 
 def _compared(comparison: ir.Comparison, left: z3.ArithRef, right: z3.ArithRef) -> z3.BoolRef:

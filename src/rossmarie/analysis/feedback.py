@@ -10,6 +10,7 @@ from dataclasses import replace
 import z3
 
 from dslkit.diagnostics import Label
+from rossmarie import ir
 from rossmarie.analysis.activity import becomes_active, is_cleared, truths_of
 from rossmarie.analysis.closed_loop import Loop, Outside
 from rossmarie.analysis.closed_state import Carried, ClosedState, Ends, Published
@@ -23,7 +24,7 @@ from rossmarie.analysis.shrink import Replays, shortened
 from rossmarie.analysis.solver import Outcome, ask
 from rossmarie.analysis.terms import constant
 from rossmarie.analysis.witness import Witness
-from rossmarie.ir import AgeReaches, ChannelValues, Held, Machine, Oscillates
+from rossmarie.ir import ChannelValues, Machine
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.reactions import Publish, timeout_ns
 
@@ -331,10 +332,15 @@ def _long_enough(machine: Machine, part: Machine, rules: Sequence[int]) -> int:
     found = [used.timeout_ns or 0 for used in part.inputs]
     for truth in part.truths:
         match truth.node:
-            case Held(duration_ns=time_ns) | AgeReaches(age_ns=time_ns):
+            case ir.Held(duration_ns=time_ns) | ir.AgeReaches(age_ns=time_ns):
                 found.append(time_ns)
-            case Oscillates(window_ns=time_ns):
+            case ir.Oscillates(window_ns=time_ns):
                 found.append(time_ns)
+            case (
+                ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified()
+                | ir.Not() | ir.And() | ir.Or()
+            ):  # fmt: skip
+                pass
     for rule in rules:
         for task in machine.reactions.plans[rule].tasks:
             effect = machine.reactions.tasks[task].effect

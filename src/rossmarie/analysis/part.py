@@ -95,7 +95,8 @@ def _moved_signal(
             return dataclasses.replace(node, element=numbers[element])
         case ir.Count(element=element):
             return ir.Count(places[element])
-    return node
+        case ir.Constant() | ir.Read() | ir.Element():
+            return node
 
 
 def _moved_truth(
@@ -114,4 +115,5 @@ def _moved_truth(
             return dataclasses.replace(node, operand=places[operand])
         case ir.And(operands=operands) | ir.Or(operands=operands):
             return dataclasses.replace(node, operands=tuple(places[each] for each in operands))
-    return node
+        case ir.Literal() | ir.AgeReaches():
+            return node

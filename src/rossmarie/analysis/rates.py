@@ -19,11 +19,19 @@ from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.witness import Sending, View, Witness, views
 from rossmarie.ir import (
     AgeReaches,
+    And,
+    Between,
+    Compare,
+    Flag,
     Held,
     Input,
+    Literal,
     Machine,
+    Not,
+    Or,
     Oscillates,
     Previous,
+    Quantified,
     Rate,
     TruthValue,
     compared_signals,
@@ -169,7 +177,10 @@ def _reason(inquiry: Inquiry, truth: int, channel: int, gap_ns: int) -> str:
             if (count - 1) * gap_ns >= window_ns:
                 return f"{count} turning points take {duration_text((count - 1) * gap_ns)}"
             return _forgotten(inquiry, node.signal, channel, gap_ns)
-        case node:
+        case (
+            Literal() | Compare() | Between() | Flag() | AgeReaches() | Quantified() | Not()
+            | And() | Or()
+        ) as node:  # fmt: skip
             for signal in _remembering(machine, compared_signals(node)):
                 reason = _forgotten(inquiry, signal, channel, gap_ns)
                 if reason:

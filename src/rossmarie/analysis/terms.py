@@ -43,7 +43,8 @@ class Fact:
                 return self.false
             case TruthValue.LOST:
                 return self.lost
-        return z3.Not(z3.Or(self.true, self.false, self.lost))
+            case TruthValue.UNKNOWN:
+                return z3.Not(z3.Or(self.true, self.false, self.lost))
 
     @property
     def activates(self) -> z3.BoolRef:

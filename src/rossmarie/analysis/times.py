@@ -64,5 +64,10 @@ class Times:
                     below += duration_ns
                 case ir.Oscillates(window_ns=window_ns):
                     below += window_ns
+                case (
+                    ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
+                    | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
+                ):  # fmt: skip
+                    pass
             needed[truth] = below
         return needed

@@ -12,7 +12,20 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from rossmarie.interpreter import Interpreter
-from rossmarie.ir import ChannelValues, Kind, Machine, TruthValue
+from rossmarie.ir import (
+    Apply,
+    ChannelValues,
+    Constant,
+    Count,
+    Element,
+    Fold,
+    Kind,
+    Machine,
+    Previous,
+    Rate,
+    Read,
+    TruthValue,
+)
 from rossmarie.ir.duration_text import duration_text
 
 SECOND = 1_000_000_000
@@ -116,14 +129,16 @@ class _Column:
             elements = values.arrays.get(self.index, ())
             return repr(elements[self.element]) if self.element < len(elements) else ""
         raw = values.slots.get(self.index, math.nan)
-        match machine.slots[self.index].kind:
-            case _ if math.isnan(raw):
-                return "nan" if machine.slots[self.index].kind is Kind.REAL else ""
+        kind = machine.slots[self.index].kind
+        if math.isnan(raw):
+            return "nan" if kind is Kind.REAL else ""
+        match kind:
             case Kind.FLAG:
                 return str(raw != 0.0).lower()
             case Kind.TEXT:
                 return machine.texts[int(raw)] if raw >= 0.0 else other_text(machine)
-        return repr(raw)
+            case Kind.REAL:
+                return repr(raw)
 
 
 def other_text(machine: Machine) -> str:
@@ -212,15 +227,19 @@ def shown_value(machine: Machine, index: int, value: float) -> str:
     signal = machine.signals[index]
     if math.isnan(value):
         return "unknown"
-    kind = slot_kind(machine, index)
-    if kind is Kind.FLAG:
-        return str(value != 0.0).lower()
-    if kind is Kind.TEXT:
-        return f'"{machine.texts[int(value)]}"' if value >= 0.0 else "another string"
-    return f"{value * signal.scale + signal.offset:.6g} {signal.unit}".rstrip()
+    match slot_kind(machine, index):
+        case Kind.FLAG:
+            return str(value != 0.0).lower()
+        case Kind.TEXT:
+            return f'"{machine.texts[int(value)]}"' if value >= 0.0 else "another string"
+        case Kind.REAL:
+            return f"{value * signal.scale + signal.offset:.6g} {signal.unit}".rstrip()
 
 
 def slot_kind(machine: Machine, index: int) -> Kind:
     """What a signal holds."""
-    slot = getattr(machine.signals[index].node, "slot", None)
-    return Kind.REAL if slot is None else machine.slots[slot].kind
+    match machine.signals[index].node:
+        case Read(slot=slot):
+            return machine.slots[slot].kind
+        case Constant() | Apply() | Rate() | Previous() | Element() | Fold() | Count():
+            return Kind.REAL

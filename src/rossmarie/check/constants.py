@@ -78,7 +78,7 @@ def _truth(node: ast.Expression, context: Context) -> bool | None:
             Value(numbers=(low, high)),
         ]:
             return (low <= number <= high) is not is_negated
-        case _:
+        case _:  # open: a pair
             return None
 
 
@@ -106,7 +106,11 @@ def _number(node: ast.Expression, quantity: Quantity, context: Context) -> float
         case ast.Call() if node.function.text in _FUNCTIONS:
             arguments = _numbers(node.arguments, context)
             return None if arguments is None else _FUNCTIONS[node.function.text](arguments)
-        case _:
+        case (
+            ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference() | ast.Member()
+            | ast.Index() | ast.Call() | ast.Oscillates() | ast.Membership() | ast.Held()
+            | ast.Parenthesized() | ast.Broken()
+        ):  # fmt: skip
             return None
 
 

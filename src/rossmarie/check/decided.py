@@ -127,5 +127,9 @@ def _outcome(node: ast.Expression, outcomes: dict[int, bool], context: Context) 
             return deciding if deciding in sides else None
         case ast.Held(condition=condition) if outcomes.get(id(condition)) is False:
             return False
-        case _:
+        case (
+            ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
+            | ast.Member() | ast.Index() | ast.Call() | ast.Oscillates() | ast.Unary()
+            | ast.Binary() | ast.Membership() | ast.Held() | ast.Broken()
+        ):  # fmt: skip
             return None

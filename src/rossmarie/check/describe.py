@@ -12,6 +12,7 @@ from rossmarie.types import (
     Quaternion,
     Text,
     Type,
+    Unknown,
     Unsupported,
     Vector,
 )
@@ -20,24 +21,29 @@ from rossmarie.units import DIMENSIONLESS
 
 def describe(type_: Type) -> str:
     """`a vector in m/s`; `a text`."""
-    if isinstance(type_, Quantity):
-        return _quantity(type_)
-    if isinstance(type_, Vector):
-        return f"a vector{_in_unit(type_.element)}"
-    if isinstance(type_, Array):
-        truths = isinstance(type_.element, Boolean)
-        return "an array of truths" if truths else f"an array of numbers{_in_unit(type_.element)}"
-    if isinstance(type_, Message):
-        return f"a message {type_.name}"
-    words: dict[type[object], str] = {
-        Boolean: "true or false",
-        Text: "a string",
-        Quaternion: "an orientation",
-        Interval: "an interval",
-        Box: "a box",
-        Unsupported: "a field that rules cannot use",
-    }
-    return words.get(type(type_), "not known")
+    match type_:
+        case Quantity():
+            return _quantity(type_)
+        case Vector(element=element):
+            return f"a vector{_in_unit(element)}"
+        case Array(element=element):
+            return _array(element)
+        case Message(name=name):
+            return f"a message {name}"
+        case Boolean():
+            return "true or false"
+        case Text():
+            return "a string"
+        case Quaternion():
+            return "an orientation"
+        case Interval():
+            return "an interval"
+        case Box():
+            return "a box"
+        case Unsupported():
+            return "a field that rules cannot use"
+        case Unknown():
+            return "not known"
 
 
 def describe_quantity(quantity: Quantity) -> str:
@@ -58,7 +64,13 @@ def _quantity(quantity: Quantity) -> str:
     return "a plain number" if is_plain(quantity) else f"a number in {quantity.unit.symbol}"
 
 
-def _in_unit(element: Quantity | Boolean) -> str:
-    if isinstance(element, Boolean) or element.unit is None or is_plain(element):
+def _array(element: Quantity | Boolean) -> str:
+    if isinstance(element, Boolean):
+        return "an array of truths"
+    return f"an array of numbers{_in_unit(element)}"
+
+
+def _in_unit(element: Quantity) -> str:
+    if element.unit is None or is_plain(element):
         return ""
     return f" in {element.unit.symbol}"

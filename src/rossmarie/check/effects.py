@@ -79,7 +79,10 @@ class EffectChecker:
                 return _shared(reactions.Hook(name.text), effect)
             case ast.Reset():
                 return _shared(reactions.Reset(), effect)
-            case _:
+            case (
+                ast.CallService() | ast.SetParameter() | ast.SwitchControllers() | ast.SendGoal()
+                | ast.CancelGoal()
+            ):  # fmt: skip
                 return self._awaited(effect, uses)
 
     # --- messages ----------------------------------------------------------------------------

@@ -22,6 +22,10 @@ from rossmarie.syntax.walk import children
 from rossmarie.types import Array, Boolean, Quantity, Text, Type, Unknown, Vector
 from rossmarie.units import DIMENSIONLESS
 
+_Operation = (
+    ast.Unary | ast.Binary | ast.Membership | ast.Held | ast.Call | ast.Oscillates | ast.Bracket
+)
+
 
 def infer(expression: ast.Expression, context: Context) -> Type:
     """The type of an expression; `context` gets the types and values of all its parts."""
@@ -72,11 +76,14 @@ def _type_of(node: ast.Expression, context: Context) -> Type:
             return context.type_of(node.inner)
         case ast.Broken():
             return Unknown()
-        case _:
+        case (
+            ast.Unary() | ast.Binary() | ast.Membership() | ast.Held() | ast.Call()
+            | ast.Oscillates() | ast.Bracket()
+        ):  # fmt: skip
             return _type_of_operation(node, context)
 
 
-def _type_of_operation(node: ast.Expression, context: Context) -> Type:
+def _type_of_operation(node: _Operation, context: Context) -> Type:
     match node:
         case ast.Unary():
             return type_of_unary(node, context)
@@ -92,8 +99,6 @@ def _type_of_operation(node: ast.Expression, context: Context) -> Type:
             return type_of_oscillates(node, context)
         case ast.Bracket():
             return type_of_bracket(node, context)
-        case _:
-            raise AssertionError(node)
 
 
 def _type_of_number(node: ast.Number, context: Context) -> Type:

@@ -71,8 +71,11 @@ def type_of_binary(node: ast.Binary, context: Context) -> Type:
 
 def type_of_unary(node: ast.Unary, context: Context) -> Type:
     """The type of `not x` and `-x`."""
-    is_not = node.operator is ast.UnaryOperator.NOT
-    return applied(Operator.NOT if is_not else Operator.NEGATE, (node.operand,), context)
+    match node.operator:
+        case ast.UnaryOperator.NOT:
+            return applied(Operator.NOT, (node.operand,), context)
+        case ast.UnaryOperator.NEGATE:
+            return applied(Operator.NEGATE, (node.operand,), context)
 
 
 def type_of_held(node: ast.Held, context: Context) -> Type:
@@ -104,19 +107,20 @@ def applied(operator: Operator, operands: Sequence[ast.Expression], context: Con
 def _report(
     fault: Fault, operator: Operator, operands: Sequence[ast.Expression], context: Context
 ) -> None:
-    if fault in (Fault.UNITS, Fault.UNSTATED_UNIT):
-        for other in operands[1:]:
-            check_fit_of(operands[0], other, PURPOSES.get(operator, "compared"), context)
-    elif fault is Fault.TEMPERATURE:
-        _report_temperature(operands, context)
-    elif fault is Fault.VECTOR:
-        _report_those(Vector, operands, context)
-    elif fault is Fault.RANGE:
-        _report_those((Interval, Box), operands, context)
-    else:
-        report = report_not_a_condition if operator in LOGIC else _report_if_not_a_number
-        for operand in operands:
-            report(operand, context)
+    match fault:
+        case Fault.UNITS | Fault.UNSTATED_UNIT:
+            for other in operands[1:]:
+                check_fit_of(operands[0], other, PURPOSES.get(operator, "compared"), context)
+        case Fault.TEMPERATURE:
+            _report_temperature(operands, context)
+        case Fault.VECTOR:
+            _report_those(Vector, operands, context)
+        case Fault.RANGE:
+            _report_those((Interval, Box), operands, context)
+        case Fault.OPERANDS | Fault.NOT_A_RANGE:
+            report = report_not_a_condition if operator in LOGIC else _report_if_not_a_number
+            for operand in operands:
+                report(operand, context)
 
 
 def _report_those(

@@ -84,3 +84,5 @@ def _named(effect: ast.Effect, targets: Targets) -> Iterator[str]:
             yield full_name(name.text)
         case ast.SwitchControllers(manager=name) | ast.CancelGoal(server=name):
             yield full_name(name.text)
+        case ast.Log() | ast.Diagnose() | ast.Hook() | ast.Reset():
+            pass

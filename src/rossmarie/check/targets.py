@@ -83,7 +83,10 @@ class Targets:
                 self.commanded.setdefault(full, target.name.text)
             case ast.Publish(target=target):
                 kind = Kind.MESSAGE
-            case _:
+            case (
+                ast.SetParameter() | ast.SwitchControllers() | ast.CancelGoal() | ast.Log()
+                | ast.Diagnose() | ast.Hook() | ast.Reset()
+            ):  # fmt: skip
                 return
         if target.type is not None:
             self._state(kind, target.name, target.type)

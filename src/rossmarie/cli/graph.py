@@ -8,6 +8,7 @@ from pathlib import Path
 import typer
 from rich.console import Console
 
+from rossmarie.cli.choices import GraphFormat
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError, compile_file
 from rossmarie.report.wiring import Wiring, wiring_dot, wiring_of, wiring_svg, wiring_text
@@ -17,7 +18,7 @@ _RULES = ".ross"
 
 def run_graph(
     rules: Path,
-    form: str,
+    form: GraphFormat,
     out: Path | None,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
@@ -41,11 +42,11 @@ def run_graph(
     typer.echo(f"wrote {out}")
 
 
-def _drawn(wiring: Wiring, form: str, width: int | None = None) -> str:
+def _drawn(wiring: Wiring, form: GraphFormat, width: int | None = None) -> str:
     match form:
-        case "svg":
+        case GraphFormat.SVG:
             return wiring_svg(wiring)
-        case "dot":
+        case GraphFormat.DOT:
             return wiring_dot(wiring)
-        case _:
+        case GraphFormat.TEXT:
             return wiring_text(wiring, width)

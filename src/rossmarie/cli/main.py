@@ -196,7 +196,7 @@ def graph(
     """Draw the wiring of a rules file: what its node reads, filters and acts on."""
     from rossmarie.cli.graph import run_graph
 
-    run_graph(rules, format.value, out, system or [], messages or [])
+    run_graph(rules, format, out, system or [], messages or [])
 
 
 @app.command()

@@ -53,9 +53,11 @@ def dump(
     if after is Stage.CHECK:
         return "\n".join(_symbols(result.program)) + "\n"
     machine = compile_checked(result, message_folders).machine
-    if after is Stage.LOWER:
-        return machine_to_json(machine) if as_json else dump_text(machine)
-    return "\n".join(generate(machine, "c99").values())
+    match after:
+        case Stage.LOWER:
+            return machine_to_json(machine) if as_json else dump_text(machine)
+        case Stage.GENERATE:
+            return "\n".join(generate(machine, "c99").values())
 
 
 def _symbols(program: CheckedProgram) -> Iterator[str]:

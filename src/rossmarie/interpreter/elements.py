@@ -67,7 +67,7 @@ class Elements:
             case ir.Apply(function=function, operands=operands):
                 values = tuple(self._signal(operand, x) for operand in operands)
                 return arithmetic.apply(function, values)
-            case node:
+            case (ir.Read() | ir.Rate() | ir.Previous() | ir.Fold() | ir.Count()) as node:
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
     def _truth(self, index: int, x: float) -> TruthValue:
@@ -88,5 +88,5 @@ class Elements:
                 return kleene.conjunction(self._truth(operand, x) for operand in operands)
             case ir.Or(operands=operands):
                 return kleene.disjunction(self._truth(operand, x) for operand in operands)
-            case node:
+            case (ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()) as node:
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")

@@ -106,7 +106,7 @@ class Evaluator:
                 return self._held(index, node, at_ns)
             case ir.Oscillates():
                 return self._oscillates(index, node, at_ns, updated)
-            case _:
+            case ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Quantified():
                 found = self._leaf(node, at_ns)
                 return self._unknown(index, node) if found is TruthValue.UNKNOWN else found
 
@@ -115,7 +115,9 @@ class Evaluator:
         assert value is not None, "operands stand before their users"
         return value
 
-    def _leaf(self, node: ir.TruthNode, at_ns: int) -> TruthValue:
+    def _leaf(
+        self, node: ir.Compare | ir.Between | ir.Flag | ir.AgeReaches | ir.Quantified, at_ns: int
+    ) -> TruthValue:
         signals = self._memory.signals
         match node:
             case ir.Compare(comparison=comparison, left=left, right=right):
@@ -128,8 +130,6 @@ class Evaluator:
                 return self._age_reaches(node, at_ns)
             case ir.Quantified():
                 return self.elements.quantified(node)
-            case _:
-                raise AssertionError(f"{type(node).__name__} is no leaf")
 
     def _unknown(self, index: int, node: ir.TruthNode) -> TruthValue:
         """S30: an unknown leaf is lost if that is for lack of an input with a timeout."""

@@ -7,7 +7,21 @@ from dataclasses import dataclass, replace
 
 from rossmarie import ir
 from rossmarie.ir import FieldBounds, Reactions
-from rossmarie.ir.reactions import Bound, Limit, Scale
+from rossmarie.ir.reactions import (
+    Bound,
+    Call,
+    CancelGoal,
+    Diagnose,
+    Hook,
+    Limit,
+    Log,
+    Publish,
+    Reset,
+    Scale,
+    SendGoal,
+    SetParameter,
+    SwitchControllers,
+)
 
 _UNBOUNDED = FieldBounds(1.0, -math.inf, math.inf)
 _BLOCKED = FieldBounds(1.0, 0.0, 0.0)
@@ -76,7 +90,10 @@ class Filter:
                     for bound in limits:
                         moved = force.moved(bound.ramp, at_ns)
                         found[bound.field] = _within(found[bound.field], bound, moved)
-                case _:
+                case (
+                    Limit() | Scale() | Publish() | Call() | SetParameter() | SwitchControllers()
+                    | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook() | Reset()
+                ):  # fmt: skip
                     pass
         return tuple(found)
 

@@ -315,10 +315,13 @@ class Reactor:
 
     def _order(self, kind: OrderKind, task: int, by: int | None = None) -> None:
         self._orders.append(Order(kind, task, by))
-        if kind is OrderKind.START:
-            self._filter.start(task)
-        elif kind is OrderKind.STOP:
-            self._filter.stop(task, self._now_ns)
+        match kind:
+            case OrderKind.START:
+                self._filter.start(task)
+            case OrderKind.STOP:
+                self._filter.stop(task, self._now_ns)
+            case OrderKind.OVERRULED | OrderKind.FAILED:
+                pass
 
     def _effect(self, task: int) -> reactions.Effect:
         return self._reactions.tasks[task].effect

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
-from rossmarie.interpreter.memory import Memory
+from rossmarie.interpreter.memory import Memory, Oscillation
 from rossmarie.ir import InputState, TruthValue
 
 
@@ -22,18 +22,32 @@ def _expiries(machine: ir.Machine, memory: Memory) -> Iterator[int]:
 
 def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
     for index, truth in enumerate(machine.truths):
-        match truth.node, memory.truths[index]:
-            case ir.Held(duration_ns=duration_ns), value if value is not TruthValue.TRUE:
+        value = memory.truths[index]
+        match truth.node:
+            case ir.Held(duration_ns=duration_ns) if value is not TruthValue.TRUE:
                 if (start_ns := memory.held[index].start_ns) is not None:
                     yield start_ns + duration_ns
-            case ir.AgeReaches(input=used, age_ns=age_ns), TruthValue.FALSE:
+            case ir.AgeReaches(input=used, age_ns=age_ns) if value is TruthValue.FALSE:
                 yield memory.inputs[used].stamp_ns + age_ns
-            case ir.Oscillates(window_ns=window_ns), TruthValue.TRUE:
-                oldest_ns = memory.oscillations[index].oldest_ns()
-                assert oldest_ns is not None, "a true oscillation has all its turning points"
-                yield oldest_ns + window_ns
-            case ir.Oscillates(window_ns=window_ns), TruthValue.UNKNOWN | TruthValue.LOST:
-                if (gap_end_ns := memory.oscillations[index].gap_end_ns) is not None:
-                    yield gap_end_ns + window_ns
-            case _:
+            case ir.Oscillates(window_ns=window_ns):
+                since_ns = _window_since_ns(memory.oscillations[index], value)
+                if since_ns is not None:
+                    yield since_ns + window_ns
+            case (
+                ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
+                | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            ):  # fmt: skip
                 pass
+
+
+def _window_since_ns(oscillation: Oscillation, value: TruthValue | None) -> int | None:
+    """Since when the window runs at the end of which an oscillation changes; None if none does."""
+    match value:
+        case TruthValue.TRUE:
+            oldest_ns = oscillation.oldest_ns()
+            assert oldest_ns is not None, "a true oscillation has all its turning points"
+            return oldest_ns
+        case TruthValue.UNKNOWN | TruthValue.LOST:
+            return oscillation.gap_end_ns
+        case TruthValue.FALSE | None:
+            return None

@@ -107,7 +107,7 @@ class _Counted:
             case ir.Oscillates():
                 closes = self._new(1)
                 return self._lost(index) | _Changes(ceases_true=closes, becomes_false=closes)
-            case _:
+            case ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified():
                 return self._lost(index)
 
     def _held(self, operand: _Changes) -> _Changes:

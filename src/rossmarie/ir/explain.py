@@ -177,7 +177,10 @@ class _Snapshot:
                 return tuple(operand for operand in operands if self._value(operand) is value)
             case ir.Not(operand=operand) | ir.Held(operand=operand):
                 return (operand,)
-            case _:
+            case (
+                ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
+                | ir.Oscillates() | ir.Quantified()
+            ):  # fmt: skip
                 return ()
 
     def _is_unit(self, truth: int) -> bool:
@@ -254,13 +257,24 @@ class _Snapshot:
     def _shown(self, signal: ir.Signal, value: float) -> str:
         if value != value:
             return "unknown"
-        match signal.node:
-            case ir.Read(slot=slot) if self._machine.slots[slot].kind is ir.Kind.FLAG:
+        match self._kind(signal.node):
+            case ir.Kind.FLAG:
                 return str(value != 0.0).lower()
-            case ir.Read(slot=slot) if self._machine.slots[slot].kind is ir.Kind.TEXT:
+            case ir.Kind.TEXT:
                 texts = self._machine.texts
                 return f'"{texts[int(value)]}"' if value >= 0.0 else "another string"
-        return f"{value:.6g} {signal.unit}".rstrip()
+            case ir.Kind.REAL:
+                return f"{value:.6g} {signal.unit}".rstrip()
+
+    def _kind(self, node: ir.SignalNode) -> ir.Kind:
+        match node:
+            case ir.Read(slot=slot):
+                return self._machine.slots[slot].kind
+            case (
+                ir.Constant() | ir.Apply() | ir.Rate() | ir.Previous() | ir.Element() | ir.Fold()
+                | ir.Count()
+            ):  # fmt: skip
+                return ir.Kind.REAL
 
     def _value(self, truth: int) -> TruthValue:
         """The value of any truth below the rule's condition: told, or computed from those told."""
@@ -275,5 +289,8 @@ class _Snapshot:
                 return kleene.conjunction(self._value(operand) for operand in operands)
             case ir.Or(operands=operands):
                 return kleene.disjunction(self._value(operand) for operand in operands)
-            case node:
+            case (
+                ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
+                | ir.Quantified() | ir.Held()
+            ) as node:  # fmt: skip
                 raise AssertionError(f"{type(node).__name__} is among the terms of its rule")

@@ -271,7 +271,7 @@ def timeout_ns(effect: Effect) -> int | None:
     match effect:
         case Call() | SetParameter() | SwitchControllers() | SendGoal() | CancelGoal():
             return effect.timeout_ns
-        case _:
+        case Limit() | Scale() | Publish() | Log() | Diagnose() | Hook() | Reset():
             return None
 
 
@@ -284,7 +284,10 @@ def is_lasting(effect: Effect) -> bool:
             return interrupted is Interrupted.RESEND
         case Call() | Log() | Reset():
             return False
-        case _:
+        case (
+            Limit() | Scale() | SetParameter() | SwitchControllers() | CancelGoal() | Diagnose()
+            | Hook()
+        ):  # fmt: skip
             return True
 
 
@@ -315,7 +318,7 @@ def target_of(effect: Effect) -> Target | None:
             return Target("controller manager", manager)
         case SendGoal(server=server) | CancelGoal(server=server):
             return Target("action server", server)
-        case _:
+        case Limit() | Scale() | Log() | Diagnose() | Hook() | Reset():
             return None
 
 
@@ -326,13 +329,20 @@ def waits(effect: Effect) -> bool:
             return period_ns is not None
         case SetParameter() | SwitchControllers() | CancelGoal():
             return True
-        case _:
+        case Limit() | Scale() | Call() | SendGoal() | Log() | Diagnose() | Hook() | Reset():
             return False
 
 
 def confirmation(effect: Effect) -> int | None:
     """The index in `Machine.watches` of what has to be true before an effect has succeeded."""
-    return effect.confirmation if isinstance(effect, CancelGoal) else None
+    match effect:
+        case CancelGoal():
+            return effect.confirmation
+        case (
+            Limit() | Scale() | Publish() | Call() | SetParameter() | SwitchControllers()
+            | SendGoal() | Log() | Diagnose() | Hook() | Reset()
+        ):  # fmt: skip
+            return None
 
 
 # --- what the reactor says -------------------------------------------------------------------

@@ -77,7 +77,10 @@ def _effect(effect: reactions.Effect) -> str:
             return f"hook {name}"
         case reactions.Reset():
             return "reset"
-        case _:
+        case (
+            reactions.Call() | reactions.SetParameter() | reactions.SwitchControllers()
+            | reactions.SendGoal() | reactions.CancelGoal()
+        ):  # fmt: skip
             return f"{_awaited(effect)} within {duration_text(effect.timeout_ns)}"
 
 

@@ -60,6 +60,11 @@ def _encode(value: object, files: dict[SourceFile, int]) -> Json:
             return [_encode(item, files) for item in value]
         case None | bool() | int() | float() | str():
             return value
+        case _:  # open: any dataclass of the machine
+            return _encode_instance(value, files)
+
+
+def _encode_instance(value: object, files: dict[SourceFile, int]) -> Json:
     assert dataclasses.is_dataclass(value)
     members: dict[str, Json] = {"class": type(value).__name__} if _is_node(type(value)) else {}
     for field in dataclasses.fields(value):

@@ -55,7 +55,7 @@ def signal_operands(node: ir.SignalNode) -> tuple[int, ...]:
             return (signal,)
         case ir.Fold(element=element):
             return (element,)
-        case _:
+        case ir.Constant() | ir.Read() | ir.Element() | ir.Count():
             return ()
 
 
@@ -68,7 +68,10 @@ def truth_operands(node: ir.TruthNode) -> tuple[int, ...]:
             return operands
         case ir.Quantified(element=element):
             return (element,)
-        case _:
+        case (
+            ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
+            | ir.Oscillates()
+        ):  # fmt: skip
             return ()
 
 
@@ -81,13 +84,23 @@ def compared_signals(node: ir.TruthNode) -> tuple[int, ...]:
             return (signal, low, high)
         case ir.Flag(signal=signal) | ir.Oscillates(signal=signal):
             return (signal,)
-        case _:
+        case (
+            ir.Literal() | ir.AgeReaches() | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
+            | ir.Held()
+        ):  # fmt: skip
             return ()
 
 
 def is_leaf(node: ir.TruthNode) -> bool:
     """Whether a truth looks at numbers, arrays or ages instead of other truths."""
-    return not isinstance(node, ir.Literal | ir.Not | ir.And | ir.Or | ir.Held)
+    match node:
+        case (
+            ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
+            | ir.Quantified()
+        ):  # fmt: skip
+            return True
+        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+            return False
 
 
 def supports(machine: ir.Machine) -> Supports:
@@ -144,18 +157,21 @@ def _signal_support(
             return elements[element] | Support(folds=frozenset({index}))
         case ir.Rate(signal=signal) | ir.Previous(signal=signal):
             return signals[signal] | Support(samples=frozenset({index}))
-        case _:
+        case ir.Constant() | ir.Apply():
             return _union(signals[operand] for operand in signal_operands(node))
 
 
 def _truth_support(
     machine: ir.Machine, node: ir.TruthNode, signals: list[Support], truths: list[Support]
 ) -> Support:
-    if isinstance(node, ir.AgeReaches):
-        channel = machine.inputs[node.input].channel
-        return Support(inputs=frozenset({node.input}), channels=frozenset({channel}))
-    operands = _union(truths[operand] for operand in truth_operands(node))
-    return operands | _union(signals[signal] for signal in compared_signals(node))
+    match node:
+        case ir.AgeReaches(input=used):
+            channel = machine.inputs[used].channel
+            return Support(inputs=frozenset({used}), channels=frozenset({channel}))
+        case ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates():
+            return _union(signals[signal] for signal in compared_signals(node))
+        case ir.Literal() | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+            return _union(truths[operand] for operand in truth_operands(node))
 
 
 def _union(parts: Iterable[Support]) -> Support:
@@ -198,7 +214,7 @@ def _signal_array(node: ir.SignalNode, signals: list[int | None]) -> int | None:
             return array
         case ir.Apply(operands=operands):
             return _single(signals[operand] for operand in operands)
-        case _:
+        case ir.Constant() | ir.Read() | ir.Rate() | ir.Previous() | ir.Fold() | ir.Count():
             return None
 
 
@@ -210,7 +226,7 @@ def _truth_array(
             return _single(truths[operand] for operand in truth_operands(node))
         case ir.Compare() | ir.Between() | ir.Flag():
             return _single(signals[signal] for signal in compared_signals(node))
-        case _:
+        case ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
             return None
 
 
@@ -237,7 +253,14 @@ def reachable_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
 
 
 def _whole_operands(node: ir.TruthNode) -> tuple[int, ...]:
-    return () if isinstance(node, ir.Quantified) else truth_operands(node)
+    match node:
+        case ir.Quantified():
+            return ()
+        case (
+            ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
+            | ir.Oscillates() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+        ):  # fmt: skip
+            return truth_operands(node)
 
 
 def leaf_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:

@@ -121,11 +121,11 @@ def _truth(node: ir.TruthNode) -> str:
             return f"t{operand} for {duration_text(duration_ns)}"
         case ir.Quantified(quantifier=quantifier, element=element):
             return f"{quantifier.value} over elements t{element}"
-        case _:
+        case ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates():
             return _leaf(node)
 
 
-def _leaf(node: ir.TruthNode) -> str:
+def _leaf(node: ir.Compare | ir.Between | ir.Flag | ir.AgeReaches | ir.Oscillates) -> str:
     match node:
         case ir.Compare(comparison=comparison, left=left, right=right):
             return f"s{left} {comparison.value} s{right}"
@@ -138,8 +138,6 @@ def _leaf(node: ir.TruthNode) -> str:
         case ir.Oscillates(signal=signal, count=count, window_ns=window_ns, swing=swing):
             window = duration_text(window_ns)
             return f"s{signal} oscillates {count} times within {window} by {swing!r}"
-        case _:
-            raise AssertionError(f"{type(node).__name__} is no leaf")
 
 
 def _rule(rule: ir.Rule) -> Iterator[str]:

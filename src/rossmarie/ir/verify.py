@@ -90,20 +90,6 @@ def _require_limits(limits: tuple[float, float] | None, where: str) -> None:
 
 # --- nodes -----------------------------------------------------------------------------------
 
-_ARITY = {
-    ir.Function.ADD: 2,
-    ir.Function.SUBTRACT: 2,
-    ir.Function.MULTIPLY: 2,
-    ir.Function.DIVIDE: 2,
-    ir.Function.NEGATE: 1,
-    ir.Function.ABSOLUTE: 1,
-    ir.Function.MINIMUM: 2,
-    ir.Function.MAXIMUM: 2,
-    ir.Function.ROLL: 4,
-    ir.Function.PITCH: 4,
-    ir.Function.YAW: 4,
-}
-
 
 def _verify_signals(machine: ir.Machine) -> None:
     for index, signal in enumerate(machine.signals):
@@ -120,8 +106,26 @@ def _verify_signals(machine: ir.Machine) -> None:
             case ir.Count(element=element):
                 require_index(element, len(machine.truths), where, "truth")
             case ir.Apply(function=function, operands=operands):
-                is_right = len(operands) == _ARITY.get(function, max(len(operands), 1))
+                is_right = _takes(function, len(operands))
                 require(is_right, where, f"{function.value} of {len(operands)} operands")
+            case ir.Rate() | ir.Previous() | ir.Fold():
+                pass
+
+
+def _takes(function: ir.Function, count: int) -> bool:
+    """Whether a function can have that many operands."""
+    match function:
+        case ir.Function.NEGATE | ir.Function.ABSOLUTE:
+            return count == 1
+        case (
+            ir.Function.ADD | ir.Function.SUBTRACT | ir.Function.MULTIPLY | ir.Function.DIVIDE
+            | ir.Function.MINIMUM | ir.Function.MAXIMUM
+        ):  # fmt: skip
+            return count == 2
+        case ir.Function.ROLL | ir.Function.PITCH | ir.Function.YAW:
+            return count == 4
+        case ir.Function.NORM:
+            return count >= 1
 
 
 def _verify_truths(machine: ir.Machine) -> None:
@@ -147,6 +151,8 @@ def _verify_truth(machine: ir.Machine, node: ir.TruthNode, where: str) -> None:
             require_duration(window_ns, where)
             require_finite((swing,), where)
             require(swing >= 0.0, where, f"a swing of {swing}")
+        case ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified() | ir.Not():
+            pass
 
 
 # --- elements --------------------------------------------------------------------------------
@@ -184,8 +190,9 @@ def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
                 require(arrays.truths[element] is not None, where, "counts no elements")
             case ir.Rate() | ir.Previous():
                 _require_whole(operands, arrays.signals, where)
-            case _ if arrays.signals[index] is not None:
-                _require_element_signals(machine, operands, arrays, where)
+            case ir.Constant() | ir.Read() | ir.Element() | ir.Apply():
+                if arrays.signals[index] is not None:
+                    _require_element_signals(machine, operands, arrays, where)
     for index, truth in enumerate(machine.truths):
         where = f"truth {index} ({type(truth.node).__name__})"
         operands = truth_operands(truth.node)
@@ -245,8 +252,14 @@ def _verify_kinds(machine: ir.Machine) -> None:
 
 
 def _kind(machine: ir.Machine, signal: int) -> ir.Kind:
-    node = machine.signals[signal].node
-    return machine.slots[node.slot].kind if isinstance(node, ir.Read) else ir.Kind.REAL
+    match machine.signals[signal].node:
+        case ir.Read(slot=slot):
+            return machine.slots[slot].kind
+        case (
+            ir.Constant() | ir.Apply() | ir.Rate() | ir.Previous() | ir.Element() | ir.Fold()
+            | ir.Count()
+        ):  # fmt: skip
+            return ir.Kind.REAL
 
 
 def _compares_text(machine: ir.Machine, node: ir.TruthNode) -> bool:

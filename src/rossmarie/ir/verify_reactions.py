@@ -75,20 +75,32 @@ def _verify_effect(machine: Machine, effect: reactions.Effect, where: str) -> No
             _require_command(machine, topic, where)
             require(0.0 <= factor <= 1.0, where, f"a factor of {factor}")
             _require_ramp(ramp, where)
-        case reactions.Publish(command=command, period_ns=period_ns):
-            if command is not None:
-                _require_command(machine, command, where)
-            if period_ns is not None:
-                require_duration(period_ns, where)
+        case reactions.Publish():
+            _verify_publish(machine, effect, where)
+        case reactions.Call(assignments=assignments) | reactions.SendGoal(assignments=assignments):
+            _verify_assignments(assignments, where)
         case reactions.SetParameter(value=value):
             _require_sendable(value, where)
-        case reactions.CancelGoal(confirmation=confirmation) if confirmation is not None:
-            require_index(confirmation, len(machine.watches), where, "watch")
+        case reactions.CancelGoal(confirmation=confirmation):
+            if confirmation is not None:
+                require_index(confirmation, len(machine.watches), where, "watch")
         case reactions.Diagnose(level=level):
             require(level is not reactions.Level.DEBUG, where, "debugging is for logs")
-    if isinstance(effect, reactions.Publish | reactions.Call | reactions.SendGoal):
-        for assignment in effect.assignments:
-            _require_sendable(assignment.value, where)
+        case reactions.SwitchControllers() | reactions.Log() | reactions.Hook() | reactions.Reset():
+            pass
+
+
+def _verify_publish(machine: Machine, publish: reactions.Publish, where: str) -> None:
+    if publish.command is not None:
+        _require_command(machine, publish.command, where)
+    if publish.period_ns is not None:
+        require_duration(publish.period_ns, where)
+    _verify_assignments(publish.assignments, where)
+
+
+def _verify_assignments(assignments: tuple[reactions.Assignment, ...], where: str) -> None:
+    for assignment in assignments:
+        _require_sendable(assignment.value, where)
 
 
 def _verify_bound(command: reactions.CommandTopic, bound: reactions.Bound, where: str) -> None:

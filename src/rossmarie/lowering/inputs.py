@@ -10,7 +10,20 @@ from dataclasses import dataclass, field
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedInput, Gaps
-from rossmarie.types import Array, Boolean, Quantity, Text, Type
+from rossmarie.types import (
+    Array,
+    Boolean,
+    Box,
+    Interval,
+    Message,
+    Quantity,
+    Quaternion,
+    Text,
+    Type,
+    Unknown,
+    Unsupported,
+    Vector,
+)
 from rossmarie.units import DIMENSIONLESS, Unit
 
 Path = tuple[str | int, ...]
@@ -93,9 +106,16 @@ class Inputs:
 
 
 def _kind(type_: Type) -> ir.Kind:
-    if isinstance(type_, Boolean):
-        return ir.Kind.FLAG
-    return ir.Kind.TEXT if isinstance(type_, Text) else ir.Kind.REAL
+    match type_:
+        case Boolean():
+            return ir.Kind.FLAG
+        case Text():
+            return ir.Kind.TEXT
+        case (
+            Quantity() | Vector() | Quaternion() | Array() | Interval() | Box() | Message()
+            | Unsupported() | Unknown()
+        ):  # fmt: skip
+            return ir.Kind.REAL
 
 
 def _unit(type_: Type) -> Unit:
@@ -106,9 +126,16 @@ def _unit(type_: Type) -> Unit:
 
 def _limits(type_: Type) -> tuple[float, float] | None:
     """Of an element or a number; an array holds its flags as 0 and 1."""
-    if isinstance(type_, Boolean):
-        return ir.FLAG_LIMITS
-    return type_.limits if isinstance(type_, Quantity) else None
+    match type_:
+        case Boolean():
+            return ir.FLAG_LIMITS
+        case Quantity(limits=limits):
+            return limits
+        case (
+            Text() | Vector() | Quaternion() | Array() | Interval() | Box() | Message()
+            | Unsupported() | Unknown()
+        ):  # fmt: skip
+            return None
 
 
 def _symbol(unit: Unit) -> str:

@@ -62,20 +62,21 @@ def _contract(rule: ast.Rule, truths: Truths, nodes: Nodes, program: CheckedProg
     stated = _stated(rule.condition)
     if latch_of(rule, program.effects, program.symbols.actions) is not None:
         return _Contract(condition, None, f"clears on reset while {stated} is false")
-    match rule.contracts:
-        case (ast.ClearWhen(condition=release),):
+    contract = rule.contracts[0] if len(rule.contracts) == 1 else None
+    match contract:
+        case ast.ClearWhen(condition=release):
             text = f"clears when {stated} is false and {_stated(release)} is true"
             return _Contract(condition, truths.lower(release), text)
-        case (ast.ClearFor(duration=duration, span=span),):
+        case ast.ClearFor(duration=duration, span=span):
             opposite = Shown(f"not {stated}", rule.condition.span)
             over = nodes.negation(condition, opposite)
             calm = Shown(f"{opposite.text} for {words(duration.span)}", span)
             release_index = nodes.held(over, duration_ns(program.values[id(duration)]), calm)
             text = f"clears when {stated} has been false for {words(duration.span)}"
             return _Contract(condition, release_index, text)
-        case (ast.LatchedUntilReset(),):
+        case ast.LatchedUntilReset():
             return _Contract(condition, None, f"clears on reset while {stated} is false")
-        case _:
+        case None:
             always = nodes.literal(True, Shown("true", rule.span))
             return _Contract(condition, always, f"clears when {stated} is false")
 

@@ -132,7 +132,10 @@ class Nodes:
                 return comparison.compare(compared, *values)
             case ir.Between():
                 return comparison.is_between(*values)
-            case _:
+            case (
+                ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified()
+                | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            ):  # fmt: skip
                 return None
 
     def _is_literal(self, index: int, *, value: bool) -> bool:

@@ -15,7 +15,20 @@ from rossmarie.lowering.inputs import Inputs, Place
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.wording import words
 from rossmarie.syntax import ast
-from rossmarie.types import Array, Box, Interval, Message, Quantity, Quaternion, Type, Vector
+from rossmarie.types import (
+    Array,
+    Boolean,
+    Box,
+    Interval,
+    Message,
+    Quantity,
+    Quaternion,
+    Text,
+    Type,
+    Unknown,
+    Unsupported,
+    Vector,
+)
 from rossmarie.units import Unit
 
 _ARITHMETIC = {
@@ -70,7 +83,10 @@ class Numbers:
                 return (self.components(value)["xyzw".index(member.text)],)
             case ast.Call():
                 return self._call(node)
-            case _:
+            case (
+                ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
+                | ast.Index() | ast.Oscillates() | ast.Membership() | ast.Held() | ast.Broken()
+            ):  # fmt: skip
                 raise AssertionError(f"checked: {type(node).__name__} is no number")
 
     def constant(self, value: Value, numbers: tuple[float, ...], shown: Shown) -> Components:
@@ -99,7 +115,11 @@ class Numbers:
             case ast.Index(value=value, index=index):
                 place = self.place(value)
                 return None if place is None else place.at(index)
-            case _:
+            case (
+                ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Call()
+                | ast.Oscillates() | ast.Unary() | ast.Binary() | ast.Membership() | ast.Held()
+                | ast.Broken()
+            ):  # fmt: skip
                 return None
 
     def _read(self, place: Place, type_: Type, shown: Shown) -> Components:
@@ -115,7 +135,7 @@ class Numbers:
             case Array():
                 array = self._inputs.array(place, type_)
                 return (self._nodes.signal(ir.Element(array), shown),)
-            case _:
+            case Boolean() | Text() | Quantity() | Interval() | Box() | Unsupported() | Unknown():
                 return (self._nodes.signal(ir.Read(self._inputs.slot(place, type_)), shown),)
 
     def _read_part(self, place: Place, axis: str, element: Quantity, shown: Shown) -> int:
@@ -218,5 +238,8 @@ def _unit_of(type_: Type | None) -> Unit | None:
             | Array(element=Quantity() as element)
         ):
             return element.unit
-        case _:
+        case (
+            Boolean() | Text() | Quaternion() | Array() | Message() | Unsupported() | Unknown()
+            | None
+        ):  # fmt: skip
             return None

@@ -143,5 +143,10 @@ class Plans:
                 if truth not in self.watches:
                     self.watches.append(truth)
                 return dataclasses.replace(effect, confirmation=self.watches.index(truth))
-            case effect:
+            case (
+                reactions.Limit() | reactions.Scale() | reactions.Call()
+                | reactions.SetParameter() | reactions.SwitchControllers()
+                | reactions.SendGoal() | reactions.CancelGoal() | reactions.Log()
+                | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+            ) as effect:  # fmt: skip
                 return effect

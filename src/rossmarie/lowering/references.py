@@ -18,7 +18,11 @@ def referred_condition(
             key = (owner.text, member.text)
         case ast.Reference(name=name) if entity is not None:
             key = (entity, name.text)
-        case _:
+        case (
+            ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
+            | ast.Member() | ast.Index() | ast.Call() | ast.Oscillates() | ast.Unary()
+            | ast.Binary() | ast.Membership() | ast.Held() | ast.Parenthesized() | ast.Broken()
+        ):  # fmt: skip
             return None
     return key if key in symbols.conditions else None
 

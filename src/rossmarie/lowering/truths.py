@@ -101,7 +101,10 @@ class Truths:
                 return self._oscillates(node)
             case ast.Call():
                 return self._quantified(node)
-            case _:
+            case (
+                ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
+                | ast.Member() | ast.Index() | ast.Broken()
+            ):  # fmt: skip
                 flag = self._numbers.scalar(node)
                 return self._nodes.leaf(ir.Flag(flag), _shown(node))
 

@@ -123,7 +123,11 @@ def _scalars(
         return _strings(machine, name, column)
     if column.dtype.kind not in _NUMBERS:
         raise ColumnError(f"column {name} holds {column.dtype}, not {_WANTED[kind]}")
-    return _flags(column) if kind is ir.Kind.FLAG else _aligned(column, np.float64)
+    match kind:
+        case ir.Kind.FLAG:
+            return _flags(column)
+        case ir.Kind.REAL:
+            return _aligned(column, np.float64)
 
 
 def _strings(machine: ir.Machine, name: str, column: NDArray[np.generic]) -> NDArray[np.generic]:

@@ -70,7 +70,7 @@ def _is_number(machine: ir.Machine, signal: int) -> bool:
             return False
         case ir.Read(slot=slot):
             return machine.slots[slot].kind is not ir.Kind.TEXT
-        case _:
+        case ir.Apply() | ir.Rate() | ir.Previous() | ir.Element() | ir.Fold() | ir.Count():
             return True
 
 
@@ -135,7 +135,10 @@ def _shape(machine: ir.Machine, node: ir.TruthNode, signal: int) -> tuple[float,
             others = (right,) if left == signal else (left,)
         case ir.Between(signal=compared, low=low, high=high) if compared == signal:
             others = (low, high)
-        case _:
+        case (
+            ir.Literal() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+        ):  # fmt: skip
             return None
     nodes = [machine.signals[other].node for other in others]
     values = tuple(node.value for node in nodes if isinstance(node, ir.Constant))

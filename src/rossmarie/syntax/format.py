@@ -170,8 +170,9 @@ class _Formatter:
 
     def _statement(self, node: _Statement, indent: int) -> _Entry:
         start, end = node.span.start, node.span.end
-        is_inner = isinstance(node, ast.Effect | ast.Statement)
-        group = "inner" if is_inner else type(node).__name__
+        if isinstance(node, ast.Effect | ast.Statement):
+            return _Entry(self._lines(start, end, ";", indent), start, end, "inner")
+        group = type(node).__name__
         match node:
             case ast.Entity(conditions=inner) | ast.System(members=inner):
                 lines = self._braced(node, inner, end, indent)
@@ -183,9 +184,15 @@ class _Formatter:
                 return _Entry(self._braced(node, inner, end, indent), start, end, group, True)
             case ast.NodeDeclaration():
                 return _Entry(self._lines(start, end, "", indent), start, end, group)
-            case _:
-                lines = self._lines(start, end, ";", indent)
-                return _Entry(lines, start, end, group, isinstance(node, ast.Rule))
+            case ast.Rule():
+                return _Entry(self._lines(start, end, ";", indent), start, end, group, True)
+            case (
+                ast.Import() | ast.Action() | ast.Constant() | ast.Input() | ast.Priority()
+                | ast.Hazard() | ast.Condition() | ast.TopicDeclaration()
+                | ast.ServiceDeclaration() | ast.ServerDeclaration() | ast.ResourceDeclaration()
+                | ast.UnitDeclaration() | ast.MessagesDeclaration()
+            ):  # fmt: skip
+                return _Entry(self._lines(start, end, ";", indent), start, end, group)
 
     def _braced(
         self,

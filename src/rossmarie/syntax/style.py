@@ -45,6 +45,11 @@ class Style:
 
     def add(self, item: ast.Item) -> None:
         """Take in one item."""
+        self._item(item)
+        for root in expressions(item):
+            self._expression(root)
+
+    def _item(self, item: ast.Item) -> None:
         match item:
             case ast.Input():
                 self._input(item)
@@ -62,10 +67,8 @@ class Style:
             case ast.Test(statements=statements):
                 for statement in statements:
                     self._statement(statement)
-            case _:
+            case ast.Import() | ast.Constant() | ast.Priority() | ast.Hazard():
                 pass
-        for root in expressions(item):
-            self._expression(root)
 
     def _word(self, *words: ast.Name | ast.Unit | None) -> None:
         self.words.update((word.span.start, word.span.end) for word in words if word is not None)
@@ -93,28 +96,25 @@ class Style:
             case ast.NodeDeclaration():
                 self._word(*member.publishes, *member.subscribes)
                 self._node(member)
-            case _:
+            case ast.MessagesDeclaration():
                 pass
 
     def _effect(self, effect: ast.Effect) -> None:
         match effect:
-            case ast.Limit(target=target) | ast.Scale(target=target) | ast.Block(target=target):
+            case ast.Limit(target=target, bounds=bounds):
                 self._word(target.name, target.type)
-            case ast.Publish(target=target) | ast.CallService(target=target):
+                self._fields(bounds)
+            case ast.Scale(target=target) | ast.Block(target=target):
                 self._word(target.name, target.type)
-            case ast.SendGoal(target=target):
-                self._word(target.name, target.type)
+            case ast.Publish() | ast.CallService() | ast.SendGoal():
+                self._word(effect.target.name, effect.target.type)
+                self._fields(effect.assignments)
             case ast.SetParameter(node=name, unit=unit):
                 self._word(name, unit)
             case ast.SwitchControllers(manager=name) | ast.CancelGoal(server=name):
                 self._word(name)
-        match effect:
-            case ast.Limit(bounds=inner):
-                self._fields(inner)
-            case ast.Publish(assignments=inner) | ast.CallService(assignments=inner):
-                self._fields(inner)
-            case ast.SendGoal(assignments=inner):
-                self._fields(inner)
+            case ast.Log() | ast.Diagnose() | ast.Hook() | ast.Reset():
+                pass
 
     def _fields(self, inner: Sequence[ast.FieldBound | ast.FieldAssignment]) -> None:
         """The lines in the braces of an effect, broken in front of each."""
@@ -198,7 +198,11 @@ class Style:
                     self.tight_behind.add(start + len("oscillates"))
                 case ast.Index(value=value):
                     self.tight_behind.add(value.span.end)
-                case _:
+                case (
+                    ast.Boolean() | ast.Text() | ast.Reference() | ast.Member() | ast.Unary()
+                    | ast.Binary() | ast.Membership() | ast.Held() | ast.Parenthesized()
+                    | ast.Broken()
+                ):  # fmt: skip
                     pass
 
     def _sign(self, start: int) -> None:
@@ -216,7 +220,11 @@ def _peeled(node: ast.Expression) -> ast.Expression:
         match node:
             case ast.Parenthesized(inner=node) | ast.Held(condition=node) | ast.Unary(operand=node):
                 continue
-            case _:
+            case (
+                ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
+                | ast.Member() | ast.Index() | ast.Call() | ast.Oscillates() | ast.Binary()
+                | ast.Membership() | ast.Broken()
+            ):  # fmt: skip
                 return node
 
 

@@ -26,7 +26,7 @@ def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
             found = (left, right)
         case ast.Oscillates(value=value, count=count, window=window, swing=swing):
             found = (value, count, window, swing)
-        case _:
+        case ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Broken():
             found = ()
     return tuple(child for child in found if child is not None)
 
@@ -57,6 +57,14 @@ def expressions(
     """The outermost expressions of an item or a part of one, in the order in which they are
     written.
     """
+    if isinstance(item, ast.Effect):
+        return _of_effect(item)
+    if isinstance(item, ast.Statement):
+        return _of_statement(item)
+    return _of_item(item)
+
+
+def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
     match item:
         case ast.Constant(value=value):
             yield value
@@ -77,15 +85,12 @@ def expressions(
             yield from (each.rate for each in declared if each.rate is not None)
         case ast.Test(statements=statements):
             yield from chain.from_iterable(map(_of_statement, statements))
-        case ast.Arrival() | ast.OperatorReset() | ast.Expectation() | ast.CommandExpectation():
-            yield from _of_statement(item)
-        case _:
-            if isinstance(item, ast.Effect):
-                yield from _of_effect(item)
+        case ast.Import() | ast.Input() | ast.Priority() | ast.Hazard():
+            pass
 
 
 def _of_effect(effect: ast.Effect) -> Iterator[ast.Expression]:
-    found: tuple[ast.Expression | None, ...] = ()
+    found: tuple[ast.Expression | None, ...]
     match effect:
         case ast.Limit(bounds=bounds, ramps=ramps):
             found = (*(bound.range for bound in bounds), *ramps)
@@ -105,6 +110,8 @@ def _of_effect(effect: ast.Effect) -> Iterator[ast.Expression]:
             found = (last,)
         case ast.CancelGoal(confirmation=confirmation, timeout=last):
             found = (confirmation, last)
+        case ast.Log() | ast.Diagnose() | ast.Hook() | ast.Reset():
+            found = ()
     yield from (expression for expression in found if expression is not None)
 
 
@@ -128,3 +135,5 @@ def _of_contract(contract: ast.ResumeContract) -> Iterator[ast.Expression]:
             yield condition
         case ast.ClearFor(duration=duration):
             yield duration
+        case ast.LatchedUntilReset():
+            pass

@@ -55,7 +55,10 @@ def limits_of(machine: ir.Machine, node: ir.TruthNode) -> Limited | None:
                 return Limited(signal, _between(low, high))
         case ir.Flag(signal=signal) if _constant(machine, signal) is None:
             return Limited(signal, _flag(machine, signal))
-        case _:
+        case (
+            ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified()
+            | ir.Not() | ir.And() | ir.Or() | ir.Held()
+        ):  # fmt: skip
             pass
     return None
 

@@ -75,8 +75,17 @@ def cone_of(machine: ir.Machine, moved: Sequence[int]) -> Cone | None:
 
 def _is_apart(machine: ir.Machine, truth: int, moved: Sequence[int]) -> bool:
     node = machine.truths[truth].node
-    if not isinstance(node, ir.Quantified):
-        return isinstance(node, ir.Held | ir.AgeReaches | ir.Compare | ir.Between)
+    match node:
+        case ir.Held() | ir.AgeReaches() | ir.Compare() | ir.Between():
+            return True
+        case ir.Quantified():
+            return _is_alone(machine, node, moved)
+        case ir.Literal() | ir.Flag() | ir.Oscillates() | ir.Not() | ir.And() | ir.Or():
+            return False
+
+
+def _is_alone(machine: ir.Machine, node: ir.Quantified, moved: Sequence[int]) -> bool:
+    """Whether nothing but what is moved rests on the truth that is quantified."""
     counted = {each.node.element for each in machine.signals if isinstance(each.node, ir.Count)}
     users = {
         index
@@ -127,7 +136,10 @@ def _placed(node: ir.TruthNode, places: dict[int, int]) -> ir.TruthNode:
             return dataclasses.replace(node, operand=places[operand])
         case ir.And(operands=operands) | ir.Or(operands=operands):
             return dataclasses.replace(node, operands=tuple(places[each] for each in operands))
-        case _:
+        case (
+            ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
+            | ir.Oscillates() | ir.Quantified()
+        ):  # fmt: skip
             raise AssertionError(f"{type(node).__name__} rests on no other truth")
 
 

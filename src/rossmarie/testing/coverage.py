@@ -129,7 +129,10 @@ def evaluate(machine: ir.Machine, truth: int, values: Mapping[int, TruthValue]) 
             return kleene.disjunction(evaluate(machine, each, values) for each in operands)
         case ir.Literal(value=value):
             return kleene.truth_of(value)
-        case node:
+        case (
+            ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
+            | ir.Quantified() | ir.Held()
+        ) as node:  # fmt: skip
             raise AssertionError(f"{type(node).__name__} is an atom")
 
 

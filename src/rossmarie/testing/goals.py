@@ -146,13 +146,8 @@ def edges(machine: ir.Machine, truth: int) -> list[Edge]:
     node = machine.truths[truth].node
     if isinstance(node, ir.Quantified):
         node = machine.truths[node.element].node
-    pairs: list[tuple[int, int]] = []
-    if isinstance(node, ir.Compare):
-        pairs = [(node.left, node.right), (node.right, node.left)]
-    elif isinstance(node, ir.Between):
-        pairs = [(node.signal, node.low), (node.signal, node.high)]
     found = []
-    for signal, constant in pairs:
+    for signal, constant in _pairs(node):
         value = machine.signals[constant].node
         is_number = not _is_text(machine, signal)
         if isinstance(value, ir.Constant) and is_number and not _is_constant(machine, signal):
@@ -160,6 +155,20 @@ def edges(machine: ir.Machine, truth: int) -> list[Edge]:
             step = _step(machine, constant, value.value) if whole is None else whole
             found.append(Edge(signal, value.value, step, constant, whole is not None))
     return found
+
+
+def _pairs(node: ir.TruthNode) -> tuple[tuple[int, int], ...]:
+    """Signals, each with one that it is compared with."""
+    match node:
+        case ir.Compare(left=left, right=right):
+            return (left, right), (right, left)
+        case ir.Between(signal=signal, low=low, high=high):
+            return (signal, low), (signal, high)
+        case (
+            ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified()
+            | ir.Not() | ir.And() | ir.Or() | ir.Held()
+        ):  # fmt: skip
+            return ()
 
 
 def _is_constant(machine: ir.Machine, signal: int) -> bool:
@@ -188,7 +197,10 @@ def deadline_ns(node: ir.TruthNode) -> int | None:
     match node:
         case ir.Held(duration_ns=duration_ns) | ir.AgeReaches(age_ns=duration_ns):
             return duration_ns
-        case _:
+        case (
+            ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
+        ):  # fmt: skip
             return None
 
 

@@ -71,6 +71,11 @@ def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
             case ir.Held(duration_ns=due_ns) | ir.AgeReaches(age_ns=due_ns):
                 text = f"the time of {' '.join(found.text.split())}"
                 yield Threshold((truth,), None, text, due_ns / 1e9)
+            case (
+                ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
+                | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
+            ):  # fmt: skip
+                pass
         for edge in edges(machine, truth):
             shown = machine.signals[edge.constant]
             if shown.text.isidentifier():

@@ -152,11 +152,14 @@ class Stage:
 
     def _of_slot(self, index: int, number: float) -> Setting:
         slot = self.machine.slots[index]
-        value: SettingValue = number
-        if slot.kind is ir.Kind.FLAG:
-            value = number != 0.0
-        elif slot.kind is ir.Kind.TEXT:
-            value = self.machine.texts[int(number)] if number >= 0 else "something else"
+        value: SettingValue
+        match slot.kind:
+            case ir.Kind.FLAG:
+                value = number != 0.0
+            case ir.Kind.TEXT:
+                value = self.machine.texts[int(number)] if number >= 0 else "something else"
+            case ir.Kind.REAL:
+                value = number
         name = self.machine.inputs[slot.input].name
         unit = self.world.unit(Variable("slot", index)).symbol
         return Setting(name, self._topic(slot.input), slot.path, value, None, unit)
@@ -231,15 +234,21 @@ def ramp_of(machine: ir.Machine, rule: int, beat: int) -> Ramp:
 def delay_ns(machine: ir.Machine, truth: int, *, value: bool = True) -> int:
     """How long after its leaves a truth has come to be `value`, at most."""
     node = machine.truths[truth].node
-    if isinstance(node, ir.Not):
-        return delay_ns(machine, node.operand, value=not value)
     own_ns = 0
-    if isinstance(node, ir.Held) and value:
-        own_ns = node.duration_ns
-    elif isinstance(node, ir.Oscillates):
-        own_ns = node.window_ns
-    elif isinstance(node, ir.AgeReaches) and value:
-        own_ns = node.age_ns // 1000 * 1000
+    match node:
+        case ir.Not(operand=operand):
+            return delay_ns(machine, operand, value=not value)
+        case ir.Held(duration_ns=duration_ns):
+            own_ns = duration_ns if value else 0
+        case ir.Oscillates(window_ns=window_ns):
+            own_ns = window_ns
+        case ir.AgeReaches(age_ns=age_ns):
+            own_ns = age_ns // 1000 * 1000 if value else 0
+        case (
+            ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified() | ir.And()
+            | ir.Or()
+        ):  # fmt: skip
+            pass
     below = (delay_ns(machine, each, value=value) for each in ir_operands(node))
     return own_ns + max(below, default=0)
 

@@ -37,15 +37,19 @@ def seen_by(machine: ir.Machine, threshold: Threshold, history: History) -> list
     found: set[float] = set()
     for truth in threshold.truths:
         node = machine.truths[truth].node
-        if isinstance(node, ir.Held):
-            is_on = history.truths[:, node.operand] == TruthValue.TRUE
-            found |= set(_lengths(history, is_on))
-        elif isinstance(node, ir.AgeReaches):
-            found |= set(_ages(history, node))
-        else:
-            for edge in edges(machine, truth):
-                if edge.constant == threshold.constant:
-                    found |= set(_values(history, edge.signal).tolist())
+        match node:
+            case ir.Held(operand=operand):
+                is_on = history.truths[:, operand] == TruthValue.TRUE
+                found |= set(_lengths(history, is_on))
+            case ir.AgeReaches():
+                found |= set(_ages(history, node))
+            case (
+                ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
+                | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
+            ):  # fmt: skip
+                for edge in edges(machine, truth):
+                    if edge.constant == threshold.constant:
+                        found |= set(_values(history, edge.signal).tolist())
     return sorted(found)
 
 

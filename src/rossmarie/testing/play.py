@@ -116,14 +116,17 @@ class _Sender:
     def _slot(self, slot: Slot) -> float:
         topic = self.machine.channels[self.machine.inputs[slot.input].channel].topic
         value = self._value(topic, slot.path)
-        if slot.kind is Kind.TEXT:
-            text = "" if value is _UNSET else value
-            texts = self.machine.texts
-            return float(texts.index(text)) if isinstance(text, str) and text in texts else -1.0
-        if value is _UNSET:
-            return 1.0 if slot.path[-1:] == ("w",) else 0.0
-        number = _number(value)
-        return number if slot.kind is Kind.FLAG else raw_of(slot, number)
+        match slot.kind:
+            case Kind.TEXT:
+                text = "" if value is _UNSET else value
+                texts = self.machine.texts
+                return float(texts.index(text)) if isinstance(text, str) and text in texts else -1.0
+            case Kind.FLAG | Kind.REAL if value is _UNSET:
+                return 1.0 if slot.path[-1:] == ("w",) else 0.0
+            case Kind.FLAG:
+                return _number(value)
+            case Kind.REAL:
+                return raw_of(slot, _number(value))
 
     def _value(self, topic: str, path: tuple[str | int, ...]) -> SettingValue | object:
         if path and isinstance(path[-1], int):

@@ -139,11 +139,13 @@ class _Teller:
     def _value(self, slot: ir.Slot, raw: float) -> SettingValue:
         if math.isnan(raw):
             return None
-        if slot.kind is ir.Kind.FLAG:
-            return raw != 0.0
-        if slot.kind is ir.Kind.TEXT:
-            return self.machine.texts[int(raw)] if raw >= 0.0 else other_text(self.machine)
-        return raw * slot.scale + slot.offset
+        match slot.kind:
+            case ir.Kind.FLAG:
+                return raw != 0.0
+            case ir.Kind.TEXT:
+                return self.machine.texts[int(raw)] if raw >= 0.0 else other_text(self.machine)
+            case ir.Kind.REAL:
+                return raw * slot.scale + slot.offset
 
     def _turned(self, slot: int, topic: str, parts: tuple[float, ...]) -> Iterator[Setting]:
         found = self.machine.slots[slot]

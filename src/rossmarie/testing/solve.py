@@ -111,10 +111,10 @@ class World:
                 return z3.And([self.formula(each, fixed) for each in operands])
             case ir.Or(operands=operands):
                 return z3.Or([self.formula(each, fixed) for each in operands])
-            case ir.Held(operand=operand) if not self.is_free:
-                return self.formula(operand, fixed)
             case ir.Held() | ir.Quantified() if self.is_free:
                 return self._bool(Variable("free", truth))
+            case ir.Held(operand=operand):
+                return self.formula(operand, fixed)
             case ir.AgeReaches(input=used):
                 return self._bool(Variable("aged", used))
             case ir.Oscillates():
@@ -123,7 +123,7 @@ class World:
                 parts = [self._leaf(element, part) for part in range(self.length)]
                 is_any = quantifier is ir.Quantifier.ANY
                 return z3.Or(parts) if is_any else z3.And(parts)
-            case _:
+            case ir.Compare() | ir.Between() | ir.Flag():
                 return self._leaf(truth, None)
 
     def _leaf(self, truth: int, part: int | None) -> Any:
@@ -141,7 +141,7 @@ class World:
                 return z3.And([self._leaf(each, part) for each in operands])
             case ir.Or(operands=operands):
                 return z3.Or([self._leaf(each, part) for each in operands])
-            case _:
+            case ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
                 return self.formula(truth)
 
     def signal(self, index: int, part: int | None = None) -> Any:
@@ -176,8 +176,6 @@ class World:
                 return z3.Sum([z3.If(each, z3.RealVal(1), z3.RealVal(0)) for each in parts])
             case ir.Apply(function=function, operands=operands):
                 return self._applied(index, function, operands, part)
-            case node:
-                raise AssertionError(node)
 
     def _applied(
         self, index: int, function: Function, operands: tuple[int, ...], part: int | None
@@ -206,19 +204,23 @@ class World:
                 return z3.If(values[0] >= 0, values[0], -values[0])
             case Function.MINIMUM | Function.MAXIMUM:
                 return extreme(values, least=function is Function.MINIMUM)
-            case _:  # a norm, along its first component: the others are zero
+            case Function.NORM:  # along its first component: the others are zero
                 self._side += [value == 0 for value in values[1:]]
                 return z3.If(values[0] >= 0, values[0], -values[0])
+            case Function.ROLL | Function.PITCH | Function.YAW:
+                raise AssertionError(f"{function.value} is a value of its own")
 
     def _slot(self, slot: int) -> Any:
         variable = self._element_of(self.machine.slots[slot]) or Variable("slot", slot)
         term = self._real(variable)
-        kind = self.machine.slots[slot].kind
-        if kind is Kind.FLAG:
-            self._side.append(z3.Or(term == 0, term == 1))
-        elif kind is Kind.TEXT:
-            numbers = range(-1, len(self.machine.texts))
-            self._side.append(z3.Or([term == number for number in numbers]))
+        match self.machine.slots[slot].kind:
+            case Kind.FLAG:
+                self._side.append(z3.Or(term == 0, term == 1))
+            case Kind.TEXT:
+                numbers = range(-1, len(self.machine.texts))
+                self._side.append(z3.Or([term == number for number in numbers]))
+            case Kind.REAL:
+                pass
         return term
 
     def _element_of(self, slot: ir.Slot) -> Variable | None:

@@ -37,7 +37,7 @@ def compared(comparison: Comparison, left: Any, right: Any) -> Any:
             return left <= right
         case Comparison.GREATER:
             return left > right
-        case _:
+        case Comparison.GREATER_OR_EQUAL:
             return left >= right
 
 

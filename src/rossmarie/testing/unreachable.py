@@ -58,10 +58,15 @@ def _wanted(world: World, goal: Goal) -> list[Any]:
     true, false = (world.formula(goal.decision, {goal.subject: value}) for value in (True, False))
     wanted = [true != false]
     atom = world.formula(goal.subject)
-    if goal.aspect is Aspect.TRUE:
-        wanted.append(atom)
-    elif goal.aspect is Aspect.FALSE:
-        wanted.append(z3.Not(atom))
+    match goal.aspect:
+        case Aspect.TRUE:
+            wanted.append(atom)
+        case Aspect.FALSE:
+            wanted.append(z3.Not(atom))
+        case (
+            Aspect.ACTIVE | Aspect.CLEARED | Aspect.UNDER | Aspect.AT | Aspect.OVER | Aspect.LOST
+        ):  # fmt: skip
+            pass
     found = edges(world.machine, goal.subject)
     is_array = isinstance(world.machine.truths[goal.subject].node, ir.Quantified)
     if found and not is_array and goal.aspect not in (Aspect.TRUE, Aspect.FALSE):

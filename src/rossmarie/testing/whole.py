@@ -10,9 +10,6 @@ from rossmarie.ir import Function
 from rossmarie.ir.carried import carries
 from rossmarie.ir.script import Script, ScriptedArrival, Setting
 
-_SAME_STEP = (Function.NEGATE, Function.ABSOLUTE)
-_JOINED = (Function.ADD, Function.SUBTRACT, Function.MINIMUM, Function.MAXIMUM)
-
 
 def whole_step(machine: ir.Machine, signal: int) -> float | None:
     """The distance, in SI, between neighbors among the values of a signal that can only have some;
@@ -29,7 +26,7 @@ def whole_step(machine: ir.Machine, signal: int) -> float | None:
             return whole_step(machine, inner)
         case ir.Apply(function=function, operands=operands):
             return _applied(machine, function, operands)
-        case _:
+        case ir.Constant() | ir.Rate():
             return None
 
 
@@ -48,12 +45,19 @@ def _applied(machine: ir.Machine, function: Function, operands: tuple[int, ...])
     known = [step for step in steps if step is not None]
     if not known or len(known) < len(steps):
         return None
-    if function in _SAME_STEP or (function in _JOINED and _is_one(known)):
-        return min(known)
-    if function is Function.MULTIPLY and len(constants) == 1 and constants[0]:
-        return _representable(known[0] * abs(constants[0]))
-    is_divided = function is Function.DIVIDE and isinstance(nodes[1], ir.Constant)
-    return _representable(known[0] / abs(constants[0])) if is_divided and constants[0] else None
+    match function:
+        case Function.NEGATE | Function.ABSOLUTE:
+            return min(known)
+        case Function.ADD | Function.SUBTRACT | Function.MINIMUM | Function.MAXIMUM:
+            return min(known) if _is_one(known) else None
+        case Function.MULTIPLY:
+            is_scaled = len(constants) == 1 and constants[0]
+            return _representable(known[0] * abs(constants[0])) if is_scaled else None
+        case Function.DIVIDE:
+            is_scaled = isinstance(nodes[1], ir.Constant) and constants[0]
+            return _representable(known[0] / abs(constants[0])) if is_scaled else None
+        case Function.NORM | Function.ROLL | Function.PITCH | Function.YAW:
+            return None
 
 
 def _representable(step: float) -> float | None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import reduce
+from typing import Literal
 
 from rossmarie import ir
 from rossmarie.ir import Function
@@ -55,6 +56,7 @@ _INFIX = {
 }
 
 _ANGLES = (Function.ROLL, Function.PITCH, Function.YAW)
+_Angle = Literal[Function.ROLL, Function.PITCH, Function.YAW]
 
 
 class Definitions:
@@ -101,7 +103,7 @@ class Definitions:
                 return True
             case ir.Previous(signal=before):
                 return self.can_be_infinite(before)
-            case _:
+            case ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Element() | ir.Count():
                 return False
 
     def _signals(self) -> Iterator[str]:
@@ -128,7 +130,7 @@ class Definitions:
                 return f"{known} ? spec_finite({slope}) : NAN"
             case ir.Previous(signal=signal):
                 return f"m->before[{self._layout.sampled.index(signal)}]"
-            case _:
+            case ir.Constant() | ir.Read() | ir.Element() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
 
     # --- elements of arrays ------------------------------------------------------------------
@@ -149,6 +151,11 @@ class Definitions:
                     yield _fold(index, folding, element)
                 case ir.Count(element=element):
                     yield _count(index, element)
+                case (
+                    ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Previous()
+                    | ir.Element()
+                ):  # fmt: skip
+                    pass
         for index, truth in enumerate(self._machine.truths):
             if isinstance(truth.node, ir.Quantified):
                 yield _quantified(index, truth.node)
@@ -165,7 +172,7 @@ class Definitions:
                 return converted("e", declared.scale, declared.offset)
             case ir.Apply(function=function, operands=operands):
                 return applied(function, [self._element_number(operand) for operand in operands])
-            case _:
+            case ir.Constant() | ir.Read() | ir.Rate() | ir.Previous() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not of one element")
 
     def _element_truth(self, index: int) -> str:
@@ -173,8 +180,10 @@ class Definitions:
         match node:
             case ir.Not() | ir.And() | ir.Or():
                 return logic(node, lambda operand: f"spec_element_is_{operand}(e)")
-            case _:
+            case ir.Compare() | ir.Between() | ir.Flag():
                 return compared(node, self._element_number, "UNKNOWN")
+            case ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
+                raise AssertionError(f"{type(node).__name__} is not of one element")
 
     # --- truths ------------------------------------------------------------------------------
 
@@ -206,8 +215,10 @@ class Definitions:
             case ir.Quantified():
                 x = f"m->value[{self._layout.value_of_test[index]}]"
                 return f"isnan({x}) ? {unknown} : {x} != 0.0 ? TRUE : FALSE"
-            case _:
+            case ir.Compare() | ir.Between() | ir.Flag():
                 return compared(node, self.number, unknown)
+            case ir.Oscillates():
+                raise AssertionError(f"{type(node).__name__} does not compare")
 
     def truth(self, index: int) -> str:
         """A truth where it is kept."""
@@ -226,12 +237,16 @@ class Definitions:
 
     def _unknown(self, index: int, node: ir.TruthNode) -> Iterator[str]:
         """S30: whether an unknown leaf is lost or just unknown."""
-        if isinstance(node, ir.Not | ir.And | ir.Or | ir.Held | ir.Literal):
-            return
+        match node:
+            case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+                return
+            case ir.Quantified() | ir.AgeReaches():
+                whole = True
+            case ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates():
+                whole = False
         lacking = list(self._lacking(index))
         timed = any(map(self._layout.has_timeout, self._layout.supports.truths[index].inputs))
         if timed:
-            whole = isinstance(node, ir.Quantified | ir.AgeReaches)
             lacking.append("true" if whole else f"({self._nothing_missing(index)})")
         lost = " || ".join(lacking) or "false"
         yield (
@@ -271,9 +286,9 @@ def applied(function: Function, operands: list[str]) -> str:
 
 
 def _plain(function: Function, operands: list[str]) -> str:
-    if function in _INFIX:
-        return f"({operands[0]}) {_INFIX[function]} ({operands[1]})"
     match function:
+        case Function.ADD | Function.SUBTRACT | Function.MULTIPLY | Function.DIVIDE:
+            return f"({operands[0]}) {_INFIX[function]} ({operands[1]})"
         case Function.NEGATE:
             return f"-({operands[0]})"
         case Function.ABSOLUTE:
@@ -282,7 +297,7 @@ def _plain(function: Function, operands: list[str]) -> str:
             return f"spec_{function.value}({operands[0]}, {operands[1]})"
         case Function.NORM:
             return f"sqrt({_squares(operands)})"
-        case _:
+        case Function.ROLL | Function.PITCH | Function.YAW:
             return _angle(function, *operands)
 
 
@@ -293,22 +308,25 @@ def _squares(operands: list[str]) -> str:
     )
 
 
-def _angle(function: Function, x: str, y: str, z: str, w: str) -> str:
+def _angle(function: _Angle, x: str, y: str, z: str, w: str) -> str:
     """S5."""
     n = f"({_squares([x, y, z, w])})"
-    if function is Function.PITCH:
-        sine = f"((2.0 * (({w} * {y}) - ({z} * {x}))) / {n})"
-        angle = f"asin({sine} < -1.0 ? -1.0 : {sine} > 1.0 ? 1.0 : {sine})"
-    elif function is Function.ROLL:
-        sine = f"(2.0 * (({w} * {x}) + ({y} * {z}))) / {n}"
-        angle = f"atan2({sine}, 1.0 - (2.0 * (({x} * {x}) + ({y} * {y}))) / {n})"
-    else:
-        sine = f"(2.0 * (({w} * {z}) + ({x} * {y}))) / {n}"
-        angle = f"atan2({sine}, 1.0 - (2.0 * (({y} * {y}) + ({z} * {z}))) / {n})"
+    match function:
+        case Function.PITCH:
+            sine = f"((2.0 * (({w} * {y}) - ({z} * {x}))) / {n})"
+            angle = f"asin({sine} < -1.0 ? -1.0 : {sine} > 1.0 ? 1.0 : {sine})"
+        case Function.ROLL:
+            sine = f"(2.0 * (({w} * {x}) + ({y} * {z}))) / {n}"
+            angle = f"atan2({sine}, 1.0 - (2.0 * (({x} * {x}) + ({y} * {y}))) / {n})"
+        case Function.YAW:
+            sine = f"(2.0 * (({w} * {z}) + ({x} * {y}))) / {n}"
+            angle = f"atan2({sine}, 1.0 - (2.0 * (({y} * {y}) + ({z} * {z}))) / {n})"
     return f"{n} == 0.0 ? NAN : {angle}"
 
 
-def compared(node: ir.TruthNode, write: Callable[[int], str], unknown: str) -> str:
+def compared(
+    node: ir.Compare | ir.Between | ir.Flag, write: Callable[[int], str], unknown: str
+) -> str:
     """S27 to S29: a comparison of numbers, `unknown` if any of them is."""
     match node:
         case ir.Compare(comparison=comparison, left=left, right=right):
@@ -320,8 +338,6 @@ def compared(node: ir.TruthNode, write: Callable[[int], str], unknown: str) -> s
         case ir.Flag(signal=signal):
             operands = [write(signal)]
             holds = f"{operands[0]} != 0.0"
-        case _:
-            raise AssertionError(f"{type(node).__name__} does not compare")
     missing = " || ".join(f"isnan({operand})" for operand in operands)
     return f"{missing} ? {unknown} : {holds} ? TRUE : FALSE"
 

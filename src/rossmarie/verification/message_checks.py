@@ -279,7 +279,7 @@ class MessageChecks:
                 return self._layout.elements.signals[element] == array
             case ir.Count(element=element):
                 return self._layout.elements.truths[element] == array
-            case _:
+            case ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Previous() | ir.Element():
                 return False
 
     def _computed(self, channel: int) -> Iterator[str]:

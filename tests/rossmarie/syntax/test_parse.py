@@ -19,8 +19,7 @@ def expression_of(accepted: Accepted, text: str) -> ast.Expression:
 
 def shape(node: ast.Expression) -> str:
     """An expression with every operator in parentheses."""
-    parts = [shape(child) for child in children(node)]
-    inside = " ".join(parts)
+    inside = " ".join(shape(child) for child in children(node))
     match node:
         case ast.Bracket(unit=unit):
             return f"[{inside}]{unit.text if unit else ''}"
@@ -38,10 +37,13 @@ def shape(node: ast.Expression) -> str:
             return f"(for {inside})"
         case ast.Parenthesized():
             return f"<{inside}>"
-    return f"{type(node).__name__}({inside})" if parts else leaf(node)
+        case ast.Oscillates():
+            return f"Oscillates({inside})"
+        case ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Broken():
+            return leaf(node)
 
 
-def leaf(node: ast.Expression) -> str:
+def leaf(node: ast.Number | ast.Boolean | ast.Text | ast.Reference | ast.Broken) -> str:
     match node:
         case ast.Number(value=value, unit=unit):
             return f"{value:g}{unit.text if unit else ''}"
@@ -51,7 +53,8 @@ def leaf(node: ast.Expression) -> str:
             return repr(value)
         case ast.Reference(name=name):
             return name.text
-    return "?"
+        case ast.Broken():
+            return "?"
 
 
 @pytest.mark.parametrize(

@@ -84,7 +84,10 @@ class Conditions:
                 return self._junction(truth, operands, is_so, all_of=not is_so)
             case ir.Held(operand=operand, duration_ns=duration_ns):
                 return self._held(truth, operand, duration_ns, is_so)
-            case node:
+            case (
+                ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
+                | ir.Quantified()
+            ) as node:  # fmt: skip
                 return Phrase(self._leaf(node, is_so), (), truth.span, _named(truth, is_so))
 
     def name(self, index: int) -> str:
@@ -144,7 +147,10 @@ class Conditions:
             case ir.Held(operand=operand, duration_ns=duration_ns):
                 held = f"({self.inline(operand)}) throughout the last {duration_text(duration_ns)}"
                 return held if is_so else f"not ({held})"
-            case node:
+            case (
+                ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
+                | ir.Quantified()
+            ) as node:  # fmt: skip
                 return self._leaf(node, is_so)
 
     # --- leaves ------------------------------------------------------------------------------
@@ -166,7 +172,7 @@ class Conditions:
                 return self._oscillates(node, is_so, verb)
             case ir.Quantified():
                 return self._quantified(node, is_so, verb)
-            case _:
+            case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
                 raise AssertionError(f"{type(node).__name__} is no leaf")
 
     def _compare(self, node: ir.Compare, is_so: bool, verb: str) -> str:

@@ -52,7 +52,10 @@ class Effects:
                 return f"the function {name} is called, and called again when the rule is released"
             case reactions.Reset():
                 return "all latched rules are reset whose condition is false at that instant"
-            case _:
+            case (
+                reactions.Call() | reactions.SetParameter() | reactions.SwitchControllers()
+                | reactions.SendGoal() | reactions.CancelGoal()
+            ):  # fmt: skip
                 return self._awaited(effect)
 
     def _limited(self, command: reactions.CommandTopic, bounds: tuple[reactions.Bound, ...]) -> str:
@@ -126,7 +129,10 @@ class Effects:
                 return [f"on release it is cancelled if it still runs{_resent(interrupted)}"]
             case reactions.CancelGoal(interrupted=interrupted):
                 return [f"on release goals pass again{_resent(interrupted)}"]
-            case _:
+            case (
+                reactions.Publish() | reactions.Call() | reactions.Log() | reactions.Diagnose()
+                | reactions.Hook() | reactions.Reset()
+            ):  # fmt: skip
                 return []
 
     # --- what can go wrong -------------------------------------------------------------------
@@ -211,9 +217,11 @@ def _lifted(command: reactions.CommandTopic, bounds: tuple[reactions.Bound, ...]
 
 
 def _resent(interrupted: reactions.Interrupted) -> str:
-    if interrupted is reactions.Interrupted.RESEND:
-        return ", and the goal that was interrupted is sent again"
-    return "; the goal that was interrupted is dropped"
+    match interrupted:
+        case reactions.Interrupted.RESEND:
+            return ", and the goal that was interrupted is sent again"
+        case reactions.Interrupted.DROP:
+            return "; the goal that was interrupted is dropped"
 
 
 def _assigned(

@@ -38,9 +38,11 @@ class EvidenceKind(enum.Enum):
     @property
     def statuses(self) -> tuple[str, ...]:
         """What a result can be, the good one first."""
-        if self is EvidenceKind.VERIFICATION:
-            return ("proved", "refuted", "undecided", "not proved")
-        return ("covered", "not covered")
+        match self:
+            case EvidenceKind.VERIFICATION:
+                return ("proved", "refuted", "undecided", "not proved")
+            case EvidenceKind.COVERAGE:
+                return ("covered", "not covered")
 
 
 @dataclass(frozen=True)
@@ -187,5 +189,5 @@ def _reason(error: Exception) -> str:
             return f"it has no `{name}`"
         case ValueError():
             return str(error)
-        case _:
+        case _:  # open: any other exception
             return "a member is not of the kind that it should be"

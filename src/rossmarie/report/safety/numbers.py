@@ -7,7 +7,7 @@ end otherwise.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from rossmarie import ir
 from rossmarie.ir.naming import field_names
@@ -124,40 +124,49 @@ class Numbers:
         return quantity(signal.node.value * signal.scale + signal.offset, signal.unit)
 
     def _applied(self, function: ir.Function, operands: tuple[int, ...]) -> str:
-        if function in _SIGNS:
-            left, right = map(self.words, operands)
-            return f"({left} {_SIGNS[function]} {right})"
-        if function in _ANGLES:
-            return f"the {_ANGLES[function]} of {self._vector(operands)}"
-        inner = ", ".join(map(self.words, operands))
+        words = [self.words(operand) for operand in operands]
+        inner = ", ".join(words)
         match function:
+            case ir.Function.ADD | ir.Function.SUBTRACT | ir.Function.MULTIPLY | ir.Function.DIVIDE:
+                left, right = words
+                return f"({left} {_SIGNS[function]} {right})"
             case ir.Function.NEGATE:
                 return f"-({inner})"
             case ir.Function.ABSOLUTE:
                 return f"the absolute value of {inner}"
-            case ir.Function.NORM:
-                return f"the length of {self._vector(operands)}"
             case ir.Function.MINIMUM:
                 return f"the lesser of ({inner})"
-            case _:
+            case ir.Function.MAXIMUM:
                 return f"the greater of ({inner})"
-
-    def _vector(self, operands: tuple[int, ...]) -> str:
-        """`orientation` if these are its x, y, z and w, else all of them in brackets."""
-        words = [self.words(operand) for operand in operands]
-        whole, _, _ = words[0].rpartition(".")
-        if whole and words == [f"{whole}.{axis}" for axis in _AXES[: len(words)]]:
-            return whole
-        return f"({', '.join(words)})"
+            case ir.Function.NORM:
+                return f"the length of {_vector(words)}"
+            case ir.Function.ROLL | ir.Function.PITCH | ir.Function.YAW:
+                return f"the {_ANGLES[function]} of {_vector(words)}"
 
     def _fold(self, folding: ir.Folding, element: int) -> str:
-        which = "least" if folding is ir.Folding.MINIMUM else "greatest"
+        which = _extreme(folding)
         array = ir.element_arrays(self._machine).signals[element]
         assert array is not None, "verified: a fold is over elements"
         if isinstance(self._machine.signals[element].node, ir.Element):
             return f"the {which} element of {self._arrays[array]}"
         each = self.words(element)
         return f"the {which}, over all elements of {self._arrays[array]}, of {each}"
+
+
+def _extreme(folding: ir.Folding) -> str:
+    match folding:
+        case ir.Folding.MINIMUM:
+            return "least"
+        case ir.Folding.MAXIMUM:
+            return "greatest"
+
+
+def _vector(words: Sequence[str]) -> str:
+    """`orientation` if these are its x, y, z and w, else all of them in brackets."""
+    whole, _, _ = words[0].rpartition(".")
+    if whole and list(words) == [f"{whole}.{axis}" for axis in _AXES[: len(words)]]:
+        return whole
+    return f"({', '.join(words)})"
 
 
 def _field_name(

@@ -129,7 +129,11 @@ def _filtered(effect: reactions.Effect) -> int | None:
             return topic
         case reactions.Publish(command=command):
             return command
-        case _:
+        case (
+            reactions.Call() | reactions.SetParameter() | reactions.SwitchControllers()
+            | reactions.SendGoal() | reactions.CancelGoal() | reactions.Log()
+            | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+        ):  # fmt: skip
             return None
 
 
@@ -194,7 +198,10 @@ def _target(effect: reactions.Effect) -> tuple[Kind, str, str | None] | None:
             return Kind.PARAMETER, f"{node}.{parameter}", None
         case reactions.SwitchControllers(manager=manager):
             return Kind.CONTROLLER_MANAGER, manager, None
-        case _:
+        case (
+            reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Log()
+            | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+        ):  # fmt: skip
             return None
 
 

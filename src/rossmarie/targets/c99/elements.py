@@ -14,6 +14,7 @@ from rossmarie.targets.c99.expressions import Expressions, converted
 from rossmarie.targets.c99.layout import Layout
 
 _START = {ir.Folding.MINIMUM: "INFINITY", ir.Folding.MAXIMUM: "-INFINITY"}
+_CALLS = {ir.Quantifier.ANY: "some", ir.Quantifier.ALL: "every"}
 
 
 @dataclass
@@ -49,9 +50,14 @@ class Elements:
                     self._counted(loop, "count", element, pointer)
                     self._finish(loop, self._layout.value_of_signal[index], "how_many", element,
                                  count)  # fmt: skip
+                case (
+                    ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Previous()
+                    | ir.Element() | ir.Fold() | ir.Count()
+                ):  # fmt: skip
+                    pass
         for index, node in self._quantified(array):
             part = node.quantifier.value
-            call = "some" if node.quantifier is ir.Quantifier.ANY else "every"
+            call = _CALLS[node.quantifier]
             self._counted(loop, part, node.element, pointer)
             self._finish(loop, self._layout.value_of_test[index], call, node.element, count)
         return _written(loop, count)
@@ -130,7 +136,10 @@ class Elements:
                 return self._joined("both", loop, operands, pointer)
             case ir.Or(operands=operands):
                 return self._joined("either", loop, operands, pointer)
-            case node:
+            case (
+                ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
+                | ir.Quantified() | ir.Held()
+            ) as node:  # fmt: skip
                 self._expressions.parts.add("element")
                 write = lambda signal: self._signal(loop, signal, pointer)  # noqa: E731
                 is_unknown, holds = self._expressions.comparison(node, write)

@@ -118,7 +118,7 @@ class Expressions:
                 return f"rate_of(m, {self._layout.sampled.index(signal)})"
             case ir.Previous(signal=signal):
                 return f"m->before[{self._layout.sampled.index(signal)}]"
-            case _:
+            case ir.Constant() | ir.Read() | ir.Element() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
 
     def applied(self, node: ir.Apply, write: Callable[[int], str]) -> str:
@@ -133,19 +133,23 @@ class Expressions:
         return f"known({text})"
 
     def _call(self, function: Function, operands: list[str]) -> str:
-        if function in _INFIX:
-            return f"{operands[0]} {_INFIX[function]} {operands[1]}"
-        if function is Function.NEGATE:
-            return f"-({operands[0]})"
-        if function is Function.ABSOLUTE:
-            return f"fabs({operands[0]})"
-        if function is Function.NORM:
-            total = f"{operands[0]} * {operands[0]}"
-            for operand in operands[1:]:
-                total = f"({total}) + {operand} * {operand}"
-            return f"sqrt({total})"
+        match function:
+            case Function.ADD | Function.SUBTRACT | Function.MULTIPLY | Function.DIVIDE:
+                return f"{operands[0]} {_INFIX[function]} {operands[1]}"
+            case Function.NEGATE:
+                return f"-({operands[0]})"
+            case Function.ABSOLUTE:
+                return f"fabs({operands[0]})"
+            case Function.NORM:
+                total = f"{operands[0]} * {operands[0]}"
+                for operand in operands[1:]:
+                    total = f"({total}) + {operand} * {operand}"
+                return f"sqrt({total})"
+            case Function.MINIMUM | Function.MAXIMUM:
+                name = function.value
+            case Function.ROLL | Function.PITCH | Function.YAW:
+                name = f"{function.value}_of"
         self.parts.add(function.value)
-        name = f"{function.value}_of" if function in _ALWAYS_FINITE else function.value
         return f"{name}({', '.join(operands)})"
 
     def _may_be_infinite(self, node: ir.SignalNode) -> bool:
@@ -154,7 +158,7 @@ class Expressions:
                 return True
             case ir.Previous(signal=signal):
                 return self._infinite[signal]
-            case _:
+            case ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Count():
                 return False
 
     # --- comparisons -------------------------------------------------------------------------
@@ -171,7 +175,10 @@ class Expressions:
                 return self._unknown((signal, low, high), write), holds
             case ir.Flag(signal=signal):
                 return self._unknown((signal,), write), f"{write(signal)} != 0.0"
-            case _:
+            case (
+                ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Not()
+                | ir.And() | ir.Or() | ir.Held()
+            ):  # fmt: skip
                 raise AssertionError(f"{type(node).__name__} does not compare")
 
     def _unknown(self, signals: tuple[int, ...], write: Callable[[int], str]) -> str:

@@ -50,7 +50,10 @@ def _expression(layout: Layout, index: int, node: ir.TruthNode, parts: set[str])
         case ir.Held(operand=operand):
             number = layout.held.index(index)
             return f"held(m, {number}, {layout.truth_names[operand]}, t_ns)"
-        case _:
+        case (
+            ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
+            | ir.Quantified()
+        ):  # fmt: skip
             raise AssertionError(f"{type(node).__name__} is a leaf")
 
 

@@ -57,11 +57,12 @@ def _finish(layout: Layout, array: int, function: Function) -> None:
         function.assign(f"s{signal}", f"NAN if unknown_{truth} else float(true_{truth})")
     for index, node in _quantifiers(layout, array).items():
         true, unknown = f"true_{node.element}", f"unknown_{node.element}"
-        if node.quantifier is ir.Quantifier.ANY:
-            function.assign(f"q{index}", f"1 if {true} else 2 if {unknown} else 0")
-        else:
-            known = f"{true} + {unknown} < len(elements)"
-            function.assign(f"q{index}", f"0 if {known} else 2 if {unknown} else 1")
+        match node.quantifier:
+            case ir.Quantifier.ANY:
+                function.assign(f"q{index}", f"1 if {true} else 2 if {unknown} else 0")
+            case ir.Quantifier.ALL:
+                known = f"{true} + {unknown} < len(elements)"
+                function.assign(f"q{index}", f"0 if {known} else 2 if {unknown} else 1")
 
 
 class _Element:

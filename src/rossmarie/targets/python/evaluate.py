@@ -82,7 +82,10 @@ def _signal(layout: Layout, index: int) -> Function:
         case ir.Previous(signal=sampled) if sampled in layout.sampled:
             _sample(layout, index, sampled, function)
             text = f"samples_{sampled}.before"
-        case _:
+        case (
+            ir.Constant() | ir.Read() | ir.Rate() | ir.Previous() | ir.Element() | ir.Fold()
+            | ir.Count()
+        ):  # fmt: skip
             return function  # known when compiling, or found when a message arrives
     _remark(function, signal, signal.text)
     function.assign(f"s{index}", text)
@@ -164,7 +167,10 @@ def _truth(layout: Layout, index: int) -> Function:
             _held(layout, index, truth.node, function)
         case ir.Oscillates():
             _oscillates(layout, index, truth.node, function)
-        case _:
+        case (
+            ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
+        ):  # fmt: skip
             _record(layout, index, _text(layout, index, truth.node), function)
     return function
 
@@ -181,7 +187,9 @@ def _text(layout: Layout, index: int, node: ir.TruthNode) -> str:
         case ir.Compare() | ir.Between() | ir.Flag():
             unknown = expressions.unknown_kind(layout, index)
             return expressions.compared(layout, node, layout.value, unknown)
-        case _:
+        case (
+            ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Oscillates() | ir.Held()
+        ):  # fmt: skip
             return expressions.logic(node, layout.truth)
 
 

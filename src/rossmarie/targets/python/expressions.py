@@ -46,16 +46,19 @@ def applied(layout: Layout, node: ir.Apply, write: Write) -> str:
 def raw(node: ir.Apply, write: Write) -> str:
     """The same, but infinite where it is too large."""
     operands = [write(operand) for operand in node.operands]
-    if node.function in _INFIX:
-        return f"{operands[0]} {_INFIX[node.function]} {operands[1]}"
     match node.function:
+        case Function.ADD | Function.SUBTRACT | Function.MULTIPLY:
+            return f"{operands[0]} {_INFIX[node.function]} {operands[1]}"
         case Function.NEGATE:
             return f"-{operands[0]}"
         case Function.ABSOLUTE:
             return f"abs({operands[0]})"
         case Function.NORM:
             return f"sqrt({' + '.join(f'{operand} * {operand}' for operand in operands)})"
-        case function:
+        case (
+            Function.DIVIDE | Function.MINIMUM | Function.MAXIMUM | Function.ROLL
+            | Function.PITCH | Function.YAW
+        ) as function:  # fmt: skip
             return f"{function.value}({', '.join(operands)})"
 
 
@@ -66,7 +69,7 @@ def may_be_infinite(layout: Layout, signal: int) -> bool:
             return True
         case ir.Previous(signal=sampled):
             return may_be_infinite(layout, sampled)
-        case _:
+        case ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Count():
             return False
 
 
@@ -82,7 +85,10 @@ def holds(node: ir.TruthNode, write: Write) -> str:
             return f"{write(low)} <= {write(signal)} <= {write(high)}"
         case ir.Flag(signal=signal):
             return f"{write(signal)} != 0.0"
-        case _:
+        case (
+            ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Not()
+            | ir.And() | ir.Or() | ir.Held()
+        ):  # fmt: skip
             raise AssertionError(f"{type(node).__name__} does not compare")
 
 
@@ -137,7 +143,10 @@ def logic(node: ir.TruthNode, write: Write) -> str:
         case ir.Or(operands=operands):
             parts = [write(operand) for operand in operands]
             return f"1 if {' or '.join(f'{part} == 1' for part in parts)} else {_greatest(parts)}"
-        case _:
+        case (
+            ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
+            | ir.Quantified() | ir.Held()
+        ):  # fmt: skip
             raise AssertionError(f"{type(node).__name__} is no logic")
 
 

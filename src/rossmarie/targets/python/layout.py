@@ -68,7 +68,9 @@ class Layout:
                 return number(value)
             case ir.Read(slot=slot):
                 return f"x{slot}"
-            case _:
+            case (
+                ir.Apply() | ir.Rate() | ir.Previous() | ir.Element() | ir.Fold() | ir.Count()
+            ):  # fmt: skip
                 return f"s{signal}"
 
     @cached_property

@@ -30,6 +30,7 @@ _STATUS_LEVELS = {
 }
 
 Sending = reactions.Publish | reactions.Call | reactions.SendGoal
+Doing = reactions.Log | reactions.Diagnose | reactions.Hook | reactions.Reset
 Sent = tuple[str, Interface]
 """The type of what is sent, as in ROS."""
 
@@ -154,7 +155,9 @@ class TasksText:
                 return "SwitchTask", [*manager, self._shared(index), change, _report(index)]
             case reactions.Limit() | reactions.Scale():
                 return "BoundTask", []
-            case _:
+            case (
+                reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+            ):  # fmt: skip
                 return "DoTask", self._doing(index, effect)
 
     def _shared(self, index: int) -> str:
@@ -178,10 +181,10 @@ class TasksText:
             case reactions.SendGoal():
                 arguments = [self._shared(index), message, _is_resent(effect), _report(index)]
                 return f"SendTask<{kind}>", arguments
-            case _:
+            case reactions.Publish():
                 raise AssertionError(effect)
 
-    def _doing(self, index: int, effect: reactions.Effect) -> list[str]:
+    def _doing(self, index: int, effect: Doing) -> list[str]:
         """What is done at the start, and at the end if anything is."""
         match effect:
             case reactions.Log(level=level, text=text):
@@ -199,8 +202,6 @@ class TasksText:
                 return [f"[] {{ {function}(hooks::Moment::{moment}); }}" for moment in moments]
             case reactions.Reset():
                 return ["[&host] { host.reset_all(); }"]
-            case _:
-                raise AssertionError(f"refused by `unsupported`: {effect}")
 
 
 def _assignment(assignment: reactions.Assignment) -> str:

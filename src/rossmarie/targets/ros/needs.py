@@ -36,7 +36,12 @@ def relayed(machine: ir.Machine) -> dict[str, str]:
                 | reactions.CancelGoal(server=server, action_type=str(action_type))
             ) if task.effect.interrupted is reactions.Interrupted.RESEND:
                 found[server] = action_type
-            case _:
+            case (
+                reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Call()
+                | reactions.SetParameter() | reactions.SwitchControllers() | reactions.SendGoal()
+                | reactions.CancelGoal() | reactions.Log() | reactions.Diagnose()
+                | reactions.Hook() | reactions.Reset()
+            ):  # fmt: skip
                 pass
     return found
 
@@ -74,7 +79,10 @@ def _shared_kind(
                 return "Goals", (resolved(server),)
             action = dialect.cpp_type(relays[server], Interface.ACTION)
             return f"Relay<{action}>", (resolved(server), resolved(names.unfiltered(server)))
-        case _:
+        case (
+            reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Call()
+            | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+        ):  # fmt: skip
             raise AssertionError(f"nothing is shared: {effect}")
 
 
@@ -108,5 +116,8 @@ def _offered(effect: reactions.Effect, dialect: Dialect) -> tuple[str, bool] | N
             return f"{manager}/switch_controller", True
         case reactions.SendGoal(server=server) | reactions.CancelGoal(server=server):
             return f"{server}{dialect.status_topic}", False
-        case _:
+        case (
+            reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Log()
+            | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+        ):  # fmt: skip
             return None

@@ -57,7 +57,11 @@ def _limits(machine: ir.Machine, rule: int, task: int) -> Iterator[str]:
         case reactions.Scale(topic=topic, factor=factor):
             for field in range(len(machine.reactions.commands[topic].fields)):
                 yield _limit(rule, topic, field, (factor, -math.inf, math.inf, math.inf))
-        case _:
+        case (
+            reactions.Publish() | reactions.Call() | reactions.SetParameter()
+            | reactions.SwitchControllers() | reactions.SendGoal() | reactions.CancelGoal()
+            | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+        ):  # fmt: skip
             pass
 
 

@@ -133,7 +133,11 @@ def _asked(effects: Sequence[reactions.Effect]) -> Iterator[str]:
             case reactions.SwitchControllers(manager=manager):
                 yield f"{manager}/list_controllers"
                 yield f"{manager}/switch_controller"
-            case _:
+            case (
+                reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.SendGoal()
+                | reactions.CancelGoal() | reactions.Log() | reactions.Diagnose()
+                | reactions.Hook() | reactions.Reset()
+            ):  # fmt: skip
                 pass
 
 

@@ -29,5 +29,10 @@ def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
                     reason="goals of ROS 2 can only be sent again where their type is known",
                     way_out=f"say it in a system model, `server {server} : PACKAGE/TYPE;`",
                 ).at(task.span)
-            case _:
+            case (
+                reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Call()
+                | reactions.SetParameter() | reactions.SwitchControllers() | reactions.SendGoal()
+                | reactions.CancelGoal() | reactions.Log() | reactions.Diagnose()
+                | reactions.Hook() | reactions.Reset()
+            ):  # fmt: skip
                 pass

@@ -101,6 +101,8 @@ def expected_of_conditions(machine: ir.Machine) -> Iterator[str]:
                     yield from (constant(machine, end) for end in (left, right))
                 case ir.Quantified() as node:
                     yield "element of " + Conditions(machine).numbers.array_of(node.element)
+                case ir.Literal() | ir.Flag() | ir.Not() | ir.And() | ir.Or():
+                    pass
         for used in rule.inputs:
             timeout_ns = machine.inputs[used].timeout_ns
             yield machine.inputs[used].name
@@ -158,6 +160,12 @@ def expected_of_effect(machine: ir.Machine, effect: reactions.Effect) -> Iterato
             yield f'"{text}"'
         case reactions.Hook(name=name):
             yield name
+        case reactions.Publish() | reactions.Call() | reactions.SetParameter():
+            pass
+        case reactions.SwitchControllers() | reactions.SendGoal() | reactions.CancelGoal():
+            pass
+        case reactions.Reset():
+            pass
 
 
 @given(machines())
