@@ -95,7 +95,7 @@ class _Dataflow:
                 return After(inner.failure, inner.success)
             case Decorator(decoration=Decoration.TIMEOUT, child=child):
                 return After(self.after(child, before).success, before)  # stopped anywhere
-            case Decorator(child=child):
+            case Decorator(decoration=Decoration.RETRY, child=child):
                 return self.after(child, before)
             case Processor(flow=flow, children=children) if flow in _SEQUENCES:
                 return self._after_sequence(children, before)
@@ -103,10 +103,11 @@ class _Dataflow:
                 return self._after_selector(children, before)
             case Processor(flow=flow, children=children) if flow in _PARALLELS:
                 return self._after_parallel(flow, children, before)
-            case Processor(children=children):
+            case Processor(flow=Flow.NO_FAIL, children=children):
                 inner = self._after_sequence(children, before)
-                return After(_in_all([inner.success, inner.failure]), None)  # NoFail
-        raise AssertionError(node)
+                return After(_in_all([inner.success, inner.failure]), None)
+            case Decorator() | Processor():
+                raise AssertionError(node)
 
     def _limited(self, node: Decorator, given: Parameter) -> None:
         """Tell of a limit that may be nothing when the decorator is built, with the whole tree."""

@@ -18,8 +18,6 @@ _NONE: Results = frozenset()
 _FAILURE: Results = frozenset({State.FAILURE})
 _SUCCESS: Results = frozenset({State.SUCCESS})
 _OTHER = {State.SUCCESS: State.FAILURE, State.FAILURE: State.SUCCESS}
-_SEQUENCES = {Flow.SERIAL, Flow.SERIAL_STAR}
-_SELECTORS = {Flow.SELECTOR, Flow.SELECTOR_STAR}
 
 
 class Outcomes:
@@ -54,11 +52,12 @@ class Outcomes:
                 return frozenset(_OTHER[each] for each in self.results(child))
             case Decorator(decoration=Decoration.TIMEOUT, child=child):
                 return self.results(child) | _FAILURE
-            case Decorator(child=child):
+            case Decorator(decoration=Decoration.RETRY, child=child):
                 return self.results(child)
+            case Decorator():
+                raise AssertionError(node)
             case Processor(flow=flow, children=below):
                 return _joined(flow, [self.results(child) for child in below])
-        raise AssertionError(node)
 
     def is_long(self, node: Node) -> bool:
         """Whether an implementation shows that it may take more than one tick."""
@@ -82,18 +81,21 @@ class Outcomes:
 
 def _joined(flow: Flow, results: Sequence[Results]) -> Results:
     """How a processor can end whose children can end so."""
-    can_fail = any(State.FAILURE in each for each in results[: _reached(results, State.SUCCESS)])
-    if flow in _SEQUENCES or flow is Flow.PARALLEL_FF:
-        all_can = all(State.SUCCESS in each for each in results)
-        return (_SUCCESS if all_can else _NONE) | (_FAILURE if can_fail else _NONE)
-    if flow in _SELECTORS:
-        all_can = all(State.FAILURE in each for each in results)
-        reached = results[: _reached(results, State.FAILURE)]
-        can_succeed = any(State.SUCCESS in each for each in reached)
-        return (_SUCCESS if can_succeed else _NONE) | (_FAILURE if all_can else _NONE)
-    if flow is Flow.PARALLEL_FS:
-        return _NONE.union(*results)
-    return _SUCCESS if all(results) else _NONE  # NoFail
+    match flow:
+        case Flow.SERIAL | Flow.SERIAL_STAR | Flow.PARALLEL_FF:
+            all_can = all(State.SUCCESS in each for each in results)
+            reached = results[: _reached(results, State.SUCCESS)]
+            can_fail = any(State.FAILURE in each for each in reached)
+            return (_SUCCESS if all_can else _NONE) | (_FAILURE if can_fail else _NONE)
+        case Flow.SELECTOR | Flow.SELECTOR_STAR:
+            all_can = all(State.FAILURE in each for each in results)
+            reached = results[: _reached(results, State.FAILURE)]
+            can_succeed = any(State.SUCCESS in each for each in reached)
+            return (_SUCCESS if can_succeed else _NONE) | (_FAILURE if all_can else _NONE)
+        case Flow.PARALLEL_FS:
+            return _NONE.union(*results)
+        case Flow.NO_FAIL:
+            return _SUCCESS if all(results) else _NONE
 
 
 def _reached(results: Sequence[Results], wanted: State) -> int:
@@ -106,6 +108,10 @@ def _reached(results: Sequence[Results], wanted: State) -> int:
 
 def goes_on_with(flow: Flow) -> State | None:
     """The result of a child with which a processor goes on to the next one."""
-    if flow in _SEQUENCES:
-        return State.SUCCESS
-    return State.FAILURE if flow in _SELECTORS else None
+    match flow:
+        case Flow.SERIAL | Flow.SERIAL_STAR:
+            return State.SUCCESS
+        case Flow.SELECTOR | Flow.SELECTOR_STAR:
+            return State.FAILURE
+        case Flow.PARALLEL_FF | Flow.PARALLEL_FS | Flow.NO_FAIL:
+            return None

@@ -89,9 +89,10 @@ class Walk:
                 inner = self._sequence(below, known, replace(place, is_fatal=False))
                 ways = (*inner.endings, *inner.failures)
                 return Outcome(join(ways, self.judge), ways, ())
-            case Processor(flow=flow, children=below):
+            case Processor(flow=Flow.PARALLEL_FF | Flow.PARALLEL_FS as flow, children=below):
                 return self._parallel(below, known, place, is_race=flow is Flow.PARALLEL_FS)
-        raise AssertionError(node)
+            case Processor():
+                raise AssertionError(node)
 
     # --- skills -----------------------------------------------------------------------------------
 

@@ -65,7 +65,7 @@ def _truth(node: ast.Expression, context: Context) -> bool | None:
     if len(known) < len(values):
         return None
     match node, known:
-        case ast.Unary(), [Value(boolean=bool(operand))]:
+        case ast.Unary(operator=ast.UnaryOperator.NOT), [Value(boolean=bool(operand))]:
             return not operand
         case ast.Binary(operator=sign), [Value(boolean=bool(left)), Value(boolean=bool(right))]:
             return _JUNCTIONS[sign](left, right)
@@ -95,7 +95,7 @@ def _number(node: ast.Expression, quantity: Quantity, context: Context) -> float
     match node:
         case ast.Number():
             return (quantity.unit or DIMENSIONLESS).to_si(node.value)
-        case ast.Unary():
+        case ast.Unary(operator=ast.UnaryOperator.NEGATE):
             operand = _numbers((node.operand,), context)
             return None if operand is None else -operand[0]
         case ast.Binary():
@@ -108,8 +108,8 @@ def _number(node: ast.Expression, quantity: Quantity, context: Context) -> float
             return None if arguments is None else _FUNCTIONS[node.function.text](arguments)
         case (
             ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference() | ast.Member()
-            | ast.Index() | ast.Call() | ast.Oscillates() | ast.Membership() | ast.Held()
-            | ast.Parenthesized() | ast.Broken()
+            | ast.Index() | ast.Call() | ast.Oscillates() | ast.Unary() | ast.Membership()
+            | ast.Held() | ast.Parenthesized() | ast.Broken()
         ):  # fmt: skip
             return None
 

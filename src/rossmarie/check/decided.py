@@ -119,7 +119,7 @@ def _outcome(node: ast.Expression, outcomes: dict[int, bool], context: Context) 
     match node:
         case ast.Parenthesized(inner=inner):
             return outcomes.get(id(inner))
-        case ast.Unary(operand=operand) if id(operand) in outcomes:
+        case ast.Unary(operator=ast.UnaryOperator.NOT, operand=operand) if id(operand) in outcomes:
             return not outcomes[id(operand)]
         case ast.Binary(operator=ast.BinaryOperator.AND | ast.BinaryOperator.OR as operator):
             deciding = operator is ast.BinaryOperator.OR
