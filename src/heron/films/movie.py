@@ -39,7 +39,13 @@ def write_movie(path: Path, clips: Sequence[Clip], size: Size) -> None:
     count = round(duration / speed * rate) + rate  # for a second, how it ended
     opening = clips[0].experiment.opening_of(clip.episode.onsets for clip in clips)
     times = [opening] * rate + [index * speed / rate for index in range(count)]
-    pictures = _beside(clips, times, speed, size)
+    encode(path, _beside(clips, times, speed, size), rate)
+
+
+def encode(path: Path, pictures: Iterator[Pixels], rate: int) -> None:
+    """Pictures of one size, so many in a second, in the format that the suffix says. Raises
+    `OSError`; then there is no file.
+    """
     with tempfile.TemporaryDirectory(dir=path.parent) as folder:
         written = Path(folder) / path.name
         write = _write_mp4 if path.suffix == ".mp4" else _write_animation
