@@ -140,7 +140,10 @@ class _File:
         found = self._descriptions.of(classes)
         # With the names of EzSkiROS qualified it shows which other meanings they have here.
         names = self._translate(found, Names(is_qualified=True))
-        names = self._translate(found, self._spelled(self._replaced(found, names), names))
+        spelling = self._spelled(self._replaced(found, names), names)
+        names = self._translate(found, spelling)
+        if names.clashes:  # of namespaces that only unclear properties are written with
+            names = self._translate(found, spelling.without(names.clashes))
         implementing = self._implementations(classes, names)
         mixins = self._mixins(classes)
         result = self._replaced(found, names, [*implementing, *mixins])

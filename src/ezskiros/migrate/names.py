@@ -44,6 +44,10 @@ class Names:
         """The same spelling, with nothing used yet."""
         return Names(self.is_qualified, self.taken, self.ambiguous)
 
+    def without(self, names: Collection[str]) -> Names:
+        """The same spelling, in which these mean something else as well."""
+        return Names(self.is_qualified, {*self.taken, *names}, self.ambiguous)
+
     def add(self, other: Names) -> None:
         """Use what others use as well."""
         self.ours |= other.ours

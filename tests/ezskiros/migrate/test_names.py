@@ -139,6 +139,18 @@ def test_a_parameter_hides_no_namespace_that_its_conditions_use() -> None:
     assert "of_type(skiros, skiros_.Location)" in text
 
 
+def test_a_parameter_hides_no_namespace_that_an_unclear_property_needs() -> None:
+    weighed = [
+        f'self.addPreCondition(self.getPropCond("", "{prefix}:Weight", "skiros", "<", 2.0, True))'
+        for prefix in ("store", "skiros")
+    ]
+    body = "".join(f"        {each}\n" for each in weighed)
+    text = migrate_text("skills.py", f"{API}{SKILL.format(key='skiros')}{body}").text
+    assert "from world import skiros as skiros_, store\n" in text
+    assert "store.Weight(skiros) < 2.0" in text
+    assert "skiros_.Weight(skiros) < 2.0" in text
+
+
 @pytest.mark.parametrize("rest", ["\n\nspecified = 1\n", "\n\ndef specified():\n    pass\n"])
 def test_names_of_ours_that_are_taken_are_qualified(rest: str) -> None:
     text = migrated(API, rest)
