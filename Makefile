@@ -11,7 +11,8 @@ HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 
 help:
 	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot"
-	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; goes on where it was"
+	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; goes on where it was;"
+	@echo "               and films of them -> docs/gallery.md"
 	@echo "make test    the tests, ten minutes on two processors; OPTIONS='...' are those of pytest"
 	@echo "make check   format, lint, types, import layers, and the tests"
 	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; two to three hours"
@@ -72,8 +73,9 @@ endif
 	@echo "the timeline:    open $(CURDIR)/build/demo/report/timeline.html in a browser"
 	@[ ! -e build/demo/heron.html ] || echo "the robot:       open $(CURDIR)/build/demo/heron.html in a browser"
 
-evaluate: $(READY) compiler
+evaluate: $(READY) compiler drawing
 	$(RUN)/heron evaluate --out docs
+	$(RUN)/heron gallery --out docs
 
 # Live tests mostly wait, so there are more workers than processors. A worker takes whole files, in
 # the order of tests/support/order.py.

@@ -50,4 +50,4 @@ ARMS: Mapping[str, tuple[Arm, ...]] = {
     "place": (Arm.NONE, Arm.DEROS, Arm.ROSSMARIE),  # no zone says anything of a table
     "human": tuple(Arm),
 }
-"""Of each experiment, by its name, in the order in which they are shown."""
+"""The guards of each experiment, by its name, in the order in which they are shown."""

@@ -1,4 +1,4 @@
-"""What scenes look like: the physics knows nothing of it."""
+"""The look of scenes: the physics knows nothing of it."""
 
 from __future__ import annotations
 

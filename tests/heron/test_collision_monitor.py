@@ -35,7 +35,7 @@ def scan(*points: tuple[float, float]) -> Message:
 
 
 def ahead(distance: float, count: int = MIN_POINTS) -> tuple[tuple[float, float], ...]:
-    """So many points right before the robot."""
+    """Points right before the robot, so many."""
     return tuple((distance, 0.03 * (index - count / 2)) for index in range(count))
 
 
@@ -61,7 +61,7 @@ class Bench:
             self.monitor.tick(self.now_ns)
 
     def command(self, linear: float, angular: float = 0.0) -> tuple[float, float]:
-        """What comes of a command."""
+        """The command that the drive gets for one of a program."""
         self._command(messages.twist(linear, angular))
         return self.sent[-1]
 

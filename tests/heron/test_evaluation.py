@@ -313,6 +313,29 @@ def test_an_evaluation_writes_its_page_and_does_nothing_twice(tmp_path: Path) ->
     assert Folder(tmp_path).plot("place").read_bytes() == first
 
 
+def test_an_evaluation_of_one_experiment_keeps_the_studies_of_the_others(tmp_path: Path) -> None:
+    def of(experiment: str, variant: str, duration: float) -> Value:
+        numbers = row(Arm.DEROS, 0, variant, duration=duration).numbers
+        return {
+            **numbers,
+            "study": "operator",
+            "value": "10",
+            "experiment": experiment,
+            "variant": variant,
+            "arm": "deros",
+            "seed": 0,
+        }
+
+    folder = Folder(tmp_path)
+    folder.journal.parent.mkdir()
+    write_page(folder, {"a": of("nav", "steep", 99.5), "b": of("place", "high", 20.0)})
+    write_page(folder, {"b": of("place", "high", 21.0)})
+    found = {
+        one.experiment: one.row.numbers["duration"] for one in folder.results().studies["operator"]
+    }
+    assert found == {"nav": 99.5, "place": 21.0}
+
+
 def test_results_of_another_program_do_not_get_in(tmp_path: Path) -> None:
     with Journal(Folder(tmp_path).journal, "Heron of old"):
         pass

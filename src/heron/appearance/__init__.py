@@ -1,5 +1,5 @@
-"""What a scene looks like: shapes, materials and light for whoever looks on. The physics never sees
-any of it: a copy of the scene is dressed, and shows the states of the plain one.
+"""The look of a scene: shapes, materials and light. The physics never sees any of it: a copy of the
+scene is dressed, and shows the states of the plain one.
 """
 
 from heron.appearance.stage import Moment, Stage, moment_of

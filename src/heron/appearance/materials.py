@@ -47,7 +47,7 @@ Pixels = NDArray[np.uint8]
 
 
 def add_materials(spec: Any) -> None:
-    """All of them, by their names."""
+    """Add all materials, by their names."""
     for name, color in _PLAIN.items():
         material = spec.add_material(name=name, rgba=[*color, 1.0])
         material.specular = 0.5 if name in _SHINY else 0.1
@@ -62,7 +62,7 @@ def add_materials(spec: Any) -> None:
 
 
 def add_light(spec: Any, towards: tuple[float, float, float]) -> None:
-    """Daylight from above and aside, with shadows, under a pale sky."""
+    """Add daylight from above and aside, with shadows, under a pale sky."""
     for light in list(spec.lights):
         spec.delete(light)
     spec.worldbody.add_light(
@@ -94,7 +94,7 @@ def add_light(spec: Any, towards: tuple[float, float, float]) -> None:
 
 
 def _add_textured(spec: Any, name: str, pixels: Pixels, repeat: float) -> None:
-    """Of a texture that is repeated so often in a meter."""
+    """Add a material whose texture is repeated so often in a meter."""
     texture = spec.add_texture(
         name=name,
         type=mujoco.mjtTexture.mjTEXTURE_2D,

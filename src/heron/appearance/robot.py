@@ -1,4 +1,4 @@
-"""What the robot looks like: a flat base on wheels, with a lamp all around, and an arm of tubes.
+"""The look of the robot: a flat base on wheels, with a lamp all around, and an arm of tubes.
 
 It is not drawn after any product; only the measures are those of a MiR100 and a UR5e.
 """
@@ -70,7 +70,7 @@ _TUBES = {  # from, to, radius and material, in the frame of each link
 
 
 def dress_base(spec: Any, base: BaseParameters) -> None:
-    """The base that drives, with the arm folded on top."""
+    """Show the base that drives, with the arm folded on top."""
     body = spec.body("base")
     for name in ("chassis", "tower"):
         hide(spec.geom(name))
@@ -87,7 +87,7 @@ def dress_base(spec: Any, base: BaseParameters) -> None:
 
 
 def dress_arm(spec: Any) -> None:
-    """The arm, its hand, and the block."""
+    """Show the arm, its hand, and the block."""
     for name in JOINTS:
         for geom in spec.body(name).geoms:
             hide(geom)
@@ -98,7 +98,7 @@ def dress_arm(spec: Any) -> None:
 
 
 def dress_pedestal(spec: Any, base: BaseParameters) -> None:
-    """What the arm stands on is the base, which stands still."""
+    """Show the base, at a standstill, in the place of the pedestal."""
     pedestal = spec.body("pedestal")
     height = float(pedestal.pos[2])
     for geom in pedestal.geoms:
@@ -118,7 +118,7 @@ def dress_pedestal(spec: Any, base: BaseParameters) -> None:
 def _add_shell(
     spec: Any, body: Any, base: BaseParameters, top: float = ArmParameters().pedestal
 ) -> None:
-    """From the ground clearance up to where the arm stands."""
+    """Add the hull of the base and the column of the arm, from the ground clearance up to `top`."""
     x, y, _ = base.chassis_half
     low, high = base.clearance, base.clearance + 2 * base.chassis_half[2]
     lamp = low + 0.135
@@ -144,7 +144,7 @@ def _add_shell(
 
 
 def _loft(spec: Any, body: Any, name: str, material: str, *sections: tuple[float, ...]) -> None:
-    """Each section is its height and its half sizes; corners are as round as fits."""
+    """Add a skin over sections: their heights and half sizes. Corners are as round as fits."""
     found = [Section(z, x, y, 0.35 * min(x, y)) for z, x, y in sections]
     add_loft(spec, body, name, found, material)
 
@@ -155,7 +155,7 @@ def _add_hub(wheel: Any, base: BaseParameters) -> None:
 
 
 def _add_caster(holder: Any, place: Any, base: BaseParameters) -> None:
-    """A wheel in a fork; it does not turn."""
+    """Add a wheel in a fork; it does not turn."""
     x, y, z = (float(each) for each in place)
     radius = base.wheel_radius
     add_rod(holder, (x, y - 0.014, z), (x, y + 0.014, z), radius, RUBBER)
@@ -170,7 +170,7 @@ def _add_foot(body: Any, top: float) -> None:
 
 
 def _add_gripper(spec: Any) -> None:
-    """A palm, and two fingers on the sides of the block."""
+    """Add a palm, and two fingers on the sides of the block."""
     arm = ArmParameters()
     hand = spec.body("hand")
     for geom in hand.geoms:
@@ -185,7 +185,7 @@ def _add_gripper(spec: Any) -> None:
 
 
 def _add_folded_arm(body: Any) -> None:
-    """As it is while the base drives: the physics of the base has one mass for all of it."""
+    """Add the arm, folded for the drive: the physics of the base has one mass for all of it."""
     arm = ArmParameters()
     _add_foot(body, arm.pedestal)
     spec = new_spec()

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 Point = Sequence[float]
 SHOWN_GROUP = 2
-"""Of geoms that are there to be looked at."""
+"""The group of geoms that are there to be looked at."""
 HIDDEN_GROUP = 4
-"""Of geoms of the physics that something else is shown for."""
+"""The group of geoms of the physics that another shape is shown for."""
 _GEOM = mujoco.mjtGeom
 _COLOR_OF_MATERIAL = (0.5, 0.5, 0.5, 1.0)  # the default, which MuJoCo takes for none
 _CORNER = 6  # edges of a rounded corner
@@ -31,27 +31,27 @@ class Section(NamedTuple):
 
 
 def add_box(body: Any, pos: Point, half: Point, material: str, **more: Any) -> Any:
-    """A box by its middle and its half sizes."""
+    """Add a box by its middle and its half sizes."""
     return _add(body, _GEOM.mjGEOM_BOX, material, pos=pos, size=half, **more)
 
 
 def add_rod(body: Any, start: Point, end: Point, radius: float, material: str) -> Any:
-    """A cylinder from point to point."""
+    """Add a cylinder from point to point."""
     return _add(body, _GEOM.mjGEOM_CYLINDER, material, fromto=[*start, *end], size=[radius, 0, 0])
 
 
 def add_limb(body: Any, start: Point, end: Point, radius: float, material: str) -> Any:
-    """A rod with round ends."""
+    """Add a rod with round ends."""
     return _add(body, _GEOM.mjGEOM_CAPSULE, material, fromto=[*start, *end], size=[radius, 0, 0])
 
 
 def add_ball(body: Any, pos: Point, half: Point, material: str) -> Any:
-    """An ellipsoid."""
+    """Add an ellipsoid."""
     return _add(body, _GEOM.mjGEOM_ELLIPSOID, material, pos=pos, size=half)
 
 
 def add_loft(spec: Any, body: Any, name: str, sections: Sequence[Section], material: str) -> Any:
-    """The skin over sections, each above the one before, closed at both ends."""
+    """Add a skin over sections, each above the one before, closed at both ends."""
     rings = np.array([_outline(section) for section in sections])
     count = rings.shape[1]
     points = rings.reshape(-1, 3)
@@ -71,7 +71,7 @@ def add_loft(spec: Any, body: Any, name: str, sections: Sequence[Section], mater
 
 
 def add_ring(spec: Any, name: str, radius: float, width: float, material: str) -> Any:
-    """A line on the floor, all around."""
+    """Add a line on the floor, all around."""
     angles = np.linspace(0.0, 2 * math.pi, _AROUND, endpoint=False)
     corners = [(radius - width / 2, 0.001), (radius + width / 2, 0.001)]
     corners += [(radius + width / 2, 0.004), (radius - width / 2, 0.004)]
@@ -89,13 +89,13 @@ def add_ring(spec: Any, name: str, radius: float, width: float, material: str) -
 
 
 def paint(geom: Any, material: str) -> None:
-    """A geom of the scene gets a material in place of its color."""
+    """Give a geom of the scene a material in place of its color."""
     geom.material = material
     geom.rgba = _COLOR_OF_MATERIAL
 
 
 def hide(geom: Any) -> None:
-    """Something else is shown for it."""
+    """Show another shape in its place."""
     geom.group = HIDDEN_GROUP
 
 

@@ -34,7 +34,7 @@ def moment_of(data: Any) -> Moment:
 
 
 class Stage:
-    """`model` and `data` are for whoever draws."""
+    """A scene that is drawn: `model` and `data` are those of MuJoCo."""
 
     def __init__(self, spec: Any) -> None:
         self.model = dressed(spec)
@@ -44,7 +44,7 @@ class Stage:
         self._closed = self.model.geom_pos[self._fingers].copy()
 
     def show(self, moment: Moment) -> None:
-        """Be in this state."""
+        """Take this state."""
         model, data = self.model, self.data
         data.qpos[:], data.eq_active[:] = moment.joints, moment.holds
         data.mocap_pos[:], data.mocap_quat[:] = moment.places, moment.turns
@@ -54,12 +54,12 @@ class Stage:
         mujoco.mj_camlight(model, data)
 
     def places(self) -> Floats:
-        """Where all parts are: of shape (parts, 3)."""
+        """The places of all parts (m), of shape (parts, 3)."""
         found: Floats = self.data.geom_xpos.copy()
         return found
 
     def place_of(self, name: str) -> Floats:
-        """Where a body is, or a part of one."""
+        """The place of a body, or of a part of one (m)."""
         model, data = self.model, self.data
         if mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_BODY, name) >= 0:
             found: Floats = data.body(name).xpos
@@ -68,12 +68,12 @@ class Stage:
         return found
 
     def light(self, place: Floats) -> None:
-        """Shadows are thrown around a place."""
+        """Throw shadows around a place (m)."""
         self.model.light_pos[0] = place - _LAMP_AWAY * self.model.light_dir[0]
         mujoco.mj_camlight(self.model, self.data)
 
     def _move_fingers(self) -> None:
-        """They close while the hand holds the block."""
+        """Close them while the hand holds the block."""
         for index, place, side in zip(self._fingers, self._closed, (-1, 1), strict=False):
             is_open = not self.data.eq_active[self.model.equality(GRIP).id]
             self.model.geom_pos[index] = place + np.array([side * _OPEN * is_open, 0.0, 0.0])

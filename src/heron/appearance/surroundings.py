@@ -1,4 +1,4 @@
-"""What the robot is among: floors, walls, ramps, tables, and somebody who works there."""
+"""The surroundings of the robot: floors, walls, ramps, tables, and somebody who works there."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _BRACKET = 0.5  # m, the height of the beams that carry tables
 
 
 def dress_course(spec: Any) -> None:
-    """A corridor to a room that lies higher, unless all is flat."""
+    """Show a corridor to a room that lies higher, unless all is flat."""
     found = CourseParameters()
     paint(spec.geom("floor"), TILES)
     for geom in spec.worldbody.geoms:
@@ -55,7 +55,7 @@ def dress_course(spec: Any) -> None:
 
 
 def dress_table(spec: Any, top: Any) -> None:
-    """Four legs below its top."""
+    """Show four legs below its top."""
     paint(top, WOOD)
     x, y, z = (float(each) for each in top.pos)
     half_x, half_y, _ = (float(each) for each in top.size)
@@ -66,7 +66,7 @@ def dress_table(spec: Any, top: Any) -> None:
 
 
 def add_hall(spec: Any) -> None:
-    """A floor and walls around an arm, where the scene has none."""
+    """Add a floor and walls around an arm, where the scene has none."""
     add_floor(spec, Contact())
     floor = spec.geom("floor")
     floor.contype = floor.conaffinity = 0
@@ -76,7 +76,7 @@ def add_hall(spec: Any) -> None:
 
 
 def dress_room(spec: Any, room: RoomParameters) -> None:
-    """A line on the floor shows how near is close."""
+    """Show by a line on the floor how near is close."""
     paint(spec.geom("floor"), TILES)
     add_ring(spec, "close", room.close, 0.05, WARNING)
     for geom in spec.worldbody.geoms:
@@ -89,7 +89,7 @@ def dress_room(spec: Any, room: RoomParameters) -> None:
 
 
 def _dress_bracket(spec: Any, room: RoomParameters, side: int) -> None:
-    """The robot carries its tables."""
+    """Show the beam by which the robot carries a table."""
     top = spec.geom("right_table" if side < 0 else "left_table")
     paint(top, WOOD)
     x, y = room.table(side)
@@ -98,7 +98,7 @@ def _dress_bracket(spec: Any, room: RoomParameters, side: int) -> None:
 
 
 def dress_person(spec: Any, person: PersonParameters) -> None:
-    """Somebody with a vest and a helmet."""
+    """Show the person in a vest and a helmet."""
     body = spec.body(PERSON)
     materials = (VEST, SKIN, VEST, VEST, SKIN)
     for geom, material in zip(body.geoms, materials, strict=True):
@@ -124,7 +124,7 @@ def dress_person(spec: Any, person: PersonParameters) -> None:
 
 
 def _edge(body: Any, ramp: Any, half: float) -> None:
-    """A yellow line along both sides of a piece of a ramp."""
+    """Add a yellow line along both sides of a piece of a ramp."""
     length = float(ramp.size[0])
     x, y, z = (float(each) for each in ramp.pos)
     pitch = 2 * math.asin(-float(ramp.quat[2]))
@@ -143,7 +143,7 @@ def _edge(body: Any, ramp: Any, half: float) -> None:
 def _add_wall(
     body: Any, start: tuple[float, float], end: tuple[float, float], low: float, high: float = 1.5
 ) -> None:
-    """A wall with a board along its foot, from place to place on the map."""
+    """Add a wall with a board along its foot, from place to place on the map."""
     x, y = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
     half = math.dist(start, end) / 2
     turn = math.atan2(end[1] - start[1], end[0] - start[0]) / 2

@@ -1,5 +1,5 @@
-"""What the subcommands ask of what they are called with, before the simulation is imported. What is
-not there, or not installed, ends the run with one line.
+"""Checks of arguments and of the installation, before the simulation is imported. Each ends the run
+with one line that says what is missing.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ output = CommandLine(
 
 
 def draw_without_display() -> None:
-    """MuJoCo looks at this when it is imported, and cannot be without what it names."""
+    """Choose EGL before MuJoCo is imported, which looks at this then and needs what it names."""
     os.environ.setdefault("MUJOCO_GL", "egl" if find_library("EGL") else "disable")
 
 
@@ -80,7 +80,7 @@ def require_new(out: Path) -> None:
 
 def require_film(out: Path) -> None:
     """End the run if a film could not be written into a file of this name."""
-    if out.suffix not in _FILMS:
+    if out.suffix.lower() not in _FILMS:
         output.fail(f"the name of the film has to end in .mp4 or .gif, not as {out}", exit_code=2)
     require_new(out)
     output.try_folder(out.parent)
@@ -145,7 +145,7 @@ def _require_renderer() -> None:
         return
     try:
         import mujoco  # noqa: F401
-    except Exception as error:  # each renderer fails in its own way
+    except (AttributeError, ImportError, OSError, RuntimeError) as error:  # by the renderer
         output.fail(
             f"MuJoCo cannot draw with MUJOCO_GL={renderer} ({error}): unset it, or set it to egl "
             "or disable",

@@ -33,7 +33,7 @@ if TYPE_CHECKING:  # needs MuJoCo
     from heron.experiments import Observer
 
 _SHOWN_SEED = 1
-"""Episodes as most are; seed 0 shows a block that is placed wrongly, as four of thirty are."""
+"""The seed of the demo and the gallery. Its episodes end as most do; a test holds that."""
 app = typer.Typer(
     help="The experiments of the thesis, in physics.",
     no_args_is_help=True,

@@ -35,7 +35,7 @@ class Mark:
 
 @dataclass(frozen=True)
 class Section:
-    """What the page shows of one experiment. `data` is for the script, as JSON; the player stands
+    """One experiment as the page shows it. `data` is for the script, as JSON; the player stands
     at `opening` (s) first.
     """
 
@@ -107,7 +107,7 @@ def _section(name: str, shots: Sequence[Shot]) -> Section:
 
 
 def _speed(shots: Sequence[Shot]) -> int:
-    """So fast that the arms shown first are over in time, if anything is that fast."""
+    """The least speed at which the arms that are shown first are over in time, or the greatest."""
     longest = max(
         (shot.duration for shot in shots if shot.arm in SHOWN_FIRST), default=shots[0].duration
     )

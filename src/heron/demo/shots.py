@@ -1,4 +1,4 @@
-"""What the demo shows of one episode."""
+"""One episode as the demo shows it."""
 
 from __future__ import annotations
 

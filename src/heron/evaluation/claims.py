@@ -64,7 +64,7 @@ def claims_of(sample: Sample) -> Iterator[Claim]:
 
 
 def _others(sample: Sample) -> list[Arm]:
-    """What ROSSMARie is compared with: the guards besides it."""
+    """The guards that ROSSMARie is compared with."""
     return [arm for arm in sample.arms if arm not in (Arm.NONE, Arm.ROSSMARIE)]
 
 
@@ -108,7 +108,7 @@ def _as_safe(sample: Sample, harm: str, other: Arm) -> Claim:
 
 
 def _with(arm: Arm) -> str:
-    """As it stands in a sentence."""
+    """The name of an arm in a sentence."""
     return f"the {ARM_NAMES[arm]}" if arm is Arm.COLLISION_MONITOR else ARM_NAMES[arm]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -37,7 +37,7 @@ class Folder:
         return self.path / _REST / f"{name}.svg"
 
     def results(self) -> Results:
-        """Of all experiments and studies that have some."""
+        """The rows of all experiments and studies that have some."""
         return Results(
             {name: read_rows(path) for name in EXPERIMENTS if (path := self.rows(name)).exists()},
             {name: read_study(path) for name in STUDIES if (path := self.rows(name)).exists()},
@@ -51,7 +51,7 @@ def write_page(folder: Folder, values: Mapping[str, Value]) -> Path:
             write_rows(folder.rows(name), experiment, rows)
     for name, study in STUDIES.items():
         if rows := _chosen(values, study=name):
-            write_study(folder.rows(name), study, rows)
+            write_study(folder.rows(name), study, [*rows, *_left(folder.rows(name), rows)])
     results = folder.results()
     for name, rows_of_experiment in results.experiments.items():
         samples = samples_of(EXPERIMENTS[name], rows_of_experiment)
@@ -62,6 +62,14 @@ def write_page(folder: Folder, values: Mapping[str, Value]) -> Path:
     page = folder.path / PAGE
     page.write_text(page_of(results, _REST), encoding="utf-8")
     return page
+
+
+def _left(path: Path, new: Sequence[Value]) -> list[Value]:
+    """The rows of a study that are of other experiments than the new ones."""
+    if not path.exists():
+        return []
+    names = {value["experiment"] for value in new}
+    return [one.as_value() for one in read_study(path) if one.experiment not in names]
 
 
 def _chosen(values: Mapping[str, Value], **wanted: str | None) -> list[Value]:

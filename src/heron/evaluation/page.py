@@ -59,7 +59,7 @@ class Results:
 
 
 def _changes() -> str:
-    """What differs from the thesis."""
+    """The section on changes against the thesis."""
     return files("heron.evaluation").joinpath("assets/changes.md").read_text("utf-8")
 
 

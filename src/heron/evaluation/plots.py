@@ -52,7 +52,7 @@ def plot_of(samples: Sequence[Sample]) -> bytes:
 
 
 def plot_of_study(study: Study, rows: Sequence[StudyRow]) -> bytes:
-    """How many tasks are completed, and how long they take, over the values of the study."""
+    """The share of completed tasks and their times over the values of the study, as SVG."""
 
     def fill(grid: Any) -> None:
         done, times = grid[0]

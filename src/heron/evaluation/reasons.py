@@ -13,8 +13,8 @@ _SLIPS = (
     "Without that torque the base stalls softly at the toe."
 )
 _SETTLES = (
-    "The arm stands still with both. It settles by some millimeters when the rules let it loose, "
-    "so that it gives way to who pushes it."
+    "The arm stands still with both. When ROSSMARie makes it gravity-free, so that it gives way to "
+    "a push, it settles by a little."
 )
 
 REASONS: Mapping[tuple[str, str, str], str] = {

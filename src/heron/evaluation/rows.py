@@ -32,31 +32,43 @@ class StudyRow:
     experiment: str
     row: Row
 
+    def as_value(self) -> Value:
+        """The row as it came from its episode."""
+        row = self.row
+        return {
+            "value": f"{self.value:g}",
+            "experiment": self.experiment,
+            "variant": row.variant,
+            "arm": row.arm,
+            "seed": row.seed,
+            **row.numbers,
+        }
+
 
 def measures_of(study: Study) -> tuple[Measure, ...]:
-    """Those that all its experiments have."""
+    """The measures that all experiments of a study have."""
     first, *others = {case.experiment: case.of for case in study.cases}.values()
     return tuple(one for one in first.measures if all(one in other.measures for other in others))
 
 
 def write_rows(path: Path, experiment: Experiment, values: Iterable[Value]) -> None:
-    """The results of an experiment, in the order in which they were run."""
+    """Write the results of an experiment, in the order in which they were run."""
     _write(path, _KEYS, experiment.measures, values)
 
 
 def write_study(path: Path, study: Study, values: Iterable[Value]) -> None:
-    """The results of a study, in the order in which they were run."""
+    """Write the results of a study, in the order in which they were run."""
     _write(path, _STUDY_KEYS, measures_of(study), values)
 
 
 def read_rows(path: Path) -> list[Row]:
-    """What was written of an experiment."""
+    """The rows of an experiment in a file."""
     with path.open(encoding="utf-8", newline="") as file:
         return [_row(line) for line in csv.DictReader(file)]
 
 
 def read_study(path: Path) -> list[StudyRow]:
-    """What was written of a study."""
+    """The rows of a study in a file."""
     with path.open(encoding="utf-8", newline="") as file:
         return [
             StudyRow(float(line.pop("value")), line.pop("experiment"), _row(line))
@@ -73,7 +85,7 @@ def _write(
         writer.writerow([*keys, *names])
         for value in values:
             writer.writerow(
-                [*(value[key] for key in keys), *(_text(value[name]) for name in names)]
+                [*(value[key] for key in keys), *(_text(value.get(name)) for name in names)]
             )
 
 

@@ -33,12 +33,12 @@ class Sample:
 
     @property
     def acts_within(self) -> Mapping[str, float]:
-        """How soon (s) something has to be done about each hazard."""
+        """The most time (s) until the guard has to act on each hazard."""
         return self.experiment.acts_within.get(self._of_variant, {})
 
     @property
     def arms(self) -> tuple[Arm, ...]:
-        """What guarded the robot."""
+        """The guards of the robot."""
         return self.experiment.arms
 
     @property

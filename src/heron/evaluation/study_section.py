@@ -1,4 +1,4 @@
-"""What the page says of a study: a table of all values, and why there is the usual one."""
+"""The section of the page on a study: a table of all values, and the reason for the usual one."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def _cell(rows: Sequence[Row]) -> str:
 
 
 def slope_torque() -> float:
-    """What each of two wheels needs to hold the base on the gentle slope (Nm)."""
+    """The torque (Nm) that each of two wheels needs to hold the base on the gentle slope."""
     base, course = BaseParameters(), CourseParameters()
     return base.mass * _GRAVITY * math.sin(course.gentle) * base.wheel_radius / 2
 
@@ -85,7 +85,7 @@ def slope_torque() -> float:
 _WORDS: Mapping[str, str] = {
     TORQUE.name: f"""\
 The thesis says that a slope needs more torque than the robot usually gives, and not how much. Each
-wheel needs {slope_torque():.1f} Nm on the gentle slope and about 1.3 Nm on the level. We chose
+wheel needs {slope_torque():.1f} Nm to stand on the gentle slope, and little on the level. We chose
 {BaseParameters().torque:.0f} Nm as the usual limit, so that the base stalls: below what the slope
 needs there is a hazard for rules to recover from. Right above it the base crawls up. With more
 there is no hazard of this kind: a robot without a monitor arrives, and sooner than one with rules,

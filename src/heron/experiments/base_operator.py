@@ -28,7 +28,7 @@ class BaseOperatorParameters:
     """Lengths in m, speeds in m/s, times in s."""
 
     delay: float
-    """From a call until he is there."""
+    """The time from a call until he is there."""
     pace: float = 0.2
     way: float = 1.2
     """He drives at least so far: the robot is 0.9 m long, and all of it has to be past a bump."""

@@ -62,7 +62,7 @@ def peaks(trace: Trace, is_on_bump: Flags) -> dict[str, float]:
 
 
 def _sizes(accelerations: Floats) -> Floats:
-    """Of both sides, of shape (rows, sides, 3), that of the greater one at each row."""
+    """The size (m/s^2) of the greater of both sides at each row; given are (rows, sides, 3)."""
     kernel = _low_pass()
     half = len(kernel) // 2  # where the kernel hangs over the ends there is nothing to see
     found: Floats = np.zeros(len(accelerations))
@@ -135,7 +135,7 @@ def reactions(
 
 
 def onsets(trace: Trace, present: Mapping[str, Flags]) -> dict[str, float]:
-    """When each hazard that there was began (s)."""
+    """The instant (s) at which each hazard began, of those that there were."""
     return {
         hazard: float(trace.times[flags][0]) for hazard, flags in present.items() if flags.any()
     }
@@ -154,7 +154,7 @@ def without_need(trace: Trace, present: Mapping[str, Flags]) -> Flags:
 
 
 def prolonged(flags: Flags, seconds: float) -> Flags:
-    """Each stretch of true, and so many seconds more."""
+    """Each stretch of true is so many seconds longer."""
     steps = round(seconds * 1e9 / STEP_NS)
     rows = np.arange(len(flags))
     last = np.maximum.accumulate(np.where(flags, rows, -steps - 1))

@@ -219,7 +219,7 @@ def _measured(cell: _Cell, trace: Trace, variant: Table, table: TableParameters)
 
 
 def _hazards(trace: Trace, table: TableParameters) -> dict[str, Flags]:
-    """When each hazard is there: a table that is touched too early, a torque above its limit."""
+    """The rows with each hazard: a table that is touched too early, a torque above its limit."""
     is_touching = np.abs(trace.columns["force"]) > _TOUCH
     return {
         "hammering": is_touching & (table.too_high > 0),

@@ -1,4 +1,4 @@
-"""What an experiment takes for granted, and a study varies."""
+"""Settings that all experiments share, and that a study varies."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ class Settings:
     """Torques in Nm, times in s."""
 
     usual_torque: float = BaseParameters().torque
-    """What the servo of a drive wheel gives at most, unless it is told to give more."""
+    """The most that the servo of a drive wheel gives, unless it is told to give more."""
     operator_delay: float = 30.0
-    """From when rules have stopped the robot for good until an operator is there."""
+    """The time from a stop for good until an operator is there."""
 
 
 USUAL = Settings()

@@ -1,5 +1,5 @@
-"""What the results of the experiments depend on, although nobody measured it on the robot: the same
-episodes with another setting.
+"""Studies: the same episodes with other settings, where the usual value is our choice and nobody
+measured it on the robot.
 """
 
 from __future__ import annotations

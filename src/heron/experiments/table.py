@@ -76,7 +76,7 @@ class Episode(Protocol):
 
     @property
     def onsets(self) -> Mapping[str, float]:
-        """When each hazard that there was began (s)."""
+        """The instant (s) at which each hazard began, of those that there were."""
 
     @property
     def tree(self) -> tuple[TreeSkill, ...]:
@@ -128,9 +128,7 @@ class Signal:
 
 @dataclass(frozen=True)
 class Camera:
-    """From where an episode is looked at (m, degrees): so far from a place above the body, in that
-    direction.
-    """
+    """The view of an episode (m, degrees), from so far from a place above the body."""
 
     body: str
     distance: float
@@ -169,7 +167,7 @@ class Experiment:
 
     @property
     def arms(self) -> tuple[Arm, ...]:
-        """What may guard the robot in it."""
+        """The guards that it is run with."""
         return ARMS[self.name]
 
     @property
@@ -179,7 +177,7 @@ class Experiment:
         return (*_TASK, *self.own_measures, *reactions, *_RESTRICTIONS)
 
     def opening_of(self, onsets: Iterable[Mapping[str, float]]) -> float:
-        """When there is most to see (s) in episodes whose hazards began at these instants."""
+        """The instant (s) with most to see in episodes whose hazards began at these instants."""
         hazard, later = self.opening
         found = [each[hazard] for each in onsets if hazard in each]
         return max(found) + later if found else 0.0

@@ -62,8 +62,8 @@ class BaseWitness:
 
 
 def _travelled(times: Floats, x: Floats, y: Floats) -> Floats:
-    """How far it has gone so far, forth and back (m); from place to place of every tenth of a
-    second, as a base that trembles on the spot does not travel.
+    """The distance gone so far, forth and back (m); from place to place of every tenth of a second,
+    as a base that trembles on the spot does not travel.
     """
     stride = round(0.1e9 / STEP_NS)
     places = np.unique(np.append(np.arange(0, len(times), stride), len(times) - 1))

@@ -88,7 +88,7 @@ class Visitor:
         self.place: Point = walk.legs[0].start
         self.feet: tuple[Point, ...] = ()
         self.is_leading = False
-        """Whether they push the hand."""
+        """They push the hand."""
         self.tick(0)
 
     def tick(self, now_ns: int) -> None:

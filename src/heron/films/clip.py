@@ -19,7 +19,7 @@ from heron.tasks.tree import running_of
 from heron.variants import Arm
 
 STRIP = 62
-"""How high the words are (pixels)."""
+"""The height of the words (pixels)."""
 _LINES = (5, 23, 41)
 _LATELY_S = 0.15
 _NEARLY = 0.98  # of a limit counts as reached
@@ -43,11 +43,11 @@ class Clip:
 
     @property
     def duration(self) -> float:
-        """Of the episode (s)."""
+        """The length of the episode (s)."""
         return self.episode.measures.duration
 
     def pictures(self, times: Sequence[float], speed: float, size: Size) -> Iterable[Pixels]:
-        """At these times (s), with the words below each. Raises `CannotDrawError`."""
+        """Pictures at these times (s), with the words below each. Raises `CannotDrawError`."""
         skills = running_of(self.episode.tree, self.duration)
         cameras = self.experiment.cameras
         for time, pixels in zip(times, self.film.pictures(cameras, times, size), strict=True):

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import mujoco
 import numpy as np
+import OpenGL.error
 from numpy.typing import NDArray
 
 from heron.appearance import Moment, Stage, moment_of
@@ -18,6 +19,11 @@ from heron.robot.physics import Physics
 from heron.topics import InProcess
 
 PERIOD_NS = 50_000_000
+_TROUBLE = (
+    *(AttributeError, ImportError, OSError, RuntimeError, mujoco.FatalError),
+    OpenGL.error.Error,
+)
+"""Errors of OpenGL, of its libraries, and of who looks for them."""
 _UNSEEN = 0.0012  # of the distance of the camera: half of a pixel
 Pixels = NDArray[np.uint8]
 Size = tuple[int, int]
@@ -25,11 +31,11 @@ Size = tuple[int, int]
 
 
 class CannotDrawError(RuntimeError):
-    """There is no way to draw on this machine; the reason."""
+    """The machine cannot draw; the text is the reason."""
 
 
 class _Reel(NamedTuple):
-    """What was kept of one scene."""
+    """The moments of one scene."""
 
     spec: Any
     moments: list[Moment]
@@ -57,7 +63,7 @@ class Film:
 
     @property
     def duration(self) -> float:
-        """Of all scenes (s)."""
+        """The length of all scenes (s)."""
         return sum(len(reel.moments) for reel in self._reels) * PERIOD_NS * 1e-9
 
     def pictures(
@@ -74,7 +80,7 @@ class Film:
             yield from _drawn(Stage(reel.spec), moments, cameras[scene], size)
 
     def _place(self, time: float) -> tuple[int, int]:
-        """In which scene an instant is, and which of its moments it is."""
+        """The scene of an instant (s), and the number of its moment there."""
         index = round(time * 1e9 / PERIOD_NS)
         for scene, reel in enumerate(self._reels):
             if index < len(reel.moments):
@@ -94,7 +100,7 @@ def _drawn(stage: Stage, moments: Sequence[Moment], camera: Camera, size: Size) 
     buffer.offwidth, buffer.offheight = max(width, buffer.offwidth), max(height, buffer.offheight)
     try:
         renderer = mujoco.Renderer(stage.model, height, width)
-    except Exception as error:  # OpenGL fails in many ways
+    except _TROUBLE as error:
         raise CannotDrawError(f"{type(error).__name__}: {error}") from error
     with renderer:
         before, pixels = None, np.zeros((height, width, 3), np.uint8)

@@ -100,7 +100,7 @@ def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
         "",
         f"Each film shows two episodes with the same seed ({seed}), at the same time and speed.",
         "The line below a picture has the skill that runs, and the rules that are active.",
-        "[The experiments](experiments.md) has the figures of 30 seeds.",
+        "[The experiments](experiments.md) has the figures of many seeds.",
         "",
     ]
     for exhibit in exhibits:

@@ -24,7 +24,7 @@ _QUALITY = 60
 
 
 def speed_for(duration: float) -> int:
-    """How many times as fast as in reality an episode (s) is shown, so that nobody waits."""
+    """The least speed at which an episode (s) is short enough, or the greatest; 1 is real time."""
     return next((speed for speed in _SPEEDS if duration / speed <= _LONGEST_S), _SPEEDS[-1])
 
 
@@ -35,7 +35,7 @@ def write_movie(path: Path, clips: Sequence[Clip], size: Size) -> None:
     Raises `CannotDrawError` and `OSError`; then there is no file.
     """
     duration = max(clip.duration for clip in clips)
-    speed, rate = speed_for(duration), _RATES[path.suffix]
+    speed, rate = speed_for(duration), _RATES[path.suffix.lower()]
     count = round(duration / speed * rate) + rate  # for a second, how it ended
     opening = clips[0].experiment.opening_of(clip.episode.onsets for clip in clips)
     times = [opening] * rate + [index * speed / rate for index in range(count)]
@@ -48,7 +48,7 @@ def encode(path: Path, pictures: Iterator[Pixels], rate: int) -> None:
     """
     with tempfile.TemporaryDirectory(dir=path.parent) as folder:
         written = Path(folder) / path.name
-        write = _write_mp4 if path.suffix == ".mp4" else _write_animation
+        write = _write_mp4 if path.suffix.lower() == ".mp4" else _write_animation
         write(written, pictures, rate)
         written.replace(path)
 

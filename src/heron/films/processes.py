@@ -14,7 +14,7 @@ Result = TypeVar("Result")
 
 
 def in_processes(work: Callable[..., Result], wanted: Sequence[tuple[Any, ...]]) -> list[Result]:
-    """What comes of each call. An error of one ends them all."""
+    """The result of each call, in their order. An error of one ends them all."""
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(min(len(wanted), os.cpu_count() or 1), context) as pool:
         try:

@@ -36,7 +36,7 @@ ARM_ZONES = (
 
 
 class _CollisionMonitor:
-    """What both have in common; `is_restricting` and the effect are theirs."""
+    """The part that both have in common; `is_restricting` and the effect are their own."""
 
     period_ns = 20_000_000
     latched: tuple[str, ...] = ()
@@ -61,7 +61,7 @@ class _CollisionMonitor:
 
     @property
     def ratio(self) -> float:
-        """What share of the speed is left: as the strictest zone has it."""
+        """The share of the speed that the strictest zone leaves."""
         return min(self._in_force.values(), default=1.0)
 
     def reset(self) -> None:

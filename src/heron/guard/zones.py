@@ -20,48 +20,48 @@ from heron.topics import SCAN, Carrier
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 MIN_POINTS = 4
-"""As in the tutorial of Nav2: fewer are dust."""
+"""The number in the tutorial of Nav2; fewer points are dust."""
 SOURCE_TIMEOUT_NS = 1_000_000_000
 NO_SCAN = "no_scan"
 """Stands for a zone while the last scan is too old."""
 
 
 class Shape(Protocol):
-    """What a zone covers, in the frame of the scan."""
+    """The area of a zone, in the frame of the scan."""
 
     def covers(self, x: Floats, y: Floats) -> Flags:
-        """Which of these points (m) are in it."""
+        """Flags of those of these points (m) that are in it."""
 
 
 @dataclass(frozen=True)
 class Rectangle:
-    """From x to x, and as far to both sides of the x axis (m)."""
+    """A rectangle from x to x, and as far to both sides of the x axis (m)."""
 
     low_x: float
     high_x: float
     half_width: float
 
     def covers(self, x: Floats, y: Floats) -> Flags:
-        """Which of these points (m) are in it."""
+        """Flags of those of these points (m) that are in it."""
         found: Flags = (x >= self.low_x) & (x <= self.high_x) & (np.abs(y) <= self.half_width)
         return found
 
 
 @dataclass(frozen=True)
 class Circle:
-    """Around the scanner (m)."""
+    """A circle around the scanner (m)."""
 
     radius: float
 
     def covers(self, x: Floats, y: Floats) -> Flags:
-        """Which of these points (m) are in it."""
+        """Flags of those of these points (m) that are in it."""
         found: Flags = x * x + y * y <= self.radius * self.radius
         return found
 
 
 @dataclass(frozen=True)
 class Zone:
-    """While something is in it, this share of the speed is left: none in a stop zone."""
+    """A zone leaves this share of the speed while something is in it; a stop zone leaves none."""
 
     name: str
     shape: Shape
@@ -84,7 +84,7 @@ class ZoneWatch:
         return self._scanned_ns is not None
 
     def in_force(self, now_ns: int) -> dict[str, float]:
-        """What share of the speed each zone leaves, by the names of the zones in force."""
+        """The share of the speed that each zone in force leaves, by the names of the zones."""
         self._now_ns = now_ns
         if self._scanned_ns is None or now_ns - self._scanned_ns > SOURCE_TIMEOUT_NS:
             return {NO_SCAN: 0.0}

@@ -38,7 +38,7 @@ class Base(Physics):
 
     @property
     def torque(self) -> float:
-        """That of the servo that gives more (Nm)."""
+        """The torque of the servo that gives more (Nm)."""
         left, right = (abs(float(self.data.actuator_force[index])) for index in self._servos)
         return max(left, right)
 

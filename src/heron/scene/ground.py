@@ -12,7 +12,7 @@ import mujoco
 _THICKNESS = 0.2
 _OVERLAP = 0.001  # so that no wheel finds a gap between two pieces
 SEEN_GROUP = 1
-"""Of geoms that a range scan sees: what the robot does not carry itself."""
+"""The group of geoms that a range scan sees: all that the robot does not carry itself."""
 
 
 @dataclass(frozen=True)

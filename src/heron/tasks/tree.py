@@ -62,7 +62,7 @@ def tree_over_time(
 
 
 def running_of(tree: Sequence[TreeSkill], over: float) -> list[tuple[str, float, float]]:
-    """What has nothing below it: its name, and from when to when it ran."""
+    """Each run of a skill with nothing below it: its name, its begin and its end (s)."""
     below = [one.depth for one in tree[1:]]
     leaves = [one for one, depth in zip(tree, [*below, 0], strict=True) if depth <= one.depth]
     return [

@@ -52,15 +52,15 @@ def _workers() -> Iterator[ProcessPoolExecutor]:
         for worker in multiprocessing.active_children():
             if worker not in others:
                 worker.terminate()
-        _give_up_writing(pool)
         raise
     finally:
+        _give_up_writing(pool)
         pool.shutdown(cancel_futures=True)
 
 
 def _give_up_writing(pool: ProcessPoolExecutor) -> None:
-    """A long question may be half written to a worker that has ended; without a reader the writer
-    ends, too. Python does so itself from 3.11.5 on (gh-94777), and waits for ever before.
+    """A long question may be half written to a worker that has ended. Without a reader the writer
+    ends, too. Python closes the reader itself from 3.11.5 on (gh-94777), and waits for ever before.
     """
     reader = getattr(getattr(pool, "_call_queue", None), "_reader", None)
     if reader is not None:

@@ -41,7 +41,7 @@ def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
 
 
 def _window_since_ns(oscillation: Oscillation, value: TruthValue | None) -> int | None:
-    """Since when the window runs at the end of which an oscillation changes; None if none does."""
+    """The begin of the window at whose end an oscillation changes (ns); None if it does not."""
     match value:
         case TruthValue.TRUE:
             oldest_ns = oscillation.oldest_ns()

@@ -1,4 +1,8 @@
-"""A run that ends while questions are on their way to processes ends at once."""
+"""Questions that are on their way to a process when it ends keep nobody.
+
+They are longer than a pipe holds. Python before 3.11.5 waits for ever until somebody reads them
+(gh-94777).
+"""
 
 from __future__ import annotations
 
@@ -6,32 +10,41 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 RUN = """\
-import signal, time
+import os, signal, time
 from rossmarie.driver.workers import answers
 
-def ask(question):
+def wait(question):
     time.sleep(600)
+
+def die(question):
+    os.kill(os.getpid(), signal.SIGKILL)
 
 def stop(*_):
     raise KeyboardInterrupt
 
 if __name__ == "__main__":
     signal.signal(signal.SIGALRM, stop)
-    signal.alarm(3)
+    signal.alarm({seconds})
     try:
-        list(answers(ask, ["long" * 100_000] * 8, print))
+        print(list(answers({ask}, ["long" * 100_000] * 4, lambda _: None)))
     except KeyboardInterrupt:
         print("ended")
 """
 
 
-def test_a_question_that_nobody_reads_any_more_keeps_nobody(tmp_path: Path) -> None:
-    """It is longer than a pipe holds. Python before 3.11.5 waits for it for ever (gh-94777)."""
-    (tmp_path / "run.py").write_text(RUN)
+@pytest.mark.parametrize(
+    ("ask", "seconds", "told"),
+    [("wait", 3, "ended\n"), ("die", 100, "[None, None, None, None]\n")],
+    ids=["the run is interrupted", "the system ends a process"],
+)
+def test_it_ends_at_once(ask: str, seconds: int, told: str, tmp_path: Path) -> None:
+    (tmp_path / "run.py").write_text(RUN.format(ask=ask, seconds=seconds))
     done = subprocess.run(
         [sys.executable, "run.py"], cwd=tmp_path, capture_output=True, text=True, timeout=120,
         check=True,
     )  # fmt: skip
-    assert done.stdout == "ended\n"
+    assert done.stdout == told
     assert "Traceback" not in done.stderr

@@ -1,6 +1,8 @@
 // Plays the films of a section in step, shows the values at the pointer, and hides what is not chosen.
 "use strict";
 
+const ROOM = 1.025; // the time axis goes on a little, so that the sign of an end is seen
+
 for (const section of document.querySelectorAll("section[data-experiment]")) {
   const data = JSON.parse(section.querySelector("script").textContent);
   const slider = section.querySelector(".slider input");
@@ -106,14 +108,15 @@ for (const section of document.querySelectorAll("section[data-experiment]")) {
     for (const element of section.querySelectorAll(".of")) {
       element.classList.toggle("absent", !arms.some((arm) => element.classList.contains(arm)));
     }
-    section.style.setProperty("--zoom", data.duration / end());
+    section.style.setProperty("--zoom", data.duration / (end() * ROOM));
+    section.style.setProperty("--slider-zoom", data.duration / end());
     slider.max = end();
     show(Number(slider.value));
   }
 
   function timeOf(event) {
     const { left, width } = track.getBoundingClientRect();
-    return (event.clientX - left) / width * end();
+    return (event.clientX - left) / width * end() * ROOM;
   }
 
   button.addEventListener("click", () => {
