@@ -15,8 +15,8 @@ else:
     import tomli as tomllib
 
 ROOT = Path(__file__).parents[2]
-OTHERS = {"markupsafe", "glfw"}
-"""Packages that declared ones need in turn: jinja2 and mujoco."""
+OTHERS = {"markupsafe", "glfw", "pyopengl"}
+"""Packages that declared ones need in turn: jinja2, and mujoco the others."""
 
 
 def imported() -> Iterator[tuple[str, str]]:

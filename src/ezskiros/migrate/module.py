@@ -138,12 +138,7 @@ class _File:
     def migrated(self) -> Migrated:
         classes = classes_of(self._module)
         found = self._descriptions.of(classes)
-        # With the names of EzSkiROS qualified it shows which other meanings they have here.
-        names = self._translate(found, Names(is_qualified=True))
-        spelling = self._spelled(self._replaced(found, names), names)
-        names = self._translate(found, spelling)
-        if names.clashes:  # of namespaces that only unclear properties are written with
-            names = self._translate(found, spelling.without(names.clashes))
+        names = self._named(found)
         implementing = self._implementations(classes, names)
         mixins = self._mixins(classes)
         result = self._replaced(found, names, [*implementing, *mixins])
@@ -196,6 +191,16 @@ class _File:
                 if not follows(each.template)
             ],
         )
+
+    def _named(self, found: list[Description]) -> Names:
+        """Translate the descriptions with names that have no other meaning in the file."""
+        # With the names of EzSkiROS qualified it shows which other meanings they have here.
+        names = self._translate(found, Names(is_qualified=True))
+        spelling = self._spelled(self._replaced(found, names), names)
+        names = self._translate(found, spelling)
+        if names.clashes:  # of namespaces that only unclear properties are written with
+            names = self._translate(found, spelling.without(names.clashes))
+        return names
 
     def _obstacles(
         self, mixins: Sequence[Implementation], implementing: Sequence[Implementation]
