@@ -16,8 +16,8 @@ from dslkit.diagnostics import Template
 from ezskiros.catalog import CATALOG as EZSKIROS
 from ezskiros.cli.main import app as ezskiros_app
 from rossmarie.catalog import CATALOG as ROSSMARIE
-from rossmarie.check.functions import MOST_TURNING_POINTS, USAGES
-from rossmarie.check.plans import MOST_TASKS
+from rossmarie.check.operations.functions import MOST_TURNING_POINTS, USAGES
+from rossmarie.check.rules.plans import MOST_TASKS
 from rossmarie.cli.main import app
 from rossmarie.driver import check_file
 from rossmarie.ir import MOST_EVALUATIONS

@@ -11,17 +11,11 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Label
-from rossmarie.check.commands import CommandChecker
-from rossmarie.check.context import Context, Uses
-from rossmarie.check.decided import warn_of_decided, warn_of_never_cleared
-from rossmarie.check.declarations import collect
-from rossmarie.check.effects import EffectChecker
-from rossmarie.check.expressions import infer
-from rossmarie.check.field_units import check_read_units
-from rossmarie.check.hazards import declared_hazards
-from rossmarie.check.inputs import resolve_inputs, resolve_timeouts
-from rossmarie.check.last_resorts import check_last_resorts
-from rossmarie.check.message_rates import message_gaps
+from rossmarie.check.actions.commands import CommandChecker
+from rossmarie.check.actions.effects import EffectChecker
+from rossmarie.check.actions.targets import Targets
+from rossmarie.check.expressions.decided import warn_of_decided, warn_of_never_cleared
+from rossmarie.check.expressions.infer import infer
 from rossmarie.check.model import (
     CheckedEffect,
     CheckedProgram,
@@ -30,23 +24,29 @@ from rossmarie.check.model import (
     Symbols,
     Value,
 )
-from rossmarie.check.name_errors import CircularCondition, CircularConstant
-from rossmarie.check.names import use_actions
-from rossmarie.check.operands import duration_ns, require_condition, require_constant
-from rossmarie.check.order import in_order
-from rossmarie.check.plans import check_escalations, check_latches, check_size
-from rossmarie.check.priorities import order_of_rules
-from rossmarie.check.system_model import read_system_model
-from rossmarie.check.targets import Targets
-from rossmarie.check.tests import check_tests
-from rossmarie.check.trees import constant_of
-from rossmarie.check.unless import giving_way
-from rossmarie.check.usage import (
+from rossmarie.check.names.references import use_actions
+from rossmarie.check.names.unused import warn_of_unused
+from rossmarie.check.operations.operands import duration_ns, require_condition, require_constant
+from rossmarie.check.rules.hazards import declared_hazards
+from rossmarie.check.rules.last_resorts import check_last_resorts
+from rossmarie.check.rules.missing import (
     warn_of_empty_actions,
     warn_of_missing_rules,
     warn_of_missing_timeouts,
-    warn_of_unused,
 )
+from rossmarie.check.rules.order import in_order
+from rossmarie.check.rules.plans import check_escalations, check_latches, check_size
+from rossmarie.check.rules.priorities import order_of_rules
+from rossmarie.check.rules.unless import giving_way
+from rossmarie.check.scopes.context import Context, Uses
+from rossmarie.check.scopes.declarations import collect
+from rossmarie.check.scopes.errors import CircularCondition, CircularConstant
+from rossmarie.check.scopes.trees import constant_of
+from rossmarie.check.system.field_units import check_read_units
+from rossmarie.check.system.inputs import resolve_inputs, resolve_timeouts
+from rossmarie.check.system.message_rates import message_gaps
+from rossmarie.check.system.model import read_system_model
+from rossmarie.check.tests.statements import check_tests
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast

@@ -1,24 +1,28 @@
-"""Every diagnostic of the checker, by the hundreds of its code."""
+"""Every diagnostic of the checker, by its code; each stands beside what finds it."""
 
 from __future__ import annotations
 
 from dslkit.diagnostics import Template
-from rossmarie.check import (
-    action_errors,
-    meaning_errors,
-    name_errors,
-    rule_errors,
-    test_errors,
-    type_errors,
-    unit_errors,
-)
+from rossmarie.check.actions import errors as action_errors
+from rossmarie.check.expressions import errors as expression_errors
+from rossmarie.check.names import errors as name_errors
+from rossmarie.check.operations import errors as operation_errors
+from rossmarie.check.rules import errors as rule_errors
+from rossmarie.check.scopes import errors as scope_errors
+from rossmarie.check.system import errors as system_errors
+from rossmarie.check.tests import errors as test_errors
+from rossmarie.check.units import errors as unit_errors
 
-ALL: tuple[type[Template], ...] = (
-    *name_errors.ALL,
-    *type_errors.ALL,
+_DECLARED: tuple[type[Template], ...] = (
+    *scope_errors.ALL,
     *unit_errors.ALL,
-    *meaning_errors.ALL,
+    *name_errors.ALL,
+    *operation_errors.ALL,
+    *expression_errors.ALL,
+    *system_errors.ALL,
     *action_errors.ALL,
     *rule_errors.ALL,
     *test_errors.ALL,
 )
+
+ALL = tuple(sorted(_DECLARED, key=lambda found: found.code))

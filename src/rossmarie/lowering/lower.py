@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram
-from rossmarie.check.plans import latch_of
-from rossmarie.check.rule_names import rule_names
+from rossmarie.check.rules.plans import latch_of
+from rossmarie.check.rules.rule_names import rule_names
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.reactions import Plans

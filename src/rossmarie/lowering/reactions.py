@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedEffect, CheckedProgram
-from rossmarie.check.plans import may_fail, reached_actions
+from rossmarie.check.rules.plans import may_fail, reached_actions
 from rossmarie.ir import reactions
 from rossmarie.lowering.truths import Truths
 from rossmarie.syntax import ast

@@ -1,0 +1,1 @@
+"""Actions: each effect checked by itself, with its target, numbers and resource."""

@@ -1,0 +1,296 @@
+"""Limits, scales and blocks: what lies on a command topic that passes through the safety filter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from dslkit.diagnostics import Diagnostic, Label
+from dslkit.source import Span
+from rossmarie.check.actions.errors import (
+    BoundWithoutZero,
+    DoesNothing,
+    FactorOutOfRange,
+    FieldGivenTwice,
+    FieldNotBounded,
+    NotAnInterval,
+    NothingToBound,
+    PartlyRamped,
+    RampMismatch,
+    RepeatedRamp,
+    ZeroIsAPose,
+)
+from rossmarie.check.actions.numbers import fits
+from rossmarie.check.actions.paths import Field, field_of, leaf_unit, symbol_of
+from rossmarie.check.actions.targets import Sent, Targets
+from rossmarie.check.expressions.frequencies import is_positive
+from rossmarie.check.expressions.infer import infer
+from rossmarie.check.model import CheckedEffect
+from rossmarie.check.operations.operands import require_constant
+from rossmarie.check.units.quantities import SECOND
+from rossmarie.check.wording.describe import describe, is_plain
+from rossmarie.ir import reactions
+from rossmarie.syntax import ast
+from rossmarie.types import Interval, Quantity, Unknown
+from rossmarie.units import DIMENSIONLESS, Unit, divide, multiply, parse_unit
+
+_FLOATS = frozenset({"float32", "float64"})
+_POSES = (parse_unit("m").dimension, parse_unit("rad").dimension)
+_PER_SECOND = divide(DIMENSIONLESS, SECOND)
+
+
+def command_of(sent: Sent, span: Span, targets: Targets) -> reactions.CommandTopic:
+    """The topic as the safety filter sees it. Headers have no floating-point numbers."""
+    fields = tuple(
+        reactions.CommandField(leaf.path, leaf.is_array, symbol_of(leaf_unit(leaf, sent, targets)))
+        for leaf in targets.model.messages.leaves(sent.message)
+        if leaf.base in _FLOATS
+    )
+    return reactions.CommandTopic(sent.name, sent.type, fields, span)
+
+
+class CommandChecker:
+    """Checks the effects on command topics; `commands` are the topics found so far."""
+
+    def __init__(self, targets: Targets, commands: dict[str, reactions.CommandTopic]) -> None:
+        self._targets = targets
+        self._context = targets.context
+        self._commands = commands
+
+    def check(self, effect: ast.Limit | ast.Scale | ast.Block) -> CheckedEffect | None:
+        """The effect; None if something is wrong with it, which is reported."""
+        sent = self._targets.topic(effect.target)
+        command = None if sent is None else self._command(sent, effect.target)
+        found: reactions.Effect | None = None
+        match effect:
+            case ast.Limit():
+                for bound in effect.bounds:
+                    infer(bound.range, self._context)
+                ramps = self._ramps(effect.ramps)
+                if sent is not None and command is not None:
+                    found = self._limit(effect, sent, command, ramps)
+            case ast.Scale():
+                infer(effect.factor, self._context)
+                found = self._scale(effect, sent, command, self._ramps(effect.ramps))
+            case ast.Block():
+                ramps = self._ramps(effect.ramps)
+                if sent is not None and command is not None:
+                    found = self._block(effect, command, ramps)
+        if found is None or sent is None:
+            return None
+        return CheckedEffect(found, sent.name, None, None, None, effect.span)
+
+    def _command(self, sent: Sent, target: ast.Target) -> reactions.CommandTopic | None:
+        command = command_of(sent, target.name.span, self._targets)
+        if not command.fields:
+            self._add(NothingToBound(type=sent.type).at(target.span))
+            return None
+        return self._commands.setdefault(sent.name, command)
+
+    def expected(
+        self, topic: ast.Name, path: ast.FieldPath, range_: ast.Expression
+    ) -> tuple[reactions.CommandTopic, int, float, float] | None:
+        """What a test expects of a field: its number, and the ends in the unit of the message.
+        None after reporting what is wrong.
+        """
+        infer(range_, self._context)
+        if not self._targets.is_commanded(topic):
+            return None
+        target = ast.Target(topic, None, topic.span)
+        sent = self._targets.topic(target)
+        command = None if sent is None else self._command(sent, target)
+        field = None if sent is None else field_of(path, sent, self._targets)
+        if command is None or field is None:
+            return None
+        bound = ast.FieldBound(path, range_, path.span)
+        index, ends = self._index(field, bound, command), self._interval(bound, field)
+        return None if index is None or ends is None else (command, index, ends[0], ends[1])
+
+    # --- limits ------------------------------------------------------------------------------
+
+    def _limit(
+        self,
+        effect: ast.Limit,
+        sent: Sent,
+        command: reactions.CommandTopic,
+        ramps: list[tuple[ast.Expression, Unit, float]],
+    ) -> reactions.Limit | None:
+        if not effect.bounds:
+            advice = "bound a field: `{ FIELD in [LOW, HIGH] UNIT; }`"
+            self._add(DoesNothing(what="limit", advice=advice).at(effect.span))
+        first: dict[reactions.FieldPath, ast.FieldBound] = {}
+        found: list[tuple[int, Unit, tuple[float, ...], str]] = []
+        for bound in effect.bounds:
+            field = field_of(bound.path, sent, self._targets)
+            index = None if field is None else self._index(field, bound, command)
+            if field is None or index is None:
+                continue
+            earlier = first.setdefault(field.path, bound)
+            if earlier is not bound:
+                place = Label(earlier.path.span, "the first time")
+                self._add(FieldGivenTwice(field=field.text).at(bound.path.span, place))
+            ends = self._ends(bound, field)
+            if ends is not None:
+                found.append((index, field.unit or DIMENSIONLESS, ends, field.text))
+        by_field = self._by_field([(each[1], each[3]) for each in found], ramps, effect)
+        if len(found) < len(effect.bounds) or len(first) < len(effect.bounds) or by_field is None:
+            return None
+        bounds = (
+            reactions.Bound(index, ends[0], ends[1], ramp)
+            for (index, _, ends, _), ramp in zip(found, by_field, strict=True)
+        )
+        return reactions.Limit(0, tuple(bounds))
+
+    def _index(
+        self, field: Field, bound: ast.FieldBound, command: reactions.CommandTopic
+    ) -> int | None:
+        """The number of a field among those of the command; None after reporting."""
+        paths = [one.path for one in command.fields]
+        if field.leaf is not None and field.leaf.path in paths and not field.is_element:
+            return paths.index(field.leaf.path)
+        whole = [".".join(map(str, path)) for path in paths]
+        reason, advice = "not a floating-point number", f"bound one of `{'`, `'.join(whole[:8])}`"
+        if field.is_element:
+            reason = "a bound holds for each element of an array"
+            advice = "leave the `[...]` out"
+        elif inside := [path for path in whole if path.startswith(f"{field.text}.")]:
+            reason, advice = "not a number, but several", f"bound `{'`, `'.join(inside[:8])}`"
+        finding = FieldNotBounded(field=field.text, reason=reason, advice=advice)
+        self._add(finding.at(bound.path.span))
+        return None
+
+    def _ends(self, bound: ast.FieldBound, field: Field) -> tuple[float, ...] | None:
+        """As `_interval`, of a bound, which has to leave room for zero."""
+        ends = self._interval(bound, field)
+        if ends is not None and not ends[0] <= 0 <= ends[1]:
+            self._add(BoundWithoutZero().at(bound.range.span))
+            return None
+        return ends
+
+    def _interval(self, bound: ast.FieldBound, field: Field) -> tuple[float, ...] | None:
+        """The two ends in the unit of the message; None after reporting what is wrong with them."""
+        type_ = self._context.type_of(bound.range)
+        if isinstance(type_, Unknown):
+            return None
+        if not isinstance(type_, Interval):
+            self._add(NotAnInterval(found=describe(type_)).at(bound.range.span))
+            return None
+        unit = field.unit or DIMENSIONLESS
+        if not fits(bound.range, type_.element, field, self._context):
+            return None
+        low, high = self._context.values[id(bound.range)].numbers
+        return unit.from_si(low) + 0.0, unit.from_si(high) + 0.0
+
+    # --- scales and blocks -------------------------------------------------------------------
+
+    def _scale(
+        self,
+        effect: ast.Scale,
+        sent: Sent | None,
+        command: reactions.CommandTopic | None,
+        ramps: list[tuple[ast.Expression, Unit, float]],
+    ) -> reactions.Scale | None:
+        type_ = self._context.type_of(effect.factor)
+        is_factor = isinstance(type_, Quantity) and is_plain(type_)
+        factor = None
+        if not is_factor and not isinstance(type_, Unknown):
+            self._add(FactorOutOfRange(found=describe(type_)).at(effect.factor.span))
+        elif is_factor and require_constant(effect.factor, "a factor", self._context):
+            factor = self._context.values[id(effect.factor)].numbers[0]
+            if not 0 <= factor <= 1:
+                self._add(FactorOutOfRange(found=f"{factor * 100:g} %").at(effect.factor.span))
+                factor = None
+        by_field = self._by_field([(DIMENSIONLESS, "the factor")], ramps, effect)
+        if sent is None or command is None or factor is None or by_field is None:
+            return None
+        if self._is_pose(effect.target, command):
+            return None
+        return reactions.Scale(0, factor, by_field[0])
+
+    def _block(
+        self,
+        effect: ast.Block,
+        command: reactions.CommandTopic,
+        ramps: list[tuple[ast.Expression, Unit, float]],
+    ) -> reactions.Limit | None:
+        if self._is_pose(effect.target, command):
+            return None
+        units = [
+            (parse_unit(each.unit) if each.unit else DIMENSIONLESS, ".".join(map(str, each.path)))
+            for each in command.fields
+        ]
+        by_field = self._by_field(units, ramps, effect)
+        if by_field is None:
+            return None
+        bounds = (reactions.Bound(index, 0.0, 0.0, ramp) for index, ramp in enumerate(by_field))
+        return reactions.Limit(0, tuple(bounds))
+
+    def _is_pose(self, target: ast.Target, command: reactions.CommandTopic) -> bool:
+        for field in command.fields:
+            if field.unit and parse_unit(field.unit).dimension in _POSES:
+                text = ".".join(map(str, field.path))
+                self._add(ZeroIsAPose(field=text, unit=field.unit).at(target.span))
+                return True
+        return False
+
+    # --- ramps -------------------------------------------------------------------------------
+
+    def _ramps(self, ramps: Sequence[ast.Expression]) -> list[tuple[ast.Expression, Unit, float]]:
+        """The ramps that are numbers, with the unit of what they lift and their value in SI."""
+        found = []
+        for ramp in ramps:
+            type_ = infer(ramp, self._context)
+            if isinstance(type_, Quantity) and type_.unit is not None:
+                if require_constant(ramp, "a ramp", self._context) and is_positive(
+                    ramp, "a ramp", self._context
+                ):
+                    value = self._context.values[id(ramp)].numbers[0]
+                    found.append((ramp, multiply(type_.unit, SECOND), value))
+            elif not isinstance(type_, Unknown):
+                advice = "write a number, such as `ramp 0.3 m/s^2`"
+                self._add(RampMismatch(found=describe(type_), advice=advice).at(ramp.span))
+        return found
+
+    def _by_field(
+        self,
+        fields: Sequence[tuple[Unit, str]],
+        ramps: list[tuple[ast.Expression, Unit, float]],
+        effect: ast.Limit | ast.Scale | ast.Block,
+    ) -> list[float | None] | None:
+        """The ramp of each field in its unit; None after reporting ramps that belong to none."""
+        if len(ramps) < len(effect.ramps):
+            return None
+        is_right = True
+        for number, (ramp, lifted, _) in enumerate(ramps):
+            if any(lifted.dimension == other.dimension for _, other, _ in ramps[:number]):
+                self._add(RepeatedRamp().at(ramp.span))
+                is_right = False
+            elif fields and all(lifted.dimension != unit.dimension for unit, _ in fields):
+                self._report_ramp(ramp, lifted, fields)
+                is_right = False
+        found = [_ramp_for(unit, ramps) for unit, _ in fields]
+        unramped = [field for field, ramp in zip(fields, found, strict=True) if ramp is None]
+        if is_right and ramps and unramped:
+            unit, text = unramped[0]
+            example = f"1 {divide(unit, SECOND).symbol}"
+            self._add(PartlyRamped(field=text, example=example).at(ramps[0][0].span))
+        return found if is_right else None
+
+    def _report_ramp(
+        self, ramp: ast.Expression, lifted: Unit, fields: Sequence[tuple[Unit, str]]
+    ) -> None:
+        unit, text = fields[0]
+        wanted = divide(unit, SECOND).symbol
+        found = f"this lifts something in {lifted.symbol}, and `{text}` is in {unit.symbol}"
+        if unit == DIMENSIONLESS:
+            found = f"this lifts something in {lifted.symbol}, and {text} is a plain number"
+        finding = RampMismatch(found=found, advice=f"write it in {wanted}")
+        self._add(finding.at(ramp.span))
+
+    def _add(self, finding: Diagnostic) -> None:
+        self._context.collector.add(finding)
+
+
+def _ramp_for(unit: Unit, ramps: list[tuple[ast.Expression, Unit, float]]) -> float | None:
+    fitting = (value for _, lifted, value in ramps if lifted.dimension == unit.dimension)
+    value = next(fitting, None)
+    return None if value is None else value / unit.scale

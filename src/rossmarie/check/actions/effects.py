@@ -1,0 +1,284 @@
+"""The bodies of actions: each effect checked by itself.
+
+Comes out: the effects of each action, with all that lowering needs. Names of actions behind `else`
+are looked up here; what follows from which action refers to which is looked at in `rules/plans.py`.
+"""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Diagnostic, Label, listed
+from rossmarie.check.actions.assignments import assignments_of
+from rossmarie.check.actions.commands import CommandChecker, command_of
+from rossmarie.check.actions.errors import (
+    ControllerConflict,
+    DoesNothing,
+    MissingTimeLimit,
+    ReservedHook,
+    UnguardedConfirmation,
+    UnknownLevel,
+    ValueMismatch,
+)
+from rossmarie.check.actions.numbers import period_ns, timeout_ns
+from rossmarie.check.actions.reserved_hooks import CPLUSPLUS_WORDS
+from rossmarie.check.actions.resources import declared_resources
+from rossmarie.check.actions.targets import Targets, insertion
+from rossmarie.check.expressions.decided import warn_of_decided
+from rossmarie.check.expressions.infer import infer
+from rossmarie.check.model import CheckedEffect
+from rossmarie.check.names.references import use_action
+from rossmarie.check.operations.operands import require_condition, require_constant
+from rossmarie.check.scopes.context import Context, Uses
+from rossmarie.check.system.model import full_name
+from rossmarie.check.units.errors import MisplacedUnit
+from rossmarie.check.units.quantities import read_unit
+from rossmarie.check.wording.describe import describe
+from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.ir import reactions
+from rossmarie.syntax import ast
+from rossmarie.types import Boolean, Kind, Quantity, Text, Unknown
+from rossmarie.units import DIMENSIONLESS
+
+
+class EffectChecker:
+    """Checks the bodies of all actions. `commands` are the topics that may pass through the safety
+    filter; `confirmations` what each confirmation rests on.
+    """
+
+    def __init__(self, targets: Targets) -> None:
+        self._targets = targets
+        self._context: Context = targets.context
+        self.commands: dict[str, reactions.CommandTopic] = {}
+        self.confirmations: list[tuple[Label, Uses]] = []
+        self._command_checker = CommandChecker(targets, self.commands)
+        self._resources = declared_resources(targets)
+        self._published = {
+            targets.full_name(Kind.MESSAGE, name)
+            for system in self._context.declarations.systems
+            for member in system.members
+            if isinstance(member, ast.NodeDeclaration)
+            for name in member.publishes
+        }
+
+    def check(self, action: ast.Action) -> tuple[CheckedEffect, ...]:
+        """The effects of an action; those with something wrong are reported, and missing."""
+        uses = self._context.enter(None)
+        found = [self._effect(effect, uses) for effect in action.effects]
+        return tuple(effect for effect in found if effect is not None)
+
+    def _effect(self, effect: ast.Effect, uses: Uses) -> CheckedEffect | None:
+        match effect:
+            case ast.Limit() | ast.Scale() | ast.Block():
+                return self._command_checker.check(effect)
+            case ast.Publish():
+                return self._publish(effect)
+            case ast.Log() | ast.Diagnose():
+                return self._words(effect)
+            case ast.Hook(name=name):
+                if name.text in CPLUSPLUS_WORDS:
+                    self._add(ReservedHook(identifier=name.text).at(name.span))
+                return _shared(reactions.Hook(name.text), effect)
+            case ast.Reset():
+                return _shared(reactions.Reset(), effect)
+            case (
+                ast.CallService() | ast.SetParameter() | ast.SwitchControllers() | ast.SendGoal()
+                | ast.CancelGoal()
+            ):  # fmt: skip
+                return self._awaited(effect, uses)
+
+    # --- messages ----------------------------------------------------------------------------
+
+    def _publish(self, effect: ast.Publish) -> CheckedEffect | None:
+        sent = self._targets.topic(effect.target)
+        assignments = assignments_of(effect.assignments, sent, self._targets)
+        period = None if effect.rate is None else period_ns(effect.rate, self._context)
+        if sent is None or assignments is None or (effect.rate is not None and period is None):
+            return None
+        is_shared = sent.name in self._published
+        if is_shared:
+            command = command_of(sent, effect.target.name.span, self._targets)
+            self.commands.setdefault(sent.name, command)
+        found = reactions.Publish(sent.name, sent.type, assignments, period, None)
+        filtered = sent.name if is_shared else None
+        return CheckedEffect(found, filtered, None, self._resource(found), None, effect.span)
+
+    def _words(self, effect: ast.Log | ast.Diagnose) -> CheckedEffect | None:
+        levels = {level.value: level for level in reactions.Level}
+        if isinstance(effect, ast.Diagnose):
+            del levels[reactions.Level.DEBUG.value]
+        level = levels.get(effect.level.text)
+        if not effect.text.value.strip():
+            what = "diagnosis" if isinstance(effect, ast.Diagnose) else "log"
+            finding = DoesNothing(what=what, advice="say what is the matter")
+            self._add(finding.at(effect.text.span))
+        if level is None:
+            self._report_level(effect.level, tuple(levels))
+            return None
+        text = effect.text.value
+        if isinstance(effect, ast.Log):
+            return _shared(reactions.Log(level, text), effect)
+        return _shared(reactions.Diagnose(level, text), effect)
+
+    def _report_level(self, name: ast.Name, known: tuple[str, ...]) -> None:
+        near = {"warn": "warning", "information": "info", "err": "error"}.get(name.text.lower())
+        near = near if near in known else near_name(name.text, known)
+        finding = UnknownLevel(identifier=name.text, known=listed(known))
+        if near is None:
+            self._add(finding.at(name.span))
+            return
+        fix = rename(name, near)
+        self._add(finding.at(name.span, help=f"did you mean `{near}`?", fix=fix))
+
+    # --- what is awaited ---------------------------------------------------------------------
+
+    def _awaited(self, effect: ast.Awaited, uses: Uses) -> CheckedEffect | None:
+        if effect.otherwise is not None:
+            use_action(effect.otherwise, self._context)
+        timeout = timeout_ns(effect.timeout, self._context)
+        match effect:
+            case ast.CallService():
+                return self._call(effect, timeout)
+            case ast.SetParameter():
+                return self._set(effect, timeout)
+            case ast.SwitchControllers():
+                return self._switch(effect, timeout)
+            case ast.SendGoal():
+                return self._send(effect, timeout)
+            case ast.CancelGoal():
+                return self._cancel(effect, timeout, uses)
+
+    def _call(self, effect: ast.CallService, timeout: int | None) -> CheckedEffect | None:
+        sent = self._targets.sent(effect.target, Kind.SERVICE)
+        assignments = assignments_of(effect.assignments, sent, self._targets)
+        if sent is None or assignments is None or timeout is None:
+            return None
+        found = reactions.Call(sent.name, sent.type, assignments, timeout)
+        return self._exclusive(found, effect)
+
+    def _set(self, effect: ast.SetParameter, timeout: int | None) -> CheckedEffect | None:
+        value = self._parameter(effect)
+        if value is None or timeout is None:
+            return None
+        node = full_name(effect.node.text)
+        parameter = ".".join(name.text for name in effect.parameter)
+        found = reactions.SetParameter(node, parameter, value, timeout)
+        return self._exclusive(found, effect)
+
+    def _parameter(self, effect: ast.SetParameter) -> reactions.Scalar | None:
+        type_ = infer(effect.value, self._context)
+        unit = None if effect.unit is None else read_unit(effect.unit, self._context.collector)
+        if isinstance(type_, Unknown) or (unit is None and effect.unit is not None):
+            return None
+        if not require_constant(effect.value, "the value of a parameter", self._context):
+            return None
+        value = self._context.values[id(effect.value)]
+        if not isinstance(type_, Quantity):
+            return self._plain_parameter(effect, type_)
+        given = type_.unit or DIMENSIONLESS
+        if given.dimension != (unit or DIMENSIONLESS).dimension:
+            if unit is None:
+                reason = "a parameter is a plain number, and nothing says in which unit"
+                advice = f"say which unit the parameter has: `in {given.symbol} to ...`"
+                fix = insertion(effect.parameter[-1].span, f" in {given.symbol}")
+            else:
+                reason = f"the parameter is in {unit.symbol}, and this in {given.symbol}"
+                advice, fix = f"write a value in {unit.symbol}", None
+            self._add(MisplacedUnit(reason=reason, advice=advice).at(effect.value.span, fix=fix))
+            return None
+        return (unit or DIMENSIONLESS).from_si(value.numbers[0]) + 0.0
+
+    def _plain_parameter(self, effect: ast.SetParameter, type_: object) -> reactions.Scalar | None:
+        value = self._context.values[id(effect.value)]
+        is_plain = isinstance(type_, Boolean | Text)
+        if is_plain and effect.unit is None:
+            return value.boolean if value.boolean is not None else value.text
+        name = ".".join(name.text for name in effect.parameter)
+        expected = "a number, because it has a unit" if is_plain else "a number, truth or string"
+        found = describe(self._context.type_of(effect.value))
+        finding = ValueMismatch(field=name, expected=expected, found=found)
+        self._add(finding.at(effect.value.span))
+        return None
+
+    def _switch(self, effect: ast.SwitchControllers, timeout: int | None) -> CheckedEffect | None:
+        if not effect.start and not effect.stop:
+            advice = "name the controllers: `{ stop NAME; start NAME; }`"
+            self._add(DoesNothing(what="switch", advice=advice).at(effect.span))
+        started = {name.text: name for name in effect.start}
+        conflicts = [name for name in effect.stop if name.text in started]
+        for name in conflicts:
+            first, second = sorted((started[name.text], name), key=lambda one: one.span.start)
+            place = Label(first.span, "the first time")
+            finding = ControllerConflict(identifier=name.text)
+            self._add(finding.at(second.span, place))
+        if timeout is None or conflicts:
+            return None
+        start, stop = (
+            tuple(dict.fromkeys(name.text for name in names))
+            for names in (effect.start, effect.stop)
+        )
+        manager = full_name(effect.manager.text)
+        found = reactions.SwitchControllers(manager, start, stop, timeout)
+        return self._exclusive(found, effect)
+
+    # --- goals -------------------------------------------------------------------------------
+
+    def _send(self, effect: ast.SendGoal, timeout: int | None) -> CheckedEffect | None:
+        sent = self._targets.sent(effect.target, Kind.ACTION)
+        assignments = assignments_of(effect.assignments, sent, self._targets)
+        if effect.timeout is None:
+            self._add(MissingTimeLimit().at(effect.target.span))
+            return None
+        if sent is None or assignments is None or timeout is None:
+            return None
+        interrupted = _interrupted(effect.interrupted)
+        found = reactions.SendGoal(sent.name, sent.type, assignments, timeout, interrupted)
+        return self._exclusive(found, effect)
+
+    def _cancel(
+        self, effect: ast.CancelGoal, timeout: int | None, uses: Uses
+    ) -> CheckedEffect | None:
+        if effect.confirmation is not None:
+            infer(effect.confirmation, self._context)
+            require_condition(effect.confirmation, self._context)
+            warn_of_decided(effect.confirmation, self._context)
+            place = Label(effect.confirmation.span, "this confirmation rests on it")
+            self.confirmations.append((place, uses))
+            if effect.otherwise is None:
+                self._add(UnguardedConfirmation().at(effect.confirmation.span))
+        if timeout is None:
+            return None
+        server = full_name(effect.server.text)
+        stated = self._targets.stated.get((Kind.ACTION, server))
+        kind = None if stated is None else stated.text.replace("/action/", "/")
+        interrupted = _interrupted(effect.interrupted)
+        found = reactions.CancelGoal(server, kind, None, timeout, interrupted)
+        resource, otherwise = self._resource(found), _name(effect.otherwise)
+        confirmation = effect.confirmation
+        return CheckedEffect(found, None, confirmation, resource, otherwise, effect.span)
+
+    # --- resources ---------------------------------------------------------------------------
+
+    def _exclusive(self, found: reactions.Effect, effect: ast.Awaited) -> CheckedEffect:
+        resource, otherwise = self._resource(found), _name(effect.otherwise)
+        return CheckedEffect(found, None, None, resource, otherwise, effect.span)
+
+    def _resource(self, effect: reactions.Effect) -> str:
+        """What it needs for itself, by the name that a system model gives it, if it does."""
+        target = reactions.target_of(effect)
+        assert target is not None, "only effects that need something are asked for it"
+        declared = self._resources.get(target.name)
+        return str(target) if declared is None else f"resource {declared}"
+
+    def _add(self, finding: Diagnostic) -> None:
+        self._context.collector.add(finding)
+
+
+def _interrupted(word: ast.Name | None) -> reactions.Interrupted:
+    return reactions.Interrupted.DROP if word is None else reactions.Interrupted(word.text)
+
+
+def _name(name: ast.Name | None) -> str | None:
+    return None if name is None else name.text
+
+
+def _shared(found: reactions.Effect, effect: ast.Effect) -> CheckedEffect:
+    return CheckedEffect(found, None, None, None, None, effect.span)

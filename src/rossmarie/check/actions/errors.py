@@ -1,0 +1,287 @@
+"""What is wrong with actions and their effects."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+class UnknownSentType(Error, code="ROSS118", name="unknown-sent-type"):
+    """The type of a service or of an action server of which there is no definition."""
+
+    title = "there is no {kind} type `{identifier}`"
+    label = "no definition is known"
+    help = 'name the folder of its definition in a system model: `messages "msg";`'
+    kind: str
+    identifier: str
+
+
+class UntypedTarget(Error, code="ROSS119", name="untyped-target"):
+    """A topic, service or action server of which nobody says what is sent to it."""
+
+    title = "the type of {kind} `{identifier}` is not known"
+    label = "nothing says what is sent to this"
+    help = "{advice}"
+    kind: str
+    identifier: str
+    advice: str
+
+
+class UnknownLevel(Error, code="ROSS121", name="unknown-level"):
+    """A level of a log or a diagnosis that does not exist."""
+
+    title = "`{identifier}` is not a level"
+    label = "how bad is it?"
+    help = "write one of {known}"
+    identifier: str
+    known: str
+
+
+class FieldGivenTwice(Error, code="ROSS124", name="field-given-twice"):
+    """A field that one effect bounds or sets twice."""
+
+    title = "field `{field}` is given twice"
+    label = "the second time"
+    help = "keep one of the two"
+    field: str
+
+
+class ReservedHook(Error, code="ROSS125", name="reserved-hook"):
+    """A hook that cannot be the name of a function."""
+
+    title = "`{identifier}` cannot be the name of a C++ function"
+    label = "a word of C++"
+    help = "choose another name, such as `{identifier}_hook`"
+    identifier: str
+
+
+class UncommandedTopic(Error, code="ROSS133", name="uncommanded-topic"):
+    """A test that expects something of commands that nothing holds back."""
+
+    title = "no action commands {topic}"
+    label = "whatever comes in on this topic goes out"
+    help = "limit, scale or block {topic} in an action, or name a topic of an action"
+    topic: str
+
+
+class UnknownTarget(Error, code="ROSS140", name="unknown-target"):
+    """A resource to which something belongs that nothing else speaks of."""
+
+    title = "nothing is sent to `{identifier}`"
+    label = "no system model declares it, and no action names it"
+    help = "name a topic, a service, an action server, a node or a controller manager"
+    identifier: str
+
+
+class SharedTarget(Error, code="ROSS141", name="shared-target"):
+    """A topic or the like that belongs to two resources, or to one twice."""
+
+    title = "`{target}` belongs to resource `{resource}` already"
+    label = "named again"
+    help = "name it once; what commands the same thing is one resource"
+    target: str
+    resource: str
+
+
+class NothingToBound(Error, code="ROSS225", name="nothing-to-bound"):
+    """A command without any floating-point number."""
+
+    title = "`{type}` has no numbers that can be bounded"
+    label = "this carries `{type}`"
+    note = (
+        "the safety filter works on the floating-point numbers of a message, outside of headers "
+        "and of arrays of messages"
+    )
+    help = "name a topic of commands, such as one of `geometry_msgs/Twist`"
+    type: str
+
+
+class FieldNotBounded(Error, code="ROSS226", name="field-not-bounded"):
+    """A field that a limit cannot bound."""
+
+    title = "`{field}` cannot be bounded"
+    label = "{reason}"
+    help = "{advice}"
+    field: str
+    reason: str
+    advice: str
+
+
+class NotAnInterval(Error, code="ROSS227", name="not-an-interval"):
+    """Something else than an interval behind the `in` of a limit."""
+
+    title = "a limit needs an interval, and this is {found}"
+    label = "between which numbers may the field be?"
+    help = "write `[-0.2, 0.2] m/s`"
+    found: str
+
+
+class ValueMismatch(Error, code="ROSS228", name="value-mismatch"):
+    """A value of another type than the field that it is for."""
+
+    title = "`{field}` is {expected}, and this is {found}"
+    label = "{found}"
+    help = "write a value of the type of the field"
+    field: str
+    expected: str
+    found: str
+
+
+class FieldNotAssignable(Error, code="ROSS229", name="field-not-assignable"):
+    """A field that an action cannot set."""
+
+    title = "`{field}` cannot be set here"
+    label = "{reason}"
+    help = "{advice}"
+    field: str
+    reason: str
+    advice: str
+
+
+class IntegerMismatch(Error, code="ROSS230", name="integer-mismatch"):
+    """A number that a field of whole numbers cannot hold."""
+
+    title = "`{field}` cannot hold this number"
+    label = "{reason}"
+    help = "write a whole number from {low} to {high}{unit}"
+    field: str
+    reason: str
+    low: int
+    high: int
+    unit: str
+
+
+class FieldUnitMismatch(Error, code="ROSS315", name="field-unit-mismatch"):
+    """A number whose unit is not that of the field that it is for."""
+
+    title = "{found} does not fit `{field}`"
+    label = "`{field}` is {expected}"
+    help = "{advice}"
+    field: str
+    found: str
+    expected: str
+    advice: str
+
+
+class RampMismatch(Error, code="ROSS316", name="ramp-mismatch"):
+    """A ramp that is the rate of change of nothing that the effect bounds."""
+
+    title = "this ramp belongs to nothing that is bounded here"
+    label = "{found}"
+    note = "a ramp says how fast a bound is lifted: per second, by how much of its field"
+    help = "{advice}"
+    found: str
+    advice: str
+
+
+class RepeatedRamp(Error, code="ROSS317", name="repeated-ramp"):
+    """Two ramps for the same fields."""
+
+    title = "there are two ramps for the same fields"
+    label = "the second one"
+    help = "keep one of the two"
+
+
+class BoundWithoutZero(Error, code="ROSS410", name="bound-without-zero"):
+    """A limit under which a robot could not stand still."""
+
+    title = "a limit must let the robot stand still"
+    label = "zero is outside of this"
+    note = "a command below the limit would be raised to it: the limit would move the robot"
+    help = "let the interval contain 0"
+
+
+class ZeroIsAPose(Error, code="ROSS411", name="zero-is-a-pose"):
+    """A command of positions that is to be scaled or held at zero."""
+
+    title = "zero is a place for `{field}`, not rest"
+    label = "this would send the robot to zero"
+    note = "`{field}` is in {unit}"
+    help = "cancel the goal, or block a topic of velocities"
+    field: str
+    unit: str
+
+
+class FactorOutOfRange(Error, code="ROSS412", name="factor-out-of-range"):
+    """A factor of a command that is no share."""
+
+    title = "a command can be scaled by 0 to 100 %"
+    label = "this is {found}"
+    help = "write a share, as in `by 50 %`"
+    found: str
+
+
+class PartlyRamped(Warning, code="ROSS413", name="partly-ramped"):
+    """A bound that is lifted at once, where others are lifted gently."""
+
+    title = "the bound of `{field}` is lifted at once"
+    label = "no ramp here is for this field"
+    note = "the others follow a ramp; this one jumps"
+    help = "add a ramp: `ramp ..., {example}`"
+    field: str
+    example: str
+
+
+class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
+    """An action or effect that is written down and has nothing in it."""
+
+    title = "this {what} does nothing"
+    label = "nothing in here"
+    help = "{advice}"
+    what: str
+    advice: str
+
+
+class MissingTimeLimit(Error, code="ROSS415", name="missing-time-limit"):
+    """A goal that may take for ever."""
+
+    title = "how long may this goal take?"
+    label = "nothing says when it has failed"
+    note = "how long a goal takes depends on the goal; nobody else can know"
+    help = "write it behind the action server: `within 30 sec`"
+
+
+class UnguardedConfirmation(Warning, code="ROSS416", name="unguarded-confirmation"):
+    """A confirmation that may fail, with nothing that follows."""
+
+    title = "if this is not confirmed, nobody acts"
+    label = "cancelled, and perhaps not stopped"
+    note = "the confirmation is there because the server's word is not enough"
+    help = "say what follows then: `else ACTION`"
+
+
+class ControllerConflict(Error, code="ROSS419", name="controller-conflict"):
+    """A controller that is to be started and stopped at once."""
+
+    title = "controller `{identifier}` is both started and stopped"
+    label = "the second time"
+    help = "keep one of the two"
+    identifier: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnknownSentType,
+    UntypedTarget,
+    UnknownLevel,
+    FieldGivenTwice,
+    ReservedHook,
+    UncommandedTopic,
+    UnknownTarget,
+    SharedTarget,
+    NothingToBound,
+    FieldNotBounded,
+    NotAnInterval,
+    ValueMismatch,
+    FieldNotAssignable,
+    IntegerMismatch,
+    FieldUnitMismatch,
+    RampMismatch,
+    RepeatedRamp,
+    BoundWithoutZero,
+    ZeroIsAPose,
+    FactorOutOfRange,
+    PartlyRamped,
+    DoesNothing,
+    MissingTimeLimit,
+    UnguardedConfirmation,
+    ControllerConflict,
+)

@@ -1,0 +1,75 @@
+"""The numbers of effects: whether they fit the field that they are for, ramps, rates and times."""
+
+from __future__ import annotations
+
+from rossmarie.check.actions.errors import FieldUnitMismatch
+from rossmarie.check.actions.paths import Field, describe_field
+from rossmarie.check.expressions.errors import NotPositive
+from rossmarie.check.expressions.frequencies import is_frequency
+from rossmarie.check.expressions.infer import infer
+from rossmarie.check.operations.operands import duration_ns
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.units.quantities import ANGLE, unit_behind
+from rossmarie.check.wording.describe import describe_quantity, is_plain
+from rossmarie.syntax import ast
+from rossmarie.types import Quantity
+from rossmarie.units import DIMENSIONLESS
+
+_FASTEST_HZ = 1000.0
+_USUAL_TIMEOUT_NS = 2_000_000_000
+
+
+def fits(node: ast.Expression, found: Quantity, field: Field, context: Context) -> bool:
+    """Whether numbers have the dimension of a field; reports it if not."""
+    if found.unit is None:
+        return True
+    expected = field.unit or DIMENSIONLESS
+    if found.unit.dimension == expected.dimension:
+        return True
+    advice = f"write it in {expected.symbol}"
+    fix = None
+    if field.unit is None:
+        advice = (
+            "leave the unit out: the number is sent as it is; or say in a system model which unit "
+            f"the field has, `unit PACKAGE/TYPE.{field.text} = {found.unit.symbol};`"
+        )
+    elif is_plain(found) and expected.dimension != ANGLE:
+        fix = unit_behind(node, expected.symbol, context)
+    elif is_plain(found):
+        advice = "write it in deg or rad"
+    elif expected == DIMENSIONLESS:
+        advice = "leave the unit out"
+    finding = FieldUnitMismatch(
+        field=field.text,
+        found=describe_quantity(found),
+        expected=describe_field(field),
+        advice=advice,
+    )
+    context.collector.add(finding.at(node.span, fix=fix))
+    return False
+
+
+def period_ns(rate: ast.Expression, context: Context) -> int | None:
+    """The time between two messages; None, after reporting, if `rate` is no possible frequency."""
+    type_ = infer(rate, context)
+    if not is_frequency(rate, type_, type_, context):
+        return None
+    hertz = context.values[id(rate)].numbers[0]
+    if hertz > _FASTEST_HZ or round(1e9 / hertz) > 10**18:
+        bound, advice = "at most 1000 Hz", "publish less often, or once: leave `at` out"
+        if hertz <= _FASTEST_HZ:
+            bound, advice = "at least 1e-9 Hz", "publish more often, or once: leave `at` out"
+        too_fast = NotPositive(what="a rate", bound=bound, found=f"{hertz:g} Hz", advice=advice)
+        context.collector.add(too_fast.at(rate.span))
+        return None
+    return round(1e9 / hertz)
+
+
+def timeout_ns(timeout: ast.Expression | None, context: Context) -> int | None:
+    """The time within which something has to be done, 2 s if nothing is said; None, after
+    reporting, if it is no time.
+    """
+    if timeout is None:
+        return _USUAL_TIMEOUT_NS
+    infer(timeout, context)
+    return duration_ns(timeout, "what stands after `within`", context)

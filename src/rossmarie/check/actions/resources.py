@@ -1,0 +1,88 @@
+"""The resources that system models declare: names for what several topics and so on command."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from dslkit.diagnostics import Label
+from rossmarie.check.actions.errors import SharedTarget, UnknownTarget
+from rossmarie.check.actions.targets import Targets
+from rossmarie.check.scopes.errors import DuplicateName
+from rossmarie.check.system.model import full_name
+from rossmarie.syntax import ast
+from rossmarie.types import Kind
+
+
+def declared_resources(targets: Targets) -> Mapping[str, str]:
+    """The names of topics, services, action servers, nodes and controller managers that commands
+    go to, each with the resource that it belongs to. Reports what is wrong with these.
+    """
+    found: dict[str, tuple[str, ast.Name]] = {}
+    first: dict[str, ast.Name] = {}
+    for resource in _declarations(targets):
+        earlier = first.setdefault(resource.name.text, resource.name)
+        if earlier is not resource.name:
+            _report_second(resource.name, earlier, targets)
+        for name in resource.targets:
+            full = targets.full_name(Kind.MESSAGE, name)
+            before = found.setdefault(full, (resource.name.text, name))
+            if before[1] is not name:
+                shared = SharedTarget(target=full, resource=before[0])
+                label = Label(before[1].span, "here, too")
+                targets.context.collector.add(shared.at(name.span, label))
+    _report_unknown([name for _, name in found.values()], targets)
+    return {target: resource for target, (resource, _) in found.items()}
+
+
+def _declarations(targets: Targets) -> Iterator[ast.ResourceDeclaration]:
+    for system in targets.context.declarations.systems:
+        for member in system.members:
+            if isinstance(member, ast.ResourceDeclaration):
+                yield member
+
+
+def _report_second(name: ast.Name, first: ast.Name, targets: Targets) -> None:
+    finding = DuplicateName(
+        identifier=name.text,
+        kind="resource",
+        other="a resource",
+        reason="a resource is declared once, with all that belongs to it",
+    )
+    place = Label(first.span, "first declared here")
+    targets.context.collector.add(finding.at(name.span, place))
+
+
+def _report_unknown(names: Iterable[ast.Name], targets: Targets) -> None:
+    """Names that nothing else speaks of are misspelt, most likely."""
+    if not targets.is_parsed:
+        return
+    known = set(_known(targets))
+    for name in names:
+        if targets.full_name(Kind.MESSAGE, name) not in known:
+            unknown = UnknownTarget(identifier=name.text)
+            targets.context.report_unknown(unknown, name, sorted(known))
+
+
+def _known(targets: Targets) -> Iterator[str]:
+    """What system models declare and effects name."""
+    yield from targets.model.topics
+    yield from (name for _, name in targets.stated)
+    for item in targets.context.declarations.items:
+        for effect in item.effects if isinstance(item, ast.Action) else ():
+            yield from _named(effect, targets)
+
+
+def _named(effect: ast.Effect, targets: Targets) -> Iterator[str]:
+    match effect:
+        case ast.Limit(target=target) | ast.Scale(target=target) | ast.Block(target=target):
+            yield targets.full_name(Kind.MESSAGE, target.name)
+        case ast.Publish(target=target):
+            yield targets.full_name(Kind.MESSAGE, target.name)
+        case ast.CallService(target=target) | ast.SendGoal(target=target):
+            yield full_name(target.name.text)
+        case ast.SetParameter(node=name):
+            yield full_name(name.text)
+        case ast.SwitchControllers(manager=name) | ast.CancelGoal(server=name):
+            yield full_name(name.text)
+        case ast.Log() | ast.Diagnose() | ast.Hook() | ast.Reset():
+            pass

@@ -1,0 +1,211 @@
+"""What effects are directed at: topics, services and action servers, and the types of these."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from dslkit.diagnostics import Collector, Edit, Fix, Label, listed
+from dslkit.source import Span
+from rossmarie.check.actions.errors import UncommandedTopic, UnknownSentType, UntypedTarget
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.system.errors import MalformedMessageDefinition, TopicTypeConflict
+from rossmarie.check.system.model import (
+    SystemModel,
+    find_message,
+    full_name,
+    report_conflict,
+    type_name,
+)
+from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.syntax import ast
+from rossmarie.types import Kind, Message, MessageDefinitionError
+
+_WORDS: Mapping[Kind, str] = {Kind.SERVICE: "service", Kind.ACTION: "action server"}
+
+
+@dataclass(frozen=True)
+class Sent:
+    """Where something is sent: the full name, the name of the type, and the definition."""
+
+    name: str
+    type: str
+    message: Message
+
+
+@dataclass
+class Targets:
+    """Resolves targets. `stated` are the types that inputs, effects and system models state, with
+    the place; `commanded` the topics that effects limit, scale or block, and what those are called
+    there. If not `is_parsed`, something that could not be read may state more.
+    """
+
+    model: SystemModel
+    context: Context
+    is_parsed: bool
+    stated: dict[tuple[Kind, str], ast.Name] = field(default_factory=dict)
+    commanded: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def _collector(self) -> Collector:
+        return self.context.collector
+
+    def gather(self) -> None:
+        """Take in what inputs, system models and effects say of types."""
+        for found in self.context.inputs.values():
+            written = found.declaration.message_type
+            if written is not None:
+                self.stated.setdefault((Kind.MESSAGE, found.topic), written)
+        for member in self._members():
+            if isinstance(member, ast.ServiceDeclaration):
+                self._declare(Kind.SERVICE, member.name, member.service_type)
+            elif isinstance(member, ast.ServerDeclaration):
+                self._declare(Kind.ACTION, member.name, member.action_type)
+        for item in self.context.declarations.items:
+            if isinstance(item, ast.Action):
+                for effect in item.effects:
+                    self._gather_effect(effect)
+
+    def _members(self) -> list[ast.SystemMember]:
+        systems = self.context.declarations.systems
+        return [member for system in systems for member in system.members]
+
+    def _gather_effect(self, effect: ast.Effect) -> None:
+        match effect:
+            case ast.CallService(target=target):
+                kind = Kind.SERVICE
+            case ast.SendGoal(target=target):
+                kind = Kind.ACTION
+            case ast.Limit(target=target) | ast.Scale(target=target) | ast.Block(target=target):
+                kind = Kind.MESSAGE
+                full = self.full_name(kind, target.name)
+                self.commanded.setdefault(full, target.name.text)
+            case ast.Publish(target=target):
+                kind = Kind.MESSAGE
+            case (
+                ast.SetParameter() | ast.SwitchControllers() | ast.CancelGoal() | ast.Log()
+                | ast.Diagnose() | ast.Hook() | ast.Reset()
+            ):  # fmt: skip
+                return
+        if target.type is not None:
+            self._state(kind, target.name, target.type)
+
+    def _declare(self, kind: Kind, name: ast.Name, written: ast.Name) -> None:
+        self._find_sent(written, kind)
+        self._state(kind, name, written)
+
+    def _state(self, kind: Kind, name: ast.Name, written: ast.Name) -> None:
+        full = self.full_name(kind, name)
+        if kind is Kind.MESSAGE and full in self.model.topics:
+            report_conflict(written, self.model.topics[full], self._collector)
+            return
+        first = self.stated.setdefault((kind, full), written)
+        if _short(first) != _short(written):
+            finding = TopicTypeConflict(topic=full, found=_short(written), expected=_short(first))
+            place = Label(first.span, f"{_short(first)} here")
+            self._collector.add(finding.at(written.span, place))
+
+    def full_name(self, kind: Kind, name: ast.Name) -> str:
+        """`/cmd_vel` for `cmd_vel`, and for an alias of it."""
+        topic = self.model.find(name.text) if kind is Kind.MESSAGE else None
+        return full_name(name.text) if topic is None else topic.name
+
+    # --- types -------------------------------------------------------------------------------
+
+    def topic(self, target: ast.Target) -> Sent | None:
+        """The topic; None after reporting that its type is not known."""
+        name = self.full_name(Kind.MESSAGE, target.name)
+        topic = self.model.topics.get(name)
+        written = self.stated.get((Kind.MESSAGE, name))
+        if topic is not None:
+            written = topic.declaration.message_type
+        if written is None:
+            self._report_untyped(target.name, "topic", "geometry_msgs/Twist")
+            return None
+        if _contradicts(target, written):
+            return None
+        # What is wrong with a type is reported once, however many effects go by it.
+        message = find_message(written, self.model, self._collector)
+        return None if message is None else Sent(name, type_name(written.text), message)
+
+    def is_commanded(self, name: ast.Name) -> bool:
+        """Whether an action commands the topic; reports it if not."""
+        if self.full_name(Kind.MESSAGE, name) in self.commanded:
+            return True
+        if self.model.is_whole and self.is_parsed:
+            self._report_uncommanded(name)
+        return False
+
+    def _report_uncommanded(self, name: ast.Name) -> None:
+        full = self.full_name(Kind.MESSAGE, name)
+        finding = UncommandedTopic(topic=full)
+        bare = (topic.lstrip("/") for topic in self.commanded)
+        known = [*self.commanded, *self.commanded.values(), *bare]
+        near = near_name(name.text, known) if self.context.may_suggest() else None
+        if near is not None:
+            help, fix = f"did you mean `{near}`?", rename(name, near)
+            self._collector.add(finding.at(name.span, help=help, fix=fix))
+            return
+        notes = (f"commanded are {listed(tuple(self.commanded))}",) if self.commanded else ()
+        self._collector.add(finding.at(name.span, notes=notes))
+
+    def sent(self, target: ast.Target, kind: Kind) -> Sent | None:
+        """The service or action server; None after reporting that its type is not known."""
+        name = full_name(target.name.text)
+        written = self.stated.get((kind, name))
+        if written is None:
+            self._report_untyped(target.name, _WORDS[kind], "PACKAGE/TYPE")
+            return None
+        message = None if _contradicts(target, written) else self._find_sent(written, kind)
+        return None if message is None else Sent(name, _short(written), message)
+
+    def _find_sent(self, written: ast.Name, kind: Kind) -> Message | None:
+        try:
+            found = self.model.messages.find_sent(written.text, kind)
+        except MessageDefinitionError as error:
+            finding = MalformedMessageDefinition(identifier=written.text, problem=str(error))
+            self._collector.add(finding.at(written.span))
+            return None
+        if found is None and self.model.is_whole:
+            known = self.model.messages.known_names(kind)
+            near = near_name(_short(written), known) if self.context.may_suggest() else None
+            word = "service" if kind is Kind.SERVICE else "action"
+            unknown = UnknownSentType(kind=word, identifier=written.text)
+            if near is None:
+                self._collector.add(unknown.at(written.span))
+            else:
+                help = f"did you mean `{near}`?"
+                self._collector.add(unknown.at(written.span, help=help, fix=rename(written, near)))
+        return found
+
+    def _report_untyped(self, name: ast.Name, kind: str, example: str) -> None:
+        if not (self.model.is_whole and self.is_parsed):
+            return
+        word = {"topic": "topic", "service": "service", "action server": "server"}[kind]
+        declaration = f"`{word} {full_name(name.text)} : {example};`"
+        near = self.model.near_topic(name.text) if kind == "topic" else None
+        advice = f"declare it in a system model, {declaration}"
+        if kind == "action server":
+            advice += f", or write `send {example} {{ ... }}`"
+        else:
+            advice += f", or write `{name.text} : {example}`"
+        fix = None
+        if near is not None:
+            advice, fix = f"did you mean `{near}`?", rename(name, near)
+        finding = UntypedTarget(kind=kind, identifier=name.text, advice=advice)
+        self._collector.add(finding.at(name.span, fix=fix))
+
+
+def insertion(behind: Span, text: str) -> Fix:
+    """The fix that inserts a text behind a place."""
+    place = Span(behind.file, behind.end, behind.end)
+    return Fix(f"insert `{text.strip()}`", (Edit(place, text),))
+
+
+def _contradicts(target: ast.Target, known: ast.Name) -> bool:
+    """Whether a target states another type than is known, which is reported where it is stated."""
+    return target.type is not None and _short(target.type) != _short(known)
+
+
+def _short(name: ast.Name) -> str:
+    return name.text.replace("/msg/", "/").replace("/srv/", "/").replace("/action/", "/")

@@ -1,0 +1,1 @@
+"""Expressions: the type of each, and the value of those that are constant."""

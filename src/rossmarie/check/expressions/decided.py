@@ -1,0 +1,135 @@
+"""Conditions that are always true or always false, whatever arrives.
+
+They are legal: constants are there to switch things on and off. But where nothing can change the
+outcome, a monitor watches nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie.check.expressions.errors import ConstantCondition, NeverCleared
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.trees import constant_of, stripped
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import children, walk
+from rossmarie.types import Boolean, Unknown
+
+
+def warn_of_decided(expression: ast.Expression, context: Context) -> None:
+    """Warn of the condition, or of those parts of it, that no input has any influence on.
+
+    A mere `true`, or the name of a constant, is a switch where it is only a part.
+    """
+    parts = list(walk(expression))
+    if any(isinstance(context.types.get(id(part)), Unknown) for part in parts):
+        return
+    outcomes = _outcomes(parts, context)
+    if not outcomes and not _is_apart(expression, context):
+        return
+    pending = [(expression, True)]
+    while pending:
+        node, is_whole = pending.pop()
+        outcome = outcomes.get(id(node))
+        if outcome is not None and (is_whole or not _is_switch(node, context)):
+            _report(node, "true" if outcome else "false", context)
+        elif is_whole and _is_apart(node, context):
+            _report(node, "the same", context)
+        else:
+            pending.extend(_parts(node, is_whole))
+
+
+def warn_of_never_cleared(rule: ast.Rule, contract: ast.ClearWhen, context: Context) -> None:
+    """Warn of a condition behind `clear when` that cannot be true while that of the rule is false:
+    they are the same, or it needs all that alone makes the rule hold.
+    """
+    needed = _spellings(contract.condition, ast.BinaryOperator.AND)
+    for part in (rule.condition, *_joined(rule.condition, ast.BinaryOperator.OR)):
+        if needed.issuperset({_spelling(part)}) or needed.issuperset(
+            map(_spelling, _joined(part, ast.BinaryOperator.AND))
+        ):
+            context.collector.add(NeverCleared().at(contract.condition.span))
+            return
+
+
+def _spellings(node: ast.Expression, operator: ast.BinaryOperator) -> set[str]:
+    return {_spelling(part) for part in (node, *_joined(node, operator))}
+
+
+def _joined(node: ast.Expression, operator: ast.BinaryOperator) -> Iterator[ast.Expression]:
+    """The parts that one operator joins, without the parentheses around them."""
+    pending = [node]
+    while pending:
+        part = stripped(pending.pop())
+        if isinstance(part, ast.Binary) and part.operator is operator:
+            pending += [part.right, part.left]
+        else:
+            yield part
+
+
+def _spelling(node: ast.Expression) -> str:
+    return " ".join(stripped(node).span.text.split())
+
+
+def _parts(node: ast.Expression, is_whole: bool) -> Iterator[tuple[ast.Expression, bool]]:
+    """What is inside a node, and whether it still stands for the whole condition."""
+    if isinstance(node, ast.Held):
+        yield node.condition, True
+        return
+    keeps = is_whole and isinstance(node, ast.Parenthesized | ast.Unary)
+    yield from ((part, keeps) for part in reversed(children(node)))
+
+
+def _report(node: ast.Expression, outcome: str, context: Context) -> None:
+    context.collector.add(ConstantCondition(outcome=outcome).at(node.span))
+
+
+def _is_switch(node: ast.Expression, context: Context) -> bool:
+    inner = stripped(node)
+    while isinstance(inner, ast.Unary):
+        inner = stripped(inner.operand)
+    is_named = constant_of(inner, context.declarations) is not None
+    return is_named or isinstance(inner, ast.Boolean)
+
+
+def _is_apart(node: ast.Expression, context: Context) -> bool:
+    """Whether a condition names no input and no other condition, and holds nothing for a time."""
+    return isinstance(context.type_of(node), Boolean) and not any(
+        isinstance(part, ast.Held)
+        or (isinstance(part, ast.Reference) and constant_of(part, context.declarations) is None)
+        for part in walk(node)
+    )
+
+
+def _outcomes(parts: list[ast.Expression], context: Context) -> dict[int, bool]:
+    """The truths among `parts`, each before what is inside it, that constants alone decide."""
+    outcomes: dict[int, bool] = {}
+    for node in reversed(parts):
+        if isinstance(context.type_of(node), Boolean):
+            outcome = _outcome(node, outcomes, context)
+            if outcome is not None:
+                outcomes[id(node)] = outcome
+    return outcomes
+
+
+def _outcome(node: ast.Expression, outcomes: dict[int, bool], context: Context) -> bool | None:
+    value = context.values.get(id(node))
+    if value is not None:
+        return value.boolean
+    match node:
+        case ast.Parenthesized(inner=inner):
+            return outcomes.get(id(inner))
+        case ast.Unary(operator=ast.UnaryOperator.NOT, operand=operand) if id(operand) in outcomes:
+            return not outcomes[id(operand)]
+        case ast.Binary(operator=ast.BinaryOperator.AND | ast.BinaryOperator.OR as operator):
+            deciding = operator is ast.BinaryOperator.OR
+            sides = (outcomes.get(id(node.left)), outcomes.get(id(node.right)))
+            return deciding if deciding in sides else None
+        case ast.Held(condition=condition) if outcomes.get(id(condition)) is False:
+            return False
+        case (
+            ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
+            | ast.Member() | ast.Index() | ast.Call() | ast.Oscillates() | ast.Unary()
+            | ast.Binary() | ast.Membership() | ast.Held() | ast.Broken()
+        ):  # fmt: skip
+            return None

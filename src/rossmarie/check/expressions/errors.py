@@ -1,0 +1,55 @@
+"""What is wrong with whole expressions: frequencies, and conditions that are decided."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+class NotPositive(Error, code="ROSS318", name="not-positive"):
+    """A ramp or a rate that is zero or less, or faster than possible."""
+
+    title = "{what} is {bound}"
+    label = "this is {found}"
+    help = "{advice}"
+    what: str
+    bound: str
+    found: str
+    advice: str
+
+
+class NotAFrequency(Error, code="ROSS319", name="not-a-frequency"):
+    """Something else than a frequency behind `at`."""
+
+    title = "`at` needs how often it is published, and this is {found}"
+    label = "how often a second?"
+    help = "write it in Hz, as in `at 2 Hz`"
+    found: str
+
+
+class ConstantCondition(Warning, code="ROSS406", name="constant-condition"):
+    """A condition that nothing can change."""
+
+    title = "this is always {outcome}"
+    label = "no input has any influence on this"
+    note = "a monitor is there to watch what changes; here nothing does"
+    help = "compare an input with something, or leave this out"
+    outcome: str
+
+
+class NeverCleared(Warning, code="ROSS408", name="never-cleared"):
+    """A rule that is to be cleared by what keeps it active."""
+
+    title = "this rule can never be cleared"
+    label = "while this holds, so does the condition of the rule"
+    note = (
+        "a rule is cleared once its own condition is false and the one after `clear when` is true"
+    )
+    help = "write when it may end, with a margin; or leave the contract out"
+
+
+ALL: tuple[type[Template], ...] = (
+    NotPositive,
+    NotAFrequency,
+    ConstantCondition,
+    NeverCleared,
+)

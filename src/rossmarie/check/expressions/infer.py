@@ -1,0 +1,122 @@
+"""The type of every expression, and the value of those that are constant.
+
+Goes through a tree from the leaves up, without recursion. Each node is looked at once, when its
+operands have their types; what does not fit is reported there and has the type `Unknown`, which
+nothing is reported about again.
+"""
+
+from __future__ import annotations
+
+from rossmarie.check.names.references import is_value, type_of_member, type_of_reference
+from rossmarie.check.operations.constants import fold, record
+from rossmarie.check.operations.errors import NotAnArray
+from rossmarie.check.operations.functions import type_of_call, type_of_oscillates
+from rossmarie.check.operations.operators import type_of_binary, type_of_held, type_of_unary
+from rossmarie.check.operations.ranges import type_of_bracket, type_of_membership
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.trees import text_of
+from rossmarie.check.units.quantities import read_unit
+from rossmarie.check.wording.describe import describe
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import children
+from rossmarie.types import Array, Boolean, Quantity, Text, Type, Unknown, Vector
+from rossmarie.units import DIMENSIONLESS
+
+_Operation = (
+    ast.Unary | ast.Binary | ast.Membership | ast.Held | ast.Call | ast.Oscillates | ast.Bracket
+)
+
+
+def infer(expression: ast.Expression, context: Context) -> Type:
+    """The type of an expression; `context` gets the types and values of all its parts."""
+    pending = [(expression, False)]
+    while pending:
+        node, is_ready = pending.pop()
+        if is_ready:
+            context.types[id(node)] = _type_of(node, context)
+            _fold(node, context)
+        else:
+            pending.append((node, True))
+            operands = _operands(node, context)
+            context.parents.update((id(part), node) for part in operands)
+            pending.extend((part, False) for part in reversed(operands))
+    return context.types[id(expression)]
+
+
+def _operands(node: ast.Expression, context: Context) -> tuple[ast.Expression, ...]:
+    if isinstance(node, ast.Member) and not is_value(node.value, context):
+        return ()
+    return children(node)
+
+
+def _fold(node: ast.Expression, context: Context) -> None:
+    type_ = context.types[id(node)]
+    if id(node) in context.values or isinstance(type_, Unknown):
+        return
+    value = fold(node, type_, context)
+    if value is not None and not record(node, value, context):
+        context.types[id(node)] = Unknown()
+
+
+def _type_of(node: ast.Expression, context: Context) -> Type:
+    match node:
+        case ast.Number():
+            return _type_of_number(node, context)
+        case ast.Boolean():
+            return Boolean()
+        case ast.Text():
+            return Text()
+        case ast.Reference():
+            return type_of_reference(node, context)
+        case ast.Member():
+            return type_of_member(node, context)
+        case ast.Index():
+            return _type_of_index(node, context)
+        case ast.Parenthesized():
+            return context.type_of(node.inner)
+        case ast.Broken():
+            return Unknown()
+        case (
+            ast.Unary() | ast.Binary() | ast.Membership() | ast.Held() | ast.Call()
+            | ast.Oscillates() | ast.Bracket()
+        ):  # fmt: skip
+            return _type_of_operation(node, context)
+
+
+def _type_of_operation(node: _Operation, context: Context) -> Type:
+    match node:
+        case ast.Unary():
+            return type_of_unary(node, context)
+        case ast.Binary():
+            return type_of_binary(node, context)
+        case ast.Membership():
+            return type_of_membership(node, context)
+        case ast.Held():
+            return type_of_held(node, context)
+        case ast.Call():
+            return type_of_call(node, context)
+        case ast.Oscillates():
+            return type_of_oscillates(node, context)
+        case ast.Bracket():
+            return type_of_bracket(node, context)
+
+
+def _type_of_number(node: ast.Number, context: Context) -> Type:
+    if node.unit is None:
+        return Quantity(DIMENSIONLESS)
+    unit = read_unit(node.unit, context.collector)
+    return Unknown() if unit is None else Quantity(unit)
+
+
+def _type_of_index(node: ast.Index, context: Context) -> Type:
+    type_ = context.type_of(node.value)
+    if isinstance(type_, Array):
+        return type_.element
+    if not isinstance(type_, Unknown):
+        finding = NotAnArray(purpose="an index", found=describe(type_))
+        help = "leave the index out"
+        if isinstance(type_, Vector):
+            text = text_of(node.value)
+            help = f"its components have names: `{text}.x`, `{text}.y`, `{text}.z`"
+        context.collector.add(finding.at(node.value.span, help=help))
+    return Unknown()

@@ -1,0 +1,1 @@
+"""Names and fields: what each stands for, and which are never used."""

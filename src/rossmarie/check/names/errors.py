@@ -1,0 +1,95 @@
+"""What is wrong with names and fields."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+class UndeclaredName(Error, code="ROSS101", name="undeclared-name"):
+    """A value that nothing declares."""
+
+    title = "`{identifier}` is not declared"
+    label = "no constant, input or condition in reach has this name"
+    help = "declare it: `const {identifier} = ...` or `input {identifier} = topic ...`"
+    identifier: str
+
+
+class UndeclaredEntity(Error, code="ROSS102", name="undeclared-entity"):
+    """Something before a dot that nothing declares."""
+
+    title = "`{identifier}` is not declared"
+    label = "neither an entity nor an input has this name"
+    help = "declare it: `entity {identifier} {{ ... }}`"
+    identifier: str
+
+
+class UnknownCondition(Error, code="ROSS103", name="unknown-condition"):
+    """A condition that its entity does not have."""
+
+    title = "entity `{entity}` has no condition `{identifier}`"
+    label = "not a condition of `{entity}`"
+    identifier: str
+    entity: str
+
+
+class UndeclaredAction(Error, code="ROSS104", name="undeclared-action"):
+    """A rule that names an action that does not exist."""
+
+    title = "action `{identifier}` is not declared"
+    label = "no action has this name"
+    note = "a rule may only start actions that the file, or one that it imports, declares"
+    help = "declare it: `action {identifier};`"
+    identifier: str
+
+
+class WrongKindOfName(Error, code="ROSS106", name="wrong-kind-of-name"):
+    """A name that stands for something else than what is needed here."""
+
+    title = "`{identifier}` is {found}, not {expected}"
+    label = "{expected} is needed here"
+    identifier: str
+    found: str
+    expected: str
+
+
+class UnknownField(Error, code="ROSS108", name="unknown-field"):
+    """A field that a message, a vector or an orientation does not have."""
+
+    title = "{owner} has no field `{identifier}`"
+    label = "no such field"
+    identifier: str
+    owner: str
+
+
+class FieldNotUsable(Error, code="ROSS208", name="field-not-usable"):
+    """A message field that rules cannot read."""
+
+    title = "field `{identifier}` cannot be used in rules"
+    label = "{reason}"
+    help = "choose another field, or publish the value of interest on a topic of its own"
+    identifier: str
+    reason: str
+
+
+class UnusedName(Warning, code="ROSS401", name="unused-name"):
+    """A declaration that no rule needs."""
+
+    title = "{kind} `{identifier}` is never used"
+    label = "declared here, used nowhere"
+    note = "{reason}"
+    help = "use it, or remove it"
+    kind: str
+    identifier: str
+    reason: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UndeclaredName,
+    UndeclaredEntity,
+    UnknownCondition,
+    UndeclaredAction,
+    WrongKindOfName,
+    UnknownField,
+    FieldNotUsable,
+    UnusedName,
+)

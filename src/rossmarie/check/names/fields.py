@@ -1,0 +1,108 @@
+"""Fields of messages: which there are, and what they hold."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from dslkit.diagnostics import Collector, Edit, Fix, listed
+from dslkit.source import Span
+from rossmarie.check.names.errors import FieldNotUsable, UnknownField
+from rossmarie.check.wording.gaps import without
+from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.syntax import ast
+from rossmarie.types import (
+    Array,
+    Boolean,
+    Message,
+    Quantity,
+    Quaternion,
+    Type,
+    Unknown,
+    Unsupported,
+    Vector,
+)
+from rossmarie.units import DIMENSIONLESS, Unit
+
+_ANGLES = ("roll", "pitch", "yaw")
+
+
+def members(type_: Type) -> dict[str, Type]:
+    """What can be written behind a dot, other than a function."""
+    if isinstance(type_, Message):
+        return dict(type_.fields)
+    if isinstance(type_, Vector):
+        return dict.fromkeys("xyz", type_.element)
+    if isinstance(type_, Quaternion):
+        return dict.fromkeys("xyzw", Quantity(DIMENSIONLESS))
+    return {}
+
+
+def select(
+    owner: Type, name: ast.Name, owner_text: str, before: Span, collector: Collector
+) -> Type:
+    """The type of a member of `owner`; `Unknown` after reporting why there is none. `owner_text` is
+    what to call the owner, and `before` what is written before the dot.
+    """
+    if isinstance(owner, Unknown):
+        return owner
+    known = members(owner)
+    found = known.get(name.text)
+    if found is None:
+        _report_unknown(owner, name, owner_text, before, collector)
+        return Unknown()
+    if isinstance(found, Unsupported):
+        collector.add(FieldNotUsable(identifier=name.text, reason=found.reason).at(name.span))
+        return Unknown()
+    return found
+
+
+def with_unit(type_: Type, unit: Unit) -> Type | None:
+    """The same numbers in another unit; None if there are no numbers that could have one."""
+    if isinstance(type_, Quantity):
+        return replace(type_, unit=unit)
+    if isinstance(type_, Vector):
+        return Vector(Quantity(unit))
+    if isinstance(type_, Array) and isinstance(type_.element, Quantity):
+        return Array(replace(type_.element, unit=unit))
+    return None
+
+
+def unit_of(type_: Type) -> Unit | None:
+    """The unit of a number, a vector or an array of numbers."""
+    if isinstance(type_, Quantity):
+        return type_.unit
+    if isinstance(type_, Vector):
+        return type_.element.unit
+    if isinstance(type_, Array) and isinstance(type_.element, Quantity):
+        return type_.element.unit
+    return None
+
+
+def has_no_number(type_: Type) -> bool:
+    """Whether `with_unit` has nothing to work on."""
+    return not isinstance(type_, Quantity | Vector) and not (
+        isinstance(type_, Array) and not isinstance(type_.element, Boolean)
+    )
+
+
+def _report_unknown(
+    owner: Type, name: ast.Name, owner_text: str, before: Span, collector: Collector
+) -> None:
+    known = tuple(members(owner))
+    shown = owner.name if isinstance(owner, Message) else f"`{owner_text}`"
+    finding = UnknownField(identifier=name.text, owner=shown)
+    near = near_name(name.text, known)
+    if near is not None:
+        help, fix = f"did you mean `{near}`?", rename(name, near)
+    elif isinstance(owner, Quaternion) and name.text in _ANGLES:
+        behind = Span(name.span.file, name.span.end, name.span.end)
+        help = f"it is a function: write `{owner_text}.{name.text}()`"
+        fix = Fix(f"write `{name.text}()`", (Edit(behind, "()"),))
+    elif known:
+        help, fix = f"it has {listed(known)}", None
+    elif name.text == "data":
+        help = f"`{owner_text}` already stands for its data: leave `.data` out"
+        fix = Fix("leave `.data` out", without(before, ".", name.span))
+    else:
+        help, fix = "it has no fields at all: leave this out", None
+    collector.add(finding.at(name.span, help=help, fix=fix))

@@ -1,0 +1,259 @@
+"""What a name stands for: constants, inputs and conditions; what is meant by an undeclared one.
+
+A name that looks like an undeclared one counts as used: otherwise each misspelling would be
+reported a second time, as an unused declaration. Where a file could not be read, no name is
+undeclared: that file may declare it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from dslkit.diagnostics import Edit, Fix, Label, listed
+from rossmarie.check.names.errors import (
+    UndeclaredAction,
+    UndeclaredEntity,
+    UndeclaredName,
+    UnknownCondition,
+    WrongKindOfName,
+)
+from rossmarie.check.names.fields import select
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.declarations import ARTICLES, kind_of
+from rossmarie.check.scopes.trees import text_of
+from rossmarie.check.units.spaced_units import is_rest_of_unit
+from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.syntax import ast
+from rossmarie.types import Boolean, Type, Unknown
+
+
+def type_of_reference(node: ast.Reference, context: Context) -> Type:
+    """The type of a name that stands alone; the value of a constant is recorded."""
+    name = node.name
+    declared = context.declarations.names.get(name.text)
+    own = context.entity
+    # A condition that has the name of a value is reported already; the value is used.
+    hides = is_value_name(name.text, context)
+    if own is not None and not hides and _has_condition(own, name.text, context):
+        _use_condition(own, name, context)
+        return Boolean()
+    if declared is None:
+        if context.declarations.is_whole and not is_rest_of_unit(node, context):
+            _report_undeclared(name, context)
+        return Unknown()
+    context.used_names.add(name.text)
+    if isinstance(declared, ast.Constant):
+        value = context.values.get(id(declared.value))
+        if value is not None:
+            context.values[id(node)] = value
+        return context.constants.get(name.text, Unknown())
+    if isinstance(declared, ast.Input):
+        context.uses.inputs.add(name.text)
+        found = context.inputs.get(name.text)
+        return Unknown() if found is None else found.type
+    _report_wrong_kind(name, declared, "a value", context)
+    return Unknown()
+
+
+def type_of_member(node: ast.Member, context: Context) -> Type:
+    """The type of a condition of an entity, or of a field."""
+    if is_value(node.value, context):
+        type_, text, place = context.type_of(node.value), text_of(node.value), node.value.span
+        return select(type_, node.member, text, place, context.collector)
+    name = node.value.name if isinstance(node.value, ast.Reference) else node.member
+    declared = context.declarations.names.get(name.text)
+    if isinstance(declared, ast.Entity):
+        context.used_names.add(name.text)
+        return _condition_of(name.text, node.member, context)
+    if declared is not None:
+        context.used_names.add(name.text)
+        _report_wrong_kind(name, declared, "an entity or an input", context)
+    elif context.declarations.is_whole:
+        _report_undeclared_entity(name, node.member, context)
+    return Unknown()
+
+
+def is_value(node: ast.Expression, context: Context) -> bool:
+    """Whether what stands before a dot has a type of its own; an entity has none."""
+    if not isinstance(node, ast.Reference):
+        return True
+    name = node.name.text
+    if context.entity is not None and _has_condition(context.entity, name, context):
+        return not isinstance(context.declarations.names.get(name), ast.Entity)
+    return is_value_name(name, context)
+
+
+def is_value_name(name: str, context: Context) -> bool:
+    """Whether a name stands for a constant or an input."""
+    return isinstance(context.declarations.names.get(name), ast.Constant | ast.Input)
+
+
+def use_actions(rule: ast.Rule, context: Context) -> None:
+    """Look up the actions of a rule."""
+    for step in rule.steps:
+        use_action(step.action, context)
+        if step.otherwise is not None:
+            use_action(step.otherwise, context)
+
+
+def use_action(name: ast.Name, context: Context) -> None:
+    """Look up an action."""
+    declared = context.declarations.names.get(name.text)
+    if isinstance(declared, ast.Action):
+        context.used_names.add(name.text)
+    elif declared is not None:
+        _report_wrong_kind(name, declared, "an action", context)
+    elif context.declarations.is_whole:
+        _report_undeclared_action(name, context)
+
+
+def _has_condition(entity: str, name: str, context: Context) -> bool:
+    return name in context.declarations.conditions.get(entity, {})
+
+
+def _use_condition(entity: str, name: ast.Name, context: Context) -> None:
+    context.used_names.add(entity)
+    context.used_conditions.add((entity, name.text))
+    context.uses.conditions.setdefault((entity, name.text), name.span)
+
+
+def _condition_of(entity: str, name: ast.Name, context: Context) -> Type:
+    if _has_condition(entity, name.text, context):
+        _use_condition(entity, name, context)
+        return Boolean()
+    known = context.declarations.conditions.get(entity, {})
+    near = near_name(name.text, known) if context.may_suggest() else None
+    finding = UnknownCondition(identifier=name.text, entity=entity)
+    if near is not None:
+        context.used_conditions.add((entity, near))
+        place = Label(known[near].name.span, f"`{near}` is declared here")
+        help, fix = f"did you mean `{near}`?", rename(name, near)
+        context.collector.add(finding.at(name.span, place, help=help, fix=fix))
+    else:
+        help = f"it has {listed(tuple(known))}" if known else "it has no conditions"
+        context.collector.add(finding.at(name.span, help=help))
+    return Boolean()
+
+
+def _report_capitals(name: ast.Name, context: Context) -> None:
+    """Report `True`, which is written `true` here."""
+    help = f"write `{name.text.lower()}`"
+    fix = Fix(help, (Edit(name.span, name.text.lower()),))
+    context.collector.add(UndeclaredName(identifier=name.text).at(name.span, help=help, fix=fix))
+
+
+def _report_undeclared(name: ast.Name, context: Context) -> None:
+    if name.text.lower() in ("true", "false"):
+        _report_capitals(name, context)
+        return
+    if not context.may_suggest():
+        context.collector.add(UndeclaredName(identifier=name.text).at(name.span))
+        return
+    own = context.declarations.conditions.get(context.entity or "", {})
+    values = _named(context, ast.Constant, ast.Input)
+    finding = UndeclaredName(identifier=name.text)
+    elsewhere = _entity_with(name.text, context)
+    near = near_name(name.text, [*values, *own])
+    if near is not None:
+        _use_guess(near, context)
+        declared = own[near].name if near in own else values[near]
+        place = Label(declared.span, f"`{near}` is declared here")
+        help, fix = f"did you mean `{near}`?", rename(name, near)
+        if fix is None:
+            help += f" If not, declare it: `const {name.text} = ...` or `input {name.text} = ...`"
+        context.collector.add(finding.at(name.span, place, help=help, fix=fix))
+    elif elsewhere is not None:
+        context.used_names.add(elsewhere)
+        context.used_conditions.add((elsewhere, name.text))
+        meant = f"{elsewhere}.{name.text}"
+        fix = Fix(f"write `{meant}`", (Edit(name.span, meant),))
+        context.collector.add(finding.at(name.span, help=f"did you mean `{meant}`?", fix=fix))
+    else:
+        notes = (f"declared are {listed(tuple(values))}",) if values else ()
+        context.collector.add(finding.at(name.span, notes=notes))
+
+
+def _use_guess(name: str, context: Context) -> None:
+    if context.entity is not None and _has_condition(context.entity, name, context):
+        context.used_conditions.add((context.entity, name))
+    else:
+        context.used_names.add(name)
+        if isinstance(context.declarations.names[name], ast.Input):
+            context.uses.inputs.add(name)
+
+
+def _report_undeclared_entity(name: ast.Name, member: ast.Name, context: Context) -> None:
+    finding = UndeclaredEntity(identifier=name.text)
+    if not context.may_suggest():
+        context.collector.add(finding.at(name.span))
+        return
+    known = _named(context, ast.Entity, ast.Input)
+    near = near_name(name.text, known)
+    if near is None:
+        notes = (f"declared are {listed(tuple(known))}",) if known else ()
+        context.collector.add(finding.at(name.span, notes=notes))
+        return
+    context.used_names.add(near)
+    if _has_condition(near, member.text, context):
+        context.used_conditions.add((near, member.text))
+        if context.entity is None:
+            context.uses.conditions.setdefault((near, member.text), name.span)
+    place = Label(known[near].span, f"`{near}` is declared here")
+    notes = ("upper and lower case differ",) if near.lower() == name.text.lower() else ()
+    help, fix = f"did you mean `{near}`?", rename(name, near)
+    context.collector.add(finding.at(name.span, place, help=help, fix=fix, notes=notes))
+
+
+def _report_undeclared_action(name: ast.Name, context: Context) -> None:
+    finding = UndeclaredAction(identifier=name.text)
+    if not context.may_suggest():
+        context.collector.add(finding.at(name.span))
+        return
+    known = _named(context, ast.Action)
+    near = near_name(name.text, known)
+    if near is None:
+        notes = (f"declared are {listed(tuple(known))}",) if known else ()
+        context.collector.add(finding.at(name.span, notes=notes))
+        return
+    context.used_names.add(near)
+    place = Label(known[near].span, f"`{near}` is declared here")
+    help, fix = f"did you mean `{near}`?", rename(name, near)
+    context.collector.add(finding.at(name.span, place, help=help, fix=fix))
+
+
+def _report_wrong_kind(
+    name: ast.Name,
+    declared: ast.Action | ast.Constant | ast.Input | ast.Entity,
+    expected: str,
+    context: Context,
+) -> None:
+    finding = WrongKindOfName(
+        identifier=name.text, found=ARTICLES[kind_of(declared)], expected=expected
+    )
+    place = Label(declared.name.span, "declared here")
+    context.collector.add(finding.at(name.span, place, help=_instead(declared, expected, context)))
+
+
+def _instead(declared: object, expected: str, context: Context) -> str | None:
+    if not context.may_suggest():
+        return None
+    if isinstance(declared, ast.Entity) and expected == "a value":
+        name = declared.name.text
+        conditions = context.declarations.conditions.get(name, {})
+        meant = [f"{name}.{condition}" for condition in conditions]
+        return f"choose a condition of it: {listed(meant)}" if meant else "it has no conditions"
+    if expected == "an action":
+        return f"name one of {listed(tuple(_named(context, ast.Action)))}, or declare an action"
+    return "actions are named after `then`; conditions are made of inputs"
+
+
+def _named(context: Context, *kinds: type[object]) -> dict[str, ast.Name]:
+    names = context.declarations.names
+    return {name: item.name for name, item in names.items() if isinstance(item, kinds)}
+
+
+def _entity_with(condition: str, context: Context) -> str | None:
+    """The entity that has a condition of this name, if exactly one has."""
+    entities: Iterable[str] = context.declarations.conditions
+    found = [entity for entity in entities if _has_condition(entity, condition, context)]
+    return found[0] if len(found) == 1 else None

@@ -1,0 +1,1 @@
+"""Operators, functions and ranges, and what they are applied to."""

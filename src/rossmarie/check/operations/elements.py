@@ -1,0 +1,99 @@
+"""Expressions over the elements of an array: they may use one array, and constants.
+
+A truth of its own, or a time that something has to hold, belongs outside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dslkit.diagnostics import Fix, Label
+from rossmarie.check.operations.errors import ArrayAsScalar, ElementwiseMixture
+from rossmarie.check.operations.rewriting import rewritten
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.trees import quoted, stripped, text_of
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import children
+from rossmarie.types import Array, Boolean, Unknown
+
+_QUANTIFIERS = frozenset({"any", "all"})
+_ELEMENTWISE = _QUANTIFIERS | {"count"}
+
+
+def check_elements(fold: ast.Call, context: Context) -> None:
+    """Report what else than one array and constants the argument of a fold is made of."""
+    (argument,) = fold.arguments
+    first: ast.Expression | None = None
+    for part in _parts(argument, context):
+        is_array = isinstance(context.type_of(part), Array)
+        if is_array and first is None:
+            first = part
+            continue
+        if is_array and first is not None and _spelling(part) == _spelling(first):
+            continue
+        found = "this is another array" if is_array else "this changes from message to message"
+        finding = ElementwiseMixture(found=found, function=fold.function.text, text=text_of(part))
+        labels = () if first is None else (Label(first.span, "the array"),)
+        help, fix = None, None
+        if isinstance(context.type_of(part), Boolean):
+            help, fix = _take_out(part, fold, context)
+        context.collector.add(finding.at(part.span, *labels, help=help, fix=fix))
+
+
+def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[str, Fix | None]:
+    """`any(ranges < 1 m) or ok` for `any(ranges < 1 m or ok)`."""
+    function = fold.function.text
+    junction = stripped(fold.arguments[0])
+    help = f"`{text_of(truth)}` is one truth for all elements: take it out of `{function}`"
+    if not isinstance(junction, ast.Binary) or junction.operator not in ast.JUNCTIONS:
+        return help, None
+    if function not in _QUANTIFIERS or not (truth is junction.left or truth is junction.right):
+        return help, None
+    sides = (
+        side.span.text if side is truth else f"{function}({side.span.text})"
+        for side in (junction.left, junction.right)
+    )
+    meant = f" {junction.operator.value} ".join(sides)
+    return f"{help}, `{quoted(meant)}`", rewritten(fold, meant, context)
+
+
+def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
+    """The `any`, `all` or `count` that a node stands in, if it stands in one."""
+    around = context.parents.get(id(node))
+    while around is not None:
+        if isinstance(around, ast.Call) and around.function.text in _ELEMENTWISE:
+            return around
+        around = context.parents.get(id(around))
+    return None
+
+
+def report_held_elements(held: ast.Held, fold: ast.Call, context: Context) -> None:
+    """Report that `for` stands on the elements of an array, inside `fold`."""
+    function = fold.function.text
+    advice = "no single element is watched over time: put `for` after the whole condition"
+    fix = None
+    if stripped(fold.arguments[0]) is held and function in _QUANTIFIERS:
+        meant = f"{function}({held.condition.span.text}) for {held.duration.span.text}"
+        advice = f"no single element is watched over time: write `{quoted(meant)}`"
+        fix = rewritten(fold, meant, context)
+    finding = ArrayAsScalar(expected="condition", advice=advice)
+    context.collector.add(finding.at(held.condition.span, fix=fix))
+
+
+def _parts(argument: ast.Expression, context: Context) -> Iterator[ast.Expression]:
+    """The arrays, and the changing single values, in the order in which they are written."""
+    pending = [argument]
+    while pending:
+        node = pending.pop()
+        type_ = context.type_of(node)
+        if id(node) in context.values or isinstance(type_, Unknown):
+            continue
+        is_chain = isinstance(node, ast.Reference | ast.Member)
+        if is_chain or not isinstance(type_, Array):
+            yield node
+        else:
+            pending.extend(reversed(children(node)))
+
+
+def _spelling(node: ast.Expression) -> str:
+    return "".join(node.span.text.split())

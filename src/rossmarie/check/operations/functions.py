@@ -1,0 +1,284 @@
+"""Calls of the built-in functions, and `oscillates`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from dslkit.diagnostics import listed
+from rossmarie.check.operations.angles import warn_of_rate
+from rossmarie.check.operations.elements import check_elements
+from rossmarie.check.operations.errors import (
+    DurationOutOfRange,
+    NotAnArray,
+    OscillationCount,
+    UnknownFunction,
+    WrongArgument,
+    WrongArgumentCount,
+)
+from rossmarie.check.operations.operands import (
+    duration_ns,
+    is_age,
+    report_array,
+    report_misused_age,
+    report_not_a_number,
+    require_constant,
+    scalar_operand,
+)
+from rossmarie.check.operations.operators import applied
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.trees import stripped, text_of
+from rossmarie.check.units.quantities import check_fit
+from rossmarie.check.wording.describe import describe
+from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.syntax import ast
+from rossmarie.types import (
+    SIGNATURES,
+    Array,
+    Boolean,
+    Fault,
+    Message,
+    Operator,
+    Quantity,
+    Quaternion,
+    Type,
+    Unknown,
+    Vector,
+    apply,
+)
+from rossmarie.units import DIMENSIONLESS
+
+MOST_TURNING_POINTS = 64
+
+USAGES: Mapping[Operator, str] = {
+    Operator.ABS: "abs(x)",
+    Operator.NORM: "norm(vector)",
+    Operator.MIN: "min(a, b)` or `min(array)",
+    Operator.MAX: "max(a, b)` or `max(array)",
+    Operator.ANY: "any(array > 1)",
+    Operator.ALL: "all(array > 1)",
+    Operator.COUNT: "count(array > 1)",
+    Operator.ROLL: "orientation.roll()",
+    Operator.PITCH: "orientation.pitch()",
+    Operator.YAW: "orientation.yaw()",
+    Operator.DISTANCE: "distance(a, b)",
+    Operator.RATE: "rate(x)",
+    Operator.PREVIOUS: "previous(x)",
+    Operator.AGE: "age(input) > 0.5 sec",
+}
+"""How each function is written; its keys are the functions there are."""
+
+_FUNCTIONS: Mapping[str, Operator] = {operator.value: operator for operator in USAGES}
+_NEEDS: Mapping[Operator, str] = {
+    Operator.NORM: "a vector",
+    Operator.ROLL: "an orientation",
+    Operator.PITCH: "an orientation",
+    Operator.YAW: "an orientation",
+    Operator.DISTANCE: "two vectors",
+}
+_FIELDS: Mapping[Operator, type[object]] = {
+    Operator.NORM: Vector,
+    Operator.ROLL: Quaternion,
+    Operator.PITCH: Quaternion,
+    Operator.YAW: Quaternion,
+}
+_MOST_FIELDS = 4
+_QUANTIFIERS = frozenset({Operator.ANY, Operator.ALL, Operator.COUNT})
+_EXTREMES = frozenset({Operator.MIN, Operator.MAX})
+
+
+def type_of_call(node: ast.Call, context: Context) -> Type:
+    """The type of a call whose arguments have theirs."""
+    operator = _FUNCTIONS.get(node.function.text)
+    if operator is None:
+        _report_unknown(node.function, context)
+        return Unknown()
+    if not _check_count(node, operator, context):
+        return Unknown()
+    if operator is Operator.AGE:
+        return _age(node, context)
+    if operator in _QUANTIFIERS or (operator in _EXTREMES and len(node.arguments) == 1):
+        return _fold(node, operator, context)
+    if operator is Operator.RATE:
+        warn_of_rate(node, context)
+    return _function(node, operator, context)
+
+
+def _report_unknown(name: ast.Name, context: Context) -> None:
+    known = [*_FUNCTIONS, Operator.OSCILLATES.value]
+    begun = (function for function in known if name.text.startswith(function))
+    near = near_name(name.text, known) or next(begun, None)
+    help = f"there are {listed(known)}" if near is None else f"did you mean `{near}`?"
+    fix = None if near is None else rename(name, near)
+    finding = UnknownFunction(identifier=name.text)
+    context.collector.add(finding.at(name.span, help=help, fix=fix))
+
+
+def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
+    signature = SIGNATURES[operator]
+    count = len(node.arguments)
+    if count >= signature.least and (signature.most is None or count <= signature.most):
+        return True
+    # What stands before the dot is not counted: the user sees no argument there.
+    before_dot = 1 if node.is_method else 0
+    least, given = signature.least - before_dot, count - before_dot
+    expected = {0: "no argument here", 1: "one argument"}.get(least, f"{least} arguments")
+    if signature.most is None:
+        expected = "at least one argument"
+    finding = WrongArgumentCount(
+        function=operator.value,
+        expected=expected,
+        found="none" if given == 0 else str(given),
+        usage=USAGES[operator],
+    )
+    context.collector.add(finding.at(node.span))
+    return False
+
+
+def _age(node: ast.Call, context: Context) -> Type:
+    """The type of an age; that it is compared with a time is seen to by whatever it stands in."""
+    outcome = apply(Operator.AGE, context.type_of(node.arguments[0]))
+    argument = stripped(node.arguments[0])
+    if isinstance(argument, ast.Reference) and argument.name.text in context.inputs:
+        return outcome.type
+    if not isinstance(outcome.type, Unknown):
+        _report_argument(node, node.arguments[0], "an input", context)
+    return Unknown()
+
+
+def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
+    (argument,) = node.arguments
+    if is_age(argument):
+        report_misused_age(argument, "it is not one side of a comparison", context)
+        return Unknown()
+    type_ = context.type_of(argument)
+    outcome = apply(operator, type_)
+    if not outcome.faults:
+        check_elements(node, context)
+    elif operator in _QUANTIFIERS and isinstance(type_, Array):
+        _report_argument(node, argument, "a condition on the elements", context)
+    elif operator in _EXTREMES and isinstance(type_, Array):
+        _report_argument(node, argument, "numbers", context)
+    elif isinstance(type_, Message):
+        report_not_a_number(argument, context)
+    else:
+        _report_no_array(argument, type_, operator, context)
+    return _result_of_fold(node, operator, outcome.type, context)
+
+
+def _result_of_fold(node: ast.Call, operator: Operator, type_: Type, context: Context) -> Type:
+    """What comes out whatever is wrong with the argument; of `any(x) < 1`, one finding will do."""
+    around = context.parents.get(id(node))
+    is_compared = isinstance(around, ast.Binary) and around.operator not in ast.JUNCTIONS
+    if isinstance(type_, Unknown) and is_compared:
+        return type_
+    if not isinstance(type_, Unknown):
+        return type_
+    if operator is Operator.COUNT:
+        return Quantity(DIMENSIONLESS)
+    return Boolean() if operator in _QUANTIFIERS else Unknown()
+
+
+def _report_no_array(
+    argument: ast.Expression, type_: Type, operator: Operator, context: Context
+) -> None:
+    finding = NotAnArray(purpose=f"`{operator.value}`", found=describe(type_))
+    context.collector.add(finding.at(argument.span, help=f"write `{USAGES[operator]}`"))
+
+
+def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
+    types = [context.type_of(argument) for argument in node.arguments]
+    if operator in _NEEDS:
+        outcome = apply(operator, *types)
+        if Fault.OPERANDS in outcome.faults:
+            for argument, type_ in zip(node.arguments, types, strict=True):
+                if apply(operator, *[type_ for _ in types]).faults:
+                    _report_argument(node, argument, _NEEDS[operator], context)
+            return outcome.type
+    elif operator is not Operator.ABS:
+        arrays = [
+            argument
+            for argument, type_ in zip(node.arguments, types, strict=True)
+            if isinstance(type_, Array)
+        ]
+        for argument in arrays:
+            report_array(argument, context)
+        if arrays:
+            return Unknown()
+    return applied(operator, node.arguments, context)
+
+
+def _report_argument(
+    node: ast.Call, argument: ast.Expression, expected: str, context: Context
+) -> None:
+    finding = WrongArgument(
+        function=node.function.text,
+        expected=expected,
+        found=describe(context.type_of(argument)),
+        usage=USAGES[_FUNCTIONS[node.function.text]],
+    )
+    help = _fields_for(node, argument, context)
+    context.collector.add(finding.at(argument.span, help=help))
+
+
+def _fields_for(node: ast.Call, argument: ast.Expression, context: Context) -> str | None:
+    """The fields of a message that a function can be called on; None if there is no such."""
+    wanted = _FIELDS.get(_FUNCTIONS[node.function.text])
+    type_ = context.type_of(argument)
+    if wanted is None or not isinstance(type_, Message):
+        return None
+    function, text = node.function.text, text_of(argument)
+    fields = [f"{text}.{path}" for path in _paths_to(wanted, type_)]
+    calls = [
+        f"`{x}.{function}()`" if wanted is Quaternion else f"`{function}({x})`" for x in fields
+    ]
+    return f"write {' or '.join(calls)}" if 0 < len(calls) <= _MOST_FIELDS else None
+
+
+def _paths_to(wanted: type[object], message: Message) -> Iterator[str]:
+    for name, field in message.fields.items():
+        if isinstance(field, wanted):
+            yield name
+        elif isinstance(field, Message):
+            yield from (f"{name}.{path}" for path in _paths_to(wanted, field))
+
+
+def type_of_oscillates(node: ast.Oscillates, context: Context) -> Type:
+    """`oscillates(x, 3 times, within 0.25 sec, by 5 N)` is one truth."""
+    value = scalar_operand(node.value, context)
+    _check_turning_points(node.count, context)
+    duration_ns(node.window, "what stands after `within`", context)
+    swing = None if node.swing is None else scalar_operand(node.swing, context)
+    if swing is None:
+        return Boolean()
+    is_constant = require_constant(swing.node, "a swing", context)
+    if (value is None or check_fit(swing, value, "compared", context)) and is_constant:
+        _check_swing(swing.node, swing.quantity, context)
+    return Boolean()
+
+
+def _check_turning_points(count: ast.Number, context: Context) -> None:
+    is_count = count.value.is_integer() and 1 <= count.value <= MOST_TURNING_POINTS
+    if count.unit is not None or not is_count:
+        finding = OscillationCount(found=f"{count.value:.15g}", most=MOST_TURNING_POINTS)
+        context.collector.add(finding.at(count.span))
+
+
+def _check_swing(node: ast.Expression, quantity: Quantity, context: Context) -> None:
+    number = context.values[id(node)].numbers[0]
+    unit = quantity.unit or DIMENSIONLESS
+    if unit.offset:
+        wrong = WrongArgument(
+            function="oscillates",
+            expected="a swing, which is a difference",
+            found=f"a temperature in {unit.symbol}",
+            usage="by 5 K",
+        )
+        context.collector.add(wrong.at(node.span))
+    elif number <= 0:
+        finding = DurationOutOfRange(
+            purpose="a swing",
+            bound="more than zero",
+            found=f"{unit.from_si(number):.15g}",
+            reason="it is the height of the smallest wave that counts",
+        )
+        context.collector.add(finding.at(node.span, help="leave `by` out to count every turn"))

@@ -1,0 +1,207 @@
+"""What operators are applied to: numbers, truths, constant times; reports what does not fit."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Diagnostic, Edit, Fix
+from dslkit.source import Span
+from rossmarie.check.operations.errors import (
+    AgeMisused,
+    ArrayAsScalar,
+    DurationOutOfRange,
+    MessageAsValue,
+    NotACondition,
+    NotADuration,
+    NotANumber,
+    NotConstant,
+    OrientationAsScalar,
+    VectorAsScalar,
+)
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.trees import stripped, text_of
+from rossmarie.check.units.quantities import SECOND, Operand
+from rossmarie.check.wording.describe import describe
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import children
+from rossmarie.types import (
+    Array,
+    Boolean,
+    Message,
+    Quantity,
+    Quaternion,
+    Text,
+    Type,
+    Unknown,
+    Vector,
+)
+
+LONGEST_DURATION_S = 1e9
+"""About 32 years; instants and durations together have to fit in 64 bits of nanoseconds."""
+
+
+def scalar_operand(node: ast.Expression, context: Context) -> Operand | None:
+    """The one number that `node` stands for; None, after reporting, if it is something else."""
+    type_ = context.type_of(node)
+    if not is_age(node) and isinstance(type_, Quantity):
+        return Operand(node, type_)
+    if is_age(node):
+        report_misused_age(node, "it is not one side of a comparison", context)
+    elif isinstance(type_, Array) and isinstance(type_.element, Quantity):
+        report_array(node, context)
+    else:
+        report_not_a_number(node, context)
+    return None
+
+
+def report_array(node: ast.Expression, context: Context) -> None:
+    """Report that many numbers stand where one has to be."""
+    text = text_of(node)
+    advice = f"choose one: `min({text})`, `max({text})`, or an element, `{text}[0]`"
+    context.collector.add(ArrayAsScalar(expected="number", advice=advice).at(node.span))
+
+
+def report_misused_age(node: ast.Expression, reason: str, context: Context) -> None:
+    """Report an age that is not compared with a constant time."""
+    context.collector.add(AgeMisused(reason=reason).at(node.span))
+
+
+def is_age(node: ast.Expression) -> bool:
+    """Whether this is a call of `age`."""
+    inner = stripped(node)
+    return isinstance(inner, ast.Call) and inner.function.text == "age"
+
+
+def report_not_a_number(node: ast.Expression, context: Context) -> None:
+    """Report that something else stands where a number has to be."""
+    type_ = context.type_of(node)
+    if not isinstance(type_, Unknown):
+        context.collector.add(_not_a_number(node, type_))
+
+
+def _not_a_number(node: ast.Expression, type_: Type) -> Diagnostic:
+    text = text_of(node)
+    if isinstance(type_, Vector):
+        return VectorAsScalar(found=describe(type_), text=text).at(node.span)
+    if isinstance(type_, Quaternion):
+        return OrientationAsScalar(text=text).at(node.span)
+    if isinstance(type_, Message):
+        return message_as_value(node, type_)
+    if is_truth(type_):
+        help = "a condition is used by itself, or counted over an array: `count(...)`"
+    elif isinstance(type_, Text):
+        help = "strings can only be compared with strings, `==` and `!=`"
+    else:
+        help = "a range can only stand after `in`"
+    return NotANumber(found=describe(type_)).at(node.span, help=help)
+
+
+def message_as_value(node: ast.Expression, message: Message) -> Diagnostic:
+    """The finding that a message is no value; its fields are offered."""
+    text = text_of(node)
+    names = [f"`{text}.{name}`" for name in message.fields][:8]
+    help = f"choose a field: {', '.join(names)}" if names else "it has no fields; choose another"
+    return MessageAsValue(found=message.name).at(node.span, help=help)
+
+
+def is_truth(type_: Type) -> bool:
+    """Whether this is true or false, or an array of such."""
+    element = type_.element if isinstance(type_, Array) else type_
+    return isinstance(element, Boolean)
+
+
+def report_not_a_condition(node: ast.Expression, context: Context) -> None:
+    """Report if something else stands where something true or false has to be."""
+    type_ = context.type_of(node)
+    if not isinstance(type_, Unknown) and not is_truth(type_):
+        context.collector.add(_not_a_condition(node, type_))
+
+
+def _not_a_condition(node: ast.Expression, type_: Type) -> Diagnostic:
+    text = text_of(node)
+    if isinstance(type_, Message):
+        return message_as_value(node, type_)
+    finding = NotACondition(found=describe(type_), text=text)
+    if isinstance(type_, Text):
+        return finding.at(node.span, help=f'compare it with a string, `{text} == "..."`')
+    if isinstance(type_, Quaternion):
+        return finding.at(node.span, help=f"compare an angle of it, `{text}.pitch() > ...`")
+    if isinstance(type_, Vector):
+        return finding.at(node.span, help=f"compare its length, `norm({text}) > ...`")
+    if isinstance(type_, Array):
+        return finding.at(node.span, help=f"compare its elements, `any({text} > ...)`")
+    return finding.at(node.span)
+
+
+def require_condition(node: ast.Expression, context: Context) -> None:
+    """Report if `node` is not one single truth."""
+    type_ = context.type_of(node)
+    if not (isinstance(type_, Array) and is_truth(type_)):
+        report_not_a_condition(node, context)
+        return
+    text = text_of(node)
+    advice = f"write `any({text})` or `all({text})`"
+    before, behind = (Span(node.span.file, at, at) for at in (node.span.start, node.span.end))
+    fix = Fix(f"write `any({text})`", (Edit(before, "any("), Edit(behind, ")")))
+    context.collector.add(ArrayAsScalar(expected="condition", advice=advice).at(node.span, fix=fix))
+
+
+def duration_ns(node: ast.Expression, purpose: str, context: Context) -> int | None:
+    """A constant time in nanoseconds; None, after reporting, if it is something else."""
+    type_ = context.type_of(node)
+    if isinstance(type_, Unknown):
+        return None
+    is_time = (
+        isinstance(type_, Quantity)
+        and type_.unit is not None
+        and type_.unit.dimension == SECOND.dimension
+    )
+    if not is_time:
+        _report_not_a_duration(node, type_, purpose, context)
+        return None
+    if not require_constant(node, purpose, context):
+        return None
+    seconds = context.values[id(node)].numbers[0]
+    # Before the multiplication: that of a huge number of seconds has no whole result.
+    if 0 < seconds <= LONGEST_DURATION_S and round(seconds * 1e9) > 0:
+        return round(seconds * 1e9)
+    context.collector.add(_out_of_range(node, seconds, purpose))
+    return None
+
+
+def _report_not_a_duration(
+    node: ast.Expression, type_: Type, purpose: str, context: Context
+) -> None:
+    finding = NotADuration(purpose=purpose, found=describe(type_))
+    inner = stripped(node)
+    if isinstance(inner, ast.Number) and inner.unit is None:
+        corrected = f"{text_of(inner)} sec"
+        behind = Span(inner.span.file, inner.span.end, inner.span.end)
+        fix = Fix(f"write `{corrected}`", (Edit(behind, " sec"),))
+        context.collector.add(finding.at(node.span, help=f"write `{corrected}`", fix=fix))
+    else:
+        context.collector.add(finding.at(node.span))
+
+
+def _out_of_range(node: ast.Expression, seconds: float, purpose: str) -> Diagnostic:
+    if seconds > LONGEST_DURATION_S:
+        bound, reason = "at most 1e9 sec", "instants are counted in nanoseconds, in 64 bits"
+    else:
+        bound, reason = "more than zero", "the clock of a monitor counts whole nanoseconds"
+    finding = DurationOutOfRange(
+        purpose=purpose, bound=bound, found=f"{seconds:g} sec", reason=reason
+    )
+    return finding.at(node.span)
+
+
+def require_constant(node: ast.Expression, purpose: str, context: Context) -> bool:
+    """Whether the value of `node` is known; if not, the part that changes is reported."""
+    if id(node) in context.values:
+        return True
+    changing = node
+    while True:
+        parts = [part for part in children(changing) if id(part) not in context.values]
+        if isinstance(changing, ast.Member) or not parts:
+            break
+        changing = parts[0]
+    if not isinstance(context.type_of(changing), Unknown):
+        context.collector.add(NotConstant(purpose=purpose).at(changing.span))
+    return False

@@ -1,0 +1,16 @@
+"""Fixes that write something else in the place of an expression."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Edit, Fix
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.trees import quoted
+from rossmarie.syntax import ast
+
+
+def rewritten(node: ast.Expression, meant: str, context: Context) -> Fix:
+    """Write `meant` instead of `node`, in parentheses where anything is around it."""
+    around = context.parents.get(id(node))
+    is_alone = around is None or isinstance(around, ast.Parenthesized)
+    text = meant if is_alone else f"({meant})"
+    return Fix(f"write `{quoted(text)}`", (Edit(node.span, text),))

@@ -1,0 +1,1 @@
+"""Rules together: their order, what follows from them, and what is missing."""

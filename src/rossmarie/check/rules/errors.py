@@ -1,0 +1,136 @@
+"""What is wrong with rules together."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+class UndeclaredRule(Error, code="ROSS120", name="undeclared-rule"):
+    """An order of rules that names a rule that does not exist."""
+
+    title = "there is no rule `{identifier}`"
+    label = "no rule has this name"
+    help = "name the rule that is meant: `rule {identifier}: if ...`"
+    identifier: str
+
+
+class CircularEscalation(Error, code="ROSS122", name="circular-escalation"):
+    """Actions each of which is what happens when the other one fails."""
+
+    title = "action `{identifier}` is the escalation of its own failure"
+    label = "this leads back: {cycle}"
+    note = "each escalation has to lead to something stronger, and that has to end somewhere"
+    help = "let the last action of the chain have no `else`"
+    identifier: str
+    cycle: str
+
+
+class CircularPriority(Error, code="ROSS123", name="circular-priority"):
+    """Rules of which each is more important than the next, in a circle."""
+
+    title = "rule `{identifier}` is put over itself"
+    label = "this leads back: {cycle}"
+    help = "remove one of the orders"
+    identifier: str
+    cycle: str
+
+
+class CircularUnless(Error, code="ROSS142", name="circular-unless"):
+    """Rules each of which is not carried out while the next one is active, in a circle."""
+
+    title = "rule `{identifier}` gives way to itself"
+    label = "this leads back: {cycle}"
+    note = "while all of them are active none would be carried out"
+    help = "remove one `unless`, so that one rule comes first"
+    identifier: str
+    cycle: str
+
+
+class UndeclaredHazard(Error, code="ROSS143", name="undeclared-hazard"):
+    """A rule that mitigates a hazard that does not exist."""
+
+    title = "there is no hazard `{identifier}`"
+    label = "no hazard has this name"
+    help = 'declare it: `hazard {identifier} "WHAT MAY HAPPEN";`'
+    identifier: str
+
+
+class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
+    """An input that a rule rests on and that may fall silent unnoticed."""
+
+    title = "input `{identifier}` has no timeout"
+    label = "if it falls silent, its last value is used for ever"
+    note = (
+        "without a timeout, a rule that lacks this input is never activated by the lack; "
+        "with one, it fails closed"
+    )
+    help = "write the longest silence you accept after it: `timeout 0.5 sec`"
+    identifier: str
+
+
+class NoRules(Warning, code="ROSS407", name="no-rules"):
+    """Conditions or inputs and no rule that rests on them, or a file without anything."""
+
+    title = "there is no rule: nothing will be monitored"
+    label = "{what}"
+    note = "only rules start actions and yield verdicts"
+    help = "write what follows from it: `if CONDITION then {{ ACTION; }};`"
+    what: str
+
+
+class LatchConflict(Error, code="ROSS417", name="latch-conflict"):
+    """A rule with a contract of its own that uses a latched action."""
+
+    title = "action `{identifier}` is latched, and this rule clears by itself"
+    label = "a contract other than that of the action"
+    help = "leave this contract out, or use an action that is not latched"
+    identifier: str
+
+
+class PlanTooLarge(Error, code="ROSS420", name="plan-too-large"):
+    """A rule whose actions and escalations are more than a reactor can hold."""
+
+    title = "this rule would do more than {most} things"
+    label = "its actions and all that follows when they fail"
+    note = "an escalation that several effects have in common counts for each of them"
+    help = "use fewer `else`, or actions with fewer effects"
+    most: int
+
+
+class UnmitigatedHazard(Warning, code="ROSS421", name="unmitigated-hazard"):
+    """A hazard against which there is no rule."""
+
+    title = "no rule mitigates hazard `{identifier}`"
+    label = "declared here"
+    help = "write `mitigates {identifier}` behind the rules that do, or remove the hazard"
+    identifier: str
+
+
+class LastResortOverruled(Error, code="ROSS422", name="last-resort-overruled"):
+    """The last action of a chain of escalations, which needs what another rule may have."""
+
+    title = "the last escalation of rule `{rule}` needs {resource}, which rule `{other}` has first"
+    label = "while `{other}` is engaged this is overruled, and nothing follows"
+    note = "a chain of escalations has to end with something that no other rule can overrule"
+    help = (
+        "end the chain with an action that blocks or limits commands: no rule overrules that; "
+        "or put rule `{rule}` over rule `{other}` with `priority`"
+    )
+    rule: str
+    other: str
+    resource: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UndeclaredRule,
+    CircularEscalation,
+    CircularPriority,
+    CircularUnless,
+    UndeclaredHazard,
+    MissingTimeout,
+    NoRules,
+    LatchConflict,
+    PlanTooLarge,
+    UnmitigatedHazard,
+    LastResortOverruled,
+)

@@ -1,0 +1,44 @@
+"""Hazards, and the rules that mitigate them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from dslkit.diagnostics import Label
+from rossmarie.check.rules.errors import UndeclaredHazard, UnmitigatedHazard
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.errors import DuplicateName
+from rossmarie.syntax import ast
+
+
+def declared_hazards(context: Context, *, is_parsed: bool) -> Mapping[str, ast.Hazard]:
+    """The hazards by name. Reports rules that name others and, if all could be parsed, those that
+    no rule mitigates.
+    """
+    found: dict[str, ast.Hazard] = {}
+    for item in context.declarations.items:
+        if isinstance(item, ast.Hazard):
+            first = found.setdefault(item.name.text, item)
+            if first is not item:
+                _report_second(item, first, context)
+    mitigated = [name for rule in context.declarations.rules for name in rule.mitigates]
+    for name in mitigated:
+        if name.text not in found and context.declarations.is_whole:
+            context.report_unknown(UndeclaredHazard(identifier=name.text), name, found)
+    used = {name.text for name in mitigated}
+    for hazard in found.values():
+        if is_parsed and context.declarations.rules and hazard.name.text not in used:
+            finding = UnmitigatedHazard(identifier=hazard.name.text)
+            context.collector.add(finding.at(hazard.name.span))
+    return found
+
+
+def _report_second(item: ast.Hazard, first: ast.Hazard, context: Context) -> None:
+    finding = DuplicateName(
+        identifier=item.name.text,
+        kind="hazard",
+        other="a hazard",
+        reason="rules say by its name which hazard they mitigate",
+    )
+    place = Label(first.name.span, "first declared here")
+    context.collector.add(finding.at(item.name.span, place))

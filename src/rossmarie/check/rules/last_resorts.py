@@ -1,0 +1,121 @@
+"""Whether chains of escalations end with something that no other rule can overrule."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Iterator, Sequence
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Label
+from dslkit.source import Span
+from rossmarie.check.model import CheckedEffect
+from rossmarie.check.rules.errors import LastResortOverruled
+from rossmarie.check.rules.plans import Effects, may_fail
+from rossmarie.check.rules.rule_names import rule_names
+from rossmarie.check.scopes.context import Context
+from rossmarie.ir import reactions
+from rossmarie.syntax import ast
+
+
+@dataclass(frozen=True)
+class _Begun:
+    """An action in a plan, what follows if it fails, and whether it is an escalation itself."""
+
+    action: str
+    last_resort: str | None
+    is_escalation: bool
+
+
+def check_last_resorts(
+    effects: Effects,
+    order: Sequence[int],
+    unless: Sequence[Sequence[int]],
+    commands: Container[str],
+    context: Context,
+) -> None:
+    """Report each rule whose last escalations need something that a rule before it may have. The
+    escalations must have no circles; `commands` are the topics that may pass through the filter.
+    """
+    rules = context.declarations.rules
+    names = rule_names(rules)
+    needs = [_needs(rule, effects) for rule in rules]
+    for place, number in enumerate(order):
+        rule = rules[number]
+        before = [
+            other
+            for other in order[:place]
+            if other not in unless[number] and number not in unless[other]
+        ]
+        for effect in _last(rule, effects):
+            owner = next(
+                (other for other in before if _overrules(needs[other], effect, commands)), None
+            )
+            if owner is None or effect.resource is None:
+                continue
+            finding = LastResortOverruled(
+                rule=names[number], other=names[owner], resource=effect.resource
+            )
+            one = Label(_head(rule), f"rule `{names[number]}` ends with it")
+            other = Label(_head(rules[owner]), f"rule `{names[owner]}` comes first")
+            context.collector.add(finding.at(effect.span, one, other))
+
+
+def _needs(rule: ast.Rule, effects: Effects) -> list[CheckedEffect]:
+    """The effects of a rule that need something for themselves, anywhere in its plan (R2)."""
+    found = (each for begun in _begun(rule, effects) for each in effects.get(begun.action, ()))
+    return [effect for effect in found if effect.resource is not None]
+
+
+def _overrules(
+    needs: Sequence[CheckedEffect], effect: CheckedEffect, commands: Container[str]
+) -> bool:
+    """Whether a rule with these needs keeps an effect from its resource. If all that it does with
+    that is to publish the same message, it does not.
+    """
+    rivals = [other.effect for other in needs if other.resource == effect.resource]
+    found = effect.effect
+    if isinstance(found, reactions.Publish) and found.topic not in commands:
+        return bool(rivals) and set(rivals) != {found}
+    return bool(rivals)
+
+
+def _last(rule: ast.Rule, effects: Effects) -> Iterator[CheckedEffect]:
+    """The effects of escalations behind which nothing follows, and beside which nothing bounds
+    commands; each once.
+    """
+    seen: set[int] = set()
+    for begun in _begun(rule, effects):
+        own = effects.get(begun.action, ())
+        is_bounding = any(
+            isinstance(each.effect, reactions.Limit | reactions.Scale) for each in own
+        )
+        if not begun.is_escalation or is_bounding:
+            continue
+        for each in own:
+            is_last = each.otherwise is None and begun.last_resort is None
+            if is_last and may_fail(each.effect) and id(each) not in seen:
+                seen.add(id(each))
+                yield each
+
+
+def _begun(rule: ast.Rule, effects: Effects) -> Iterator[_Begun]:
+    """The actions of a plan, with what follows if they fail; each once."""
+    pending = [
+        _Begun(step.action.text, None if step.otherwise is None else step.otherwise.text, False)
+        for step in rule.steps
+    ]
+    seen: set[_Begun] = set()
+    while pending:
+        begun = pending.pop(0)
+        if begun in seen:
+            continue
+        seen.add(begun)
+        yield begun
+        for effect in effects.get(begun.action, ()):
+            if effect.otherwise is not None:
+                pending.append(_Begun(effect.otherwise, begun.last_resort, True))
+            elif begun.last_resort is not None and may_fail(effect.effect):
+                pending.append(_Begun(begun.last_resort, None, True))
+
+
+def _head(rule: ast.Rule) -> Span:
+    return rule.condition.span if rule.name is None else rule.name.span

@@ -1,0 +1,77 @@
+"""What rules lack: a file its rules, an action its effects, an input that counts its timeout."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from dslkit.diagnostics import Label
+from dslkit.source import Span
+from rossmarie.check.actions.errors import DoesNothing
+from rossmarie.check.model import ConditionKey
+from rossmarie.check.rules.errors import MissingTimeout, NoRules
+from rossmarie.check.scopes.context import Context, Uses
+from rossmarie.check.scopes.declarations import kind_of
+from rossmarie.syntax import ast
+
+
+def warn_of_missing_rules(context: Context) -> None:
+    """Warn of a main file with something to monitor, or with nothing at all, but no rule that does,
+    its own or imported.
+
+    A file of system models, actions and constants is there to be imported.
+    """
+    if context.declarations.rules:
+        return
+    items = context.declarations.main.items
+    if not items:
+        start = Span(context.declarations.main.file, 0, 0)
+        context.collector.add(NoRules(what="this file declares nothing").at(start))
+    entities = (item for item in items if isinstance(item, ast.Entity))
+    inputs = (item for item in items if isinstance(item, ast.Input))
+    first = next(entities, None) or next(inputs, None)
+    if first is not None:
+        what = f"no rule rests on this {kind_of(first)}"
+        context.collector.add(NoRules(what=what).at(first.name.span))
+
+
+def warn_of_empty_actions(context: Context) -> None:
+    """Warn of every action with braces and nothing in them."""
+    for item in context.declarations.items:
+        if isinstance(item, ast.Action) and item.body is not None and not item.effects:
+            advice = f"say what it does, or write `action {item.name.text};`"
+            finding = DoesNothing(what="action", advice=advice)
+            context.collector.add(finding.at(item.body))
+
+
+def warn_of_missing_timeouts(
+    resting: Sequence[tuple[Label, Uses]],
+    conditions: Mapping[ConditionKey, Uses],
+    context: Context,
+) -> None:
+    """Warn of every input without a timeout that something of `resting` rests on, directly or not;
+    the label says what that is.
+    """
+    warned: set[str] = set()
+    seen: set[ConditionKey] = set()
+    for place, uses in resting:
+        reached = {name for part in _reached(uses, conditions, seen) for name in part.inputs}
+        for name in sorted(reached - warned):
+            declaration = context.inputs[name].declaration
+            # One that could not be read is reported already; it may well have a timeout.
+            if declaration.timeout is None and declaration.topic.text:
+                warned.add(name)
+                finding = MissingTimeout(identifier=name)
+                context.collector.add(finding.at(declaration.name.span, place))
+
+
+def _reached(
+    uses: Uses, conditions: Mapping[ConditionKey, Uses], seen: set[ConditionKey]
+) -> Iterator[Uses]:
+    """What a rule rests on, without the conditions that were `seen` behind earlier rules."""
+    pending = [uses]
+    while pending:
+        current = pending.pop()
+        yield current
+        new = [key for key in current.conditions if key not in seen and key in conditions]
+        seen.update(new)
+        pending.extend(conditions[key] for key in new)

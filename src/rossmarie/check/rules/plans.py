@@ -1,0 +1,134 @@
+"""What follows from which actions a rule uses: escalations, latches, and how much that is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from dslkit.diagnostics import Label
+from rossmarie.check.model import CheckedEffect
+from rossmarie.check.rules.errors import CircularEscalation, LatchConflict, PlanTooLarge
+from rossmarie.check.rules.order import in_order
+from rossmarie.check.scopes.context import Context
+from rossmarie.ir import reactions
+from rossmarie.syntax import ast
+
+MOST_TASKS = 10_000
+"""Effects in all plans of a program, counted once for each place at which they may begin."""
+
+_LONGEST_CIRCLE = 8
+
+Effects = Mapping[str, tuple[CheckedEffect, ...]]
+
+
+def check_escalations(effects: Effects, context: Context) -> bool:
+    """Report actions that lead back to themselves by `else`; whether there are none."""
+    needs = {name: _otherwise(name, effects) for name in effects}
+    _, circles = in_order(needs)
+    for circle in circles:
+        _report_circle(circle, context)
+    itself = [
+        step
+        for rule in context.declarations.rules
+        for step in rule.steps
+        if step.otherwise is not None and step.otherwise.text == step.action.text
+    ]
+    for step in itself:
+        name = step.action.text
+        finding = CircularEscalation(identifier=name, cycle=f"{name} -> {name}")
+        context.collector.add(finding.at(step.span))
+    return not circles and not itself
+
+
+def _otherwise(name: str, effects: Effects) -> tuple[str, ...]:
+    named = (effect.otherwise for effect in effects.get(name, ()))
+    return tuple(dict.fromkeys(one for one in named if one is not None))
+
+
+def _report_circle(circle: tuple[str, ...], context: Context) -> None:
+    shown = circle if len(circle) <= _LONGEST_CIRCLE else (*circle[: _LONGEST_CIRCLE - 1], "...")
+    cycle = " -> ".join((*shown, circle[0]))
+    action = context.declarations.names[circle[0]]
+    following = circle[1 % len(circle)]
+    assert isinstance(action, ast.Action), "only actions have effects"
+    place = next(
+        (
+            effect.otherwise.span
+            for effect in action.effects
+            if isinstance(effect, ast.Awaited)
+            and effect.otherwise is not None
+            and effect.otherwise.text == following
+        ),
+        action.name.span,
+    )
+    finding = CircularEscalation(identifier=circle[0], cycle=cycle)
+    context.collector.add(finding.at(place))
+
+
+def reached_actions(rule: ast.Rule, effects: Effects) -> Iterator[str]:
+    """The actions that a rule names, and all that follow when they fail; each once."""
+    pending = [
+        name.text
+        for step in rule.steps
+        for name in (step.action, step.otherwise)
+        if name is not None
+    ]
+    seen: set[str] = set()
+    while pending:
+        name = pending.pop(0)
+        if name not in seen:
+            seen.add(name)
+            yield name
+            pending.extend(_otherwise(name, effects))
+
+
+def latch_of(rule: ast.Rule, effects: Effects, actions: Mapping[str, object]) -> ast.Action | None:
+    """The latched action that a rule uses, if it uses one."""
+    for name in reached_actions(rule, effects):
+        action = actions.get(name)
+        if isinstance(action, ast.Action) and action.latch is not None:
+            return action
+    return None
+
+
+def check_latches(effects: Effects, context: Context) -> None:
+    """Report rules that clear by themselves and use a latched action."""
+    for rule in context.declarations.rules:
+        action = latch_of(rule, effects, context.declarations.names)
+        for contract in rule.contracts:
+            if action is None or action.latch is None:
+                break
+            if not isinstance(contract, ast.LatchedUntilReset):
+                place = Label(action.latch.span, f"`{action.name.text}` is latched here")
+                finding = LatchConflict(identifier=action.name.text)
+                context.collector.add(finding.at(contract.span, place))
+
+
+def may_fail(effect: reactions.Effect) -> bool:
+    """Whether something can follow from its failure: what needs nothing for itself succeeds."""
+    return reactions.target_of(effect) is not None
+
+
+def check_size(effects: Effects, context: Context) -> bool:
+    """Report the first rule with which the plans become too large; whether there is none. The
+    escalations must have no circles.
+    """
+    order, _ = in_order({name: _otherwise(name, effects) for name in effects})
+    tasks: dict[str, int] = {}
+    open_ends: dict[str, int] = {}
+    for name in order:
+        own = effects.get(name, ())
+        following = [effect.otherwise for effect in own if effect.otherwise is not None]
+        tasks[name] = len(own) + sum(tasks.get(one, 0) for one in following)
+        ends = sum(effect.otherwise is None and may_fail(effect.effect) for effect in own)
+        open_ends[name] = ends + sum(open_ends.get(one, 0) for one in following)
+    total = 0
+    for rule in context.declarations.rules:
+        for step in rule.steps:
+            name = step.action.text
+            behind = 0 if step.otherwise is None else tasks.get(step.otherwise.text, 0)
+            total += tasks.get(name, 0) + open_ends.get(name, 0) * behind
+        if total > MOST_TASKS:
+            head = rule.condition.span if rule.name is None else rule.name.span
+            context.collector.add(PlanTooLarge(most=MOST_TASKS).at(head))
+            return False
+    return True

@@ -1,0 +1,49 @@
+"""What rules are called, and rules as other rules and priorities name them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from rossmarie.check.rules.errors import UndeclaredRule
+from rossmarie.check.scopes.context import Context
+from rossmarie.syntax import ast
+
+_LONGEST_CIRCLE = 8
+
+
+def numbers_of(rules: Sequence[ast.Rule]) -> dict[str, int]:
+    """The number of each rule that has a name; of two of one name the first."""
+    numbers: dict[str, int] = {}
+    for number, rule in enumerate(rules):
+        if rule.name is not None:
+            numbers.setdefault(rule.name.text, number)
+    return numbers
+
+
+def name_of(rules: Sequence[ast.Rule], number: int) -> str:
+    """What a rule is called in messages."""
+    return rule_names(rules)[number]
+
+
+def circle_of(names: Sequence[str], between: str) -> str:
+    """`a over b over a`; of a long circle the middle is left out."""
+    is_short = len(names) <= _LONGEST_CIRCLE
+    shown = names if is_short else [*names[: _LONGEST_CIRCLE - 1], "..."]
+    return between.join((*shown, names[0]))
+
+
+def report_undeclared(name: ast.Name, known: Iterable[str], context: Context) -> None:
+    """Tell of a name that no rule has."""
+    context.report_unknown(UndeclaredRule(identifier=name.text), name, known)
+
+
+def rule_names(rules: Sequence[ast.Rule]) -> list[str]:
+    """The given names; a rule without one is called by its position, `rule_2`."""
+    taken = {rule.name.text for rule in rules if rule.name is not None}
+    names: list[str] = []
+    for position, rule in enumerate(rules, start=1):
+        name = f"rule_{position}" if rule.name is None else rule.name.text
+        while rule.name is None and name in taken:
+            name += "_"
+        names.append(name)
+    return names

@@ -1,0 +1,90 @@
+"""What the checker knows and finds out while it goes over the expressions of a program."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from dslkit.diagnostics import Collector, Template
+from dslkit.source import Span
+from rossmarie.check.model import CheckedInput, ConditionKey, Value
+from rossmarie.check.scopes.declarations import Declarations
+from rossmarie.check.scopes.trees import stripped
+from rossmarie.check.wording.suggestions import Suggestions, near_name, rename
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import walk
+from rossmarie.types import Type, Unknown
+
+
+@dataclass
+class Uses:
+    """What one condition, rule or declaration refers to; conditions with the place."""
+
+    inputs: set[str] = field(default_factory=set)
+    conditions: dict[ConditionKey, Span] = field(default_factory=dict)
+
+
+@dataclass
+class Context:
+    """`types` and `values` are those of `CheckedProgram`. `constants` are the types of constants
+    (their values are in `values`, under the expression of the declaration); `used_names` and
+    `used_conditions` are all that anything refers to. `parents` leads from each part of an
+    expression, by its `id`, to what it is an operand of.
+
+    `entity` and `uses` belong to what is being checked at the moment.
+    """
+
+    collector: Collector
+    declarations: Declarations
+    inputs: dict[str, CheckedInput] = field(default_factory=dict)
+    constants: dict[str, Type] = field(default_factory=dict)
+    types: dict[int, Type] = field(default_factory=dict)
+    values: dict[int, Value] = field(default_factory=dict)
+    parents: dict[int, ast.Expression] = field(default_factory=dict)
+    used_names: set[str] = field(default_factory=set)
+    used_conditions: set[ConditionKey] = field(default_factory=set)
+    suggestions: Suggestions = field(default_factory=Suggestions)
+    entity: str | None = None
+    uses: Uses = field(default_factory=Uses)
+
+    @cached_property
+    def names_used_as_numbers(self) -> frozenset[str]:
+        """The names that stand anywhere but behind `in`."""
+        parts = [
+            part
+            for expression in self.declarations.expressions()
+            for part in walk(expression)
+            if isinstance(part, ast.Reference | ast.Membership)
+        ]
+        ranges = {
+            id(stripped(part.container)) for part in parts if isinstance(part, ast.Membership)
+        }
+        return frozenset(
+            part.name.text
+            for part in parts
+            if isinstance(part, ast.Reference) and id(part) not in ranges
+        )
+
+    def may_suggest(self) -> bool:
+        """Whether to look for what a misspelt name may have meant."""
+        return self.suggestions.take(len(self.declarations.names))
+
+    def report_unknown(self, finding: Template, name: ast.Name, known: Iterable[str]) -> None:
+        """Report a name that is none of those known, with the one that may be meant."""
+        near = near_name(name.text, known) if self.may_suggest() else None
+        if near is None:
+            self.collector.add(finding.at(name.span))
+            return
+        help, fix = f"did you mean `{near}`?", rename(name, near)
+        self.collector.add(finding.at(name.span, help=help, fix=fix))
+
+    def type_of(self, node: ast.Expression) -> Type:
+        """The type found for a node; `Unknown` if it was passed over."""
+        return self.types.get(id(node), Unknown())
+
+    def enter(self, entity: str | None) -> Uses:
+        """Begin with the next condition, rule or declaration; the result records its uses."""
+        self.entity = entity
+        self.uses = Uses()
+        return self.uses

@@ -1,0 +1,174 @@
+"""All declarations of all modules, in one place; names that are declared twice are reported.
+
+The first declaration of a name is the one that counts; later ones are still checked themselves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Collector, Label
+from rossmarie.check.scopes.errors import DuplicateName, RepeatedAction, SeveralContracts
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import expressions
+
+Named = ast.Action | ast.Constant | ast.Input | ast.Entity
+
+KINDS: Mapping[type[object], str] = {
+    ast.Action: "action",
+    ast.Constant: "constant",
+    ast.Input: "input",
+    ast.Entity: "entity",
+}
+ARTICLES: Mapping[str, str] = {
+    "action": "an action",
+    "constant": "a constant",
+    "input": "an input",
+    "entity": "an entity",
+}
+
+
+def kind_of(item: Named) -> str:
+    """`constant` for a constant."""
+    return KINDS[type(item)]
+
+
+@dataclass(frozen=True)
+class Declarations:
+    """What is declared. `names` is the one namespace of constants, inputs, entities and actions;
+    `conditions` are those of each entity. `items` holds every item, also second declarations.
+    `is_whole` is False if a file could not be read: what is not declared here may be there.
+    """
+
+    items: tuple[ast.Item, ...]
+    main: ast.Module
+    names: Mapping[str, Named]
+    conditions: Mapping[str, Mapping[str, ast.Condition]]
+    is_whole: bool
+
+    @property
+    def rules(self) -> tuple[ast.Rule, ...]:
+        """All rules, imported files first."""
+        return tuple(item for item in self.items if isinstance(item, ast.Rule))
+
+    @property
+    def entities(self) -> tuple[ast.Entity, ...]:
+        """All entities."""
+        return tuple(item for item in self.items if isinstance(item, ast.Entity))
+
+    @property
+    def constants(self) -> tuple[ast.Constant, ...]:
+        """All constants."""
+        return tuple(item for item in self.items if isinstance(item, ast.Constant))
+
+    @property
+    def inputs(self) -> tuple[ast.Input, ...]:
+        """All inputs."""
+        return tuple(item for item in self.items if isinstance(item, ast.Input))
+
+    @property
+    def systems(self) -> tuple[ast.System, ...]:
+        """All system models."""
+        return tuple(item for item in self.items if isinstance(item, ast.System))
+
+    def expressions(self) -> Iterator[ast.Expression]:
+        """The outermost expressions of all items."""
+        for item in self.items:
+            yield from expressions(item)
+
+
+def collect(modules: Sequence[ast.Module], collector: Collector) -> Declarations:
+    """Gather the declarations of `modules`, main module last."""
+    items = tuple(item for module in modules for item in module.items)
+    names: dict[str, Named] = {}
+    conditions: dict[str, Mapping[str, ast.Condition]] = {}
+    for item in items:
+        if not isinstance(item, Named):
+            continue
+        first = names.setdefault(item.name.text, item)
+        if first is not item:
+            _report_second(item, first, collector)
+        elif isinstance(item, ast.Entity):
+            conditions[item.name.text] = _conditions(item, collector)
+    is_whole = all(module.is_whole for module in modules)
+    declarations = Declarations(items, modules[-1], names, conditions, is_whole)
+    _check_hidden_names(declarations, collector)
+    _check_structure(declarations, collector)
+    return declarations
+
+
+def _report_second(item: Named, first: Named, collector: Collector) -> None:
+    finding = DuplicateName(
+        identifier=item.name.text,
+        kind=kind_of(item),
+        other=ARTICLES[kind_of(first)],
+        reason="constants, inputs, entities and actions share one set of names",
+    )
+    collector.add(finding.at(item.name.span, Label(first.name.span, "first declared here")))
+
+
+def _conditions(entity: ast.Entity, collector: Collector) -> dict[str, ast.Condition]:
+    found: dict[str, ast.Condition] = {}
+    for condition in entity.conditions:
+        first = found.setdefault(condition.name.text, condition)
+        if first is not condition:
+            finding = DuplicateName(
+                identifier=condition.name.text,
+                kind="condition",
+                other="a condition",
+                reason="within an entity, each condition has a name of its own",
+            )
+            place = Label(first.name.span, "first declared here")
+            collector.add(finding.at(condition.name.span, place))
+    return found
+
+
+def _check_hidden_names(declarations: Declarations, collector: Collector) -> None:
+    """A condition must not take the name of a value: inside its entity it would hide it."""
+    for entity in declarations.entities:
+        for condition in entity.conditions:
+            value = declarations.names.get(condition.name.text)
+            if isinstance(value, ast.Constant | ast.Input):
+                finding = DuplicateName(
+                    identifier=condition.name.text,
+                    kind="condition",
+                    other=ARTICLES[kind_of(value)],
+                    reason=f"inside `{entity.name.text}` the bare name could mean either",
+                )
+                place = Label(value.name.span, "first declared here")
+                collector.add(finding.at(condition.name.span, place))
+
+
+def _check_structure(declarations: Declarations, collector: Collector) -> None:
+    rule_names: dict[str, ast.Name] = {}
+    for rule in declarations.rules:
+        _check_rule(rule, rule_names, collector)
+
+
+def _check_rule(rule: ast.Rule, names: dict[str, ast.Name], collector: Collector) -> None:
+    if rule.name is not None:
+        first = names.setdefault(rule.name.text, rule.name)
+        if first is not rule.name:
+            finding = DuplicateName(
+                identifier=rule.name.text,
+                kind="rule",
+                other="a rule",
+                reason="a verdict names its rule; two rules of one name could not be told apart",
+            )
+            place = Label(first.span, "first declared here")
+            collector.add(finding.at(rule.name.span, place))
+    for contract in rule.contracts[1:]:
+        place = Label(rule.contracts[0].span, "the first contract")
+        collector.add(SeveralContracts().at(contract.span, place))
+    for name, first in _repeated(rule.actions):
+        place = Label(first.span, "first named here")
+        collector.add(RepeatedAction(identifier=name.text).at(name.span, place))
+
+
+def _repeated(names: Sequence[ast.Name]) -> Iterator[tuple[ast.Name, ast.Name]]:
+    seen: dict[str, ast.Name] = {}
+    for name in names:
+        first = seen.setdefault(name.text, name)
+        if first is not name:
+            yield name, first

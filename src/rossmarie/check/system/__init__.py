@@ -1,0 +1,1 @@
+"""System models and inputs: topics, message types, the units of fields, rates."""

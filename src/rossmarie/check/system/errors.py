@@ -1,0 +1,134 @@
+"""What is wrong with system models and inputs."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Template
+
+
+class UnknownMessageType(Error, code="ROSS109", name="unknown-message-type"):
+    """A message type without a definition."""
+
+    title = "there is no message type `{identifier}`"
+    label = "no definition of this type is known"
+    note = "known are the types of the common ROS packages and the .msg files of message folders"
+    identifier: str
+
+
+class TopicWithoutType(Error, code="ROSS110", name="topic-without-type"):
+    """An input in the printed form whose topic no system model declares."""
+
+    title = "the message type of topic `{topic}` is not known"
+    label = "no system model declares this topic"
+    note = (
+        "without a type after the topic (`topic /imu/data : sensor_msgs/Imu`) the type comes "
+        "from a system model"
+    )
+    topic: str
+
+
+class TopicTypeConflict(Error, code="ROSS111", name="topic-type-conflict"):
+    """One topic, two message types."""
+
+    title = "topic `{topic}` cannot be both {found} and {expected}"
+    label = "{found} here"
+    note = "a topic carries messages of one type"
+    help = "write `{expected}` here, or correct the other declaration"
+    topic: str
+    found: str
+    expected: str
+
+
+class UndeclaredTopic(Error, code="ROSS112", name="undeclared-topic"):
+    """A topic that a node of the system model uses and nothing declares."""
+
+    title = "topic `{topic}` is not declared"
+    label = "no system model declares this topic"
+    help = "declare it in the system model: `topic {topic} : PACKAGE/TYPE;`"
+    topic: str
+
+
+class MalformedMessageDefinition(Error, code="ROSS116", name="malformed-message-definition"):
+    """A .msg file that cannot be understood."""
+
+    title = "the definition of `{identifier}` cannot be read"
+    label = "this type is needed here"
+    note = "{problem}"
+    help = "correct the .msg file"
+    identifier: str
+    problem: str
+
+
+class MessageFolderMissing(Error, code="ROSS117", name="message-folder-missing"):
+    """A `messages` declaration that leads nowhere."""
+
+    title = "there is no folder `{path}`"
+    label = "looked for `{looked_for}`"
+    note = "the path is relative to the file that declares it"
+    help = "name the folder that holds PACKAGE/msg/TYPE.msg"
+    path: str
+    looked_for: str
+
+
+class UnitContradictsField(Error, code="ROSS308", name="unit-contradicts-field"):
+    """A unit given to an input whose field has a unit of another dimension."""
+
+    title = "{field} is in {known}, not in {found}"
+    label = "this is of another dimension"
+    note = "the unit after `in` says in which unit of its dimension a field arrives"
+    help = (
+        "leave `in {found}` out; if the field does carry {found}, say so in the system model: "
+        "`unit {field} = {found};`"
+    )
+    field: str
+    known: str
+    found: str
+
+
+class FieldUnitConflict(Error, code="ROSS311", name="field-unit-conflict"):
+    """One field of one topic, said to arrive in two units."""
+
+    title = "{field} of topic `{topic}` cannot arrive both in {found} and in {expected}"
+    label = "{found} here"
+    note = "each message carries one number there; at least one of the two would be misread"
+    help = "find out what the topic carries, and say the same in both places"
+    topic: str
+    field: str
+    found: str
+    expected: str
+
+
+class UnitDeclarationConflict(Error, code="ROSS313", name="unit-declaration-conflict"):
+    """One field of one message, declared to be in two units by system models."""
+
+    title = "{field} cannot be both in {found} and in {expected}"
+    label = "{found} here"
+    note = "a field carries one number; with one of the two units it would be misread"
+    help = "find out what the publishers send, and declare its unit once"
+    field: str
+    found: str
+    expected: str
+
+
+class RateConflict(Error, code="ROSS328", name="rate-conflict"):
+    """One topic, said to carry messages at two rates."""
+
+    title = "messages on `{topic}` cannot come both at {found} and at {expected}"
+    label = "another rate here"
+    help = "declare one rate, or a range that holds both: `at [8, 12] Hz`"
+    topic: str
+    found: str
+    expected: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnknownMessageType,
+    TopicWithoutType,
+    TopicTypeConflict,
+    UndeclaredTopic,
+    MalformedMessageDefinition,
+    MessageFolderMissing,
+    UnitContradictsField,
+    FieldUnitConflict,
+    UnitDeclarationConflict,
+    RateConflict,
+)

@@ -1,0 +1,87 @@
+"""What is wrong with tests."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Template, Warning
+
+
+class UnknownTestInput(Error, code="ROSS126", name="unknown-test-input"):
+    """A message of a test for something that is no input."""
+
+    title = "`{identifier}` is not an input"
+    label = "a message arrives at an input"
+    help = "begin with the name of an input, as in `at 0 sec speed = 0.3 m/s;`"
+    identifier: str
+
+
+class SettingMismatch(Error, code="ROSS127", name="setting-mismatch"):
+    """A value in a test that does not fit its field."""
+
+    title = "`{field}` is {expected}"
+    label = "this is {found}"
+    help = "{advice}"
+    field: str
+    expected: str
+    found: str
+    advice: str
+
+
+class InstantOutOfRange(Error, code="ROSS128", name="instant-out-of-range"):
+    """An instant of a test that is no time from its beginning on."""
+
+    title = "an instant is a time since the beginning of the test"
+    label = "this is {found}"
+    help = "write a time from `0 sec` to `1e6 sec`, such as `1.5 sec`"
+    found: str
+
+
+class InstantOutOfOrder(Error, code="ROSS129", name="instant-out-of-order"):
+    """An instant of a test that comes before the one in front of it."""
+
+    title = "{what} out of order"
+    label = "this is before {before}"
+    note = "a test is read from top to bottom, as time passes"
+    help = "{advice}"
+    what: str
+    before: str
+    advice: str
+
+
+class TooManyMessages(Error, code="ROSS130", name="too-many-messages"):
+    """A repetition with more messages than a test may have."""
+
+    title = "these are {count} messages"
+    label = "a test may have {limit}"
+    help = "repeat them less often, or for a shorter time"
+    count: int
+    limit: int
+
+
+class NotSettable(Error, code="ROSS131", name="not-settable"):
+    """Something in a test that is given a value, but has none."""
+
+    title = "`{field}` cannot be set as a whole"
+    label = "this is {found}"
+    help = "{advice}"
+    field: str
+    found: str
+    advice: str
+
+
+class NothingExpected(Warning, code="ROSS132", name="nothing-expected"):
+    """A test without expectations."""
+
+    title = "this test expects nothing"
+    label = "it passes whatever the rules do"
+    help = "say what is expected: `expect RULE active at 1 sec;`"
+
+
+ALL: tuple[type[Template], ...] = (
+    UnknownTestInput,
+    SettingMismatch,
+    InstantOutOfRange,
+    InstantOutOfOrder,
+    TooManyMessages,
+    NotSettable,
+    NothingExpected,
+)

@@ -1,0 +1,251 @@
+"""The fields that messages of a test set, and their values."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Diagnostic
+from rossmarie.check.actions.whole_numbers import is_whole
+from rossmarie.check.expressions.infer import infer
+from rossmarie.check.names.fields import members, select, unit_of
+from rossmarie.check.operations.errors import NotAnArray
+from rossmarie.check.operations.operands import require_constant
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.tests.errors import NotSettable, SettingMismatch, UnknownTestInput
+from rossmarie.check.units.errors import MisplacedUnit
+from rossmarie.check.units.quantities import ANGLE, read_unit
+from rossmarie.check.wording.describe import describe, is_plain
+from rossmarie.ir.script import Setting, SettingValue
+from rossmarie.syntax import ast
+from rossmarie.types import (
+    Array,
+    Boolean,
+    Message,
+    Quantity,
+    Quaternion,
+    Text,
+    Type,
+    Unknown,
+    Vector,
+)
+from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
+
+_ANGLES = ("roll", "pitch", "yaw")
+_RADIANS = Quantity(parse_unit("rad"))
+
+
+def settings_of(written: tuple[ast.Setting, ...], context: Context) -> tuple[Setting, ...] | None:
+    """What messages set; None after reporting what is wrong. A vector is set one by one."""
+    found: list[Setting] = []
+    is_right = True
+    for setting in written:
+        checked = _SettingChecker(setting, context).check()
+        is_right = is_right and checked is not None
+        found += checked or ()
+    return tuple(found) if is_right else None
+
+
+class _SettingChecker:
+    """Checks one setting."""
+
+    def __init__(self, setting: ast.Setting, context: Context) -> None:
+        self._setting = setting
+        self._context = context
+        self._text = setting.path.span.text
+
+    def check(self) -> tuple[Setting, ...] | None:
+        """What it sets; None after reporting what is wrong with it."""
+        type_ = self._input_type()
+        if type_ is None or isinstance(type_, Unknown):
+            if isinstance(self._setting.value, ast.Bracket):
+                return None
+            if self._setting.value is not None:
+                infer(self._setting.value, self._context)
+            return None
+        found = self._field(type_)
+        if found is None:
+            return None
+        type_, path, angle = found
+        if self._setting.is_unknown:
+            return self._unknown(type_, path, angle)
+        if self._setting.value is None:
+            return () if len(self._setting.path.steps) == 1 else self._without_value()
+        value = self._value(self._setting.value, type_)
+        if value is None:
+            return None
+        if isinstance(type_, Vector) and isinstance(value, tuple):
+            parts = zip("xyz", value, strict=True)
+            return tuple(self._made((*path, name), number, None) for name, number in parts)
+        return (self._made(path, value, angle),)
+
+    def _made(self, path: tuple[str | int, ...], value: SettingValue, angle: str | None) -> Setting:
+        name = self._setting.path.steps[0]
+        assert isinstance(name, ast.Name)
+        topic = self._context.inputs[name.text].topic
+        return Setting(name.text, topic, path, value, angle, span=self._setting.span)
+
+    # --- fields ------------------------------------------------------------------------------
+
+    def _input_type(self) -> Type | None:
+        name = self._setting.path.steps[0]
+        assert isinstance(name, ast.Name)
+        found = self._context.inputs.get(name.text)
+        if found is not None:
+            return found.type
+        if self._context.declarations.is_whole:
+            finding = UnknownTestInput(identifier=name.text)
+            self._context.report_unknown(finding, name, self._context.inputs)
+        return None
+
+    def _field(self, type_: Type) -> tuple[Type, tuple[str | int, ...], str | None] | None:
+        """The type of the field, the path from the message, and the angle that is meant."""
+        first, *rest = self._setting.path.steps
+        assert isinstance(first, ast.Name)
+        path: list[str | int] = list(self._context.inputs[first.text].path)
+        text, before = first.text, first.span
+        for step in rest:
+            if isinstance(step, ast.Position):
+                if not isinstance(type_, Array):
+                    finding = NotAnArray(purpose="an index", found=describe(type_))
+                    self._add(finding.at(step.span, help="leave the index out"))
+                    return None
+                type_ = type_.element
+                path.append(step.index)
+                continue
+            if isinstance(type_, Quaternion) and step.text in _ANGLES and step is rest[-1]:
+                return _RADIANS, tuple(path), step.text
+            found = members(type_).get(step.text)
+            if found is None:
+                found = select(type_, step, text, before, self._context.collector)
+            if isinstance(found, Unknown):
+                return None
+            type_, text, before = found, f"{text}.{step.text}", step.span
+            path.append(step.text)
+        return type_, tuple(path), None
+
+    def _unknown(
+        self, type_: Type, path: tuple[str | int, ...], angle: str | None
+    ) -> tuple[Setting, ...] | None:
+        parts = "xyz" if isinstance(type_, Vector) else "xyzw"
+        if angle is not None or isinstance(type_, Vector | Quaternion):
+            return tuple(self._made((*path, part), None, None) for part in parts)
+        if isinstance(type_, Message):
+            self._report_whole(type_)
+            return None
+        if isinstance(type_, Array):
+            return (self._made(path, (), None),)
+        return (self._made(path, None, None),)
+
+    def _without_value(self) -> tuple[Setting, ...] | None:
+        first = self._setting.path.steps[0]
+        assert isinstance(first, ast.Name)
+        advice = f"give it a value, or write `{first.text}` alone to send it once more"
+        finding = NotSettable(field=self._text, found="a field without a value", advice=advice)
+        self._add(finding.at(self._setting.span))
+        return None
+
+    def _report_whole(self, type_: Type) -> None:
+        if isinstance(type_, Quaternion):
+            advice = f"set an angle: `{self._text}.pitch = 5 deg`"
+        else:
+            inside = [f"`{self._text}.{name}`" for name in members(type_)][:8]
+            advice = f"set one of its fields: {', '.join(inside)}" if inside else "leave it out"
+        finding = NotSettable(field=self._text, found=describe(type_), advice=advice)
+        self._add(finding.at(self._setting.path.span))
+
+    # --- values ------------------------------------------------------------------------------
+
+    def _value(self, value: ast.Expression, type_: Type) -> SettingValue:
+        if isinstance(type_, Message | Quaternion):
+            self._report_whole(type_)
+            return None
+        if isinstance(type_, Vector | Array):
+            return self._list(value, type_)
+        if isinstance(value, ast.Bracket):
+            self._mismatch(value, type_, "a list")
+            return None
+        return self._scalar(value, type_, None)
+
+    def _list(self, value: ast.Expression, type_: Vector | Array) -> tuple[float, ...] | None:
+        if not isinstance(value, ast.Bracket):
+            infer(value, self._context)
+            self._mismatch(value, type_, "one value")
+            return None
+        unit = None if value.unit is None else read_unit(value.unit, self._context.collector)
+        if value.unit is not None and unit is None:
+            return None
+        count = len(value.elements)
+        if isinstance(type_, Vector) and count != 3:
+            self._mismatch(value, type_, f"a list of {count}")
+            return None
+        element = type_.element
+        fits = unit is None or self._fits_list(value, Quantity(unit), element)
+        if not fits:
+            return None
+        found = [self._scalar(each, element, unit) for each in value.elements]
+        numbers = tuple(float(each) for each in found if isinstance(each, float | bool))
+        return numbers if len(numbers) == len(found) else None
+
+    def _scalar(
+        self, node: ast.Expression, type_: Type, around: Unit | None
+    ) -> float | bool | str | None:
+        """The value in SI; `around` is the unit of the list around it."""
+        found = infer(node, self._context)
+        if isinstance(found, Unknown):
+            return None
+        if not require_constant(node, f"the value of `{self._text}`", self._context):
+            return None
+        value = self._context.values[id(node)]
+        if isinstance(type_, Boolean) and isinstance(found, Boolean):
+            return value.boolean
+        if isinstance(type_, Text) and isinstance(found, Text):
+            return value.text
+        if not (isinstance(type_, Quantity) and isinstance(found, Quantity)):
+            self._mismatch(node, type_, describe(found))
+            return None
+        number = value.numbers[0]
+        if around is None:
+            return self._held(node, number, type_) if self._fits(node, found, type_) else None
+        if not is_plain(found):
+            advice = f"write the unit once, `[...] {around.symbol}`"
+            reason = "this element has a unit, and so has the whole list"
+            self._add(MisplacedUnit(reason=reason, advice=advice).at(node.span))
+            return None
+        return self._held(node, around.to_si(number), type_)
+
+    def _held(self, node: ast.Expression, number: float, type_: Quantity) -> float | None:
+        """The number, if messages can carry it."""
+        if type_.limits is None:
+            return number
+        held = type_.unit, type_.limits
+        return number if is_whole(node, number, self._text, held, self._context) else None
+
+    def _fits_list(self, value: ast.Bracket, found: Quantity, element: Type) -> bool:
+        if isinstance(element, Quantity):
+            return self._fits(value, found, element)
+        self._mismatch(value, element, describe(found))
+        return False
+
+    def _fits(self, node: ast.Expression, found: Quantity, type_: Quantity) -> bool:
+        if type_.unit is None or found.unit is None:
+            return True
+        if found.unit.dimension == type_.unit.dimension:
+            return True
+        self._mismatch(node, type_, describe(found))
+        return False
+
+    def _mismatch(self, node: ast.Expression, type_: Type, found: str) -> None:
+        unit = unit_of(type_)
+        symbol = "" if unit is None or unit == DIMENSIONLESS else f" {unit.symbol}"
+        if unit is not None and unit.dimension == ANGLE:
+            symbol = " deg"
+        examples = {Boolean: "true", Text: '"..."', Vector: f"[0, 0, 1]{symbol}"}
+        example = examples.get(type(type_), f"[1, 2]{symbol}" if isinstance(type_, Array) else "")
+        finding = SettingMismatch(
+            field=self._text,
+            expected=describe(type_),
+            found=found,
+            advice=f"write it as in `{self._text} = {example or f'1{symbol}'}`",
+        )
+        self._add(finding.at(node.span))
+
+    def _add(self, finding: Diagnostic) -> None:
+        self._context.collector.add(finding)

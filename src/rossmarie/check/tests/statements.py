@@ -1,0 +1,249 @@
+"""Tests: whether names, fields, units and instants fit; and what they say, as data."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Label
+from rossmarie.check.actions.commands import CommandChecker
+from rossmarie.check.expressions.infer import infer
+from rossmarie.check.operations.operands import duration_ns, require_constant
+from rossmarie.check.rules.rule_names import report_undeclared, rule_names
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.errors import DuplicateName
+from rossmarie.check.tests.errors import (
+    InstantOutOfOrder,
+    InstantOutOfRange,
+    NothingExpected,
+    TooManyMessages,
+)
+from rossmarie.check.tests.settings import settings_of
+from rossmarie.check.units.quantities import SECOND
+from rossmarie.check.wording.describe import describe
+from rossmarie.ir import script
+from rossmarie.syntax import ast
+from rossmarie.types import Quantity, Unknown
+
+MOST_MESSAGES = 100_000
+"""Of one repetition."""
+
+_LATEST_S = 1e6
+
+
+def check_tests(
+    commands: CommandChecker, context: Context, *, is_parsed: bool
+) -> tuple[script.Script, ...]:
+    """All tests, in the order of the files; those with errors are left out. If not all could be
+    parsed, what a test seems to lack may be there.
+    """
+    names = rule_names(context.declarations.rules)
+    rules = {name: index for index, name in reversed(list(enumerate(names)))}
+    first: dict[str, ast.Test] = {}
+    found = []
+    for test in context.declarations.items:
+        if not isinstance(test, ast.Test):
+            continue
+        if first.setdefault(test.name.value, test) is not test:
+            _report_second(test, first[test.name.value], context)
+        checked = _TestChecker(rules, commands, context, is_parsed).check(test)
+        found += [] if checked is None else [checked]
+    return tuple(found)
+
+
+def _report_second(test: ast.Test, first: ast.Test, context: Context) -> None:
+    finding = DuplicateName(
+        identifier=test.name.value,
+        kind="test",
+        other="a test",
+        reason="two tests of one name could not be told apart in a report",
+    )
+    place = Label(first.name.span, "first declared here")
+    context.collector.add(finding.at(test.name.span, place))
+
+
+class _TestChecker:
+    """Checks one test; `rules` are the numbers of rules by their names."""
+
+    def __init__(
+        self, rules: dict[str, int], commands: CommandChecker, context: Context, is_parsed: bool
+    ) -> None:
+        self._rules = rules
+        self._commands = commands
+        self._is_parsed = is_parsed
+        self._context = context
+        self._is_right = True
+
+    def check(self, test: ast.Test) -> script.Script | None:
+        """The test as data; None after reporting what is wrong with it."""
+        events: list[script.ScriptedArrival | script.ScriptedReset] = []
+        expectations: list[script.Expectation | None] = []
+        commands: list[script.CommandExpectation | None] = []
+        before: ast.Arrival | ast.OperatorReset | None = None
+        now_ns = 0
+        for statement in test.statements:
+            self._context.enter(None)
+            if isinstance(statement, ast.Expectation):
+                expectations.append(self._expectation(statement))
+                continue
+            if isinstance(statement, ast.CommandExpectation):
+                commands.append(self._command_expectation(statement))
+                continue
+            event = self._event(statement)
+            if event is None:
+                continue
+            start_ns = event.at_ns if isinstance(event, script.ScriptedReset) else event.first_ns
+            if before is not None and start_ns < now_ns:
+                self._report_order(statement, before)
+            before, now_ns = statement, max(start_ns, now_ns)
+            events.append(event)
+        if not (expectations or commands) and self._is_parsed:
+            self._context.collector.add(NothingExpected().at(test.name.span))
+        if not self._is_right:
+            return None
+        known = tuple(expected for expected in expectations if expected is not None)
+        told = tuple(expected for expected in commands if expected is not None)
+        return script.Script(test.name.value, tuple(events), known, test.span, told)
+
+    def _event(
+        self, statement: ast.Arrival | ast.OperatorReset
+    ) -> script.ScriptedArrival | script.ScriptedReset | None:
+        if isinstance(statement, ast.OperatorReset):
+            at_ns = self._instant(statement.at)
+            rule = None if statement.rule is None else self._rule(statement.rule)
+            return None if at_ns is None else script.ScriptedReset(at_ns, rule)
+        settings = settings_of(statement.settings, self._context)
+        times = self._times(statement)
+        if settings is None or times is None:
+            self._is_right = False
+            return None
+        inputs = tuple(dict.fromkeys(_input(setting) for setting in statement.settings))
+        topics = tuple(dict.fromkeys(self._context.inputs[name].topic for name in inputs))
+        return script.ScriptedArrival(*times, inputs, topics, settings)
+
+    def _times(self, statement: ast.Arrival) -> tuple[int, int, int | None] | None:
+        """The first and the last instant, and the period."""
+        if statement.at is not None:
+            at_ns = self._instant(statement.at)
+            return None if at_ns is None else (at_ns, at_ns, None)
+        assert statement.period is not None
+        assert statement.stretch is not None
+        infer(statement.period, self._context)
+        period_ns = duration_ns(statement.period, "what stands after `every`", self._context)
+        ends = self._stretch(statement.stretch)
+        if period_ns is None or ends is None:
+            return None
+        count = (ends[1] - ends[0]) // period_ns + 1
+        if count > MOST_MESSAGES:
+            finding = TooManyMessages(count=count, limit=MOST_MESSAGES)
+            self._context.collector.add(finding.at(statement.span))
+            return None
+        return (*ends, period_ns)
+
+    def _expectation(self, statement: ast.Expectation) -> script.Expectation | None:
+        rule, ends = self._rule(statement.rule), self._ends(statement)
+        if rule is None or ends is None:
+            self._is_right = False
+            return None
+        return script.Expectation(rule, statement.is_active, *ends, statement.span)
+
+    def _command_expectation(
+        self, statement: ast.CommandExpectation
+    ) -> script.CommandExpectation | None:
+        found = self._commands.expected(statement.topic, statement.path, statement.range)
+        ends = self._ends(statement)
+        if found is None or ends is None:
+            self._is_right = False
+            return None
+        command, index, low, high = found
+        field = command.fields[index]
+        values = field.path, low, high, field.unit
+        return script.CommandExpectation(command.topic, *values, *ends, statement.span)
+
+    def _ends(self, statement: ast.Expectation | ast.CommandExpectation) -> tuple[int, int] | None:
+        """The first and the last instant that an expectation speaks of."""
+        if statement.at is not None:
+            at_ns = self._instant(statement.at)
+            return None if at_ns is None else (at_ns, at_ns)
+        assert statement.stretch is not None
+        return self._stretch(statement.stretch)
+
+    def _rule(self, name: ast.Name) -> int | None:
+        if name.text in self._rules:
+            return self._rules[name.text]
+        self._is_right = False
+        if self._context.declarations.is_whole:
+            report_undeclared(name, self._rules, self._context)
+        return None
+
+    # --- time --------------------------------------------------------------------------------
+
+    def _stretch(self, stretch: ast.Stretch) -> tuple[int, int] | None:
+        """The first and the last instant, both included."""
+        first, last = self._instant(stretch.first), self._instant(stretch.last)
+        if first is None or last is None:
+            return None
+        last -= stretch.is_open
+        if last < first:
+            self._is_right = False
+            finding = InstantOutOfOrder(
+                what="the ends of this stretch are",
+                before="the beginning",
+                advice="write the earlier instant behind `from`",
+            )
+            place = Label(stretch.first.span, "the beginning")
+            self._context.collector.add(finding.at(stretch.last.span, place))
+            return None
+        return first, last
+
+    def _instant(self, node: ast.Expression) -> int | None:
+        """An instant in nanoseconds; None, after reporting, if it is none."""
+        type_ = infer(node, self._context)
+        seconds = self._seconds(node) if _is_time(type_) else None
+        if seconds is not None and 0 <= seconds <= _LATEST_S:
+            return round(seconds * 1e9)
+        self._is_right = False
+        is_reported = isinstance(type_, Unknown) or (_is_time(type_) and seconds is None)
+        if not is_reported:
+            found = describe(type_) if seconds is None else f"{seconds:g} sec"
+            self._context.collector.add(InstantOutOfRange(found=found).at(node.span))
+        return None
+
+    def _seconds(self, node: ast.Expression) -> float | None:
+        if not require_constant(node, "an instant", self._context):
+            return None
+        return self._context.values[id(node)].numbers[0]
+
+    def _report_order(
+        self,
+        statement: ast.Arrival | ast.OperatorReset,
+        before: ast.Arrival | ast.OperatorReset,
+    ) -> None:
+        self._is_right = False
+        finding = InstantOutOfOrder(
+            what="this statement is",
+            before="the statement above it",
+            advice="move it up; expectations may stand anywhere",
+        )
+        place = Label(_start(before).span, "this comes later")
+        self._context.collector.add(finding.at(_start(statement).span, place))
+
+
+def _start(statement: ast.Arrival | ast.OperatorReset) -> ast.Expression:
+    """The instant at which a statement begins."""
+    if statement.at is not None:
+        return statement.at
+    assert isinstance(statement, ast.Arrival)
+    assert statement.stretch is not None
+    return statement.stretch.first
+
+
+def _is_time(type_: object) -> bool:
+    return (
+        isinstance(type_, Quantity)
+        and type_.unit is not None
+        and type_.unit.dimension == SECOND.dimension
+    )
+
+
+def _input(setting: ast.Setting) -> str:
+    step = setting.path.steps[0]
+    assert isinstance(step, ast.Name)
+    return step.text

@@ -1,0 +1,1 @@
+"""Units: which quantities fit together, and what a unit as written means."""

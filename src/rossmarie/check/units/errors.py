@@ -1,0 +1,111 @@
+"""What is wrong with units."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Template
+
+
+class UnitMismatch(Error, code="ROSS301", name="unit-mismatch"):
+    """Two quantities of different dimensions where one dimension is needed."""
+
+    title = "{found} does not fit {expected}"
+    label = "{words}"
+    note = "only quantities of one dimension can be {purpose}"
+    help = "give both sides a unit of one dimension, such as {expected}"
+    found: str
+    words: str
+    expected: str
+    purpose: str
+
+
+class RateAgainstQuantity(Error, code="ROSS302", name="rate-against-quantity"):
+    """A quantity compared with a rate of change of that quantity."""
+
+    title = "{rate} is the rate of change of {quantity}, and does not fit it"
+    label = "{words}"
+    note = "how much something is and how fast it changes are different things"
+    help = "write a value in {expected}"
+    rate: str
+    quantity: str
+    words: str
+    expected: str
+
+
+class MissingUnit(Error, code="ROSS303", name="missing-unit"):
+    """A plain number where a quantity with a unit is needed."""
+
+    title = "this number needs a unit"
+    label = "a plain number"
+    note = "the other side is in {expected} ({dimension}); {reason}"
+    help = "write `{corrected}`"
+    expected: str
+    dimension: str
+    reason: str
+    corrected: str
+
+
+class FieldWithoutUnit(Error, code="ROSS304", name="field-without-unit"):
+    """A message field of unknown unit where the unit matters."""
+
+    title = "the unit of this field is not known"
+    label = "no unit is known for this"
+    note = "it meets a quantity in {other}, and ROS message definitions carry no units"
+    help = "say in which unit it arrives, with `in {other}` after the input"
+    other: str
+
+
+class UnknownUnit(Error, code="ROSS305", name="unknown-unit"):
+    """A unit that does not exist."""
+
+    title = "there is no unit `{text}`"
+    label = "`{part}` is not a unit"
+    text: str
+    part: str
+
+
+class MisplacedUnit(Error, code="ROSS309", name="misplaced-unit"):
+    """A unit on something that cannot have one."""
+
+    title = "a unit does not belong here"
+    label = "{reason}"
+    help = "{advice}"
+    reason: str
+    advice: str
+
+
+class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
+    """A unit with white space in it, so that its rest is taken for a value."""
+
+    title = "`{identifier}` is a unit here, not a value"
+    label = "`{operator} {identifier}` calculates with something called `{identifier}`"
+    note = (
+        "a unit stands directly after its number and has no white space in itself; "
+        "no constant or input is called `{identifier}`"
+    )
+    help = "write `{corrected}`"
+    identifier: str
+    operator: str
+    corrected: str
+
+
+class RatioOutOfRange(Error, code="ROSS314", name="ratio-out-of-range"):
+    """A field that carries a share from 0 to 1, compared with a plain number above 1."""
+
+    title = "{field} is a share from 0 to 1, and {text} is beyond that"
+    label = "as a share, 1 means 100 %"
+    note = "whatever the name of the field says, a message carries 0.2 there for 20 %"
+    help = "write `{text} %`"
+    field: str
+    text: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnitMismatch,
+    RateAgainstQuantity,
+    MissingUnit,
+    FieldWithoutUnit,
+    UnknownUnit,
+    MisplacedUnit,
+    SpacedUnit,
+    RatioOutOfRange,
+)

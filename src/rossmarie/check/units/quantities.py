@@ -1,0 +1,268 @@
+"""The rules of units: which quantities fit together, and what a unit as written means."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.diagnostics import Collector, Edit, Fix, Label
+from dslkit.source import Span
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.trees import (
+    constant_of,
+    literal_of,
+    path_of,
+    root_of,
+    stripped,
+    text_of,
+)
+from rossmarie.check.units.errors import (
+    FieldWithoutUnit,
+    MissingUnit,
+    RateAgainstQuantity,
+    UnitMismatch,
+    UnknownUnit,
+)
+from rossmarie.check.wording.describe import describe_quantity, is_plain
+from rossmarie.syntax import ast
+from rossmarie.types import Array, Box, Interval, Quantity, Vector, unit_faults
+from rossmarie.units import (
+    DIMENSIONLESS,
+    Unit,
+    UnknownUnitError,
+    divide,
+    factor_of,
+    multiply,
+    parse_unit,
+)
+
+SECOND = parse_unit("s")
+ANGLE = parse_unit("rad").dimension
+_GRAM = parse_unit("g")
+_GRAVITY = parse_unit("g0")
+
+
+@dataclass(frozen=True)
+class Operand:
+    """A number in an expression, or what a vector, an array or a range is made of."""
+
+    node: ast.Expression
+    quantity: Quantity
+
+
+def operand_of(node: ast.Expression, context: Context) -> Operand | None:
+    """The quantity of a number, or of the numbers in something; None if there are none."""
+    type_ = context.type_of(node)
+    if isinstance(type_, Vector | Array | Interval | Box):
+        element = type_.element
+        return Operand(node, element) if isinstance(element, Quantity) else None
+    return Operand(node, type_) if isinstance(type_, Quantity) else None
+
+
+def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
+    """The unit that is written, or None after reporting that there is none."""
+    try:
+        return parse_unit(unit.text)
+    except UnknownUnitError as error:
+        near = next(iter(error.suggestions), None)
+        factor = factor_of(error.part)
+        finding = UnknownUnit(text=error.text, part=error.part)
+        if factor is not None:
+            help, fix = f"calculate it: {factor}", None
+        elif near is None:
+            help, fix = "units look like `m/s^2`, `N*m`, `deg`, `sec`, `%`", None
+        else:
+            help = f"did you mean `{near}`?"
+            fix = Fix(f"write `{near}`", (Edit(unit.span, near),))
+        collector.add(finding.at(unit.span, help=help, fix=fix))
+        return None
+
+
+def check_fit(first: Operand, second: Operand, purpose: str, context: Context) -> bool:
+    """Whether two quantities can be `purpose` (compared, added ...); reports it if not."""
+    if not unit_faults(first.quantity, second.quantity):
+        return True
+    odd, other = _odd_one(first, second, context)
+    if odd.quantity.unit is None or other.quantity.unit is None:
+        unknown, known = (odd, other) if odd.quantity.unit is None else (other, odd)
+        _report_field_without_unit(unknown, known, context)
+    elif is_plain(odd.quantity) and id(odd.node) in context.values:
+        _report_missing_unit(odd, other, context)
+    elif is_plain(other.quantity) and id(other.node) in context.values:
+        _report_missing_unit(other, odd, context)
+    else:
+        _report_mismatch(odd, other, purpose, context)
+    return False
+
+
+def check_fit_of(
+    first: ast.Expression, second: ast.Expression, purpose: str, context: Context
+) -> None:
+    """`check_fit` of the numbers in two expressions, where both have any."""
+    left, right = operand_of(first, context), operand_of(second, context)
+    if left is not None and right is not None:
+        check_fit(left, right, purpose, context)
+
+
+def _odd_one(first: Operand, second: Operand, context: Context) -> tuple[Operand, Operand]:
+    """The constant one is to blame, else the second."""
+    if id(first.node) in context.values and id(second.node) not in context.values:
+        return first, second
+    return second, first
+
+
+def _report_mismatch(odd: Operand, other: Operand, purpose: str, context: Context) -> None:
+    found, expected = odd.quantity.unit, other.quantity.unit
+    if found is None or expected is None:
+        return
+    labels = (*_labels(odd, context), _is_in(other), *_labels(other, context))
+    if _is_rate_of(found, expected) or _is_rate_of(expected, found):
+        _report_rate(odd, other, labels, context)
+        return
+    finding = UnitMismatch(
+        found=describe_quantity(odd.quantity),
+        words=_is_in(odd).text,
+        expected=describe_quantity(other.quantity),
+        purpose=purpose,
+    )
+    help = None
+    if is_plain(other.quantity):
+        help = "leave the unit out, or choose something that has one for the other side"
+    fix = None
+    if found == _GRAM and expected.dimension == _GRAVITY.dimension:
+        help = f"`{found.symbol}` is gram; standard gravity is `{_GRAVITY.symbol}`"
+        fix = _unit_fix(odd, _GRAVITY, context)
+    context.collector.add(finding.at(odd.node.span, *labels, help=help, fix=fix))
+
+
+def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], context: Context) -> None:
+    found, expected = odd.quantity.unit, other.quantity.unit
+    if found is None or expected is None:
+        return
+    rate, quantity = (odd, other) if _is_rate_of(found, expected) else (other, odd)
+    finding = RateAgainstQuantity(
+        rate=describe_quantity(rate.quantity),
+        quantity=describe_quantity(quantity.quantity),
+        words=_is_in(odd).text,
+        expected=expected.symbol,
+    )
+    meant = _meant_unit(found, expected)
+    help = f"write a value in {meant.symbol}"
+    is_changing = id(quantity.node) not in context.values
+    if is_changing and isinstance(context.type_of(quantity.node), Quantity):
+        help += f", or compare the rate of change, `rate({text_of(quantity.node)})`"
+    fix = _unit_fix(odd, meant, context)
+    context.collector.add(finding.at(odd.node.span, *labels, help=help, fix=fix))
+
+
+def _meant_unit(found: Unit, expected: Unit) -> Unit:
+    """What `found` becomes with or without its time: deg/s for deg, where rad/s is expected."""
+    is_rate = _is_rate_of(found, expected)
+    meant = multiply(found, SECOND) if is_rate else divide(found, SECOND)
+    is_simple = "*" not in meant.symbol or "*" in expected.symbol
+    return meant if is_simple else expected
+
+
+def _unit_fix(odd: Operand, unit: Unit, context: Context) -> Fix | None:
+    number = literal_of(odd.node, context.declarations)
+    if number is None or number.unit is None:
+        return None
+    kept = number.span.file.text[number.span.start : number.unit.span.start]
+    return Fix(f"write `{kept}{unit.symbol}`", (Edit(number.unit.span, unit.symbol),))
+
+
+def _report_missing_unit(plain: Operand, other: Operand, context: Context) -> None:
+    unit = other.quantity.unit or DIMENSIONLESS
+    number = literal_of(plain.node, context.declarations)
+    if number is None or number.unit is not None:
+        corrected, fix = f"({text_of(plain.node)}) * 1 {unit.symbol}", None
+    else:
+        corrected = f"{text_of(number)} {unit.symbol}"
+        behind = Span(number.span.file, number.span.end, number.span.end)
+        fix = Fix(f"write `{corrected}`", (Edit(behind, f" {unit.symbol}"),))
+    is_angle = unit.dimension == ANGLE
+    if is_angle and number is not None and number.unit is None:
+        # Only the user knows which; the wrong one would be off by a factor of 57.
+        corrected, fix = f"{text_of(number)} deg` or `{text_of(number)} rad", None
+    finding = MissingUnit(
+        expected=unit.symbol,
+        dimension=str(unit.dimension),
+        reason="a plain number is not an angle" if is_angle else "a plain number could be any",
+        corrected=corrected,
+    )
+    labels = (*_labels(plain, context), _is_in(other), *_labels(other, context))
+    context.collector.add(finding.at(plain.node.span, *labels, fix=fix))
+
+
+def _report_field_without_unit(unknown: Operand, known: Operand, context: Context) -> None:
+    unit = (known.quantity.unit or DIMENSIONLESS).symbol
+    finding = FieldWithoutUnit(other=unit)
+    labels = (_is_in(known), *_labels(known, context))
+    root = root_of(unknown.node)
+    found = context.inputs.get(root.name.text) if root is not None else None
+    if found is None:
+        help = f"bring it to a known unit: use inputs that say theirs, `in {unit}`"
+        context.collector.add(finding.at(unknown.node.span, *labels, help=help))
+    elif isinstance(found.type, Quantity | Vector | Array):
+        declaration = found.declaration
+        place = end_of_field(declaration)
+        labels = (*labels, Label(declaration.name.span, "declared here"))
+        fix = Fix(f"say that it arrives in {unit}", (Edit(place, f" in {unit}"),))
+        context.collector.add(finding.at(unknown.node.span, *labels, fix=fix))
+    else:
+        field = ".".join((found.message_type, *found.path, *path_of(unknown.node)))
+        help = f"say its unit in a system model, `unit {field} = {unit};`"
+        context.collector.add(finding.at(unknown.node.span, *labels, help=help))
+
+
+def unit_behind(node: ast.Expression, symbol: str, context: Context) -> Fix | None:
+    """The fix that writes a unit behind a literal that stands here and has none."""
+    literal = literal_of(node, context.declarations)
+    if literal is None or literal.unit is not None or literal is not stripped(node):
+        return None
+    behind = Span(literal.span.file, literal.span.end, literal.span.end)
+    return Fix(f"write `{symbol}` behind it", (Edit(behind, f" {symbol}"),))
+
+
+def is_same_unit(unit: Unit, other: Unit) -> bool:
+    """Whether two units are one by different names, as `s` and `sec`."""
+    return (unit.dimension, unit.scale, unit.offset) == (
+        other.dimension,
+        other.scale,
+        other.offset,
+    )
+
+
+def end_of_field(declaration: ast.Input) -> Span:
+    """The empty place behind the topic, type and path of an input, where its unit belongs."""
+    last = declaration.message_type or declaration.topic
+    if declaration.path:
+        last = declaration.path[-1]
+    return Span(last.span.file, last.span.end, last.span.end)
+
+
+def _is_rate_of(rate: Unit, quantity: Unit) -> bool:
+    return divide(quantity, SECOND).dimension == rate.dimension
+
+
+def _is_in(operand: Operand) -> Label:
+    if operand.quantity.unit is None:
+        return Label(operand.node.span, "the unit of this is not known")
+    if is_plain(operand.quantity):
+        return Label(operand.node.span, "this is a plain number")
+    unit = operand.quantity.unit
+    return Label(operand.node.span, f"this is in {unit.symbol} ({unit.dimension})")
+
+
+def _labels(operand: Operand, context: Context) -> tuple[Label, ...]:
+    """Where the unit of an operand comes from, if that is another place."""
+    constant = constant_of(stripped(operand.node), context.declarations)
+    if constant is not None:
+        return (Label(constant.value.span, f"`{constant.name.text}` is declared here"),)
+    root = root_of(operand.node)
+    found = context.inputs.get(root.name.text) if root is not None else None
+    if found is None:
+        return ()
+    declaration = found.declaration
+    place = declaration.topic.span.to(end_of_field(declaration))
+    field = ".".join((found.message_type, *found.path))
+    return (Label(place, f"`{declaration.name.text}` is {field}"),)

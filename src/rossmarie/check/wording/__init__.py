@@ -1,0 +1,1 @@
+"""How findings speak: types in the words of the user, names that may be meant, edits."""
