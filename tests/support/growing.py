@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from hypothesis import strategies as st
 
 from rossmarie import ir
+from rossmarie.core import row
 from support.drafts import SECOND, Draft
 
 TICK = SECOND // 10
@@ -76,11 +77,8 @@ class Growing:
         return self.draft.apply(function, *operands)
 
     def _arity(self, function: ir.Function) -> int:
-        if function in (ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW):
-            return 4
-        if function is ir.Function.NORM:
-            return self.draw(st.integers(1, 3))
-        return 1 if function in (ir.Function.NEGATE, ir.Function.ABSOLUTE) else 2
+        declared = row(function)
+        return self.draw(st.integers(declared.least, declared.most or 3))
 
     def _rate(self) -> int:
         return self.draft.signal(ir.Rate(self.one_of(self.numbers)))

@@ -1,34 +1,27 @@
 """Functions of numbers (S3 to S6) over the reals, with what rounding can add.
 
-Terms of the solver are real numbers, the machine computes with doubles. So the result of a function
-that rounds is not its exact value `e` but any number within `|e| * 2^-53 + 2^-200` of it: that
-holds of every finite double, and small numbers in terms keep the solver fast.
+Terms of the solver are real numbers, the machine computes with doubles. So the result of an
+operation that rounds is not its exact value `e` but any number within `|e| * 2^-53 + 2^-200` of it:
+that holds of every finite double, and small numbers in terms keep the solver fast.
 """
 
 from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
-from typing import Literal
 
 import z3
 
+from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.terms import Number, constant
-from rossmarie.ir import Function
+from rossmarie.core import Function, Row, defined, row
+from rossmarie.core.expressions import Operand, Primitive
 
-LARGEST = constant(sys.float_info.max)
+_LARGEST = constant(sys.float_info.max)
 _RELATIVE = Fraction(1, 2**53)
 _ABSOLUTE = Fraction(1, 2**200)
-_Rounding = Literal[Function.ADD, Function.SUBTRACT, Function.MULTIPLY, Function.DIVIDE]
-_LARGEST_ANGLE = {
-    Function.PITCH: math.pi / 2,  # the double that `asin(1)` is
-    Function.ROLL: math.pi,
-    Function.YAW: math.pi,
-}
-_SLACK = Fraction(1, 2**40)
-"""More than the roundings in a norm of thousands of numbers can add."""
 
 
 def apply(
@@ -44,48 +37,55 @@ def apply(
     """
     known = z3.And([operand.known for operand in operands])
     values = [operand.value for operand in operands]
-    match function:
-        case Function.ROLL | Function.PITCH | Function.YAW | Function.NORM:
-            # Of an orientation of zeros, and where squares are too large, nothing comes out.
-            known = z3.And(known, z3.FreshBool("finite")) if rounded else known
-            measure = _norm if function is Function.NORM else _angle
-            return Number(known, measure(function, values, facts))
-        case Function.NEGATE | Function.ABSOLUTE | Function.MINIMUM | Function.MAXIMUM:
-            return Number(known, _EXACT[function](*values))
-        case Function.ADD | Function.SUBTRACT | Function.MULTIPLY | Function.DIVIDE:
-            return _arithmetic(function, known, values, facts, rounded=rounded)
+    declared = row(function)
+    if declared.bounds is not None:
+        # Of an orientation of zeros, and where squares are too large, nothing comes out.
+        known = z3.And(known, z3.FreshBool("finite")) if rounded else known
+        return Number(known, _bounded(declared, values, facts))
+    arithmetic = _Arithmetic(facts, rounded=rounded)
+    value = Formulas(values, arithmetic.operate).term(defined(function, len(values)))
+    return Number(z3.And(known, *arithmetic.needs), value)
 
 
-def _arithmetic(
-    function: _Rounding,
-    known: z3.BoolRef,
-    values: Sequence[z3.ArithRef],
-    facts: list[z3.BoolRef],
-    *,
-    rounded: bool,
-) -> Number:
-    if function is Function.DIVIDE:
-        known = z3.And(known, values[1] != 0)
-    exact = _exact(function, values, facts)
-    if not rounded:
-        return Number(known, exact)
-    result = _rounded(exact, facts)
-    return Number(z3.And(known, result >= -LARGEST, result <= LARGEST), result)
+def _bounded(declared: Row, values: Sequence[z3.ArithRef], facts: list[z3.BoolRef]) -> z3.ArithRef:
+    """Any number that may be the result of a function which the solver cannot compute."""
+    assert declared.bounds is not None, "asked before"
+    result = z3.FreshReal("number")
+    low, high = declared.range
+    facts += [result >= constant(low)] if math.isfinite(low) else []
+    facts += [result <= constant(high)] if math.isfinite(high) else []
+    written = [Operand(index) for index in range(len(values) + 1)]
+    formulas = Formulas([*values, result], exactly)
+    facts += map(formulas.condition, declared.bounds(written[-1], written[:-1]))
+    return result
 
 
-def _exact(
-    function: _Rounding, values: Sequence[z3.ArithRef], facts: list[z3.BoolRef]
-) -> z3.ArithRef:
-    left, right = values
-    match function:
-        case Function.ADD:
-            return left + right
-        case Function.SUBTRACT:
-            return left - right
-        case Function.MULTIPLY:
-            return left * right
-        case Function.DIVIDE:
-            return _quotient(left, right, facts)
+class _Arithmetic:
+    """The operations of one function; `needs` holds where their results are known."""
+
+    def __init__(self, facts: list[z3.BoolRef], *, rounded: bool) -> None:
+        self.needs: list[z3.BoolRef] = []
+        self._facts = facts
+        self._rounded = rounded
+
+    def operate(self, primitive: Primitive, values: Sequence[z3.ArithRef]) -> z3.ArithRef:
+        match primitive:
+            case Primitive.NEGATE | Primitive.ABSOLUTE:
+                return exactly(primitive, values)
+            case Primitive.ADD | Primitive.SUBTRACT | Primitive.MULTIPLY:
+                return self._result(exactly(primitive, values))
+            case Primitive.DIVIDE:
+                self.needs.append(values[1] != 0)
+                return self._result(_quotient(values[0], values[1], self._facts))
+            case Primitive.SQUARE_ROOT | Primitive.ARC_SINE | Primitive.ARC_TANGENT:
+                return self._result(exactly(primitive, values))
+
+    def _result(self, exact: z3.ArithRef) -> z3.ArithRef:
+        if not self._rounded:
+            return exact
+        result = _rounded(exact, self._facts)
+        self.needs += [result >= -_LARGEST, result <= _LARGEST]
+        return result
 
 
 def _quotient(left: z3.ArithRef, right: z3.ArithRef, facts: list[z3.BoolRef]) -> z3.ArithRef:
@@ -110,39 +110,10 @@ def _rounded(exact: z3.ArithRef, facts: list[z3.BoolRef]) -> z3.ArithRef:
     return result
 
 
-def _angle(function: Function, _: Sequence[z3.ArithRef], facts: list[z3.BoolRef]) -> z3.ArithRef:
-    """Any angle: how the three hang together with the quaternion is left open."""
-    angle = z3.FreshReal("number")
-    largest = constant(_LARGEST_ANGLE[function])
-    facts.append(z3.And(angle >= -largest, angle <= largest))
-    return angle
-
-
-def _norm(_: Function, values: Sequence[z3.ArithRef], facts: list[z3.BoolRef]) -> z3.ArithRef:
-    """A length between its greatest component and the sum of all; below 2^-500, where squares
-    are lost, it may be less.
-    """
-    norm = z3.FreshReal("number")
-    sizes = [absolute(value) for value in values]
-    tiny = _value(Fraction(1, 2**500))
-    facts.append(norm >= 0)
-    facts += [norm >= size * _value(1 - _SLACK) - tiny for size in sizes]
-    facts.append(norm <= z3.Sum(sizes) * _value(1 + _SLACK) + tiny)
-    return norm
-
-
 def absolute(value: z3.ArithRef) -> z3.ArithRef:
     """Without its sign."""
-    return z3.If(value >= 0, value, -value)
+    return exactly(Primitive.ABSOLUTE, [value])
 
 
 def _value(fraction: Fraction) -> z3.ArithRef:
     return z3.RealVal(str(fraction))
-
-
-_EXACT: Mapping[Function, Callable[..., z3.ArithRef]] = {
-    Function.NEGATE: lambda a: -a,
-    Function.ABSOLUTE: absolute,
-    Function.MINIMUM: lambda a, b: z3.If(a < b, a, b),
-    Function.MAXIMUM: lambda a, b: z3.If(a > b, a, b),
-}

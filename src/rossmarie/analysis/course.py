@@ -27,6 +27,7 @@ from rossmarie.analysis.terms import (
     literal,
 )
 from rossmarie.analysis.times import SECOND, Times
+from rossmarie.core import row
 
 
 @dataclass(frozen=True)
@@ -344,7 +345,7 @@ class Course:
         }
 
     def _norms(self) -> set[int]:
-        """The lengths that are asked for."""
+        """The functions asked for that are easy where all operands but one are 0: lengths."""
         machine = self.asked.machine
         waiting = [
             signal
@@ -357,7 +358,7 @@ class Course:
             node = machine.signals[index].node
             if self.asked.elements.signals[index] is None:
                 waiting += ir.signal_operands(node)
-                if isinstance(node, ir.Apply) and node.function is ir.Function.NORM:
+                if isinstance(node, ir.Apply) and row(node.function).easy is not None:
                     found.add(index)
         return found
 

@@ -18,6 +18,7 @@ from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.witness import View, shown_value
+from rossmarie.core import row
 from rossmarie.ir import (
     AgeReaches,
     And,
@@ -30,7 +31,6 @@ from rossmarie.ir import (
     Element,
     Flag,
     Fold,
-    Function,
     Held,
     Kind,
     Literal,
@@ -190,14 +190,6 @@ _WORDS = {NEVER: "never true", ALWAYS: "always true"}
 
 # --- reasons ---------------------------------------------------------------------------------
 
-_RANGES = {
-    Function.PITCH: (-math.pi / 2, math.pi / 2),
-    Function.ROLL: (-math.pi, math.pi),
-    Function.YAW: (-math.pi, math.pi),
-    Function.NORM: (0.0, math.inf),
-    Function.ABSOLUTE: (0.0, math.inf),
-}
-
 
 def _reasons(machine: Machine, truth: int) -> tuple[str, ...]:
     """What the numbers that a leaf compares can be."""
@@ -213,8 +205,8 @@ def _reasons(machine: Machine, truth: int) -> tuple[str, ...]:
 
 def _range(machine: Machine, signal: int) -> str:
     match machine.signals[signal].node:
-        case Apply(function=function) if function in _RANGES:
-            low, high = _RANGES[function]
+        case Apply(function=function):
+            low, high = row(function).range
         case Count():
             low, high = 0.0, math.inf
         case Read(slot=slot) if machine.slots[slot].limits is not None:
@@ -223,10 +215,10 @@ def _range(machine: Machine, signal: int) -> str:
             return f"{_whole(machine, signal, machine.arrays[array])}, as its type says"
         case Fold(element=element):
             return _range(machine, element)
-        case Constant() | Read() | Apply() | Rate() | Previous() | Element():
+        case Constant() | Read() | Rate() | Previous() | Element():
             return ""
     if high == math.inf:
-        return "never negative"
+        return "never negative" if low == 0.0 else ""
     return f"between {shown_value(machine, signal, low)} and {shown_value(machine, signal, high)}"
 
 

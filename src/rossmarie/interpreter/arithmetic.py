@@ -1,22 +1,46 @@
-"""Functions of numbers (rules S3 to S6), as IEEE 754 has them.
+"""Functions of numbers (rules S3 to S6), computed as the core defines them.
 
-Python's floats are IEEE binary64 and round as C's doubles do; only division by zero raises, where
-C gives an infinity or NaN. Both become NaN in the end (S4), so this file returns NaN at once.
+Python's floats are IEEE binary64 and round as C's doubles do. Where C gives an infinity or NaN and
+Python raises, this file gives what C does.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 
-from rossmarie.ir.model import Function
+from rossmarie.core import Function, defined
+from rossmarie.core.expressions import (
+    Chosen,
+    Computed,
+    Condition,
+    Either,
+    Expression,
+    IsEqual,
+    IsLess,
+    IsUnknown,
+    Local,
+    Number,
+    Operand,
+    Primitive,
+    locals_of,
+)
 
 NAN = math.nan
+
+_Values = Sequence[float]
+"""The operands, and behind them the named numbers that have been computed."""
 
 
 def apply(function: Function, operands: tuple[float, ...]) -> float:
     """The value of a function; NaN if it is not finite (S4)."""
-    return finite_or_nan(_FUNCTIONS[function](*operands))
+    return finite_or_nan(plain(function, operands))
+
+
+def plain(function: Function, operands: tuple[float, ...]) -> float:
+    """The value of the expression of a function, before S4."""
+    return _program(function, len(operands))(operands)
 
 
 def finite_or_nan(value: float) -> float:
@@ -24,85 +48,82 @@ def finite_or_nan(value: float) -> float:
     return value if math.isfinite(value) else NAN
 
 
-def minimum(a: float, b: float) -> float:
-    """The lesser of two, NaN if either is; of two equal ones the second (S6)."""
-    if math.isnan(a) or math.isnan(b):
-        return NAN
-    if a < b:
-        return a
-    return b
+@cache
+def _program(function: Function, count: int) -> Callable[[_Values], float]:
+    expression = defined(function, count)
+    named = locals_of(expression)
+    places = {local: count + place for place, local in enumerate(named)}
+    steps = [_compiled(local.value, places) for local in named]
+    result = _compiled(expression, places)
+    if not steps:
+        return result
+
+    def run(operands: _Values) -> float:
+        values = list(operands)
+        for step in steps:
+            values.append(step(values))
+        return result(values)
+
+    return run
 
 
-def maximum(a: float, b: float) -> float:
-    """The greater of two, NaN if either is; of two equal ones the second (S6)."""
-    if math.isnan(a) or math.isnan(b):
-        return NAN
-    if a > b:
-        return a
-    return b
+def _compiled(expression: Expression, places: Mapping[Local, int]) -> Callable[[_Values], float]:
+    match expression:
+        case Number(value=number):
+            return lambda _: number
+        case Operand(index=index):
+            return lambda values: values[index]
+        case Local():
+            place = places[expression]
+            return lambda values: values[place]
+        case Computed(primitive=primitive, operands=operands):
+            parts = [_compiled(operand, places) for operand in operands]
+            operation = PRIMITIVES[primitive]
+            return lambda values: operation(*[part(values) for part in parts])
+        case Chosen(condition=condition, then=then, otherwise=otherwise):
+            holds = _condition(condition, places)
+            one, other = _compiled(then, places), _compiled(otherwise, places)
+            return lambda values: one(values) if holds(values) else other(values)
 
 
-def _divide(a: float, b: float) -> float:
-    return NAN if b == 0.0 else a / b
+def _condition(condition: Condition, places: Mapping[Local, int]) -> Callable[[_Values], bool]:
+    match condition:
+        case IsLess(left=left, right=right):
+            one, other = _compiled(left, places), _compiled(right, places)
+            return lambda values: one(values) < other(values)
+        case IsEqual(left=left, right=right):
+            one, other = _compiled(left, places), _compiled(right, places)
+            return lambda values: one(values) == other(values)
+        case IsUnknown(operand=operand):
+            number = _compiled(operand, places)
+            return lambda values: math.isnan(number(values))
+        case Either(left=first, right=second):
+            is_first, is_second = _condition(first, places), _condition(second, places)
+            return lambda values: is_first(values) or is_second(values)
 
 
-def _norm(*components: float) -> float:
-    total = components[0] * components[0]
-    for component in components[1:]:
-        total = total + component * component
-    return math.sqrt(total)
+def _quotient(a: float, b: float) -> float:
+    if b != 0.0:
+        return a / b
+    return NAN if a == 0.0 or math.isnan(a) else math.copysign(math.inf, a) * math.copysign(1, b)
 
 
-def _square_length(x: float, y: float, z: float, w: float) -> float:
-    return ((x * x + y * y) + z * z) + w * w
+def _root(x: float) -> float:
+    return math.sqrt(x) if x >= 0.0 else NAN
 
 
-def _roll(x: float, y: float, z: float, w: float) -> float:
-    n = _square_length(x, y, z, w)
-    if n == 0.0:
-        return NAN
-    sine = (2.0 * (w * x + y * z)) / n
-    cosine = 1.0 - (2.0 * (x * x + y * y)) / n
-    return math.atan2(sine, cosine)
+def _arc_sine(x: float) -> float:
+    return math.asin(x) if -1.0 <= x <= 1.0 else NAN
 
 
-def _pitch(x: float, y: float, z: float, w: float) -> float:
-    n = _square_length(x, y, z, w)
-    if n == 0.0:
-        return NAN
-    sine = (2.0 * (w * y - z * x)) / n
-    # Rounding may leave the range of a sine by an ulp, where asin has no value.
-    return math.asin(_clamp(sine))
-
-
-def _clamp(sine: float) -> float:
-    if sine < -1.0:
-        return -1.0
-    if sine > 1.0:
-        return 1.0
-    return sine
-
-
-def _yaw(x: float, y: float, z: float, w: float) -> float:
-    n = _square_length(x, y, z, w)
-    if n == 0.0:
-        return NAN
-    sine = (2.0 * (w * z + x * y)) / n
-    cosine = 1.0 - (2.0 * (y * y + z * z)) / n
-    return math.atan2(sine, cosine)
-
-
-_FUNCTIONS: Mapping[Function, Callable[..., float]] = {
-    Function.ADD: lambda a, b: a + b,
-    Function.SUBTRACT: lambda a, b: a - b,
-    Function.MULTIPLY: lambda a, b: a * b,
-    Function.DIVIDE: _divide,
-    Function.NEGATE: lambda a: -a,
-    Function.ABSOLUTE: abs,
-    Function.MINIMUM: minimum,
-    Function.MAXIMUM: maximum,
-    Function.NORM: _norm,
-    Function.ROLL: _roll,
-    Function.PITCH: _pitch,
-    Function.YAW: _yaw,
+PRIMITIVES: Mapping[Primitive, Callable[..., float]] = {
+    Primitive.ADD: lambda a, b: a + b,
+    Primitive.SUBTRACT: lambda a, b: a - b,
+    Primitive.MULTIPLY: lambda a, b: a * b,
+    Primitive.DIVIDE: _quotient,
+    Primitive.NEGATE: lambda a: -a,
+    Primitive.ABSOLUTE: abs,
+    Primitive.SQUARE_ROOT: _root,
+    Primitive.ARC_SINE: _arc_sine,
+    Primitive.ARC_TANGENT: math.atan2,
 }

@@ -29,8 +29,8 @@ class Elements:
         values = self.values(node.element)
         if not values:
             return NAN
-        is_minimum = node.folding is ir.Folding.MINIMUM
-        return reduce(arithmetic.minimum if is_minimum else arithmetic.maximum, values)
+        function = node.folding.function
+        return reduce(lambda found, each: arithmetic.plain(function, (found, each)), values)
 
     def count(self, node: ir.Count) -> float:
         """For how many elements a truth is true; NaN if one is unknown, or there is none (S24)."""

@@ -1,5 +1,6 @@
 """The monitor machine: its model, what it says, and the questions that every target asks of it."""
 
+from rossmarie.core import Function
 from rossmarie.ir import reactions
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, explain
@@ -22,7 +23,6 @@ from rossmarie.ir.model import (
     Flag,
     Fold,
     Folding,
-    Function,
     Hazard,
     Held,
     Input,
@@ -53,6 +53,7 @@ from rossmarie.ir.support import (
     Supports,
     compared_signals,
     element_arrays,
+    functions,
     is_leaf,
     leaf_truths,
     reachable_truths,
@@ -134,6 +135,7 @@ __all__ = [
     "element_arrays",
     "explain",
     "field_names",
+    "functions",
     "is_leaf",
     "leaf_truths",
     "machine_from_json",

@@ -16,6 +16,7 @@ import enum
 from dataclasses import dataclass
 
 from dslkit.source import Span
+from rossmarie.core import Function
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 
 
@@ -87,23 +88,6 @@ class Channel:
 # --- signals: numbers ------------------------------------------------------------------------
 
 
-class Function(enum.Enum):
-    """Functions from numbers to a number. Not finite at any point means unknown (NaN)."""
-
-    ADD = "add"
-    SUBTRACT = "subtract"
-    MULTIPLY = "multiply"
-    DIVIDE = "divide"
-    NEGATE = "negate"
-    ABSOLUTE = "absolute"
-    MINIMUM = "minimum"  # of two
-    MAXIMUM = "maximum"  # of two
-    NORM = "norm"  # of one or more: sqrt of the sum of squares, added from left to right
-    ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
-    PITCH = "pitch"
-    YAW = "yaw"
-
-
 @dataclass(frozen=True)
 class Constant:
     """A number known when compiling."""
@@ -152,6 +136,11 @@ class Folding(enum.Enum):
 
     MINIMUM = "minimum"
     MAXIMUM = "maximum"
+
+    @property
+    def function(self) -> Function:
+        """The function of two numbers that is applied from the first element to the last (S23)."""
+        return Function(self.value)
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from rossmarie.core import Function
 from rossmarie.ir import model as ir
 
 
@@ -235,6 +236,26 @@ def _single(arrays: Iterable[int | None]) -> int | None:
     if len(found) > 1:
         raise ValueError(f"elements of {len(found)} arrays meet")
     return found.pop() if found else None
+
+
+# --- functions -------------------------------------------------------------------------------
+
+
+def functions(machine: ir.Machine) -> tuple[tuple[Function, int], ...]:
+    """The functions that signals apply, with how many operands, in the order of the core."""
+    found = set()
+    for signal in machine.signals:
+        match signal.node:
+            case ir.Apply(function=function, operands=operands):
+                found.add((function, len(operands)))
+            case ir.Fold(folding=folding):
+                found.add((folding.function, 2))
+            case (
+                ir.Constant() | ir.Read() | ir.Rate() | ir.Previous() | ir.Element() | ir.Count()
+            ):  # fmt: skip
+                pass
+    order = list(Function)
+    return tuple(sorted(found, key=lambda each: (order.index(each[0]), each[1])))
 
 
 # --- what a rule stands on -------------------------------------------------------------------

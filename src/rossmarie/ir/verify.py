@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
+from rossmarie.core import row
 from rossmarie.ir import model as ir
 from rossmarie.ir.malformed import (
     MalformedMachine,
@@ -106,26 +107,10 @@ def _verify_signals(machine: ir.Machine) -> None:
             case ir.Count(element=element):
                 require_index(element, len(machine.truths), where, "truth")
             case ir.Apply(function=function, operands=operands):
-                is_right = _takes(function, len(operands))
+                is_right = row(function).takes(len(operands))
                 require(is_right, where, f"{function.value} of {len(operands)} operands")
             case ir.Rate() | ir.Previous() | ir.Fold():
                 pass
-
-
-def _takes(function: ir.Function, count: int) -> bool:
-    """Whether a function can have that many operands."""
-    match function:
-        case ir.Function.NEGATE | ir.Function.ABSOLUTE:
-            return count == 1
-        case (
-            ir.Function.ADD | ir.Function.SUBTRACT | ir.Function.MULTIPLY | ir.Function.DIVIDE
-            | ir.Function.MINIMUM | ir.Function.MAXIMUM
-        ):  # fmt: skip
-            return count == 2
-        case ir.Function.ROLL | ir.Function.PITCH | ir.Function.YAW:
-            return count == 4
-        case ir.Function.NORM:
-            return count >= 1
 
 
 def _verify_truths(machine: ir.Machine) -> None:

@@ -38,7 +38,14 @@ _ARITHMETIC = {
     ast.BinaryOperator.DIVIDE: ir.Function.DIVIDE,
 }
 
-_ANGLES = {"roll": ir.Function.ROLL, "pitch": ir.Function.PITCH, "yaw": ir.Function.YAW}
+_EACH = {"abs": ir.Function.ABSOLUTE, "hypot": ir.Function.HYPOT}
+"""Functions that are applied to each component, or to each element."""
+
+_WHOLE = {
+    each.value: each
+    for each in (ir.Function.NORM, ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
+}
+"""Functions of all components of one argument."""
 
 Components = tuple[int, ...]
 """The signals of a scalar (one), a vector (x, y, z) or an orientation (x, y, z, w)."""
@@ -178,19 +185,17 @@ class Numbers:
                 return tuple(self._nodes.signal(ir.Previous(part), shown) for part in parts)
             case "rate":
                 return (self._nodes.signal(ir.Rate(self.scalar(arguments[0])), shown),)
-            case "abs":
-                return self._each(ir.Function.ABSOLUTE, (self.components(arguments[0]),), node)
+            case "abs" | "hypot":
+                return self._each(_EACH[name], tuple(map(self.components, arguments)), node)
             case "min" | "max":
                 return (self._extreme(node, shown),)
             case "count":
                 return (self._nodes.signal(ir.Count(self._truth(arguments[0])), shown),)
-            case "norm":
-                return (self._nodes.apply(ir.Function.NORM, self.components(arguments[0]), shown),)
+            case "norm" | "roll" | "pitch" | "yaw":
+                parts = self.components(arguments[0])
+                return (self._nodes.apply(_WHOLE[name], parts, shown),)
             case "distance":
                 return (self._distance(node, shown),)
-            case "roll" | "pitch" | "yaw":
-                parts = self.components(arguments[0])
-                return (self._nodes.apply(_ANGLES[name], parts, shown),)
             case _:
                 raise AssertionError(f"checked: {name} is no function to a number")
 

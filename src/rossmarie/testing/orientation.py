@@ -7,8 +7,8 @@ from __future__ import annotations
 import math
 from functools import lru_cache
 
+from rossmarie.core import Function
 from rossmarie.interpreter import arithmetic
-from rossmarie.ir import Function
 
 Orientation = tuple[float, float, float, float]
 """x, y, z, w."""

@@ -8,6 +8,7 @@ proposal: the interpreter has the last word.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -16,8 +17,11 @@ from typing import Any
 import z3
 
 from rossmarie import ir
+from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.solver import check
-from rossmarie.ir import Function, Kind
+from rossmarie.core import Function, defined, rounds, row
+from rossmarie.core.expressions import Operand, Primitive
+from rossmarie.ir import Kind
 from rossmarie.testing.goals import Edge, edges, signals_of
 from rossmarie.testing.terms import compared, extreme, fraction, leaves, rational
 from rossmarie.testing.whole import slot_behind
@@ -26,7 +30,6 @@ from rossmarie.units import Unit, parse_unit
 
 TIME_LIMIT_MS = 2000
 _MOST_ELEMENTS = 8
-_EXACT = (Function.NEGATE, Function.ABSOLUTE, Function.MINIMUM, Function.MAXIMUM)
 _CLEAR = 10  # how many steps other values stay away from their thresholds
 _ANGLES = {Function.ROLL: "roll", Function.PITCH: "pitch", Function.YAW: "yaw"}
 
@@ -180,35 +183,25 @@ class World:
     def _applied(
         self, index: int, function: Function, operands: tuple[int, ...], part: int | None
     ) -> Any:
-        if self.is_free and function not in _EXACT:
+        declared = row(function)
+        if self.is_free and rounds(function, len(operands)):
             return self._real(Variable("free number", index))
         if function in _ANGLES:
+            low, high = (math.trunc(10 * end) / 10 for end in declared.range)
             angle = self._real(Variable("angle", index))
-            bound = rational(1.5) if function is Function.PITCH else rational(3.1)
-            self._side += [angle >= -bound, angle <= bound]
+            self._side += [angle >= rational(low), angle <= rational(high)]
             return angle
         values = [self.signal(operand, part) for operand in operands]
-        match function:
-            case Function.ADD:
-                return values[0] + values[1]
-            case Function.SUBTRACT:
-                return values[0] - values[1]
-            case Function.MULTIPLY:
-                return values[0] * values[1]
-            case Function.DIVIDE:
-                self._side.append(values[1] != 0)
-                return values[0] / values[1]
-            case Function.NEGATE:
-                return -values[0]
-            case Function.ABSOLUTE:
-                return z3.If(values[0] >= 0, values[0], -values[0])
-            case Function.MINIMUM | Function.MAXIMUM:
-                return extreme(values, least=function is Function.MINIMUM)
-            case Function.NORM:  # along its first component: the others are zero
-                self._side += [value == 0 for value in values[1:]]
-                return z3.If(values[0] >= 0, values[0], -values[0])
-            case Function.ROLL | Function.PITCH | Function.YAW:
-                raise AssertionError(f"{function.value} is a value of its own")
+        expression = defined(function, len(operands))
+        if declared.easy is not None:  # along its first operand: the others are zero
+            self._side += [value == 0 for value in values[1:]]
+            expression = declared.easy(Operand(0))
+        return Formulas(values, self._operate).term(expression)
+
+    def _operate(self, primitive: Primitive, values: Sequence[Any]) -> Any:
+        if primitive is Primitive.DIVIDE:
+            self._side.append(values[1] != 0)
+        return exactly(primitive, values)
 
     def _slot(self, slot: int) -> Any:
         variable = self._element_of(self.machine.slots[slot]) or Variable("slot", slot)

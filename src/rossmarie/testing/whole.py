@@ -6,7 +6,16 @@ import math
 from collections.abc import Iterator
 
 from rossmarie import ir
-from rossmarie.ir import Function
+from rossmarie.core import Function, defined
+from rossmarie.core.expressions import (
+    Chosen,
+    Computed,
+    Expression,
+    Local,
+    Number,
+    Operand,
+    Primitive,
+)
 from rossmarie.ir.carried import carries
 from rossmarie.ir.script import Script, ScriptedArrival, Setting
 
@@ -35,29 +44,65 @@ def _step_of(source: ir.Slot | ir.Array) -> float | None:
 
 
 def _applied(machine: ir.Machine, function: Function, operands: tuple[int, ...]) -> float | None:
-    nodes = [machine.signals[operand].node for operand in operands]
-    constants = [node.value for node in nodes if isinstance(node, ir.Constant)]
-    steps = [
-        whole_step(machine, operand)
-        for operand, node in zip(operands, nodes, strict=True)
-        if not isinstance(node, ir.Constant)
-    ]
-    known = [step for step in steps if step is not None]
-    if not known or len(known) < len(steps):
-        return None
-    match function:
-        case Function.NEGATE | Function.ABSOLUTE:
-            return min(known)
-        case Function.ADD | Function.SUBTRACT | Function.MINIMUM | Function.MAXIMUM:
-            return min(known) if _is_one(known) else None
-        case Function.MULTIPLY:
-            is_scaled = len(constants) == 1 and constants[0]
-            return _representable(known[0] * abs(constants[0])) if is_scaled else None
-        case Function.DIVIDE:
-            is_scaled = isinstance(nodes[1], ir.Constant) and constants[0]
-            return _representable(known[0] / abs(constants[0])) if is_scaled else None
-        case Function.NORM | Function.ROLL | Function.PITCH | Function.YAW:
-            return None
+    expression = defined(function, len(operands))
+    return _Steps(machine, operands).of(expression)
+
+
+class _Steps:
+    """The distances between the values of expressions; of operands that are any number, None."""
+
+    def __init__(self, machine: ir.Machine, operands: tuple[int, ...]) -> None:
+        nodes = [machine.signals[operand].node for operand in operands]
+        self._constants = [each.value if isinstance(each, ir.Constant) else None for each in nodes]
+        self._steps = [whole_step(machine, operand) for operand in operands]
+
+    def of(self, expression: Expression) -> float | None:
+        match expression:
+            case Number():
+                return None
+            case Operand(index=index):
+                return self._steps[index]
+            case Local(value=value):
+                return self.of(value)
+            case Chosen(then=then, otherwise=otherwise):
+                return self._together((then, otherwise))
+            case Computed(primitive=primitive, operands=operands):
+                return self._computed(primitive, operands)
+
+    def _computed(self, primitive: Primitive, operands: tuple[Expression, ...]) -> float | None:
+        match primitive:
+            case Primitive.NEGATE | Primitive.ABSOLUTE:
+                return self.of(operands[0])
+            case Primitive.ADD | Primitive.SUBTRACT:
+                return self._together(operands)
+            case Primitive.MULTIPLY:
+                pairs = (operands, operands[::-1])
+                found = [self._scaled(self.of(one), self._constant(by)) for one, by in pairs]
+                return found[0] or found[1]
+            case Primitive.DIVIDE:
+                step, by = self.of(operands[0]), self._constant(operands[1])
+                return _representable(step / abs(by)) if step and by else None
+            case Primitive.SQUARE_ROOT | Primitive.ARC_SINE | Primitive.ARC_TANGENT:
+                return None
+
+    def _constant(self, expression: Expression) -> float | None:
+        match expression:
+            case Number(value=value):
+                return value
+            case Operand(index=index):
+                return self._constants[index]
+            case Computed() | Chosen() | Local():
+                return None
+
+    def _scaled(self, step: float | None, factor: float | None) -> float | None:
+        return _representable(step * abs(factor)) if step and factor else None
+
+    def _together(self, parts: tuple[Expression, ...]) -> float | None:
+        """Of a sum, or of one of several numbers; constants only move it."""
+        steps = [self.of(part) for part in parts if self._constant(part) is None]
+        known = [step for step in steps if step is not None]
+        is_whole = known and len(known) == len(steps) and _is_one(known)
+        return min(known) if is_whole else None
 
 
 def _representable(step: float) -> float | None:

@@ -48,6 +48,7 @@ class Operator(enum.Enum):
     NEGATE = "negate"
     ABS = "abs"
     NORM = "norm"
+    HYPOT = "hypot"
     MIN = "min"
     MAX = "max"
     ANY = "any"
@@ -278,6 +279,12 @@ def _norm(value: Type) -> Outcome:
     return _magnitude(value.element) if isinstance(value, Vector) else _fault(Fault.OPERANDS)
 
 
+def _hypot(left: Type, right: Type) -> Outcome:
+    if isinstance(left, Quantity) and isinstance(right, Quantity):
+        return _additive(lambda one, other: None if other.offset else one, left, right)
+    return _unfit(left, right)
+
+
 def _distance(left: Type, right: Type) -> Outcome:
     if isinstance(left, Vector) and isinstance(right, Vector):
         return _additive(_unit_of_difference, left.element, right.element)
@@ -349,6 +356,7 @@ SIGNATURES: Mapping[Operator, Signature] = {
     Operator.NEGATE: Signature(1, 1, partial(_elementwise, _negative)),
     Operator.ABS: Signature(1, 1, partial(_elementwise, _magnitude)),
     Operator.NORM: Signature(1, 1, _norm),
+    Operator.HYPOT: Signature(2, 2, _hypot),
     Operator.MIN: Signature(1, None, _extreme),
     Operator.MAX: Signature(1, None, _extreme),
     Operator.ANY: Signature(1, 1, partial(_fold, Boolean())),

@@ -155,22 +155,6 @@ void contract_restart(monitor *m, int64_t t_ns)
     *m = anew;
 }}
 
-/* An angle of an orientation, where it does not matter which. */
-double any_angle(double x, double y, double z, double w)
-{{
-    const double found = nondet_double();
-    const bool is_known = !isnan(x) && !isnan(y) && !isnan(z) && !isnan(w);
-    __CPROVER_assume(!isinf(found) && (is_known || isnan(found)));
-    return found;
-}}
-
-/* A square root, where it does not matter of what. */
-double any_root(double x)
-{{
-    (void)x;
-    return nondet_double();
-}}
-
 /* The earlier of two instants, as two that are chosen beforehand see it. To put many in order is
  * hard; which of them lie before one that is given is known of each.
  */

@@ -7,14 +7,14 @@ definitions are written to be read beside the rules: no tables, no state of thei
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
-from typing import Literal
 
 from rossmarie import ir
-from rossmarie.ir import Function
+from rossmarie.core import Function, may_be_infinite
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.types import number
+from rossmarie.verification import formulas
 
 HELPERS = """\
 /* Two numbers that nobody can tell apart. */
@@ -25,16 +25,6 @@ static bool spec_same(double a, double b)
 
 /* S4. */
 static double spec_finite(double x) { return isfinite(x) ? x : NAN; }
-
-/* S6. */
-static double spec_minimum(double a, double b)
-{
-    return isnan(a) || isnan(b) ? NAN : a < b ? a : b;
-}
-static double spec_maximum(double a, double b)
-{
-    return isnan(a) || isnan(b) ? NAN : a > b ? a : b;
-}
 
 /* S2. */
 static unsigned spec_not(unsigned a) { return a == FALSE ? TRUE : a == TRUE ? FALSE : a; }
@@ -48,16 +38,6 @@ static unsigned spec_or(unsigned a, unsigned b)
 }
 """
 
-_INFIX = {
-    Function.ADD: "+",
-    Function.SUBTRACT: "-",
-    Function.MULTIPLY: "*",
-    Function.DIVIDE: "/",
-}
-
-_ANGLES = (Function.ROLL, Function.PITCH, Function.YAW)
-_Angle = Literal[Function.ROLL, Function.PITCH, Function.YAW]
-
 
 class Definitions:
     """Writes the definitions of one machine."""
@@ -68,7 +48,8 @@ class Definitions:
 
     def text(self) -> str:
         """All of them, each after those that it uses."""
-        parts = [HELPERS, *self._elements(), *self._signals(), *self._truths()]
+        functions = (formulas.definition(*each) for each in ir.functions(self._machine))
+        parts = [HELPERS, *functions, *self._elements(), *self._signals(), *self._truths()]
         return "\n".join(parts)
 
     def is_whole(self, truth: int) -> bool:
@@ -91,10 +72,12 @@ class Definitions:
             if is_computed and self._layout.elements.signals[index] is None:
                 yield index
 
-    def is_angle(self, signal: int) -> bool:
+    def is_never_infinite(self, signal: int) -> bool:
         """Whether a signal is finite or unknown by itself."""
         node = self._machine.signals[signal].node
-        return isinstance(node, ir.Apply) and node.function in _ANGLES
+        if not isinstance(node, ir.Apply):
+            return False
+        return not may_be_infinite(node.function, len(node.operands), of_infinite=True)
 
     def can_be_infinite(self, signal: int) -> bool:
         """Whether a signal keeps infinities: those out of arrays are ordinary numbers (S8)."""
@@ -279,49 +262,9 @@ def converted(raw: str, scale: float, offset: float) -> str:
     return raw if is_plain else f"(({raw} * {number(scale)}) + {number(offset)})"
 
 
-def applied(function: Function, operands: list[str]) -> str:
-    """S3 to S6: a function of numbers, unknown if the result is not finite; an angle always is."""
-    found = _plain(function, operands)
-    return f"({found})" if function in _ANGLES else f"spec_finite({found})"
-
-
-def _plain(function: Function, operands: list[str]) -> str:
-    match function:
-        case Function.ADD | Function.SUBTRACT | Function.MULTIPLY | Function.DIVIDE:
-            return f"({operands[0]}) {_INFIX[function]} ({operands[1]})"
-        case Function.NEGATE:
-            return f"-({operands[0]})"
-        case Function.ABSOLUTE:
-            return f"fabs({operands[0]})"
-        case Function.MINIMUM | Function.MAXIMUM:
-            return f"spec_{function.value}({operands[0]}, {operands[1]})"
-        case Function.NORM:
-            return f"sqrt({_squares(operands)})"
-        case Function.ROLL | Function.PITCH | Function.YAW:
-            return _angle(function, *operands)
-
-
-def _squares(operands: list[str]) -> str:
-    """The sum of squares, added from left to right."""
-    return reduce(
-        lambda total, x: f"({total}) + ({x} * {x})", operands[1:], f"{operands[0]} * {operands[0]}"
-    )
-
-
-def _angle(function: _Angle, x: str, y: str, z: str, w: str) -> str:
-    """S5."""
-    n = f"({_squares([x, y, z, w])})"
-    match function:
-        case Function.PITCH:
-            sine = f"((2.0 * (({w} * {y}) - ({z} * {x}))) / {n})"
-            angle = f"asin({sine} < -1.0 ? -1.0 : {sine} > 1.0 ? 1.0 : {sine})"
-        case Function.ROLL:
-            sine = f"(2.0 * (({w} * {x}) + ({y} * {z}))) / {n}"
-            angle = f"atan2({sine}, 1.0 - (2.0 * (({x} * {x}) + ({y} * {y}))) / {n})"
-        case Function.YAW:
-            sine = f"(2.0 * (({w} * {z}) + ({x} * {y}))) / {n}"
-            angle = f"atan2({sine}, 1.0 - (2.0 * (({y} * {y}) + ({z} * {z}))) / {n})"
-    return f"{n} == 0.0 ? NAN : {angle}"
+def applied(function: Function, operands: Sequence[str]) -> str:
+    """S3 to S6: a function of numbers, unknown if the result is not finite."""
+    return f"spec_finite({formulas.name(function, len(operands))}({', '.join(operands)}))"
 
 
 def compared(
@@ -354,7 +297,7 @@ def logic(node: ir.Not | ir.And | ir.Or, write: Callable[[int], str]) -> str:
 
 
 def _fold(index: int, folding: ir.Folding, element: int) -> str:
-    combine = f"spec_{folding.value}"
+    combine = formulas.name(folding.function, 2)
     return (
         f"static double spec_fold_{index}(const double *a, size_t n)\n{{\n"
         f"    double found = n == 0 ? NAN : spec_element_{element}(a[0]);\n"

@@ -51,7 +51,7 @@ double atan2(double y, double x)
 {
     return isnan(y) || isnan(x) ? NAN : angle(__CPROVER_uninterpreted_atan2(y, x));
 }
-double sqrt(double x) { return __CPROVER_uninterpreted_sqrt(x); }
+double sqrt(double x) { return isnan(x) ? NAN : __CPROVER_uninterpreted_sqrt(x); }
 """
 
 _MOMENTS = {

@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from rossmarie import ir
-from rossmarie.targets.c99 import types
+from rossmarie.targets.c99 import functions, types
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Layout
+from rossmarie.verification import opaque
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions, converted
 from rossmarie.verification.frames import Frames
@@ -52,28 +53,25 @@ class MessageChecks:
         self._nothing_else = (*unlooked(parts), *COUNTED_PARTS)
         self._machine = layout.machine
         self._definitions = definitions
-        used = {layout.machine.signals[signal].node for signal in layout.value_of_signal}
-        self._angles = [
-            f"{function.value}_of"
-            for function in (ir.Function.ROLL, ir.Function.PITCH, ir.Function.YAW)
-            if any(isinstance(node, ir.Apply) and node.function is function for node in used)
-        ]
-        norms = [n for n in used if isinstance(n, ir.Apply) and n.function is ir.Function.NORM]
-        roots: Parts = (("sqrt", "any_root"),) if norms else ()
-        rates = [node for node in used if isinstance(node, ir.Rate)]
+        kept = [layout.machine.signals[signal].node for signal in layout.value_of_signal]
+        self._opaque = opaque.functions_of(kept)
+        rates = [node for node in kept if isinstance(node, ir.Rate)]
         follow: Parts = (("follow", "ignore_follow"),) if layout.oscillations else ()
         self._idle: Parts = (*follow, ("rate_of", "any_rate")) if rates else follow
-        self._parts = (*parts, *((angle, "any_angle") for angle in self._angles), *roots)
+        names = (functions.name(*each) for each in self._opaque)
+        self._parts = (*parts, *((name, f"any_{name}") for name in names))
 
     def text(self) -> str:
         """What takes in a message where it matters only that it is handed on as it is."""
-        return "\n".join(map(self._received, range(len(self._layout.channel_names))))
+        received = map(self._received, range(len(self._layout.channel_names)))
+        return "\n".join([*(opaque.contract(*each) for each in self._opaque), *received])
 
     def written(self) -> Iterator[Written]:
         """All of them."""
-        for angle in self._angles:
-            about = f"{angle.removesuffix('_of')} is unknown of what is not known"
-            yield Written(Check(angle, about), _ANGLE.format(angle=angle))
+        for function, count in self._opaque:
+            about = f"{function.value} is unknown of what is not known"
+            check = Check(functions.name(function, count), about)
+            yield Written(check, opaque.kept(function, count))
         for channel, name in enumerate(self._layout.channel_names):
             topic = self._machine.channels[channel].topic
             about = f"the numbers of a message on {topic}"
@@ -288,7 +286,7 @@ class MessageChecks:
             if channel in self._layout.supports.signals[index].channels:
                 value = self._layout.value_of_signal[index]
                 kept = f"m->value[{value}]"
-                if value in covered and not self._definitions.is_angle(index):
+                if value in covered and not self._definitions.is_never_infinite(index):
                     kept = f"spec_finite({kept})"
                 about = f"`{self._machine.signals[index].text}` is what it means"
                 yield claim(f"spec_same({kept}, spec_signal_{index}(m))", about)
@@ -348,14 +346,6 @@ _HANDED = """\
         "what is not refused is handed on once");"""
 
 _KEPT = "    const monitor old = s;"
-
-_ANGLE = """\
-    const double x = nondet_double(), y = nondet_double();
-    const double z = nondet_double(), w = nondet_double();
-    const double found = {angle}(x, y, z, w);
-    __CPROVER_assert(!isinf(found), "no angle is infinite");
-    const bool is_known = !isnan(x) && !isnan(y) && !isnan(z) && !isnan(w);
-    __CPROVER_assert(is_known || isnan(found), "nothing is known of what is not");"""
 
 
 def _array(name: str) -> list[str]:

@@ -55,6 +55,11 @@ def test_s5_norm() -> None:
     assert result_of(Function.NORM, -2.0) == 2.0
 
 
+def test_s5_hypot() -> None:
+    assert result_of(Function.HYPOT, -3.0, 4.0) == 5.0
+    assert math.isnan(result_of(Function.HYPOT, 1e200, 0.0))  # its square is too large (S4)
+
+
 @pytest.mark.parametrize("length", [1.0, 0.01, 700.0])
 @pytest.mark.parametrize("angles", [(0.5, 0.0, 0.0), (0.1, -0.7, 2.5), (-3.0, 1.5, -0.3)])
 def test_s5_angles_of_an_orientation_of_any_length(

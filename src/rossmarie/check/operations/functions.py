@@ -52,6 +52,7 @@ MOST_TURNING_POINTS = 64
 USAGES: Mapping[Operator, str] = {
     Operator.ABS: "abs(x)",
     Operator.NORM: "norm(vector)",
+    Operator.HYPOT: "hypot(a, b)",
     Operator.MIN: "min(a, b)` or `min(array)",
     Operator.MAX: "max(a, b)` or `max(array)",
     Operator.ANY: "any(array > 1)",

@@ -10,18 +10,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from rossmarie import ir
+from rossmarie.core import row
 from rossmarie.ir.naming import field_names
 from rossmarie.ir.support import signal_operands
 
 MOST_PARTS = 24
 
-_SIGNS = {
-    ir.Function.ADD: "+",
-    ir.Function.SUBTRACT: "-",
-    ir.Function.MULTIPLY: "*",
-    ir.Function.DIVIDE: "/",
-}
-_ANGLES = {ir.Function.ROLL: "roll", ir.Function.PITCH: "pitch", ir.Function.YAW: "yaw"}
 _AXES = ("x", "y", "z", "w")
 
 
@@ -125,23 +119,7 @@ class Numbers:
 
     def _applied(self, function: ir.Function, operands: tuple[int, ...]) -> str:
         words = [self.words(operand) for operand in operands]
-        inner = ", ".join(words)
-        match function:
-            case ir.Function.ADD | ir.Function.SUBTRACT | ir.Function.MULTIPLY | ir.Function.DIVIDE:
-                left, right = words
-                return f"({left} {_SIGNS[function]} {right})"
-            case ir.Function.NEGATE:
-                return f"-({inner})"
-            case ir.Function.ABSOLUTE:
-                return f"the absolute value of {inner}"
-            case ir.Function.MINIMUM:
-                return f"the lesser of ({inner})"
-            case ir.Function.MAXIMUM:
-                return f"the greater of ({inner})"
-            case ir.Function.NORM:
-                return f"the length of {_vector(words)}"
-            case ir.Function.ROLL | ir.Function.PITCH | ir.Function.YAW:
-                return f"the {_ANGLES[function]} of {_vector(words)}"
+        return row(function).worded(words, _vector(words))
 
     def _fold(self, folding: ir.Folding, element: int) -> str:
         which = _extreme(folding)

@@ -73,12 +73,11 @@ class Elements:
     # --- results -----------------------------------------------------------------------------
 
     def _fold(self, loop: _Loop, index: int, node: ir.Fold, pointer: str, count: str) -> None:
-        function = node.folding.value
-        self._expressions.parts.add(function)
-        name = f"{function.upper()}_{index}"
+        name = f"{node.folding.value.upper()}_{index}"
         loop.before.append(f"double {name} = {_START[node.folding]};")
         element = self._signal(loop, node.element, pointer)
-        loop.inside.append(f"{name} = {function}({name}, {element});")
+        folded = self._expressions.called(node.folding.function, [name, element])
+        loop.inside.append(f"{name} = {folded};")
         target = self._expressions.kept(self._layout.value_of_signal[index])
         loop.after.append(f"{target} = {count} != 0 ? {name} : NAN;")
 

@@ -10,23 +10,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.ir import Function
+from rossmarie.core import Function, may_be_infinite
+from rossmarie.targets.c99 import functions
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.types import number
-
-_INFIX = {
-    Function.ADD: "+",
-    Function.SUBTRACT: "-",
-    Function.MULTIPLY: "*",
-    Function.DIVIDE: "/",
-}
-_STAYS_FINITE = {
-    Function.NEGATE,
-    Function.ABSOLUTE,
-    Function.MINIMUM,
-    Function.MAXIMUM,
-}
-_ALWAYS_FINITE = {Function.ROLL, Function.PITCH, Function.YAW}
+from rossmarie.targets.formulas import is_plain
 
 
 @dataclass(frozen=True)
@@ -38,12 +26,15 @@ class Piece:
 
 
 class Expressions:
-    """Writes the signals of one machine; `parts` collects the C functions that they call."""
+    """Writes the signals of one machine. `parts` collects the C functions of the engine that they
+    call, and `functions` those of the core, with how many operands.
+    """
 
     def __init__(self, layout: Layout) -> None:
         self._layout = layout
         self._machine = layout.machine
         self.parts: set[str] = set()
+        self.functions: set[tuple[Function, int]] = set()
         self._infinite: list[bool] = []
         for signal in self._machine.signals:
             self._infinite.append(self._may_be_infinite(signal.node))
@@ -122,35 +113,19 @@ class Expressions:
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
 
     def applied(self, node: ir.Apply, write: Callable[[int], str]) -> str:
-        """A function of operands that `write` writes."""
-        text = self._call(node.function, [write(operand) for operand in node.operands])
-        if node.function in _ALWAYS_FINITE:
-            return text
+        """A function of operands that `write` writes, unknown where it is not finite (S4)."""
+        text = self.called(node.function, [write(operand) for operand in node.operands])
         is_infinite = any(self._infinite[operand] for operand in node.operands)
-        if node.function in _STAYS_FINITE and not is_infinite:
+        if not may_be_infinite(node.function, len(node.operands), of_infinite=is_infinite):
             return text
         self.parts.add("known")
         return f"known({text})"
 
-    def _call(self, function: Function, operands: list[str]) -> str:
-        match function:
-            case Function.ADD | Function.SUBTRACT | Function.MULTIPLY | Function.DIVIDE:
-                return f"{operands[0]} {_INFIX[function]} {operands[1]}"
-            case Function.NEGATE:
-                return f"-({operands[0]})"
-            case Function.ABSOLUTE:
-                return f"fabs({operands[0]})"
-            case Function.NORM:
-                total = f"{operands[0]} * {operands[0]}"
-                for operand in operands[1:]:
-                    total = f"({total}) + {operand} * {operand}"
-                return f"sqrt({total})"
-            case Function.MINIMUM | Function.MAXIMUM:
-                name = function.value
-            case Function.ROLL | Function.PITCH | Function.YAW:
-                name = f"{function.value}_of"
-        self.parts.add(function.value)
-        return f"{name}({', '.join(operands)})"
+    def called(self, function: Function, operands: list[str]) -> str:
+        """A function of operands as they are written, before S4."""
+        if not is_plain(function, len(operands)):
+            self.functions.add((function, len(operands)))
+        return functions.call(function, operands)
 
     def _may_be_infinite(self, node: ir.SignalNode) -> bool:
         match node:

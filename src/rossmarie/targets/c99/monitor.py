@@ -7,11 +7,13 @@ as the interpreter does, bit for bit; `docs/decisions/0004-c99-target.md` says h
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
 from rossmarie.targets import comments
-from rossmarie.targets.c99 import describe, host, reactor, state, tables
+from rossmarie.targets.c99 import describe, functions, host, reactor, state, tables
 from rossmarie.targets.c99.layout import lay_out
 from rossmarie.targets.c99.messages import Messages
 from rossmarie.targets.c99.nodes import derive
@@ -19,10 +21,9 @@ from rossmarie.targets.c99.text import indented
 
 # The functions that a monitor may need, each after those that it calls.
 _PARTS = (
-    "known", "minimum", "maximum", "roll", "pitch", "yaw", "test", "both", "either", "opposite",
-    "element",
-    "any", "all", "count", "earlier", "wake_by", "samples", "sample", "rate", "as_is", "covered",
-    "unknown_kind", "guards", "held", "oscillations", "follow", "ages", "expire", "expire_samples",
+    "known", "test", "both", "either", "opposite", "element", "any", "all", "count", "earlier",
+    "wake_by", "samples", "sample", "rate", "as_is", "covered", "unknown_kind",
+    "guards", "held", "oscillations", "follow", "ages", "expire", "expire_samples",
 )  # fmt: skip
 
 
@@ -80,6 +81,12 @@ class _Writer:
     def _part(self, name: str) -> str:
         return self._fill(f"parts/{name}.c")
 
+    def _defined(self) -> Iterator[str]:
+        """The functions of numbers that the monitor calls, in the order of the core."""
+        for function, count in ir.functions(self._layout.machine):
+            if (function, count) in self._messages.expressions.functions:
+                yield functions.definition(function, count)
+
     def _header(self) -> str:
         layout = self._layout
         return self._fill(
@@ -127,5 +134,5 @@ class _Writer:
             "monitor.c.j2",
             enums=tables.enumerations(layout),
             tables=tables.tables(layout),
-            functions="\n".join([*map(self._part, parts), engine]),
+            functions="\n".join([*map(self._part, parts), *self._defined(), engine]),
         )

@@ -184,10 +184,14 @@ class _Calm:
         local = self._local[name]
         if (guard := self._layout.guard_of.get(name)) is not None:
             return [f"{guard.low} < {local} <= {guard.high}"]
-        functions = {node.function for _, node in self._users.get(name, ())}
-        if functions & expressions.FINITE_ONLY_OF_FINITE:
+        if any(self._shows(node, name) for _, node in self._users.get(name, ())):
             return []  # looking at the result is enough
         return [f"{local} - {local} == 0.0"]
+
+    def _shows(self, node: ir.Apply, name: str) -> bool:
+        """Whether a number is finite wherever a function of it is."""
+        named = (operand for operand in node.operands if self._layout.value(operand) == name)
+        return any(expressions.is_shown(node, operand) for operand in named)
 
     def _is_as_before(self, leaf: int, node: ir.TruthNode) -> str:
         return f"(1 if {expressions.holds(node, self._value)} else 0) == t{leaf}"

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
-from rossmarie.targets.python import expressions
+from rossmarie.targets.python import expressions, functions
 from rossmarie.targets.python.function import Function
 from rossmarie.targets.python.layout import Layout, number
 
-_FOLDS = {ir.Folding.MINIMUM: ("minimum", "INF"), ir.Folding.MAXIMUM: ("maximum", "-INF")}
+_STARTS = {ir.Folding.MINIMUM: "INF", ir.Folding.MAXIMUM: "-INF"}
 
 
 def results(layout: Layout, array: int) -> dict[str, str]:
@@ -34,7 +34,7 @@ def look(layout: Layout, array: int) -> list[str]:
     function.line("return", 1)
     folds, counted = _folds(layout, array), _counted(layout, array)
     for signal, node in folds.items():
-        function.line(f"f{signal} = {_FOLDS[node.folding][1]}")
+        function.line(f"f{signal} = {_STARTS[node.folding]}")
     for truth in counted:
         function.line(f"true_{truth} = unknown_{truth} = 0")
     function.line(f"for e in {_converted(layout.machine.arrays[array])}:")
@@ -42,7 +42,8 @@ def look(layout: Layout, array: int) -> list[str]:
         function.line(line, 1)
     for signal, node in folds.items():
         element = _Element(layout).value(node.element)
-        function.line(f"f{signal} = {_FOLDS[node.folding][0]}(f{signal}, {element})", 1)
+        folded = functions.call(node.folding.function, [f"f{signal}", element])
+        function.line(f"f{signal} = {folded}", 1)
     for truth in counted:
         function.line(f"true_{truth} += {_Element(layout).truth(truth)} == 1", 1)
         function.line(f"unknown_{truth} += {_Element(layout).truth(truth)} == 2", 1)

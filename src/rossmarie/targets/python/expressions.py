@@ -8,58 +8,32 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from rossmarie import ir
-from rossmarie.ir import Function
+from rossmarie import core, ir
+from rossmarie.targets.python import functions
 from rossmarie.targets.python.layout import Layout
 
 Write = Callable[[int], str]
 """How a signal or a truth is written, by its index."""
 
-_INFIX = {Function.ADD: "+", Function.SUBTRACT: "-", Function.MULTIPLY: "*"}
-FINITE_ONLY_OF_FINITE = {
-    Function.ADD,
-    Function.SUBTRACT,
-    Function.MULTIPLY,
-    Function.NEGATE,
-    Function.ABSOLUTE,
-    Function.NORM,
-}
-"""If a result of these is finite, so are the operands."""
-
-_ANGLES = {Function.ROLL, Function.PITCH, Function.YAW}
-# Of finite or unknown numbers these are so, too; of infinite ones, which come from arrays, not.
-_STAYS_FINITE = {Function.NEGATE, Function.ABSOLUTE, Function.MINIMUM, Function.MAXIMUM}
-
 
 def applied(layout: Layout, node: ir.Apply, write: Write) -> str:
     """A function of signals; NaN if it is not finite (S4)."""
     text = raw(node, write)
-    if node.function in _ANGLES:
-        return text
-    if node.function in _STAYS_FINITE and not any(
-        may_be_infinite(layout, operand) for operand in node.operands
-    ):
+    is_infinite = any(may_be_infinite(layout, operand) for operand in node.operands)
+    if not core.may_be_infinite(node.function, len(node.operands), of_infinite=is_infinite):
         return text
     return f"known({text})"
 
 
 def raw(node: ir.Apply, write: Write) -> str:
     """The same, but infinite where it is too large."""
-    operands = [write(operand) for operand in node.operands]
-    match node.function:
-        case Function.ADD | Function.SUBTRACT | Function.MULTIPLY:
-            return f"{operands[0]} {_INFIX[node.function]} {operands[1]}"
-        case Function.NEGATE:
-            return f"-{operands[0]}"
-        case Function.ABSOLUTE:
-            return f"abs({operands[0]})"
-        case Function.NORM:
-            return f"sqrt({' + '.join(f'{operand} * {operand}' for operand in operands)})"
-        case (
-            Function.DIVIDE | Function.MINIMUM | Function.MAXIMUM | Function.ROLL
-            | Function.PITCH | Function.YAW
-        ) as function:  # fmt: skip
-            return f"{function.value}({', '.join(operands)})"
+    return functions.call(node.function, [write(operand) for operand in node.operands])
+
+
+def is_shown(node: ir.Apply, operand: int) -> bool:
+    """Whether a signal is finite wherever a function of it and others is."""
+    places = [place for place, each in enumerate(node.operands) if each == operand]
+    return not core.shown_by(node.function, len(node.operands)).isdisjoint(places)
 
 
 def may_be_infinite(layout: Layout, signal: int) -> bool:

@@ -11,6 +11,7 @@ from collections import deque
 from typing import NamedTuple
 
 NAN = math.nan
+INF = math.inf
 
 
 class Verdict(NamedTuple):
@@ -52,57 +53,21 @@ def known(value: float) -> float:
     return value if value - value == 0.0 else NAN
 
 
-def minimum(a: float, b: float) -> float:
-    """The lesser of two, NaN if either is; of two equal ones the second."""
-    if a != a or b != b:
-        return NAN
-    if a < b:
-        return a
-    return b
-
-
-def maximum(a: float, b: float) -> float:
-    """The greater of two, NaN if either is; of two equal ones the second."""
-    if a != a or b != b:
-        return NAN
-    if a > b:
-        return a
-    return b
-
-
 def divide(a: float, b: float) -> float:
-    """A quotient; unknown if the divisor is zero."""
-    return NAN if b == 0.0 else a / b
+    """A quotient as IEEE 754 has it, where Python raises."""
+    if b != 0.0:
+        return a / b
+    return NAN if a == 0.0 or a != a else math.copysign(INF, a) * math.copysign(1.0, b)
 
 
-def roll(x: float, y: float, z: float, w: float) -> float:
-    """An angle of a quaternion of any length but zero, in radians."""
-    n = ((x * x + y * y) + z * z) + w * w
-    if n == 0.0:
-        return NAN
-    return math.atan2((2.0 * (w * x + y * z)) / n, 1.0 - (2.0 * (x * x + y * y)) / n)
+def square_root(x: float) -> float:
+    """A square root; NaN below zero, where Python raises."""
+    return math.sqrt(x) if x >= 0.0 else NAN
 
 
-def pitch(x: float, y: float, z: float, w: float) -> float:
-    """An angle of a quaternion of any length but zero, in radians."""
-    n = ((x * x + y * y) + z * z) + w * w
-    if n == 0.0:
-        return NAN
-    sine = (2.0 * (w * y - z * x)) / n
-    # Rounding may leave the range of a sine by an ulp, where asin has no value.
-    if sine < -1.0:
-        sine = -1.0
-    elif sine > 1.0:
-        sine = 1.0
-    return math.asin(sine)
-
-
-def yaw(x: float, y: float, z: float, w: float) -> float:
-    """An angle of a quaternion of any length but zero, in radians."""
-    n = ((x * x + y * y) + z * z) + w * w
-    if n == 0.0:
-        return NAN
-    return math.atan2((2.0 * (w * z + x * y)) / n, 1.0 - (2.0 * (y * y + z * z)) / n)
+def arc_sine(x: float) -> float:
+    """An arc sine in radians; NaN outside of [-1, 1], where Python raises."""
+    return math.asin(x) if -1.0 <= x <= 1.0 else NAN
 
 
 class Samples:

@@ -193,8 +193,6 @@ INLINE void set_truth(monitor *m, unsigned node, unsigned value, int64_t t_ns)
     m->dirty |= node_users[node];
 }
 
-static double minimum(double a, double b) { return isnan(a) || isnan(b) ? NAN : a < b ? a : b; }
-
 /* Kleene's conjunction. */
 static unsigned char both(unsigned char a, unsigned char b)
 {
@@ -358,6 +356,12 @@ static void expire(monitor *m, unsigned input)
     m->quiet[input_channel[input]] = false;
     for (unsigned i = input_values[input]; i != input_values[input + 1]; i++)
         m->value[lost_values[i]] = NAN;
+}
+
+/* The lesser of (a, b). */
+static double minimum_of(double a, double b)
+{
+    return isnan(a) || isnan(b) ? NAN : a < b ? a : b;
 }
 
 /* --- rules --------------------------------------------------------------------------------- */
@@ -575,7 +579,7 @@ INLINE void receive_topic_0(monitor *m, int64_t t_ns, const double *array_0, siz
         size_t TRUTHS_0 = 0, UNKNOWNS_0 = 0;
         for (size_t i = 0; i != array_0_count; i++) {
             const double ELEMENT_0 = array_0[i];
-            MINIMUM_2 = minimum(MINIMUM_2, ELEMENT_0);
+            MINIMUM_2 = minimum_of(MINIMUM_2, ELEMENT_0);
             const unsigned char IS_0 = element_truth(isnan(ELEMENT_0), ELEMENT_0 > 0.5);
             TRUTHS_0 += IS_0 == TRUE;
             UNKNOWNS_0 += IS_0 == UNKNOWN;
@@ -659,7 +663,7 @@ int arrays_step(arrays_monitor *m, int64_t t_ns, const arrays_values *v)
             size_t TRUTHS_0 = 0, UNKNOWNS_0 = 0;
             for (size_t i = 0; i != v->topic_0.array_0_count; i++) {
                 const double ELEMENT_0 = v->topic_0.array_0[i];
-                MINIMUM_2 = minimum(MINIMUM_2, ELEMENT_0);
+                MINIMUM_2 = minimum_of(MINIMUM_2, ELEMENT_0);
                 const unsigned char IS_0 = element_truth(isnan(ELEMENT_0), ELEMENT_0 > 0.5);
                 TRUTHS_0 += IS_0 == TRUE;
                 UNKNOWNS_0 += IS_0 == UNKNOWN;

@@ -206,14 +206,6 @@ INLINE void set_truth(monitor *m, unsigned node, unsigned value, int64_t t_ns)
 /* Not finite is unknown: x - (x - x) is x, to the bit, if x is finite, and NaN if it is not. */
 static double known(double x) { return x - (x - x); }
 
-static double pitch_of(double x, double y, double z, double w)
-{
-    const double n = ((x * x + y * y) + z * z) + w * w;
-    const double sine = (2.0 * (w * y - z * x)) / n;
-    /* Rounding may leave the range of a sine by an ulp, where asin has no value. */
-    return n == 0.0 ? NAN : asin(sine < -1.0 ? -1.0 : sine > 1.0 ? 1.0 : sine);
-}
-
 /* The outcome of a comparison as a number: 0 or 1, or NaN if an operand is. */
 static double outcome(bool is_unknown, bool value) { return is_unknown ? NAN : value ? 1.0 : 0.0; }
 
@@ -466,6 +458,14 @@ static void expire(monitor *m, unsigned input)
         m->value[lost_values[i]] = NAN;
     for (unsigned i = input_samples[input]; i != input_samples[input + 1]; i++)
         forget_samples(m, lost_samples[i]);
+}
+
+/* The pitch of (x, y, z, w). */
+static double pitch_of(double x, double y, double z, double w)
+{
+    const double n = x * x + y * y + z * z + w * w;
+    const double sine = 2.0 * (w * y - z * x) / n;
+    return n == 0.0 ? NAN : asin(sine < (-1.0) ? (-1.0) : 1.0 < sine ? 1.0 : sine);
 }
 
 /* --- rules --------------------------------------------------------------------------------- */

@@ -1,0 +1,226 @@
+"""Expressions of the core: numbers and conditions on them, as IEEE 754 and C's library have them.
+
+This is all that a function of numbers can be made of (`functions.py`), and all that whoever
+computes, writes or encodes such functions has to know. Operands are `Operand(0)`, `Operand(1)` ...
+in the order of the parameters. A comparison with NaN is false, as in C.
+
+The operators of Python make expressions, so that a definition reads like its formula.
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+
+class Primitive(enum.Enum):
+    """The operations that are not made of others; each rounds once, to nearest even."""
+
+    ADD = "add"
+    SUBTRACT = "subtract"
+    MULTIPLY = "multiply"
+    DIVIDE = "divide"
+    NEGATE = "negate"
+    ABSOLUTE = "absolute"
+    SQUARE_ROOT = "square_root"
+    ARC_SINE = "arc_sine"
+    ARC_TANGENT = "arc_tangent"  # of y and x, as atan2
+
+
+class _Formula:
+    """The operators that make expressions."""
+
+    def __add__(self, other: Written) -> Computed:
+        return Computed(Primitive.ADD, (self._own(), written(other)))
+
+    def __sub__(self, other: Written) -> Computed:
+        return Computed(Primitive.SUBTRACT, (self._own(), written(other)))
+
+    def __rsub__(self, other: Written) -> Computed:
+        return Computed(Primitive.SUBTRACT, (written(other), self._own()))
+
+    def __mul__(self, other: Written) -> Computed:
+        return Computed(Primitive.MULTIPLY, (self._own(), written(other)))
+
+    def __rmul__(self, other: Written) -> Computed:
+        return Computed(Primitive.MULTIPLY, (written(other), self._own()))
+
+    def __truediv__(self, other: Written) -> Computed:
+        return Computed(Primitive.DIVIDE, (self._own(), written(other)))
+
+    def __neg__(self) -> Computed:
+        return Computed(Primitive.NEGATE, (self._own(),))
+
+    def __abs__(self) -> Computed:
+        return Computed(Primitive.ABSOLUTE, (self._own(),))
+
+    def __lt__(self, other: Written) -> IsLess:
+        return IsLess(self._own(), written(other))
+
+    def __gt__(self, other: Written) -> IsLess:
+        return IsLess(written(other), self._own())
+
+    def equals(self, other: Written) -> IsEqual:
+        """The condition that two numbers are equal."""
+        return IsEqual(self._own(), written(other))
+
+    def _own(self) -> Expression:
+        assert isinstance(self, Number | Operand | Computed | Chosen | Local)
+        return self
+
+
+@dataclass(frozen=True)
+class Number(_Formula):
+    """A number known when compiling."""
+
+    value: float
+
+
+@dataclass(frozen=True)
+class Operand(_Formula):
+    """A number that the function is applied to."""
+
+    index: int
+
+
+@dataclass(frozen=True)
+class Computed(_Formula):
+    """An operation on numbers."""
+
+    primitive: Primitive
+    operands: tuple[Expression, ...]
+
+
+@dataclass(frozen=True)
+class Chosen(_Formula):
+    """One number where a condition holds, else another."""
+
+    condition: Condition
+    then: Expression
+    otherwise: Expression
+
+
+@dataclass(frozen=True)
+class Local(_Formula):
+    """A number with a name, which is computed once however often it stands in a function."""
+
+    name: str
+    value: Expression
+
+
+Expression = Number | Operand | Computed | Chosen | Local
+Written = _Formula | float
+
+
+@dataclass(frozen=True)
+class IsLess:
+    """The one is less than the other; false if either is NaN."""
+
+    left: Expression
+    right: Expression
+
+
+@dataclass(frozen=True)
+class IsEqual:
+    """Both are equal; false if either is NaN."""
+
+    left: Expression
+    right: Expression
+
+
+@dataclass(frozen=True)
+class IsUnknown:
+    """It is NaN."""
+
+    operand: Expression
+
+
+@dataclass(frozen=True)
+class Either:
+    """At least one of two conditions holds."""
+
+    left: Condition
+    right: Condition
+
+
+Condition = IsLess | IsEqual | IsUnknown | Either
+
+UNKNOWN = Number(math.nan)
+
+
+def written(value: Written) -> Expression:
+    """An expression, or a number as one."""
+    return value._own() if isinstance(value, _Formula) else Number(value)  # noqa: SLF001
+
+
+def choose(condition: Condition, then: Written, otherwise: Written) -> Chosen:
+    """`then` where the condition holds, else `otherwise`."""
+    return Chosen(condition, written(then), written(otherwise))
+
+
+def square_root(x: Expression) -> Computed:
+    """The square root, rounded correctly; NaN below zero."""
+    return Computed(Primitive.SQUARE_ROOT, (x,))
+
+
+def arc_sine(x: Expression) -> Computed:
+    """The arc sine of C's library, in radians; NaN outside of [-1, 1]."""
+    return Computed(Primitive.ARC_SINE, (x,))
+
+
+def arc_tangent(y: Expression, x: Expression) -> Computed:
+    """The angle of the point (x, y) by `atan2` of C's library, in radians."""
+    return Computed(Primitive.ARC_TANGENT, (y, x))
+
+
+def operands_of(expression: Expression) -> Iterator[int]:
+    """The operands in an expression, from left to right, as often as they stand in it."""
+    match expression:
+        case Number():
+            pass
+        case Operand(index=index):
+            yield index
+        case Computed(operands=operands):
+            for operand in operands:
+                yield from operands_of(operand)
+        case Chosen(condition=condition, then=then, otherwise=otherwise):
+            for part in (*compared_in(condition), then, otherwise):
+                yield from operands_of(part)
+        case Local(value=value):
+            yield from operands_of(value)
+
+
+def compared_in(condition: Condition) -> Iterator[Expression]:
+    """The numbers that a condition looks at."""
+    match condition:
+        case IsLess(left=left, right=right) | IsEqual(left=left, right=right):
+            yield from (left, right)
+        case IsUnknown(operand=operand):
+            yield operand
+        case Either(left=one, right=other):
+            yield from compared_in(one)
+            yield from compared_in(other)
+
+
+def locals_of(expression: Expression) -> tuple[Local, ...]:
+    """The named numbers in an expression, each once and after those that it uses."""
+    found: dict[Local, None] = {}
+    _collect(expression, found)
+    return tuple(found)
+
+
+def _collect(expression: Expression, found: dict[Local, None]) -> None:
+    match expression:
+        case Number() | Operand():
+            pass
+        case Computed(operands=operands):
+            for operand in operands:
+                _collect(operand, found)
+        case Chosen(condition=condition, then=then, otherwise=otherwise):
+            for part in (*compared_in(condition), then, otherwise):
+                _collect(part, found)
+        case Local(value=value):
+            _collect(value, found)
+            found.setdefault(expression)

@@ -1,0 +1,97 @@
+"""What follows for infinities from the expression of a function alone.
+
+Results that are not finite are unknown (S4), and numbers that stand outside of arrays are finite or
+unknown. So most operands need no look; targets ask here where one is needed.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+from rossmarie.core.expressions import (
+    Chosen,
+    Computed,
+    Expression,
+    Local,
+    Number,
+    Operand,
+    Primitive,
+)
+from rossmarie.core.functions import Function, defined
+
+
+@cache
+def may_be_infinite(function: Function, count: int, *, of_infinite: bool) -> bool:
+    """Whether the expression of a function of `count` operands can be infinite: of operands that
+    are finite or NaN, or with `of_infinite`, of any.
+    """
+    return _may_be_infinite(defined(function, count), of_infinite)
+
+
+def _may_be_infinite(expression: Expression, of_infinite: bool) -> bool:
+    match expression:
+        case Number(value=value):
+            return value in (float("inf"), float("-inf"))
+        case Operand():
+            return of_infinite
+        case Local(value=value):
+            return _may_be_infinite(value, of_infinite)
+        case Chosen(then=then, otherwise=otherwise):
+            return any(_may_be_infinite(each, of_infinite) for each in (then, otherwise))
+        case Computed(primitive=primitive, operands=operands):
+            match primitive:
+                case Primitive.ADD | Primitive.SUBTRACT | Primitive.MULTIPLY | Primitive.DIVIDE:
+                    return True
+                case Primitive.NEGATE | Primitive.ABSOLUTE | Primitive.SQUARE_ROOT:
+                    return _may_be_infinite(operands[0], of_infinite)
+                case Primitive.ARC_SINE | Primitive.ARC_TANGENT:
+                    return False
+
+
+@cache
+def rounds(function: Function, count: int) -> bool:
+    """Whether a function computes, and so rounds, instead of choosing among its operands."""
+    return _rounds(defined(function, count))
+
+
+def _rounds(expression: Expression) -> bool:
+    match expression:
+        case Number() | Operand():
+            return False
+        case Local(value=value):
+            return _rounds(value)
+        case Chosen(then=then, otherwise=otherwise):
+            return _rounds(then) or _rounds(otherwise)
+        case Computed(primitive=Primitive.NEGATE | Primitive.ABSOLUTE, operands=operands):
+            return _rounds(operands[0])
+        case Computed():
+            return True
+
+
+@cache
+def shown_by(function: Function, count: int) -> frozenset[int]:
+    """The operands that are finite wherever the expression of a function is."""
+    return _shown_by(defined(function, count))
+
+
+def _shown_by(expression: Expression) -> frozenset[int]:
+    match expression:
+        case Number():
+            return frozenset()
+        case Operand(index=index):
+            return frozenset({index})
+        case Local(value=value):
+            return _shown_by(value)
+        case Chosen(then=then, otherwise=otherwise):
+            return _shown_by(then) & _shown_by(otherwise)
+        case Computed(primitive=primitive, operands=operands):
+            match primitive:
+                case Primitive.ADD | Primitive.SUBTRACT | Primitive.MULTIPLY:
+                    return _shown_by(operands[0]) | _shown_by(operands[1])
+                case (
+                    Primitive.NEGATE | Primitive.ABSOLUTE | Primitive.SQUARE_ROOT
+                    | Primitive.ARC_SINE | Primitive.DIVIDE
+                ):  # fmt: skip
+                    return _shown_by(operands[0])  # a number divided by infinity is 0
+                case Primitive.ARC_TANGENT:
+                    return frozenset()

@@ -1,0 +1,192 @@
+"""The functions from numbers to a number, each defined once: rules S3 to S6.
+
+A member of `Function` with its row in `FUNCTIONS` is all that a function is: interpreter, targets,
+solvers and the words of reports go by that row. A result that is not finite is unknown (S4):
+whoever applies a function makes NaN of it.
+"""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, reduce
+
+from rossmarie.core.expressions import (
+    UNKNOWN,
+    Condition,
+    Either,
+    Expression,
+    IsUnknown,
+    Local,
+    Operand,
+    arc_sine,
+    arc_tangent,
+    choose,
+    square_root,
+)
+
+
+class Function(enum.Enum):
+    """Functions from numbers to a number."""
+
+    ADD = "add"
+    SUBTRACT = "subtract"
+    MULTIPLY = "multiply"
+    DIVIDE = "divide"
+    NEGATE = "negate"
+    ABSOLUTE = "absolute"
+    MINIMUM = "minimum"  # of two
+    MAXIMUM = "maximum"  # of two
+    NORM = "norm"  # of one or more
+    HYPOT = "hypot"
+    ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
+    PITCH = "pitch"
+    YAW = "yaw"
+
+
+@dataclass(frozen=True)
+class Row:
+    """What a function is.
+
+    `rule` is its rule in the semantics. It takes `least` to `most` operands (None: any number).
+    `define` gives its expression. `phrase` words it for readers, with `{0}` and `{1}` for operands,
+    `{all}` for a list of them, and `{vector}` for components of one thing. Results lie in `range`.
+
+    Solvers cannot compute with roots and angles: where `bounds` is given they know of a result only
+    that it lies in `range`, and these conditions on the operands and the result, in real numbers.
+    `easy` is then an expression that equals the function where all operands but the first are 0:
+    with it solvers find examples.
+    """
+
+    rule: str
+    least: int
+    most: int | None
+    define: Callable[..., Expression]
+    phrase: str
+    range: tuple[float, float] = (-math.inf, math.inf)
+    bounds: Callable[[Expression, Sequence[Expression]], tuple[Condition, ...]] | None = None
+    easy: Callable[[Expression], Expression] | None = None
+
+    def takes(self, count: int) -> bool:
+        """Whether it can have that many operands."""
+        return self.least <= count and (self.most is None or count <= self.most)
+
+    def worded(self, operands: Sequence[str], vector: str | None = None) -> str:
+        """The phrase about operands in words; `vector` is what they are components of."""
+        listed = ", ".join(operands)
+        return self.phrase.format(*operands, all=listed, vector=vector or f"({listed})")
+
+
+def row(function: Function) -> Row:
+    """What a function is."""
+    return FUNCTIONS[function]
+
+
+def parameters(count: int) -> tuple[str, ...]:
+    """Names for the operands of a function."""
+    names = "ab" if count <= 2 else "xyzw"
+    return tuple(names[:count]) if count <= 4 else tuple(f"x_{n}" for n in range(count))
+
+
+@cache
+def defined(function: Function, count: int) -> Expression:
+    """The expression of a function of `count` operands, before S4."""
+    return row(function).define(*map(Operand, range(count)))
+
+
+# --- lesser and greater ----------------------------------------------------------------------
+
+
+def _minimum(a: Expression, b: Expression) -> Expression:
+    """S6; of two equal ones the second."""
+    return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a < b, a, b))
+
+
+def _maximum(a: Expression, b: Expression) -> Expression:
+    """S6; of two equal ones the second."""
+    return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a > b, a, b))
+
+
+# --- geometry --------------------------------------------------------------------------------
+
+_SLACK = 2.0**-40
+"""More than the roundings in a norm of thousands of numbers can add."""
+
+_TINY = 2.0**-500
+"""Below this, squares are lost."""
+
+
+def _sum_of_squares(*components: Expression) -> Expression:
+    """Added from left to right."""
+    return reduce(lambda total, x: total + x, [x * x for x in components])
+
+
+def _norm(*components: Expression) -> Expression:
+    """S5."""
+    return square_root(_sum_of_squares(*components))
+
+
+def _bounds_of_norm(norm: Expression, components: Sequence[Expression]) -> tuple[Condition, ...]:
+    """A length is no less than each component, and no greater than the sum of all."""
+    sizes = [abs(each) for each in components]
+    total: Expression = reduce(lambda one, other: one + other, sizes)
+    return (
+        *(size * (1.0 - _SLACK) - 2.0 * _TINY < norm for size in sizes),
+        norm < total * (1.0 + _SLACK) + 2.0 * _TINY,
+    )
+
+
+def _roll(x: Expression, y: Expression, z: Expression, w: Expression) -> Expression:
+    """S5."""
+    n = Local("n", _sum_of_squares(x, y, z, w))
+    sine = 2.0 * (w * x + y * z) / n
+    cosine = 1.0 - 2.0 * (x * x + y * y) / n
+    return choose(n.equals(0.0), UNKNOWN, arc_tangent(sine, cosine))
+
+
+def _pitch(x: Expression, y: Expression, z: Expression, w: Expression) -> Expression:
+    """S5. Rounding may leave the range of a sine by an ulp, where `asin` has no value."""
+    n = Local("n", _sum_of_squares(x, y, z, w))
+    sine = Local("sine", 2.0 * (w * y - z * x) / n)
+    cut = choose(sine < -1.0, -1.0, choose(sine > 1.0, 1.0, sine))
+    return choose(n.equals(0.0), UNKNOWN, arc_sine(cut))
+
+
+def _yaw(x: Expression, y: Expression, z: Expression, w: Expression) -> Expression:
+    """S5."""
+    n = Local("n", _sum_of_squares(x, y, z, w))
+    sine = 2.0 * (w * z + x * y) / n
+    cosine = 1.0 - 2.0 * (y * y + z * z) / n
+    return choose(n.equals(0.0), UNKNOWN, arc_tangent(sine, cosine))
+
+
+def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]:
+    """How an angle hangs together with its quaternion is left open."""
+    return ()
+
+
+# --- all of them -----------------------------------------------------------------------------
+
+_LENGTH = (0.0, math.inf)
+_TURN = (-math.pi, math.pi)
+_QUARTER = (-math.pi / 2, math.pi / 2)  # the double that `asin(1)` is
+
+FUNCTIONS: Mapping[Function, Row] = {
+    Function.ADD: Row("S3", 2, 2, lambda a, b: a + b, "({0} + {1})"),
+    Function.SUBTRACT: Row("S3", 2, 2, lambda a, b: a - b, "({0} - {1})"),
+    Function.MULTIPLY: Row("S3", 2, 2, lambda a, b: a * b, "({0} * {1})"),
+    Function.DIVIDE: Row("S3", 2, 2, lambda a, b: a / b, "({0} / {1})"),
+    Function.NEGATE: Row("S3", 1, 1, lambda a: -a, "-({0})"),
+    Function.ABSOLUTE: Row("S6", 1, 1, abs, "the absolute value of {0}", _LENGTH),
+    Function.MINIMUM: Row("S6", 2, 2, _minimum, "the lesser of ({all})"),
+    Function.MAXIMUM: Row("S6", 2, 2, _maximum, "the greater of ({all})"),
+    Function.NORM: Row(
+        "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, abs
+    ),
+    Function.HYPOT: Row("S5", 2, 2, _norm, "the length of ({all})", _LENGTH, _bounds_of_norm, abs),
+    Function.ROLL: Row("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
+    Function.PITCH: Row("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
+    Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),
+}

@@ -1,0 +1,101 @@
+"""Expressions of the core as C, written to be read beside the semantics: each operation in its own
+parentheses, each number to the last bit.
+
+The generator of the C that is proved has a writer of its own; nothing is shared with it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rossmarie.core import Function, defined, parameters, row
+from rossmarie.core.expressions import (
+    Chosen,
+    Computed,
+    Condition,
+    Either,
+    Expression,
+    IsEqual,
+    IsLess,
+    IsUnknown,
+    Local,
+    Number,
+    Operand,
+    Primitive,
+    locals_of,
+)
+
+
+def name(function: Function, count: int) -> str:
+    """The C function that means a function of `count` operands."""
+    return f"spec_{function.value}_{count}"
+
+
+def definition(function: Function, count: int) -> str:
+    """That C function, before S4."""
+    names = parameters(count)
+    head = ", ".join(f"double {each}" for each in names)
+    expression = defined(function, count)
+    steps = [
+        f"    const double {local.name} = {_text(local.value, names)};\n"
+        for local in locals_of(expression)
+    ]
+    return (
+        f"/* {row(function).rule}: {row(function).worded(names)}. */\n"
+        f"static double {name(function, count)}({head})\n"
+        f"{{\n{''.join(steps)}    return {_text(expression, names)};\n}}\n"
+    )
+
+
+def literal(value: float) -> str:
+    """A number in C, exactly."""
+    return f"({value.hex()})" if value == value else "NAN"
+
+
+def _text(expression: Expression, names: Sequence[str]) -> str:
+    match expression:
+        case Number(value=value):
+            return literal(value)
+        case Operand(index=index):
+            return names[index]
+        case Local(name=name):
+            return name
+        case Computed(primitive=primitive, operands=operands):
+            return _operation(primitive, [_text(operand, names) for operand in operands])
+        case Chosen(condition=condition, then=then, otherwise=otherwise):
+            holds = _condition(condition, names)
+            return f"({holds} ? {_text(then, names)} : {_text(otherwise, names)})"
+
+
+def _operation(primitive: Primitive, parts: Sequence[str]) -> str:
+    match primitive:
+        case Primitive.ADD:
+            return f"({parts[0]} + {parts[1]})"
+        case Primitive.SUBTRACT:
+            return f"({parts[0]} - {parts[1]})"
+        case Primitive.MULTIPLY:
+            return f"({parts[0]} * {parts[1]})"
+        case Primitive.DIVIDE:
+            return f"({parts[0]} / {parts[1]})"
+        case Primitive.NEGATE:
+            return f"(-{parts[0]})"
+        case Primitive.ABSOLUTE:
+            return f"fabs({parts[0]})"
+        case Primitive.SQUARE_ROOT:
+            return f"sqrt({parts[0]})"
+        case Primitive.ARC_SINE:
+            return f"asin({parts[0]})"
+        case Primitive.ARC_TANGENT:
+            return f"atan2({parts[0]}, {parts[1]})"
+
+
+def _condition(condition: Condition, names: Sequence[str]) -> str:
+    match condition:
+        case IsLess(left=left, right=right):
+            return f"{_text(left, names)} < {_text(right, names)}"
+        case IsEqual(left=left, right=right):
+            return f"{_text(left, names)} == {_text(right, names)}"
+        case IsUnknown(operand=operand):
+            return f"isnan({_text(operand, names)})"
+        case Either(left=one, right=other):
+            return f"({_condition(one, names)} || {_condition(other, names)})"
