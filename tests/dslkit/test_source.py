@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -10,12 +12,18 @@ from dslkit.source import Position, SourceFile, Span
 TEXTS = st.text(st.sampled_from("ab\n\r名"), max_size=30)
 
 
+def lines_of(text: str) -> list[str]:
+    """The lines with their ends, as Python reads them; behind a last end there is one more."""
+    lines = io.StringIO(text, newline="").readlines()
+    return [*lines, ""] if not lines or lines[-1].endswith(("\n", "\r")) else lines
+
+
 @given(TEXTS, st.data())
 def test_a_position_leads_back_to_its_offset(text: str, data: st.DataObject) -> None:
     offset = data.draw(st.integers(0, len(text)))
     position = SourceFile("x", text).position(offset)
-    lines = text.split("\n")
-    before = sum(len(line) + 1 for line in lines[: position.line - 1])
+    lines = lines_of(text)
+    before = sum(len(line) for line in lines[: position.line - 1])
     assert before + position.column - 1 == offset
     assert 1 <= position.column <= len(lines[position.line - 1]) + 1
 
@@ -24,7 +32,7 @@ def test_a_position_leads_back_to_its_offset(text: str, data: st.DataObject) -> 
 def test_lines_are_shown_without_their_ends(text: str) -> None:
     file = SourceFile("x", text)
     shown = [file.line_text(number + 1) for number in range(len(file.line_starts))]
-    assert shown == [line.rstrip("\r") for line in text.split("\n")]
+    assert shown == [line.rstrip("\r\n") for line in lines_of(text)]
     assert file.line_text(len(shown) + 1) == ""
 
 

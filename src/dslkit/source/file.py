@@ -6,9 +6,12 @@ is the only place that converts.
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
+
+_LINE_END = re.compile(r"\r\n?|\n")
 
 
 @dataclass(frozen=True)
@@ -47,11 +50,10 @@ class SourceFile:
 
     @cached_property
     def line_starts(self) -> tuple[int, ...]:
-        """The offset at which each line begins."""
-        starts = [0]
-        while newline := self.text.find("\n", starts[-1]) + 1:
-            starts.append(newline)
-        return tuple(starts)
+        """The offset at which each line begins, as editors and Python see it: a carriage return
+        alone ends a line as well.
+        """
+        return (0, *(end.end() for end in _LINE_END.finditer(self.text)))
 
     def position(self, offset: int) -> Position:
         """The line and column of an offset between 0 and the length of the text."""
@@ -64,5 +66,5 @@ class SourceFile:
             return ""
         start = self.line_starts[line - 1]
         is_last = line == len(self.line_starts)
-        end = len(self.text) if is_last else self.line_starts[line] - 1
-        return self.text[start:end].rstrip("\r")
+        end = len(self.text) if is_last else self.line_starts[line]
+        return self.text[start:end].rstrip("\r\n")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import enum
+import re
 import warnings
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
@@ -22,6 +23,8 @@ from ezskiros.trees.library import LaunchValues
 _ENDINGS = (".yaml", ".yml", ".json")
 LARGEST_FILE = 256 << 10
 """Bytes of a file, which is slow to read."""
+_LINE_END = re.compile("\r\n?|[\n\x85\u2028\u2029]")
+"""Lines as YAML counts them, which has more ends than editors."""
 _TOO_DEEP = "its lists and mappings lie too deep in each other"
 
 
@@ -82,6 +85,7 @@ class _Reader:
 
     def __init__(self, file: SourceFile, skills: Mapping[str, SkillInterface]) -> None:
         self._file, self._all = file, skills
+        self._line_starts = (0, *(end.end() for end in _LINE_END.finditer(file.text)))
 
     def skills(self, content: Any) -> Iterator[tuple[str, Mapping[str, object]]]:
         """For each skill that is named, what its parameters are."""
@@ -132,7 +136,7 @@ class _Reader:
 
     def _at(self, place: tuple[int, int], length: int) -> Span:
         line, column = place
-        start = self._file.line_starts[line] + column
+        start = self._line_starts[line] + column
         return Span(self._file, start, min(start + length, len(self._file.text)))
 
 

@@ -104,3 +104,9 @@ def test_a_file_that_is_not_there(tmp_path: Path) -> None:
     result = check_paths([tmp_path / "skills.py"], tmp_path / "nowhere.yaml")
     (only,) = [each for each in result.diagnostics if each.code == "EZS511"]
     assert "no such file" in only.title
+
+
+@pytest.mark.parametrize("end", ["\r", "\x85", "\u2028"])
+def test_lines_that_only_yaml_knows_of_hide_no_finding(tmp_path: Path, end: str) -> None:
+    values = f"# one{end}# two{end}# three{end}Task: {{Sped: 0.3}}"
+    assert ("EZS513", "Sped") in found(tmp_path, values)
