@@ -74,15 +74,21 @@ def arrays() -> ir.Machine:
 
 
 def memories() -> ir.Machine:
-    """A rate, a previous sample, an oscillation, a quaternion, numbers compared with each other."""
+    """A rate, a previous sample, a median, an oscillation, a quaternion, numbers compared with each other."""
     draft = Draft(texts=("docked",))
     channel = draft.channel()
     used = draft.input(channel, SECOND)
     x, y, z, w = (draft.signal(ir.Read(draft.slot(used))) for _ in range(4))
     pitch = draft.apply(Function.PITCH, x, y, z, w)
-    rate = draft.signal(ir.Rate(pitch), "rate(orientation.pitch())", "rad/s")
-    before = draft.signal(ir.Previous(pitch), "previous(orientation.pitch())", "rad")
+    rate = draft.signal(ir.Sampled(ir.Sampling.RATE, pitch), "rate(orientation.pitch())", "rad/s")
+    before = draft.signal(
+        ir.Sampled(ir.Sampling.PREVIOUS, pitch), "previous(orientation.pitch())", "rad"
+    )
     rising = draft.truth(ir.Compare(Comparison.GREATER, pitch, before))
+    median = draft.signal(
+        ir.Sampled(ir.Sampling.MEDIAN, pitch, SECOND), "median(orientation.pitch(), 1 sec)", "rad"
+    )
+    draft.rule(draft.above(median, 0.2))
     jolt = draft.truth(ir.Oscillates(x, 3, SECOND // 4, 0.1))
     draft.rule(draft.truth(ir.And((rising, draft.above(rate, 0.5)))))
     draft.rule(jolt)

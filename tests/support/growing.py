@@ -64,6 +64,7 @@ class Growing:
 
     def signal(self) -> None:
         grow = [self._constant, self._apply, self._apply, self._rate, self._previous]
+        grow += [self._median]
         if self.element_numbers:
             grow += [self._fold, self._fold, self._count]
         self.numbers.append(self.draw(st.sampled_from(grow))())
@@ -81,10 +82,16 @@ class Growing:
         return self.draw(st.integers(declared.least, declared.most or 3))
 
     def _rate(self) -> int:
-        return self.draft.signal(ir.Rate(self.one_of(self.numbers)))
+        return self.draft.signal(ir.Sampled(ir.Sampling.RATE, self.one_of(self.numbers)))
 
     def _previous(self) -> int:
-        return self.draft.signal(ir.Previous(self.one_of(self.numbers)))
+        return self.draft.signal(ir.Sampled(ir.Sampling.PREVIOUS, self.one_of(self.numbers)))
+
+    def _median(self) -> int:
+        window_ns = self.draw(durations)
+        return self.draft.signal(
+            ir.Sampled(ir.Sampling.MEDIAN, self.one_of(self.numbers), window_ns)
+        )
 
     def _fold(self) -> int:
         folding = self.draw(st.sampled_from(ir.Folding))

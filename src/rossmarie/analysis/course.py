@@ -16,6 +16,7 @@ import z3
 from rossmarie import ir
 from rossmarie.analysis import arithmetic
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
+from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.state import kind_facts, limit_facts, shape_facts
 from rossmarie.analysis.terms import (
     FALSE,
@@ -27,7 +28,8 @@ from rossmarie.analysis.terms import (
     literal,
 )
 from rossmarie.analysis.times import SECOND, Times
-from rossmarie.core import row
+from rossmarie.core import View, row, sampling_row
+from rossmarie.core.expressions import Operand
 
 
 @dataclass(frozen=True)
@@ -117,30 +119,38 @@ class Moment(Encoding):
         channels = self.asked.supports.signals[signal].channels
         return z3.Or([self.leg.sends[channel] for channel in channels])
 
-    def rate(self, index: int, node: ir.Rate) -> Number:
-        """A step at the first message, then nothing changes."""
-        number, sampled = self.signal(node.signal), self._is_sampled(node.signal)
+    def sampled(self, index: int, node: ir.Sampled) -> Number:
+        """A step at the first message, then nothing changes; until then what it was."""
+        declared = sampling_row(node.function)
+        number, brings = self.signal(node.signal), self._is_sampled(node.signal)
+        at_rest = Formulas([number.value], exactly).term(declared.at_rest(Operand(0)))
         if self._before is None:
-            return Number(NO, z3.RealVal(0))
+            known = z3.And(brings, number.known) if declared.has_window else NO
+            return Number(known, at_rest)
         earlier = self._before.signal(index)
+        needed = [number.known] if View.NEWEST in declared.views else []
         if self._is_end:
-            known = z3.And(number.known, z3.Or(sampled, earlier.known))
-            return Number(known, z3.If(sampled, z3.RealVal(0), earlier.value))
+            known = z3.And(z3.If(brings, number.known, earlier.known), *needed)
+            return Number(known, z3.If(brings, at_rest, earlier.value))
+        if declared.has_window:
+            return earlier
         last = self._before.signal(node.signal)
-        slope = (number.value - last.value) * SECOND / self._times.period_ns
-        known = z3.If(sampled, z3.And(number.known, last.known), earlier.known)
-        return Number(known, z3.If(sampled, slope, earlier.value))
+        known = z3.If(brings, z3.And(last.known, *needed), earlier.known)
+        views = [self._view(view, number, last) for view in declared.views]
+        step = Formulas(views, exactly).term(declared.expression)
+        return Number(known, z3.If(brings, step, earlier.value))
 
-    def previous(self, index: int, node: ir.Previous) -> Number:
-        """The last value of the leg before, then the same value."""
-        number, sampled = self.signal(node.signal), self._is_sampled(node.signal)
-        if self._before is None:
-            return Number(NO, z3.RealVal(0))
-        earlier = self._before.signal(index)
-        last = number if self._is_end else self._before.signal(node.signal)
-        return Number(
-            z3.If(sampled, last.known, earlier.known), z3.If(sampled, last.value, earlier.value)
-        )
+    def _view(self, view: View, number: Number, last: Number) -> z3.ArithRef:
+        """What is found among the samples at the first message of a leg."""
+        match view:
+            case View.NEWEST:
+                return number.value
+            case View.BEFORE:
+                return last.value
+            case View.SECONDS:
+                return z3.Q(self._times.period_ns, SECOND)
+            case View.LOWER | View.UPPER:
+                raise AssertionError("windows are not looked into")
 
     def count(self, node: ir.Count) -> Number:
         """Those for which it is true."""

@@ -38,10 +38,9 @@ from rossmarie.ir import (
     Not,
     Or,
     Oscillates,
-    Previous,
     Quantified,
-    Rate,
     Read,
+    Sampled,
     Slot,
     TruthValue,
     compared_signals,
@@ -215,7 +214,7 @@ def _range(machine: Machine, signal: int) -> str:
             return f"{_whole(machine, signal, machine.arrays[array])}, as its type says"
         case Fold(element=element):
             return _range(machine, element)
-        case Constant() | Read() | Rate() | Previous() | Element():
+        case Constant() | Read() | Sampled() | Element():
             return ""
     if high == math.inf:
         return "never negative" if low == 0.0 else ""

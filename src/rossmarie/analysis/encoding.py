@@ -59,7 +59,7 @@ class Questioned:
                 case ir.Count(element=element):
                     uses[self._array(self.elements.truths[element])] += 1
                 case (
-                    ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Previous()
+                    ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled()
                     | ir.Element()
                 ):  # fmt: skip
                     pass
@@ -71,6 +71,11 @@ class Questioned:
     def _array(self, array: int | None) -> int:
         assert array is not None, "verified: only elements are folded"
         return array
+
+    def window_of(self, signal: int) -> int:
+        """The length of the window that a signal looks at, in nanoseconds; 0 if it has none."""
+        node = self.machine.signals[signal].node
+        return node.window_ns if isinstance(node, ir.Sampled) else 0
 
     def has_timeout(self, inputs: Iterator[int] | Sequence[int] | frozenset[int]) -> bool:
         """Whether one of some inputs can be lost."""
@@ -116,12 +121,8 @@ class Encoding(ABC):
         """How old the last message is, in nanoseconds."""
 
     @abstractmethod
-    def rate(self, index: int, node: ir.Rate) -> Number:
-        """S19."""
-
-    @abstractmethod
-    def previous(self, index: int, node: ir.Previous) -> Number:
-        """S20."""
+    def sampled(self, index: int, node: ir.Sampled) -> Number:
+        """S18 to S21, S43."""
 
     @abstractmethod
     def count(self, node: ir.Count) -> Number:
@@ -162,10 +163,8 @@ class Encoding(ABC):
             case ir.Apply(function=function, operands=operands):
                 numbers = [self.signal(operand) for operand in operands]
                 return self.apply(index, function, numbers)
-            case ir.Rate():
-                return self.rate(index, node)
-            case ir.Previous():
-                return self.previous(index, node)
+            case ir.Sampled():
+                return self.sampled(index, node)
             case ir.Fold():
                 return self._fold(node)
             case ir.Count():
@@ -311,7 +310,7 @@ class Encoding(ABC):
             case ir.Apply(function=function, operands=operands):
                 numbers = [self._element_signal(operand, element) for operand in operands]
                 return Encoding.apply(self, index, function, numbers)
-            case (ir.Read() | ir.Rate() | ir.Previous() | ir.Fold() | ir.Count()) as node:
+            case (ir.Read() | ir.Sampled() | ir.Fold() | ir.Count()) as node:
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
     def element_truth(self, index: int, element: Number) -> Fact:

@@ -89,7 +89,7 @@ def _moved_signal(
     match node:
         case ir.Apply(operands=operands):
             return dataclasses.replace(node, operands=tuple(numbers[each] for each in operands))
-        case ir.Rate(signal=signal) | ir.Previous(signal=signal):
+        case ir.Sampled(signal=signal):
             return dataclasses.replace(node, signal=numbers[signal])
         case ir.Fold(element=element):
             return dataclasses.replace(node, element=numbers[element])

@@ -17,6 +17,8 @@ from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.witness import Sending, View, Witness, views
+from rossmarie.core import View as Found
+from rossmarie.core import sampling_row
 from rossmarie.ir import (
     AgeReaches,
     And,
@@ -30,9 +32,8 @@ from rossmarie.ir import (
     Not,
     Or,
     Oscillates,
-    Previous,
     Quantified,
-    Rate,
+    Sampled,
     TruthValue,
     compared_signals,
     reachable_truths,
@@ -218,7 +219,7 @@ def _remembering(machine: Machine, signals: Sequence[int]) -> Iterator[int]:
     waiting = list(signals)
     while waiting:
         node = machine.signals[waiting.pop()].node
-        if isinstance(node, Rate | Previous):
+        if isinstance(node, Sampled) and Found.BEFORE in sampling_row(node.function).views:
             yield node.signal
         waiting += signal_operands(node)
 

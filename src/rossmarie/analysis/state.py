@@ -76,18 +76,10 @@ class ArbitraryState(Encoding):
             self.facts.append(self._ages[channel] >= 0)
         return self._ages[channel]
 
-    def rate(self, _: int, node: ir.Rate) -> Number:
-        """Any slope."""
-        return self._remembered(node.signal)
-
-    def previous(self, _: int, node: ir.Previous) -> Number:
-        """Any sample."""
-        return self._remembered(node.signal)
-
-    def _remembered(self, signal: int) -> Number:
-        """Samples do not outlive their inputs (S21)."""
+    def sampled(self, _: int, node: ir.Sampled) -> Number:
+        """Any number; samples do not outlive their inputs (S21)."""
         known = z3.FreshBool("sampled")
-        for used in sorted(self.asked.supports.signals[signal].inputs):
+        for used in sorted(self.asked.supports.signals[node.signal].inputs):
             self.facts.append(z3.Implies(known, self.is_fresh(used)))
         return Number(known, z3.FreshReal("sample"))
 

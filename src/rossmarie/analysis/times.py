@@ -25,13 +25,14 @@ class Times:
         inputs = [used for used in machine.inputs if used.channel in self.channels]
         self.timeouts = [used.timeout_ns for used in inputs if used.timeout_ns is not None]
         self.silence_ns = max([*self.timeouts, *self._ages(machine)], default=0)
-        self._settled = self._settling(machine)
+        self._settled = self._settling(asked)
         self.longest_ns = max(self._settled.values(), default=0) + self.silence_ns + self.period_ns
         windows = [
             node.window_ns
             for truth in self.truths
             if isinstance(node := machine.truths[truth].node, ir.Oscillates)
         ]
+        windows += [asked.window_of(sample) for each in support for sample in each.samples]
         second_sample = 2 * self.period_ns if any(each.samples for each in support) else 0
         self.shortest_ns = max([second_sample, *windows])
 
@@ -51,14 +52,18 @@ class Times:
             if isinstance(node, ir.AgeReaches):
                 yield node.age_ns
 
-    def _settling(self, machine: ir.Machine) -> dict[int, int]:
+    def _settling(self, asked: Questioned) -> dict[int, int]:
         """How long each truth takes to settle when nothing changes any more."""
+        machine = asked.machine
         needed: dict[int, int] = {}
         for truth in self.truths:
             node = machine.truths[truth].node
             below = 0
             if not isinstance(node, ir.Quantified):
                 below = max((needed[each] for each in ir.truth_operands(node)), default=0)
+            if ir.is_leaf(node):
+                samples = asked.supports.truths[truth].samples
+                below += sum(map(asked.window_of, samples))
             match node:
                 case ir.Held(duration_ns=duration_ns):
                     below += duration_ns

@@ -21,9 +21,8 @@ from rossmarie.ir import (
     Fold,
     Kind,
     Machine,
-    Previous,
-    Rate,
     Read,
+    Sampled,
     TruthValue,
 )
 from rossmarie.ir.duration_text import duration_text
@@ -241,5 +240,5 @@ def slot_kind(machine: Machine, index: int) -> Kind:
     match machine.signals[index].node:
         case Read(slot=slot):
             return machine.slots[slot].kind
-        case Constant() | Apply() | Rate() | Previous() | Element() | Fold() | Count():
+        case Constant() | Apply() | Sampled() | Element() | Fold() | Count():
             return Kind.REAL

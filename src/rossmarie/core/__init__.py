@@ -6,15 +6,21 @@ Nothing here knows of messages, rules or targets. The numbered rules of
 
 from rossmarie.core.finite import may_be_infinite, rounds, shown_by
 from rossmarie.core.functions import FUNCTIONS, Function, Row, defined, parameters, row
+from rossmarie.core.sampling import MOST_SAMPLES, SAMPLINGS, Sampling, View, sampling_row
 
 __all__ = [
     "FUNCTIONS",
+    "MOST_SAMPLES",
+    "SAMPLINGS",
     "Function",
     "Row",
+    "Sampling",
+    "View",
     "defined",
     "may_be_infinite",
     "parameters",
     "rounds",
     "row",
+    "sampling_row",
     "shown_by",
 ]

@@ -13,7 +13,7 @@ from rossmarie.driver.build import generate, write_generated
 from rossmarie.driver.pipeline import Compiled, compile_file
 from rossmarie.driver.sources import hashed_sources
 from rossmarie.driver.workers import answers
-from rossmarie.report.proofs import Proofs
+from rossmarie.report.proofs import Proofs, has_windows
 from rossmarie.report.safety import EvidenceKind, evidence_text
 from rossmarie.report.safety.evidence import Hashed
 from rossmarie.report.safety.proved import bound_of, verification_results
@@ -97,6 +97,8 @@ def _unasked(questions: Questions) -> Iterator[str]:
         asked = any(f'"{name}"' in program.text for program in questions.programs)
         if name.endswith(".c") and not asked:
             yield name
+    if has_windows(questions.compiled.machine):
+        yield "samples of windows"
 
 
 def _outcome(prover: Prover, folder: Path, seconds: int, asked: tuple[Harness, Check]) -> Outcome:

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 
-from rossmarie.core import Function, defined
+from rossmarie.core import Function, Sampling, defined, sampling_row
 from rossmarie.core.expressions import (
     Chosen,
     Computed,
@@ -43,6 +43,12 @@ def plain(function: Function, operands: tuple[float, ...]) -> float:
     return _program(function, len(operands))(operands)
 
 
+def of_samples(function: Sampling, views: tuple[float, ...]) -> float:
+    """The value of a function of samples, of what it looks at among them (S4, S8)."""
+    value = _sampling_program(function)(views)
+    return value if sampling_row(function).keeps_infinities else finite_or_nan(value)
+
+
 def finite_or_nan(value: float) -> float:
     """Not finite is not known (S4)."""
     return value if math.isfinite(value) else NAN
@@ -50,7 +56,16 @@ def finite_or_nan(value: float) -> float:
 
 @cache
 def _program(function: Function, count: int) -> Callable[[_Values], float]:
-    expression = defined(function, count)
+    return _program_of(defined(function, count), count)
+
+
+@cache
+def _sampling_program(function: Sampling) -> Callable[[_Values], float]:
+    declared = sampling_row(function)
+    return _program_of(declared.expression, len(declared.views))
+
+
+def _program_of(expression: Expression, count: int) -> Callable[[_Values], float]:
     named = locals_of(expression)
     places = {local: count + place for place, local in enumerate(named)}
     steps = [_compiled(local.value, places) for local in named]

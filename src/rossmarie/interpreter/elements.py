@@ -67,7 +67,7 @@ class Elements:
             case ir.Apply(function=function, operands=operands):
                 values = tuple(self._signal(operand, x) for operand in operands)
                 return arithmetic.apply(function, values)
-            case (ir.Read() | ir.Rate() | ir.Previous() | ir.Fold() | ir.Count()) as node:
+            case (ir.Read() | ir.Sampled() | ir.Fold() | ir.Count()) as node:
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
     def _truth(self, index: int, x: float) -> TruthValue:

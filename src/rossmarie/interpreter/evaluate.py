@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 
 from rossmarie import ir
+from rossmarie.core import sampling_row
 from rossmarie.interpreter import arithmetic
 from rossmarie.interpreter.elements import Elements
 from rossmarie.interpreter.memory import Memory, Samples
@@ -60,10 +61,10 @@ class Evaluator:
             case ir.Apply(function=function, operands=operands):
                 values = tuple(self._memory.signals[operand] for operand in operands)
                 return arithmetic.apply(function, values)
-            case ir.Rate(signal=signal):
-                return self._sampled(index, signal, at_ns, updated, expired).rate()
-            case ir.Previous(signal=signal):
-                return self._sampled(index, signal, at_ns, updated, expired).before
+            case ir.Sampled(function=function, signal=signal):
+                samples = self._sampled(index, signal, at_ns, updated, expired)
+                views = tuple(map(samples.view, sampling_row(function).views))
+                return arithmetic.of_samples(function, views)
             case ir.Fold():
                 return self.elements.fold(node)
             case ir.Count():
@@ -81,9 +82,9 @@ class Evaluator:
     ) -> Samples:
         """S18 and S21: the samples of `signal` that the node at `index` remembers."""
         support = self._supports.signals[signal]
-        if support.inputs & expired:
-            self._memory.samples[index] = Samples()
         samples = self._memory.samples[index]
+        if support.inputs & expired:
+            samples.forget()
         if support.channels & updated:
             samples.take(self._memory.signals[signal], at_ns)
         return samples

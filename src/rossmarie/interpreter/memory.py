@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.interpreter.arithmetic import NAN, finite_or_nan
+from rossmarie.core import MOST_SAMPLES, View
+from rossmarie.interpreter.arithmetic import NAN
 from rossmarie.ir import InputState, TruthValue
 
 
@@ -21,27 +22,47 @@ class InputMemory:
     stamp_ns: int = 0
 
 
-@dataclass
 class Samples:
-    """The last two samples of a signal (S18)."""
+    """The last two samples of a signal (S18), or those in a window, at most `MOST_SAMPLES`."""
 
-    latest: float = NAN
-    latest_ns: int | None = None
-    before: float = NAN
-    before_ns: int | None = None
+    def __init__(self, window_ns: int = 0) -> None:
+        self._window_ns = window_ns
+        self._kept: deque[tuple[int, float]] = deque(maxlen=MOST_SAMPLES if window_ns else 2)
+
+    def forget(self) -> None:
+        """There are none."""
+        self._kept.clear()
 
     def take(self, value: float, at_ns: int) -> None:
         """A sample; at an equal instant it replaces the last one."""
-        if self.latest_ns != at_ns:
-            self.before, self.before_ns = self.latest, self.latest_ns
-        self.latest, self.latest_ns = value, at_ns
+        if self._kept and self._kept[-1][0] == at_ns:
+            self._kept.pop()
+        while self._window_ns and self._kept and at_ns - self._kept[0][0] >= self._window_ns:
+            self._kept.popleft()
+        self._kept.append((at_ns, value))
 
-    def rate(self) -> float:
-        """The slope per second (S19); of samples that are not finite it is not finite either."""
-        if self.latest_ns is None or self.before_ns is None:
+    def view(self, view: View) -> float:
+        """A number found among them; NaN if it is not there."""
+        match view:
+            case View.NEWEST:
+                return self._kept[-1][1] if self._kept else NAN
+            case View.BEFORE:
+                return self._kept[-2][1] if len(self._kept) > 1 else NAN
+            case View.SECONDS:
+                if len(self._kept) < 2:
+                    return NAN
+                return float(self._kept[-1][0] - self._kept[-2][0]) / 1e9
+            case View.LOWER:
+                return self._ranked((len(self._kept) - 1) // 2)
+            case View.UPPER:
+                return self._ranked(len(self._kept) // 2)
+
+    def _ranked(self, rank: int) -> float:
+        """The sample of a window with so many others before it by size; of equals, the earlier."""
+        values = [value for _, value in self._kept]
+        if not values or any(map(math.isnan, values)):
             return NAN
-        seconds = float(self.latest_ns - self.before_ns) / 1e9
-        return finite_or_nan((self.latest - self.before) / seconds)
+        return sorted(values)[rank]
 
 
 @dataclass
@@ -133,8 +154,8 @@ class Memory:
 
     def restart(self, at_ns: int) -> None:
         """Forget everything that was measured against a clock (S17)."""
-        for samples in self.samples:
-            self.samples[samples] = Samples()
+        for samples in self.samples.values():
+            samples.forget()
         for oscillation in self.oscillations.values():
             oscillation.clear()
             oscillation.gap, oscillation.gap_end_ns = TruthValue.UNKNOWN, at_ns
@@ -151,9 +172,9 @@ def fresh_memory(machine: ir.Machine) -> Memory:
         inputs=[InputMemory() for _ in machine.inputs],
         signals=[NAN] * len(machine.signals),
         samples={
-            index: Samples()
+            index: Samples(signal.node.window_ns)
             for index, signal in enumerate(machine.signals)
-            if isinstance(signal.node, ir.Rate | ir.Previous)
+            if isinstance(signal.node, ir.Sampled)
         },
         truths=[None] * len(machine.truths),
         since_ns=[0] * len(machine.truths),

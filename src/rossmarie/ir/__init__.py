@@ -1,6 +1,6 @@
 """The monitor machine: its model, what it says, and the questions that every target asks of it."""
 
-from rossmarie.core import Function
+from rossmarie.core import Function, Sampling
 from rossmarie.ir import reactions
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, explain
@@ -32,12 +32,11 @@ from rossmarie.ir.model import (
     Not,
     Or,
     Oscillates,
-    Previous,
     Quantified,
     Quantifier,
-    Rate,
     Read,
     Rule,
+    Sampled,
     Signal,
     SignalNode,
     Slot,
@@ -59,6 +58,7 @@ from rossmarie.ir.support import (
     reachable_truths,
     rule_signals,
     rule_terms,
+    samplings,
     signal_operands,
     supports,
     truth_operands,
@@ -110,14 +110,14 @@ __all__ = [
     "Order",
     "OrderKind",
     "Oscillates",
-    "Previous",
     "Quantified",
     "Quantifier",
-    "Rate",
     "Reactions",
     "Read",
     "Reading",
     "Rule",
+    "Sampled",
+    "Sampling",
     "Signal",
     "SignalNode",
     "Slot",
@@ -146,6 +146,7 @@ __all__ = [
     "reactions",
     "rule_signals",
     "rule_terms",
+    "samplings",
     "signal_operands",
     "supports",
     "truth_operands",

@@ -271,7 +271,7 @@ class _Snapshot:
             case ir.Read(slot=slot):
                 return self._machine.slots[slot].kind
             case (
-                ir.Constant() | ir.Apply() | ir.Rate() | ir.Previous() | ir.Element() | ir.Fold()
+                ir.Constant() | ir.Apply() | ir.Sampled() | ir.Element() | ir.Fold()
                 | ir.Count()
             ):  # fmt: skip
                 return ir.Kind.REAL

@@ -16,7 +16,7 @@ import enum
 from dataclasses import dataclass
 
 from dslkit.source import Span
-from rossmarie.core import Function
+from rossmarie.core import Function, Sampling
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 
 
@@ -111,17 +111,12 @@ class Apply:
 
 
 @dataclass(frozen=True)
-class Rate:
-    """The derivative of a signal, per second, over its last two samples."""
+class Sampled:
+    """A function of the last samples of a signal; `window_ns` is 0 if it looks at no window."""
 
+    function: Sampling
     signal: int
-
-
-@dataclass(frozen=True)
-class Previous:
-    """The sample of a signal before its last one."""
-
-    signal: int
+    window_ns: int = 0
 
 
 @dataclass(frozen=True)
@@ -158,7 +153,7 @@ class Count:
     element: int
 
 
-SignalNode = Constant | Read | Apply | Rate | Previous | Element | Fold | Count
+SignalNode = Constant | Read | Apply | Sampled | Element | Fold | Count
 
 
 @dataclass(frozen=True)

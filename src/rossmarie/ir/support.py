@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from rossmarie.core import Function
+from rossmarie.core import Function, Sampling, sampling_row
 from rossmarie.ir import model as ir
 
 
@@ -17,7 +17,7 @@ class Support:
     """Everything that a value can depend on, as indexes into the machine.
 
     `folds` are the signals (`Fold` and `Count`) that turn an array into a number, `samples` those
-    (`Rate` and `Previous`) that remember samples. The input of an `AgeReaches` is among `inputs`
+    (`Sampled`) that wait for samples. The input of an `AgeReaches` is among `inputs`
     although no slot of it need be.
     """
 
@@ -52,7 +52,7 @@ def signal_operands(node: ir.SignalNode) -> tuple[int, ...]:
     match node:
         case ir.Apply(operands=operands):
             return operands
-        case ir.Rate(signal=signal) | ir.Previous(signal=signal):
+        case ir.Sampled(signal=signal):
             return (signal,)
         case ir.Fold(element=element):
             return (element,)
@@ -156,8 +156,9 @@ def _signal_support(
             return signals[element] | Support(folds=frozenset({index}))
         case ir.Count(element=element):
             return elements[element] | Support(folds=frozenset({index}))
-        case ir.Rate(signal=signal) | ir.Previous(signal=signal):
-            return signals[signal] | Support(samples=frozenset({index}))
+        case ir.Sampled(function=function, signal=signal):
+            waiting = {index} if sampling_row(function).waits else set()
+            return signals[signal] | Support(samples=frozenset(waiting))
         case ir.Constant() | ir.Apply():
             return _union(signals[operand] for operand in signal_operands(node))
 
@@ -215,7 +216,7 @@ def _signal_array(node: ir.SignalNode, signals: list[int | None]) -> int | None:
             return array
         case ir.Apply(operands=operands):
             return _single(signals[operand] for operand in operands)
-        case ir.Constant() | ir.Read() | ir.Rate() | ir.Previous() | ir.Fold() | ir.Count():
+        case ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count():
             return None
 
 
@@ -251,11 +252,18 @@ def functions(machine: ir.Machine) -> tuple[tuple[Function, int], ...]:
             case ir.Fold(folding=folding):
                 found.add((folding.function, 2))
             case (
-                ir.Constant() | ir.Read() | ir.Rate() | ir.Previous() | ir.Element() | ir.Count()
+                ir.Constant() | ir.Read() | ir.Sampled() | ir.Element() | ir.Count()
             ):  # fmt: skip
                 pass
     order = list(Function)
     return tuple(sorted(found, key=lambda each: (order.index(each[0]), each[1])))
+
+
+def samplings(machine: ir.Machine) -> tuple[Sampling, ...]:
+    """The functions of samples that signals are, in the order of the core."""
+    nodes = (signal.node for signal in machine.signals)
+    found = {node.function for node in nodes if isinstance(node, ir.Sampled)}
+    return tuple(each for each in Sampling if each in found)
 
 
 # --- what a rule stands on -------------------------------------------------------------------

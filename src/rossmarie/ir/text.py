@@ -88,10 +88,9 @@ def _signal(node: ir.SignalNode) -> str:
             return f"read slot {slot}"
         case ir.Apply(function=function, operands=operands):
             return f"{function.value} {_names('s', operands)}"
-        case ir.Rate(signal=signal):
-            return f"rate s{signal}"
-        case ir.Previous(signal=signal):
-            return f"previous s{signal}"
+        case ir.Sampled(function=function, signal=signal, window_ns=window_ns):
+            window = f" over {duration_text(window_ns)}" if window_ns else ""
+            return f"{function.value} s{signal}{window}"
         case ir.Element(array=array):
             return f"element of array {array}"
         case ir.Fold(folding=folding, element=element):

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from rossmarie.core import row
+from rossmarie.core import row, sampling_row
 from rossmarie.ir import model as ir
 from rossmarie.ir.malformed import (
     MalformedMachine,
@@ -109,7 +109,12 @@ def _verify_signals(machine: ir.Machine) -> None:
             case ir.Apply(function=function, operands=operands):
                 is_right = row(function).takes(len(operands))
                 require(is_right, where, f"{function.value} of {len(operands)} operands")
-            case ir.Rate() | ir.Previous() | ir.Fold():
+            case ir.Sampled(function=function, window_ns=window_ns):
+                if sampling_row(function).has_window:
+                    require_duration(window_ns, where)
+                else:
+                    require(window_ns == 0, where, "a window that it does not have")
+            case ir.Fold():
                 pass
 
 
@@ -173,7 +178,7 @@ def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
                 require(arrays.signals[element] is not None, where, "folds no elements")
             case ir.Count(element=element):
                 require(arrays.truths[element] is not None, where, "counts no elements")
-            case ir.Rate() | ir.Previous():
+            case ir.Sampled():
                 _require_whole(operands, arrays.signals, where)
             case ir.Constant() | ir.Read() | ir.Element() | ir.Apply():
                 if arrays.signals[index] is not None:
@@ -241,7 +246,7 @@ def _kind(machine: ir.Machine, signal: int) -> ir.Kind:
         case ir.Read(slot=slot):
             return machine.slots[slot].kind
         case (
-            ir.Constant() | ir.Apply() | ir.Rate() | ir.Previous() | ir.Element() | ir.Fold()
+            ir.Constant() | ir.Apply() | ir.Sampled() | ir.Element() | ir.Fold()
             | ir.Count()
         ):  # fmt: skip
             return ir.Kind.REAL

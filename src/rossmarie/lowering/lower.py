@@ -13,10 +13,11 @@ from rossmarie import ir
 from rossmarie.check.model import CheckedProgram
 from rossmarie.check.rules.plans import latch_of
 from rossmarie.check.rules.rule_names import rule_names
+from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.reactions import Plans
-from rossmarie.lowering.truths import Truths, duration_ns
+from rossmarie.lowering.truths import Truths
 from rossmarie.lowering.wording import words
 from rossmarie.syntax import ast
 

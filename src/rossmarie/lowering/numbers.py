@@ -11,6 +11,8 @@ from dataclasses import replace
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, Value
+from rossmarie.core import sampling_row
+from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs, Place
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.wording import words
@@ -182,9 +184,9 @@ class Numbers:
         match name:
             case "previous":
                 parts = self.components(arguments[0])
-                return tuple(self._nodes.signal(ir.Previous(part), shown) for part in parts)
-            case "rate":
-                return (self._nodes.signal(ir.Rate(self.scalar(arguments[0])), shown),)
+                return tuple(self._sampled(node, part, shown) for part in parts)
+            case "rate" | "median":
+                return (self._sampled(node, self.scalar(arguments[0]), shown),)
             case "abs" | "hypot":
                 return self._each(_EACH[name], tuple(map(self.components, arguments)), node)
             case "min" | "max":
@@ -198,6 +200,13 @@ class Numbers:
                 return (self._distance(node, shown),)
             case _:
                 raise AssertionError(f"checked: {name} is no function to a number")
+
+    def _sampled(self, node: ast.Call, signal: int, shown: Shown) -> int:
+        function = ir.Sampling(node.function.text)
+        window_ns = 0
+        if sampling_row(function).has_window:
+            window_ns = duration_ns(self._program.values[id(node.arguments[1])])
+        return self._nodes.signal(ir.Sampled(function, signal, window_ns), shown)
 
     def _extreme(self, node: ast.Call, shown: Shown) -> int:
         is_minimum = node.function.text == "min"

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, ConditionKey, Value
+from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.numbers import Numbers
@@ -195,11 +196,6 @@ class Truths:
 
     def _duration_ns(self, node: ast.Expression) -> int:
         return duration_ns(self._program.values[id(node)])
-
-
-def duration_ns(value: Value) -> int:
-    """A constant duration, given in seconds, in whole nanoseconds."""
-    return round(value.numbers[0] * 1e9)
 
 
 def _side(axis: int, ends: tuple[float, ...], unit: Unit | None) -> str:

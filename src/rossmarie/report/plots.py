@@ -70,7 +70,7 @@ def _is_number(machine: ir.Machine, signal: int) -> bool:
             return False
         case ir.Read(slot=slot):
             return machine.slots[slot].kind is not ir.Kind.TEXT
-        case ir.Apply() | ir.Rate() | ir.Previous() | ir.Element() | ir.Fold() | ir.Count():
+        case ir.Apply() | ir.Sampled() | ir.Element() | ir.Fold() | ir.Count():
             return True
 
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from rossmarie.core import Function, defined
+from rossmarie import ir
+from rossmarie.core import Function, Sampling, defined, parameters, row, sampling_row
 from rossmarie.core.expressions import (
     Chosen,
     Computed,
@@ -93,11 +94,56 @@ class Formulas:
                 return self._dialect.either.format(self._condition(one), self._condition(other))
 
 
-def is_plain(function: Function, count: int) -> bool:
-    """Whether a function is one operation on its operands, for which no language needs a function
-    of its own.
-    """
-    expression = defined(function, count)
-    if not isinstance(expression, Computed):
-        return False
-    return expression.operands == tuple(map(Operand, range(count)))
+@dataclass(frozen=True)
+class Definition:
+    """A function of the core, for languages that define functions: `remark` says what it is."""
+
+    name: str
+    parameters: tuple[str, ...]
+    expression: Expression
+    remark: str
+
+    @property
+    def is_inline(self) -> bool:
+        """Whether it is one operation on its operands, or one of them: that needs no function."""
+        operands = tuple(map(Operand, range(len(self.parameters))))
+        match self.expression:
+            case Operand():
+                return True
+            case Computed():
+                return self.expression.operands == operands
+            case Number() | Chosen() | Local():
+                return False
+
+    def call(self, dialect: Dialect, operands: Sequence[str]) -> str:
+        """The function of operands that are atoms of a language, before S4."""
+        if self.is_inline:
+            return Formulas(dialect, operands).text(self.expression)
+        return f"{self.name}({', '.join(operands)})"
+
+
+def definition_of(function: Function, count: int) -> Definition:
+    """A function of `count` numbers."""
+    declared, names = row(function), parameters(count)
+    number = "" if declared.most is not None else f"_{count}"
+    remark = _sentence(declared.worded(names))
+    return Definition(f"{function.value}_of{number}", names, defined(function, count), remark)
+
+
+def definition_of_samples(function: Sampling) -> Definition:
+    """A function of what it looks at among samples."""
+    declared = sampling_row(function)
+    remark = _sentence(declared.worded("a number", "a window"))
+    names = tuple(view.value for view in declared.views)
+    return Definition(f"{function.value}_of", names, declared.expression, remark)
+
+
+def definitions(machine: ir.Machine) -> Iterator[Definition]:
+    """The functions of a machine that need one in a language, each once."""
+    found = [definition_of(*each) for each in ir.functions(machine)]
+    found += map(definition_of_samples, ir.samplings(machine))
+    return (each for each in found if not each.is_inline)
+
+
+def _sentence(words: str) -> str:
+    return f"{words[0].upper()}{words[1:]}."

@@ -40,11 +40,15 @@ def beat_ns(machine: ir.Machine, rule: ir.Rule) -> int:
     timeouts = [machine.inputs[used].timeout_ns for used in rule.inputs]
     most_ns = min([2 * _USUAL_BEAT_NS, *(each for each in timeouts if each is not None)]) // 2
     samples = ir.supports(machine).truths[rule.condition].samples
-    has_rate = any(isinstance(machine.signals[each].node, ir.Rate) for each in samples)
+    has_rate = any(_is_rate(machine.signals[each].node) for each in samples)
     if has_rate and most_ns >= _SECOND // 512:
         return _SECOND >> math.ceil(math.log2(_SECOND / most_ns))
     unit_ns = int(10.0 ** math.floor(math.log10(max(most_ns, 1))))
     return max(each * unit_ns for each in (1, 2, 5) if each * unit_ns <= max(most_ns, 1))
+
+
+def _is_rate(node: ir.SignalNode) -> bool:
+    return isinstance(node, ir.Sampled) and node.function is ir.Sampling.RATE
 
 
 @dataclass(frozen=True)
@@ -208,7 +212,7 @@ class Stage:
             signal = node.signal if isinstance(node, ir.Oscillates) else -1
         elif variable.kind in ("rate", "previous"):
             sampled = self.machine.signals[variable.index].node
-            signal = sampled.signal if isinstance(sampled, ir.Rate | ir.Previous) else -1
+            signal = sampled.signal if isinstance(sampled, ir.Sampled) else -1
         else:
             return -1
         read = self.machine.signals[signal].node
@@ -244,13 +248,20 @@ def delay_ns(machine: ir.Machine, truth: int, *, value: bool = True) -> int:
             own_ns = window_ns
         case ir.AgeReaches(age_ns=age_ns):
             own_ns = age_ns // 1000 * 1000 if value else 0
-        case (
-            ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified() | ir.And()
-            | ir.Or()
-        ):  # fmt: skip
+        case ir.Compare() | ir.Between() | ir.Flag():
+            own_ns = max(_windows(machine, ir.compared_signals(node)), default=0)
+        case ir.Literal() | ir.Quantified() | ir.And() | ir.Or():
             pass
     below = (delay_ns(machine, each, value=value) for each in ir_operands(node))
     return own_ns + max(below, default=0)
+
+
+def _windows(machine: ir.Machine, signals: Sequence[int]) -> Iterator[int]:
+    """The windows that numbers look at, one behind the other where they follow on each other."""
+    for signal in signals:
+        node = machine.signals[signal].node
+        own_ns = node.window_ns if isinstance(node, ir.Sampled) else 0
+        yield own_ns + max(_windows(machine, ir.signal_operands(node)), default=0)
 
 
 def ir_operands(node: ir.TruthNode) -> tuple[int, ...]:

@@ -19,7 +19,7 @@ import z3
 from rossmarie import ir
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.solver import check
-from rossmarie.core import Function, defined, rounds, row
+from rossmarie.core import Function, Sampling, defined, rounds, row, sampling_row
 from rossmarie.core.expressions import Operand, Primitive
 from rossmarie.ir import Kind
 from rossmarie.testing.goals import Edge, edges, signals_of
@@ -31,6 +31,8 @@ from rossmarie.units import Unit, parse_unit
 TIME_LIMIT_MS = 2000
 _MOST_ELEMENTS = 8
 _CLEAR = 10  # how many steps other values stay away from their thresholds
+_CHOSEN = {Sampling.RATE: "rate", Sampling.PREVIOUS: "previous"}
+"""Functions of samples that are values of their own; all others are as of a number at rest."""
 _ANGLES = {Function.ROLL: "roll", Function.PITCH: "pitch", Function.YAW: "yaw"}
 
 
@@ -164,10 +166,13 @@ class World:
                 return self._slot(slot)
             case ir.Element(array=array):
                 return self._real(Variable("element", array, part or 0))
-            case ir.Rate():
-                return self._real(Variable("rate", index))
-            case ir.Previous():
-                return self._real(Variable("previous", index))
+            case ir.Sampled(function=function, signal=signal):
+                if function in _CHOSEN:
+                    return self._real(Variable(_CHOSEN[function], index))
+                if self.is_free:
+                    return self._real(Variable("free number", index))
+                at_rest = sampling_row(function).at_rest(Operand(0))
+                return Formulas([self.signal(signal)], exactly).term(at_rest)
             case ir.Fold() | ir.Count() if self.is_free:
                 return self._real(Variable("free number", index))
             case ir.Fold(folding=folding, element=element):

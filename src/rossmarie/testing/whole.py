@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rossmarie import ir
-from rossmarie.core import Function, defined
+from rossmarie.core import Function, View, defined, sampling_row
 from rossmarie.core.expressions import (
     Chosen,
     Computed,
@@ -31,11 +31,16 @@ def whole_step(machine: ir.Machine, signal: int) -> float | None:
             return _step_of(machine.slots[slot])
         case ir.Element(array=array):
             return _step_of(machine.arrays[array])
-        case ir.Previous(signal=inner) | ir.Fold(element=inner):
+        case ir.Fold(element=inner):
             return whole_step(machine, inner)
+        case ir.Sampled(function=sampling, signal=inner):
+            declared = sampling_row(sampling)
+            step = whole_step(machine, inner)
+            known = [None if view is View.SECONDS else step for view in declared.views]
+            return _Steps(known, [None] * len(known)).of(declared.expression)
         case ir.Apply(function=function, operands=operands):
             return _applied(machine, function, operands)
-        case ir.Constant() | ir.Rate():
+        case ir.Constant():
             return None
 
 
@@ -44,17 +49,17 @@ def _step_of(source: ir.Slot | ir.Array) -> float | None:
 
 
 def _applied(machine: ir.Machine, function: Function, operands: tuple[int, ...]) -> float | None:
-    expression = defined(function, len(operands))
-    return _Steps(machine, operands).of(expression)
+    nodes = [machine.signals[operand].node for operand in operands]
+    constants = [each.value if isinstance(each, ir.Constant) else None for each in nodes]
+    steps = [whole_step(machine, operand) for operand in operands]
+    return _Steps(steps, constants).of(defined(function, len(operands)))
 
 
 class _Steps:
     """The distances between the values of expressions; of operands that are any number, None."""
 
-    def __init__(self, machine: ir.Machine, operands: tuple[int, ...]) -> None:
-        nodes = [machine.signals[operand].node for operand in operands]
-        self._constants = [each.value if isinstance(each, ir.Constant) else None for each in nodes]
-        self._steps = [whole_step(machine, operand) for operand in operands]
+    def __init__(self, steps: Sequence[float | None], constants: Sequence[float | None]) -> None:
+        self._steps, self._constants = steps, constants
 
     def of(self, expression: Expression) -> float | None:
         match expression:
@@ -119,7 +124,7 @@ def _is_one(steps: list[float]) -> bool:
 def slot_behind(machine: ir.Machine, sampled: int) -> int | None:
     """The slot whose samples a rate or a previous sample takes; None if it takes others."""
     node = machine.signals[sampled].node
-    signal = node.signal if isinstance(node, ir.Rate | ir.Previous) else sampled
+    signal = node.signal if isinstance(node, ir.Sampled) else sampled
     read = machine.signals[signal].node
     return read.slot if isinstance(read, ir.Read) else None
 

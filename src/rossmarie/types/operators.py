@@ -60,6 +60,7 @@ class Operator(enum.Enum):
     DISTANCE = "distance"
     RATE = "rate"
     PREVIOUS = "previous"
+    MEDIAN = "median"
     AGE = "age"
     OSCILLATES = "oscillates"
 
@@ -319,6 +320,12 @@ def _previous(value: Type) -> Outcome:
     return Outcome(value) if isinstance(value, (Quantity, Vector)) else _unfit(value)
 
 
+def _median(value: Type, window: Type) -> Outcome:
+    if not isinstance(value, Quantity):
+        return _unfit(value)
+    return Outcome(value, _ordered(window, _SECONDS).faults)
+
+
 def _age(_value: Type) -> Outcome:
     return Outcome(_SECONDS)
 
@@ -368,6 +375,7 @@ SIGNATURES: Mapping[Operator, Signature] = {
     Operator.DISTANCE: Signature(2, 2, _distance),
     Operator.RATE: Signature(1, 1, _rate),
     Operator.PREVIOUS: Signature(1, 1, _previous),
+    Operator.MEDIAN: Signature(2, 2, _median),
     Operator.AGE: Signature(1, 1, _age),
     Operator.OSCILLATES: Signature(2, 3, _oscillating),
 }

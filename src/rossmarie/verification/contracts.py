@@ -339,13 +339,6 @@ void ignore_follow(monitor *m, unsigned k, int64_t t_ns)
     (void)t_ns;
 }}
 
-double any_rate(const monitor *m, unsigned k)
-{{
-    (void)m;
-    (void)k;
-    return nondet_double();
-}}
-
 void end_at_set_wake(monitor *m)
 {{
     __CPROVER_assert(m->now_ns == asked_ns, "the clock is set");

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
 
 from rossmarie import ir
-from rossmarie.core import Function, may_be_infinite
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.core import Function, View, may_be_infinite, sampling_row
+from rossmarie.targets.c99.layout import Layout, Window
 from rossmarie.targets.c99.types import number
 from rossmarie.verification import formulas
 
@@ -48,7 +48,8 @@ class Definitions:
 
     def text(self) -> str:
         """All of them, each after those that it uses."""
-        functions = (formulas.definition(*each) for each in ir.functions(self._machine))
+        functions = [formulas.definition(*each) for each in ir.functions(self._machine)]
+        functions += map(formulas.definition_of_samples, ir.samplings(self._machine))
         parts = [HELPERS, *functions, *self._elements(), *self._signals(), *self._truths()]
         return "\n".join(parts)
 
@@ -68,7 +69,7 @@ class Definitions:
     def computed(self) -> Iterator[int]:
         """The signals that are computed from numbers that the monitor keeps."""
         for index, signal in enumerate(self._machine.signals):
-            is_computed = isinstance(signal.node, ir.Apply | ir.Rate | ir.Previous)
+            is_computed = isinstance(signal.node, ir.Apply | ir.Sampled)
             if is_computed and self._layout.elements.signals[index] is None:
                 yield index
 
@@ -84,9 +85,9 @@ class Definitions:
         match self._machine.signals[signal].node:
             case ir.Fold():
                 return True
-            case ir.Previous(signal=before):
-                return self.can_be_infinite(before)
-            case ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Element() | ir.Count():
+            case ir.Sampled(function=function, signal=sampled):
+                return sampling_row(function).keeps_infinities and self.can_be_infinite(sampled)
+            case ir.Constant() | ir.Read() | ir.Apply() | ir.Element() | ir.Count():
                 return False
 
     def _signals(self) -> Iterator[str]:
@@ -103,18 +104,29 @@ class Definitions:
         match node:
             case ir.Apply(function=function, operands=operands):
                 return applied(function, [self.number(operand) for operand in operands])
-            case ir.Rate(signal=signal):
-                k = self._layout.sampled.index(signal)
-                slope = (
-                    f"(m->latest[{k}] - m->before[{k}]) / "
-                    f"((double)(m->latest_ns[{k}] - m->before_ns[{k}]) / 1e9)"
-                )
-                known = f"isfinite(m->latest[{k}]) && isfinite(m->before[{k}])"
-                return f"{known} ? spec_finite({slope}) : NAN"
-            case ir.Previous(signal=signal):
-                return f"m->before[{self._layout.sampled.index(signal)}]"
+            case ir.Sampled() if not self._layout.supports.signals[index].channels:
+                return "NAN"  # it is never sampled
+            case ir.Sampled(function=function):
+                declared = sampling_row(function)
+                views = ", ".join(self._view(node, view) for view in declared.views)
+                text = f"{formulas.name_of_samples(function)}({views})"
+                return text if declared.keeps_infinities else f"spec_finite({text})"
             case ir.Constant() | ir.Read() | ir.Element() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
+
+    def _view(self, node: ir.Sampled, view: View) -> str:
+        """What is found among samples; how windows are put in order is not proved."""
+        match view:
+            case View.NEWEST:
+                return f"m->latest[{self._layout.sampled.index(node.signal)}]"
+            case View.BEFORE:
+                return f"m->before[{self._layout.sampled.index(node.signal)}]"
+            case View.SECONDS:
+                k = self._layout.sampled.index(node.signal)
+                return f"((double)(m->latest_ns[{k}] - m->before_ns[{k}]) / 0x1.dcd65p+29)"
+            case View.LOWER | View.UPPER:
+                k = self._layout.windows.index(Window(node.signal, node.window_ns))
+                return f"__CPROVER_uninterpreted_middle({k}, {int(view is View.UPPER)})"
 
     # --- elements of arrays ------------------------------------------------------------------
 
@@ -135,7 +147,7 @@ class Definitions:
                 case ir.Count(element=element):
                     yield _count(index, element)
                 case (
-                    ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Previous()
+                    ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled()
                     | ir.Element()
                 ):  # fmt: skip
                     pass
@@ -155,7 +167,7 @@ class Definitions:
                 return converted("e", declared.scale, declared.offset)
             case ir.Apply(function=function, operands=operands):
                 return applied(function, [self._element_number(operand) for operand in operands])
-            case ir.Constant() | ir.Read() | ir.Rate() | ir.Previous() | ir.Fold() | ir.Count():
+            case ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not of one element")
 
     def _element_truth(self, index: int) -> str:

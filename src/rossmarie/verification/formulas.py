@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rossmarie.core import Function, defined, parameters, row
+from rossmarie.core import Function, Sampling, defined, parameters, row, sampling_row
 from rossmarie.core.expressions import (
     Chosen,
     Computed,
@@ -34,15 +34,31 @@ def name(function: Function, count: int) -> str:
 def definition(function: Function, count: int) -> str:
     """That C function, before S4."""
     names = parameters(count)
+    remark = f"{row(function).rule}: {row(function).worded(names)}"
+    return _definition(name(function, count), names, defined(function, count), remark)
+
+
+def name_of_samples(function: Sampling) -> str:
+    """The C function that means a function of samples."""
+    return f"spec_{function.value}"
+
+
+def definition_of_samples(function: Sampling) -> str:
+    """That C function, before S4."""
+    declared = sampling_row(function)
+    names = [view.value for view in declared.views]
+    remark = f"{declared.rule}: {declared.worded('a number', 'a window')}"
+    return _definition(name_of_samples(function), names, declared.expression, remark)
+
+
+def _definition(name: str, names: Sequence[str], expression: Expression, remark: str) -> str:
     head = ", ".join(f"double {each}" for each in names)
-    expression = defined(function, count)
     steps = [
         f"    const double {local.name} = {_text(local.value, names)};\n"
         for local in locals_of(expression)
     ]
     return (
-        f"/* {row(function).rule}: {row(function).worded(names)}. */\n"
-        f"static double {name(function, count)}({head})\n"
+        f"/* {remark}. */\nstatic double {name}({head})\n"
         f"{{\n{''.join(steps)}    return {_text(expression, names)};\n}}\n"
     )
 

@@ -45,6 +45,7 @@ _MODELS = """\
 double __CPROVER_uninterpreted_asin(double);
 double __CPROVER_uninterpreted_atan2(double, double);
 double __CPROVER_uninterpreted_sqrt(double);
+double __CPROVER_uninterpreted_middle(unsigned k, unsigned is_upper); /* of a window */
 static double angle(double x) { return isinf(x) ? NAN : x; }
 double asin(double x) { return isnan(x) ? NAN : angle(__CPROVER_uninterpreted_asin(x)); }
 double atan2(double y, double x)

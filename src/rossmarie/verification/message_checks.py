@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from rossmarie import ir
-from rossmarie.targets.c99 import functions, types
+from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.verification import opaque
@@ -55,27 +55,29 @@ class MessageChecks:
         self._definitions = definitions
         kept = [layout.machine.signals[signal].node for signal in layout.value_of_signal]
         self._opaque = opaque.functions_of(kept)
-        rates = [node for node in kept if isinstance(node, ir.Rate)]
         follow: Parts = (("follow", "ignore_follow"),) if layout.oscillations else ()
-        self._idle: Parts = (*follow, ("rate_of", "any_rate")) if rates else follow
-        names = (functions.name(*each) for each in self._opaque)
-        self._parts = (*parts, *((name, f"any_{name}") for name in names))
+        self._idle: Parts = (*follow, *opaque.parts_of_samples(self._machine))
+        self._windows: Parts = opaque.WINDOW_PARTS if layout.windows else ()
+        names = (opaque.name(*each) for each in self._opaque)
+        self._parts = (*parts, *self._windows, *((name, f"any_{name}") for name in names))
 
     def text(self) -> str:
         """What takes in a message where it matters only that it is handed on as it is."""
         received = map(self._received, range(len(self._layout.channel_names)))
-        return "\n".join([*(opaque.contract(*each) for each in self._opaque), *received])
+        contracts = [opaque.contract(*each) for each in self._opaque]
+        contracts += opaque.contracts_of_samples(self._layout)
+        return "\n".join([*contracts, *received])
 
     def written(self) -> Iterator[Written]:
         """All of them."""
         for function, count in self._opaque:
             about = f"{function.value} is unknown of what is not known"
-            check = Check(functions.name(function, count), about)
+            check = Check(opaque.name(function, count), about)
             yield Written(check, opaque.kept(function, count))
         for channel, name in enumerate(self._layout.channel_names):
             topic = self._machine.channels[channel].topic
             about = f"the numbers of a message on {topic}"
-            numbers = Check(f"numbers_{name}", about, is_arithmetic=True)
+            numbers = Check(f"numbers_{name}", about, self._windows, is_arithmetic=True)
             yield Written(numbers, self._numbers(channel, name))
             lines, arguments = self._message(channel)
             lines += [*self._given(channel), f"    is_told[{channel}] = true;"]
@@ -94,6 +96,7 @@ class MessageChecks:
                 (part, "change_nothing" if part in ("catch_up", "evaluate") else contract)
                 for part, contract in self._nothing_else
             )
+            parts = (*parts, *self._windows)
             numbers = Check(f"step_numbers_{name}", about, parts, is_arithmetic=True)
             yield Written(numbers, self._step_numbers(channel, name, call))
         about = "messages on several topics"
@@ -277,7 +280,7 @@ class MessageChecks:
                 return self._layout.elements.signals[element] == array
             case ir.Count(element=element):
                 return self._layout.elements.truths[element] == array
-            case ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Previous() | ir.Element():
+            case ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled() | ir.Element():
                 return False
 
     def _computed(self, channel: int) -> Iterator[str]:

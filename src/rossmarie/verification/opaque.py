@@ -1,15 +1,17 @@
-"""Functions with roots and angles, of which a proof need not know which number they give.
+"""Functions with roots and angles, and functions of samples: a proof need not know their numbers.
 
 Each has one check of what is known of its result, and a contract that says the same elsewhere.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from rossmarie import ir
 from rossmarie.core import Function, may_be_infinite, parameters, row
-from rossmarie.targets.c99.functions import name
+from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.formulas import definition_of, definition_of_samples
+from rossmarie.verification.check import Parts
 
 
 def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[Function, int], ...]:
@@ -20,6 +22,11 @@ def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[Function, int], 
         if isinstance(node, ir.Apply) and row(node.function).bounds is not None
     }
     return tuple(applied)
+
+
+def name(function: Function, count: int) -> str:
+    """The C function of a function."""
+    return definition_of(function, count).name
 
 
 def _is_possible(function: Function, count: int) -> str:
@@ -49,3 +56,48 @@ def kept(function: Function, count: int) -> str:
     claim = '"nothing is known of what is not"'
     lines.append(f"__CPROVER_assert({_is_possible(function, count)}, {claim});")
     return "\n".join(f"    {line}" for line in lines)
+
+
+# --- samples ---------------------------------------------------------------------------------
+
+WINDOW_PARTS: Parts = (
+    ("window_middle", "some_middle"),
+    ("sample_window", "ignore_sample_window"),
+)
+"""How samples in windows are kept and put in order is not proved: it is the same in all machines,
+and some thousand comparisons of numbers each time.
+"""
+
+_WINDOWS = """\
+double some_middle(const monitor *m, unsigned k, unsigned is_upper)
+{
+    (void)m;
+    return __CPROVER_uninterpreted_middle(k, is_upper);
+}
+
+void ignore_sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
+{
+    (void)m;
+    (void)k;
+    (void)x;
+    (void)t_ns;
+}
+"""
+
+
+def parts_of_samples(machine: ir.Machine) -> Parts:
+    """The functions of samples, where it does not matter which number they give."""
+    definitions = map(definition_of_samples, ir.samplings(machine))
+    return tuple((each.name, f"any_{each.name}") for each in definitions if not each.is_inline)
+
+
+def contracts_of_samples(layout: Layout) -> Iterator[str]:
+    """The contracts of these functions, and of windows."""
+    for definition in map(definition_of_samples, ir.samplings(layout.machine)):
+        if definition.is_inline:
+            continue
+        head = ", ".join(f"double {each}" for each in definition.parameters)
+        unused = "".join(f"    (void){each};\n" for each in definition.parameters)
+        yield f"double any_{definition.name}({head})\n{{\n{unused}    return nondet_double();\n}}\n"
+    if layout.windows:
+        yield _WINDOWS

@@ -22,7 +22,8 @@ from rossmarie.ir import (
     Oscillates,
     Quantified,
     Quantifier,
-    Rate,
+    Sampled,
+    Sampling,
     TruthValue,
 )
 from support.bench import Bench, told
@@ -127,7 +128,7 @@ def test_s30_elements_out_of_range_are_not_a_lack() -> None:
 
 def test_s30_waiting_for_a_second_sample_is_not_lost() -> None:
     draft = Draft()
-    rate = draft.signal(Rate(draft.read(timeout_ns=SECOND)))
+    rate = draft.signal(Sampled(Sampling.RATE, draft.read(timeout_ns=SECOND)))
     rising = draft.above(rate, 0.0)
     bench = Bench(draft)
     bench.send(0, c0=1.0)
@@ -143,7 +144,7 @@ def test_s30_arrays_of_guarded_inputs() -> None:
     count = draft.signal(Count(draft.above(element, 0.0)))
     some = draft.truth(Quantified(Quantifier.ANY, draft.above(element, 5.0)))
     truths = [some, draft.above(least, 0.0), draft.above(count, 0.0)]
-    waiting = draft.above(draft.signal(Rate(least)), 0.0)
+    waiting = draft.above(draft.signal(Sampled(Sampling.RATE, least)), 0.0)
     bench = Bench(draft)
     for elements in ([], [NAN]):
         bench.send(0, c0=elements)

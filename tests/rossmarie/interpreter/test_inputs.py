@@ -9,8 +9,9 @@ from rossmarie.ir import (
     Folding,
     Function,
     InputState,
-    Previous,
     Read,
+    Sampled,
+    Sampling,
     TruthValue,
     Verdict,
 )
@@ -51,7 +52,7 @@ def test_s8_infinite_elements_are_ordinary_numbers() -> None:
     draft = Draft()
     element = draft.elements()
     least = draft.signal(Fold(Folding.MINIMUM, element))
-    previous = draft.signal(Previous(least))
+    previous = draft.signal(Sampled(Sampling.PREVIOUS, least))
     doubled = draft.apply(Function.ADD, least, least)
     far = draft.above(least, 10.0)
     was_far = draft.above(previous, 10.0)

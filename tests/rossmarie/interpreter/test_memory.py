@@ -2,7 +2,7 @@
 
 import math
 
-from rossmarie.ir import ChannelValues, Function, Previous, Rate
+from rossmarie.ir import ChannelValues, Function, Sampled, Sampling
 from support.bench import Bench
 from support.drafts import SECOND, Draft
 from support.machines import NAN
@@ -12,7 +12,7 @@ def test_s18_a_sample_is_taken_when_a_channel_of_the_signal_is_updated() -> None
     draft = Draft()
     total = draft.apply(Function.ADD, draft.read(), draft.read())
     draft.read()
-    rate = draft.signal(Rate(total))
+    rate = draft.signal(Sampled(Sampling.RATE, total))
     bench = Bench(draft)
     bench.send(0, c0=1.0, c1=1.0)
     bench.send(1, c1=2.0)
@@ -26,7 +26,10 @@ def test_s18_a_sample_is_taken_when_a_channel_of_the_signal_is_updated() -> None
 def test_s18_a_sample_at_an_equal_instant_replaces_the_last() -> None:
     draft = Draft()
     x = draft.read()
-    rate, previous = draft.signal(Rate(x)), draft.signal(Previous(x))
+    rate, previous = (
+        draft.signal(Sampled(Sampling.RATE, x)),
+        draft.signal(Sampled(Sampling.PREVIOUS, x)),
+    )
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     bench.send(1, c0=100.0)
@@ -36,7 +39,7 @@ def test_s18_a_sample_at_an_equal_instant_replaces_the_last() -> None:
 
 def test_s19_rate_is_the_slope_of_the_last_two_samples() -> None:
     draft = Draft()
-    rate = draft.signal(Rate(draft.read()))
+    rate = draft.signal(Sampled(Sampling.RATE, draft.read()))
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     assert math.isnan(bench.signal(rate))
@@ -46,7 +49,7 @@ def test_s19_rate_is_the_slope_of_the_last_two_samples() -> None:
 
 def test_s19_rate_is_unknown_unless_both_samples_are_finite() -> None:
     draft = Draft()
-    rate = draft.signal(Rate(draft.read()))
+    rate = draft.signal(Sampled(Sampling.RATE, draft.read()))
     bench = Bench(draft)
     seen = []
     for second, value in enumerate((1.0, NAN, 2.0, 3.0, 1.7e308, -1.7e308)):
@@ -57,7 +60,7 @@ def test_s19_rate_is_unknown_unless_both_samples_are_finite() -> None:
 
 def test_s20_previous_is_the_sample_before_the_last() -> None:
     draft = Draft()
-    previous = draft.signal(Previous(draft.read()))
+    previous = draft.signal(Sampled(Sampling.PREVIOUS, draft.read()))
     bench = Bench(draft)
     seen = []
     for second, value in enumerate((1.0, 2.0, NAN, 4.0)):
@@ -71,7 +74,10 @@ def test_s20_previous_is_the_sample_before_the_last() -> None:
 def test_s21_samples_are_forgotten_when_an_input_expires() -> None:
     draft = Draft()
     x = draft.read(timeout_ns=SECOND)
-    rate, previous = draft.signal(Rate(x)), draft.signal(Previous(x))
+    rate, previous = (
+        draft.signal(Sampled(Sampling.RATE, x)),
+        draft.signal(Sampled(Sampling.PREVIOUS, x)),
+    )
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     bench.send(0.5, c0=2.0)

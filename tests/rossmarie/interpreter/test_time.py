@@ -14,8 +14,8 @@ from rossmarie.ir import (
     Event,
     Held,
     Oscillates,
-    Previous,
-    Rate,
+    Sampled,
+    Sampling,
     TimeJump,
     TruthValue,
     Verdict,
@@ -229,7 +229,10 @@ def test_s17_ages_do_not_overflow_however_often_time_jumps() -> None:
 def test_s17_samples_are_forgotten() -> None:
     draft = Draft()
     x = draft.read()
-    rate, previous = draft.signal(Rate(x)), draft.signal(Previous(x))
+    rate, previous = (
+        draft.signal(Sampled(Sampling.RATE, x)),
+        draft.signal(Sampled(Sampling.PREVIOUS, x)),
+    )
     shaking = draft.truth(Oscillates(x, 1, 100 * SECOND, 0.0))
     bench = Bench(draft)
     for second, value in enumerate((1.0, 2.0, 1.0)):

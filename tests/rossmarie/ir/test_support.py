@@ -10,9 +10,9 @@ def test_support_goes_through_functions_samples_and_folds() -> None:
     draft = Draft()
     x, element = draft.read(), draft.elements()
     least = draft.signal(ir.Fold(ir.Folding.MINIMUM, element))
-    rate = draft.signal(ir.Rate(x))
+    rate = draft.signal(ir.Sampled(ir.Sampling.RATE, x))
     total = draft.apply(ir.Function.ADD, rate, least)
-    previous = draft.signal(ir.Previous(total))
+    previous = draft.signal(ir.Sampled(ir.Sampling.PREVIOUS, total))
     support = ir.supports(draft.machine()).signals[previous]
     assert support == ir.Support(
         slots=frozenset({0}),

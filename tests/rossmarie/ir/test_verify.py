@@ -43,14 +43,20 @@ def signal_after(*nodes: ir.SignalNode) -> str:
         (ir.Read(1), "signal 2 (Read): there is no slot 1"),
         (ir.Read(-1), "signal 2 (Read): there is no slot -1"),
         (ir.Element(1), "signal 2 (Element): there is no array 1"),
-        (ir.Rate(2), "signal 2 (Rate): operand 2 does not stand before its user"),
-        (ir.Previous(-1), "signal 2 (Previous): operand -1 does not stand before its user"),
+        (
+            ir.Sampled(ir.Sampling.RATE, 2),
+            "signal 2 (Sampled): operand 2 does not stand before its user",
+        ),
+        (
+            ir.Sampled(ir.Sampling.PREVIOUS, -1),
+            "signal 2 (Sampled): operand -1 does not stand before its user",
+        ),
         (ir.Count(0), "signal 2 (Count): there is no truth 0"),
         (ir.Apply(ir.Function.ADD, (0,)), "signal 2 (Apply): add of 1 operands"),
         (ir.Apply(ir.Function.NORM, ()), "signal 2 (Apply): norm of 0 operands"),
         (ir.Apply(ir.Function.ROLL, (0, 0, 0)), "signal 2 (Apply): roll of 3 operands"),
         (ir.Apply(ir.Function.ADD, (0, 1)), "signal 2 (Apply): operand 0 is not elementwise"),
-        (ir.Rate(1), "signal 2 (Rate): operand 1 is elementwise"),
+        (ir.Sampled(ir.Sampling.RATE, 1), "signal 2 (Sampled): operand 1 is elementwise"),
         (ir.Fold(ir.Folding.MINIMUM, 0), "signal 2 (Fold): folds no elements"),
     ],
 )
@@ -135,8 +141,8 @@ def test_texts_are_compared_with_literals_only() -> None:
 
 def test_flags_are_no_numbers() -> None:
     draft = Draft()
-    draft.signal(ir.Rate(draft.read(kind=ir.Kind.FLAG)))
-    assert refused(draft) == "signal 1 (Rate): operand 0 is a flag"
+    draft.signal(ir.Sampled(ir.Sampling.RATE, draft.read(kind=ir.Kind.FLAG)))
+    assert refused(draft) == "signal 1 (Sampled): operand 0 is a flag"
 
 
 def test_inputs() -> None:

@@ -104,8 +104,9 @@ def test_previous_and_rate() -> None:
         " or rate(imu.linear_acceleration.x) > 3 m/s^3",
         ir.Or,
     )
-    kinds = [type(signal.node).__name__ for signal in machine.signals]
-    assert (kinds.count("Previous"), kinds.count("Rate")) == (3, 1)
+    nodes = [signal.node for signal in machine.signals]
+    kinds = [node.function for node in nodes if isinstance(node, ir.Sampled)]
+    assert (kinds.count(ir.Sampling.PREVIOUS), kinds.count(ir.Sampling.RATE)) == (3, 1)
     far = truth_node(machine, node.operands[0], ir.Compare)
     norm = signal_node(machine, far.left, ir.Apply)
     assert norm.function is Function.NORM

@@ -64,6 +64,7 @@ USAGES: Mapping[Operator, str] = {
     Operator.DISTANCE: "distance(a, b)",
     Operator.RATE: "rate(x)",
     Operator.PREVIOUS: "previous(x)",
+    Operator.MEDIAN: "median(x, 0.2 sec)",
     Operator.AGE: "age(input) > 0.5 sec",
 }
 """How each function is written; its keys are the functions there are."""
@@ -99,6 +100,8 @@ def type_of_call(node: ast.Call, context: Context) -> Type:
         return _age(node, context)
     if operator in _QUANTIFIERS or (operator in _EXTREMES and len(node.arguments) == 1):
         return _fold(node, operator, context)
+    if operator is Operator.MEDIAN:
+        return _median(node, context)
     if operator is Operator.RATE:
         warn_of_rate(node, context)
     return _function(node, operator, context)
@@ -184,6 +187,12 @@ def _report_no_array(
 ) -> None:
     finding = NotAnArray(purpose=f"`{operator.value}`", found=describe(type_))
     context.collector.add(finding.at(argument.span, help=f"write `{USAGES[operator]}`"))
+
+
+def _median(node: ast.Call, context: Context) -> Type:
+    value = scalar_operand(node.arguments[0], context)
+    duration_ns(node.arguments[1], "the window of `median`", context)
+    return Unknown() if value is None else value.quantity
 
 
 def _function(node: ast.Call, operator: Operator, context: Context) -> Type:

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from rossmarie import ir
-from rossmarie.core import row
+from rossmarie.core import row, sampling_row
+from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.naming import field_names
 from rossmarie.ir.support import signal_operands
 
@@ -73,10 +74,8 @@ class Numbers:
                 return self._slots[slot]
             case ir.Apply(function=function, operands=operands):
                 return self._applied(function, operands)
-            case ir.Rate(signal=inner):
-                return f"the rate of change of {self.words(inner)}"
-            case ir.Previous(signal=inner):
-                return f"the sample before the last of {self.words(inner)}"
+            case ir.Sampled(function=sampling, signal=inner, window_ns=window_ns):
+                return sampling_row(sampling).worded(self.words(inner), duration_text(window_ns))
             case ir.Element():
                 return "the element"
             case ir.Fold(folding=folding, element=element):

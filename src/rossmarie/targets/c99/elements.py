@@ -51,7 +51,7 @@ class Elements:
                     self._finish(loop, self._layout.value_of_signal[index], "how_many", element,
                                  count)  # fmt: skip
                 case (
-                    ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Previous()
+                    ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled()
                     | ir.Element() | ir.Fold() | ir.Count()
                 ):  # fmt: skip
                     pass

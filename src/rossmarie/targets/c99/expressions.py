@@ -10,11 +10,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.core import Function, may_be_infinite
-from rossmarie.targets.c99 import functions
-from rossmarie.targets.c99.layout import Layout
+from rossmarie.core import Function, View, may_be_infinite, sampling_row
+from rossmarie.targets.c99.functions import C
+from rossmarie.targets.c99.layout import Layout, Window
 from rossmarie.targets.c99.types import number
-from rossmarie.targets.formulas import is_plain
+from rossmarie.targets.formulas import Definition, definition_of, definition_of_samples
 
 
 @dataclass(frozen=True)
@@ -27,14 +27,14 @@ class Piece:
 
 class Expressions:
     """Writes the signals of one machine. `parts` collects the C functions of the engine that they
-    call, and `functions` those of the core, with how many operands.
+    call, and `functions` the names of those of the core.
     """
 
     def __init__(self, layout: Layout) -> None:
         self._layout = layout
         self._machine = layout.machine
         self.parts: set[str] = set()
-        self.functions: set[tuple[Function, int]] = set()
+        self.functions: set[str] = set()
         self._infinite: list[bool] = []
         for signal in self._machine.signals:
             self._infinite.append(self._may_be_infinite(signal.node))
@@ -61,17 +61,18 @@ class Expressions:
 
     def signals(self) -> Iterator[Piece]:
         """The computed signals, but those over arrays, and what remembers their samples."""
-        remembered: set[int] = set()
+        remembered: set[str] = set()
         for index, signal in enumerate(self._machine.signals):
             if isinstance(signal.node, ir.Fold | ir.Count) or index not in self._computed():
                 continue
             channels = self._layout.supports.signals[index].channels
-            if isinstance(signal.node, ir.Rate | ir.Previous):
+            if isinstance(signal.node, ir.Sampled):
                 if not channels:
                     continue  # a constant is never sampled: its rate stays unknown
-                if signal.node.signal not in remembered:
-                    remembered.add(signal.node.signal)
-                    yield Piece(channels, (self._sample(signal.node.signal),))
+                taken = self._taken(signal.node)
+                if taken not in remembered:
+                    remembered.add(taken)
+                    yield Piece(channels, (taken,))
             target = self.kept(self._layout.value_of_signal[index])
             yield Piece(channels, (f"{target} = {self._signal(signal.node)};",))
 
@@ -96,21 +97,44 @@ class Expressions:
         kept = self._layout.value_of_signal
         return {signal: value for signal, value in kept.items() if signal not in slots}
 
-    def _sample(self, signal: int) -> str:
-        self.parts.add("sample")
-        return f"sample(m, {self._layout.sampled.index(signal)}, {self.operand(signal)}, t_ns);"
+    def _taken(self, node: ir.Sampled) -> str:
+        """The statement that takes a sample."""
+        x = self.operand(node.signal)
+        if node.window_ns:
+            return f"sample_window(m, {self._window(node)}, {x}, t_ns);"
+        return f"sample(m, {self._layout.sampled.index(node.signal)}, {x}, t_ns);"
+
+    def _window(self, node: ir.Sampled) -> int:
+        return self._layout.windows.index(Window(node.signal, node.window_ns))
 
     def _signal(self, node: ir.SignalNode) -> str:
         match node:
             case ir.Apply():
                 return self.applied(node, self.operand)
-            case ir.Rate(signal=signal):
-                self.parts |= {"rate", "known"}
-                return f"rate_of(m, {self._layout.sampled.index(signal)})"
-            case ir.Previous(signal=signal):
-                return f"m->before[{self._layout.sampled.index(signal)}]"
+            case ir.Sampled(function=function):
+                declared = sampling_row(function)
+                views = [self._view(node, view) for view in declared.views]
+                text = self._call(definition_of_samples(function), views)
+                if declared.keeps_infinities:
+                    return text
+                self.parts.add("known")
+                return f"known({text})"
             case ir.Constant() | ir.Read() | ir.Element() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
+
+    def _view(self, node: ir.Sampled, view: View) -> str:
+        match view:
+            case View.NEWEST:
+                return f"m->latest[{self._layout.sampled.index(node.signal)}]"
+            case View.BEFORE:
+                return f"m->before[{self._layout.sampled.index(node.signal)}]"
+            case View.SECONDS:
+                self.parts.add("seconds")
+                return f"seconds_between(m, {self._layout.sampled.index(node.signal)})"
+            case View.LOWER:
+                return f"window_middle(m, {self._window(node)}, 0)"
+            case View.UPPER:
+                return f"window_middle(m, {self._window(node)}, 1)"
 
     def applied(self, node: ir.Apply, write: Callable[[int], str]) -> str:
         """A function of operands that `write` writes, unknown where it is not finite (S4)."""
@@ -123,17 +147,19 @@ class Expressions:
 
     def called(self, function: Function, operands: list[str]) -> str:
         """A function of operands as they are written, before S4."""
-        if not is_plain(function, len(operands)):
-            self.functions.add((function, len(operands)))
-        return functions.call(function, operands)
+        return self._call(definition_of(function, len(operands)), operands)
+
+    def _call(self, definition: Definition, operands: list[str]) -> str:
+        self.functions.add(definition.name)
+        return definition.call(C, operands)
 
     def _may_be_infinite(self, node: ir.SignalNode) -> bool:
         match node:
             case ir.Element() | ir.Fold():
                 return True
-            case ir.Previous(signal=signal):
-                return self._infinite[signal]
-            case ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Count():
+            case ir.Sampled(function=function, signal=signal):
+                return sampling_row(function).keeps_infinities and self._infinite[signal]
+            case ir.Constant() | ir.Read() | ir.Apply() | ir.Count():
                 return False
 
     # --- comparisons -------------------------------------------------------------------------

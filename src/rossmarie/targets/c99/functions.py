@@ -1,15 +1,12 @@
-"""Functions of numbers in C: a plain operation in its place, everything else as a C function."""
+"""Functions of the core in C."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from rossmarie.core import Function, defined, parameters, row
 from rossmarie.core.expressions import Primitive, locals_of
 from rossmarie.targets.c99.types import number
-from rossmarie.targets.formulas import Dialect, Formulas, is_plain
+from rossmarie.targets.formulas import Definition, Dialect, Formulas
 
-_C = Dialect(
+C = Dialect(
     number=lambda value: number(value) if value == value else "NAN",
     calls={
         Primitive.ABSOLUTE: "fabs",
@@ -23,34 +20,15 @@ _C = Dialect(
 )
 
 
-def name(function: Function, count: int) -> str:
-    """The C function of a function of `count` operands."""
-    own = f"{function.value}_of"
-    return own if row(function).most is not None else f"{own}_{count}"
-
-
-def call(function: Function, operands: Sequence[str]) -> str:
-    """The function of operands that are atoms of C, before S4."""
-    count = len(operands)
-    if is_plain(function, count):
-        return Formulas(_C, operands).text(defined(function, count))
-    return f"{name(function, count)}({', '.join(operands)})"
-
-
-def definition(function: Function, count: int) -> str:
-    """The C function that `call` calls."""
-    names = parameters(count)
-    expression = defined(function, count)
-    formulas = Formulas(_C, names)
-    remark = row(function).worded(names)
+def function(definition: Definition) -> str:
+    """The text of a C function."""
+    formulas = Formulas(C, definition.parameters)
     lines = [
         f"const double {local.name} = {formulas.text(local.value)};"
-        for local in locals_of(expression)
+        for local in locals_of(definition.expression)
     ]
-    lines.append(f"return {formulas.text(expression)};")
-    head = ", ".join(f"double {each}" for each in names)
+    lines.append(f"return {formulas.text(definition.expression)};")
+    head = ", ".join(f"double {each}" for each in definition.parameters)
     body = "".join(f"    {line}\n" for line in lines)
-    return (
-        f"/* {remark[0].upper()}{remark[1:]}. */\n"
-        f"static double {name(function, count)}({head})\n{{\n{body}}}\n"
-    )
+    opening = f"/* {definition.remark} */\nstatic double {definition.name}({head})\n"
+    return f"{opening}{{\n{body}}}\n"

@@ -12,8 +12,9 @@ Takes a machine that `ir.verify` has passed. Gives the numbers and names of all 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from rossmarie import ir
 from rossmarie.targets.c99 import names
@@ -42,6 +43,13 @@ class Guard:
     limits: list[Limit] = field(default_factory=list)
 
 
+class Window(NamedTuple):
+    """The samples of a signal within the last `length_ns`."""
+
+    signal: int
+    length_ns: int
+
+
 @dataclass(frozen=True)
 class Layout:
     """The layout of one machine. Lists of truth indexes are in the order of their nodes."""
@@ -61,6 +69,7 @@ class Layout:
     derived: tuple[int, ...]
     held: tuple[int, ...]
     sampled: tuple[int, ...]
+    windows: tuple[Window, ...]
     node_of_truth: dict[int, int]
     truth_names: dict[int, str]
     rule_names: tuple[str, ...]
@@ -191,6 +200,7 @@ class _Builder:
             derived=derived,
             held=self._of(ir.Held),
             sampled=self._sampled(),
+            windows=self._windows(),
             node_of_truth={truth: node for node, truth in enumerate(order)},
             truth_names={truth: self._truth_name(truth) for truth in order},
             rule_names=_named("rule_", [rule.name for rule in self.machine.rules]),
@@ -233,13 +243,20 @@ class _Builder:
                 )
 
     def _sampled(self) -> tuple[int, ...]:
-        """The signals whose samples are remembered."""
-        found = {
-            signal.node.signal
-            for signal in self.machine.signals
-            if isinstance(signal.node, ir.Rate | ir.Previous)
-        }
-        return tuple(sorted(found))
+        """The signals whose last two samples are remembered."""
+        return tuple(sorted({node.signal for node in self._samplings() if not node.window_ns}))
+
+    def _windows(self) -> tuple[Window, ...]:
+        """The windows in which samples are remembered."""
+        nodes = [node for node in self._samplings() if node.window_ns]
+        return tuple(sorted({Window(node.signal, node.window_ns) for node in nodes}))
+
+    def _samplings(self) -> Iterator[ir.Sampled]:
+        """The functions of samples; a number that rests on no input is never sampled."""
+        for signal in self.machine.signals:
+            node = signal.node
+            if isinstance(node, ir.Sampled) and self.supports.signals[node.signal].channels:
+                yield node
 
     # --- truths ------------------------------------------------------------------------------
 

@@ -18,12 +18,13 @@ from rossmarie.targets.c99.layout import lay_out
 from rossmarie.targets.c99.messages import Messages
 from rossmarie.targets.c99.nodes import derive
 from rossmarie.targets.c99.text import indented
+from rossmarie.targets.formulas import definitions
 
 # The functions that a monitor may need, each after those that it calls.
 _PARTS = (
     "known", "test", "both", "either", "opposite", "element", "any", "all", "count", "earlier",
-    "wake_by", "samples", "sample", "rate", "as_is", "covered", "unknown_kind",
-    "guards", "held", "oscillations", "follow", "ages", "expire", "expire_samples",
+    "wake_by", "samples", "seconds", "windows", "as_is", "covered", "unknown_kind",
+    "guards", "held", "oscillations", "follow", "ages",
 )  # fmt: skip
 
 
@@ -82,10 +83,10 @@ class _Writer:
         return self._fill(f"parts/{name}.c")
 
     def _defined(self) -> Iterator[str]:
-        """The functions of numbers that the monitor calls, in the order of the core."""
-        for function, count in ir.functions(self._layout.machine):
-            if (function, count) in self._messages.expressions.functions:
-                yield functions.definition(function, count)
+        """The functions of the core that the monitor calls, in the order of the core."""
+        for definition in definitions(self._layout.machine):
+            if definition.name in self._messages.expressions.functions:
+                yield functions.function(definition)
 
     def _header(self) -> str:
         layout = self._layout
@@ -128,11 +129,12 @@ class _Writer:
             watch=self._part("watch") if layout.machine.watches else "",
             descriptions=describe.descriptions(layout),
         )
+        expire = state.expire(layout)
         needed = self._messages.expressions.parts | logic | state.parts(layout)
         parts = [f"core_{size}", *(part for part in _PARTS if part in needed)]
         return self._fill(
             "monitor.c.j2",
             enums=tables.enumerations(layout),
             tables=tables.tables(layout),
-            functions="\n".join([*map(self._part, parts), *self._defined(), engine]),
+            functions="\n".join([*map(self._part, parts), *self._defined(), expire, engine]),
         )

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from pathlib import PurePath
 
 from dslkit.source import Span
+from rossmarie.core import Function, Sampling
 
 _LONGEST = 40
 
@@ -29,25 +30,29 @@ _LANGUAGE = """
 # What the generated functions call and name themselves, where a field of a message is a parameter.
 _GENERATED = """
     arrive asin atan2 both catch_up cross either element_truth events every evaluate fabs first
-    follow how_many i index_t is_calm is_inside is_pending isfinite isnan known m mark maximum
-    minimum monitor opposite outcome pitch_of rate_of roll_of sample set_wake some sqrt t_ns tick
-    visit yaw_of
+    follow how_many i index_t is_calm is_inside is_pending isfinite isnan known m mark monitor
+    opposite outcome sample sample_window seconds_between set_wake some sqrt t_ns tick visit
+    window_middle
 """
 
 # What the names that the generated C keeps to itself begin with, up to the first underscore; a test
 # collects them.
 _PRIVATE = """
     age always append arithmetic array at before begins by catch change claiming column command
-    covered cross dbl due earliest element engages factor failed flag flt forget fp from gain gap
-    give goes guard has held host how index input int32 int64 is late latest leaf limit look lose
-    lost maximum minimum never no node now oldest on opposite or others pass pitch planned rate
-    receive report resource roll row rule sampled samples scale set settle shown since size slot
-    stage staged stamp start started swings t take task term text texts topic truth truths turn
-    uint16 uint64 uint8 unknown unknowns value values wake was watched width yaw yields
+    covered cross dbl drop due earliest element engages factor failed flag flt forget fp from gain
+    gap give goes guard has held host how index input int32 int64 is late latest leaf limit look
+    lose lost most never no node now oldest on opposite or others pass planned receive report
+    resource row rule sampled samples scale seconds set settle shown since size slot stage staged
+    stamp start started swings t take task term text texts topic truth truths turn uint16 uint64
+    uint8 unknown unknowns value values wake was watched width window yields
 """
 
 _RESERVED = frozenset((_LANGUAGE + _GENERATED).split())
-_PRIVATE_WORDS = frozenset(_PRIVATE.split())
+_PRIVATE_WORDS = frozenset(_PRIVATE.split()) | {
+    each.value.split("_")[0] for each in (*Function, *Sampling)
+}
+_FUNCTION = re.compile(r"[a-z]+_of(_\d+)?")
+"""Names of functions of the core in C."""
 
 
 def identifier(text: str) -> str:
@@ -56,7 +61,8 @@ def identifier(text: str) -> str:
     word = re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")[:_LONGEST].strip("_")
     if not word or word[0].isdigit():
         word = f"n{word}"
-    return f"{word}_" if word in _RESERVED else word
+    is_taken = word in _RESERVED or _FUNCTION.fullmatch(word)
+    return f"{word}_" if is_taken else word
 
 
 def public_prefix(program: str) -> str:

@@ -5,6 +5,7 @@ that begin, restart, tick and look for the next timer. A machine pays only for w
 from __future__ import annotations
 
 from rossmarie import ir
+from rossmarie.core import MOST_SAMPLES
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.text import indented
@@ -32,9 +33,9 @@ def parts(layout: Layout) -> set[str]:
         "follow": layout.oscillations,
         "ages": layout.ages,
         "samples": layout.sampled,
+        "windows": layout.windows,
         "earlier": has_timeouts(layout) or layout.held or layout.oscillations or layout.ages,
         "wake_by": layout.held or layout.oscillations or layout.ages,
-        "expire_samples" if layout.sampled else "expire": has_timeouts(layout),
     }
     return {name for name, needed in found.items() if needed}
 
@@ -72,13 +73,25 @@ def members(layout: Layout) -> list[str]:
     if layout.held:
         found.append(f"int64_t held_due_ns[{len(layout.held)}];")
         found.append(f"unsigned char held_before[{len(layout.held)}];")
-    found += [*_sample_members(len(layout.sampled)), *_turn_members(turns(layout))]
+    found += _sample_members(len(layout.sampled))
+    found += [*_window_members(len(layout.windows)), *_turn_members(turns(layout))]
     return [*found, f"{layout.name}_callback on_event;", "void *user;"]
 
 
 def _sample_members(count: int) -> list[str]:
     kinds = ("double latest", "double before", "int64_t latest_ns", "int64_t before_ns")
     return [f"{kind}[{count}];" for kind in kinds if count]
+
+
+def _window_members(count: int) -> list[str]:
+    if count == 0:
+        return []
+    return [
+        f"double window_value[{count}][{MOST_SAMPLES}];",
+        f"int64_t window_ns[{count}][{MOST_SAMPLES}];",
+        f"uint16_t window_first[{count}];",
+        f"uint16_t window_count[{count}];",
+    ]
 
 
 def _turn_members(counts: list[int]) -> list[str]:
@@ -122,6 +135,9 @@ def restart(layout: Layout) -> list[str]:
         ]
     if layout.sampled:
         lines += ["for (unsigned k = 0; k != SAMPLED; k++)", "    forget_samples(m, k);"]
+    if layout.windows:
+        lines += ["for (unsigned k = 0; k != WINDOWS; k++)", "    forget_window(m, k);"]
+    if layout.sampled or layout.windows:
         lines += ["for (unsigned i = 0; i != SAMPLED_VALUES; i++)"]
         lines += ["    m->value[sampled_values[i]] = NAN;"]
     if layout.oscillations:
@@ -145,6 +161,32 @@ def restart(layout: Layout) -> list[str]:
             "review(m, t_ns);",
         ]
     return lines
+
+
+def expire(layout: Layout) -> str:
+    """The function that forgets what an input brought (S10, S21); nothing if none expires."""
+    if not has_timeouts(layout):
+        return ""
+    lines = [
+        "m->state[input] = EXPIRED;",
+        "m->quiet[input_channel[input]] = false;",
+        *_each_lost("input_values", "m->value[lost_values[i]] = NAN;"),
+    ]
+    if layout.sampled:
+        lines += _each_lost("input_samples", "forget_samples(m, lost_samples[i]);")
+    if layout.windows:
+        lines += _each_lost("input_windows", "forget_window(m, lost_windows[i]);")
+    return (
+        "/* An input reached its timeout: what it brought is forgotten. */\n"
+        f"static void expire(monitor *m, unsigned input)\n{{\n{indented(lines)}\n}}\n"
+    )
+
+
+def _each_lost(starts: str, does: str) -> list[str]:
+    return [
+        f"for (unsigned i = {starts}[input]; i != {starts}[input + 1]; i++)",
+        f"    {does}",
+    ]
 
 
 def has_all_inputs(layout: Layout) -> list[str]:

@@ -5,9 +5,11 @@ Takes a layout; gives C text. Every entry that a user's words stand behind carri
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from rossmarie import ir
+from rossmarie.core import MOST_SAMPLES
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Guard, Layout
@@ -59,6 +61,8 @@ def enumerations(layout: Layout) -> str:
         "LATCHED": 0xFFFF,
         "NO_TWIN": 0xFFFF,
     }
+    if layout.windows:
+        sizes |= {"WINDOWS": len(layout.windows), "MOST_SAMPLES": MOST_SAMPLES}
     if machine.watches:
         sizes["WATCHES"] = len(machine.watches)
     if not is_small(layout):
@@ -95,8 +99,11 @@ def tables(layout: Layout) -> str:
         parts.append(_age_tables(layout))
     if layout.oscillations:
         parts.append(_turn_tables(layout))
-    if layout.sampled:
+    if layout.sampled or layout.windows:
         parts.append(table("index_t", "sampled_values", _sampled_values(layout)))
+    if layout.windows:
+        lengths = [duration(window.length_ns) for window in layout.windows]
+        parts.append(table("int64_t", "window_lengths", lengths))
     if layout.machine.watches:
         watched = [layout.truth_names[truth] for truth in layout.machine.watches]
         parts.append(table("index_t", "watched_truths", watched))
@@ -122,23 +129,30 @@ def _input_tables(layout: Layout) -> str:
 
 def _expiry_tables(layout: Layout) -> str:
     """What an input that expires takes with it."""
-    values, samples = [], []
+    values: list[list[str]] = []
+    samples: list[list[int]] = []
+    windows: list[list[int]] = []
     for used in range(len(layout.machine.inputs)):
         lost = layout.has_timeout(used)
         values.append(
             [value.name for value in layout.values if lost and used in value.support.inputs]
         )
-        samples.append(
-            [
-                number
-                for number, signal in enumerate(layout.sampled)
-                if lost and used in layout.supports.signals[signal].inputs
-            ]
-        )
+        samples.append(_resting(layout, layout.sampled, used))
+        windows.append(_resting(layout, [window.signal for window in layout.windows], used))
     parts = [lists("index_t", "input_values", "lost_values", values)]
     if layout.sampled:
         parts.append(lists("index_t", "input_samples", "lost_samples", samples))
+    if layout.windows:
+        parts.append(lists("index_t", "input_windows", "lost_windows", windows))
     return "\n".join(parts)
+
+
+def _resting(layout: Layout, signals: Sequence[int], used: int) -> list[int]:
+    """The places of those signals that rest on an input that expires."""
+    if not layout.has_timeout(used):
+        return []
+    supports = layout.supports.signals
+    return [place for place, signal in enumerate(signals) if used in supports[signal].inputs]
 
 
 def _sampled_values(layout: Layout) -> list[str]:
@@ -146,7 +160,7 @@ def _sampled_values(layout: Layout) -> list[str]:
     rests: set[int] = set()
     for index, signal in enumerate(layout.machine.signals):
         operands = ir.signal_operands(signal.node)
-        if isinstance(signal.node, ir.Rate | ir.Previous) or rests.intersection(operands):
+        if isinstance(signal.node, ir.Sampled) or rests.intersection(operands):
             rests.add(index)
     return [
         value.name for value in layout.values if _rests_on(layout, value.signal, value.test, rests)

@@ -8,8 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
-from rossmarie.targets.python import expressions, functions
+from rossmarie.targets.formulas import definition_of
+from rossmarie.targets.python import expressions
 from rossmarie.targets.python.function import Function
+from rossmarie.targets.python.functions import PYTHON
 from rossmarie.targets.python.layout import Layout, number
 
 _STARTS = {ir.Folding.MINIMUM: "INF", ir.Folding.MAXIMUM: "-INF"}
@@ -42,7 +44,7 @@ def look(layout: Layout, array: int) -> list[str]:
         function.line(line, 1)
     for signal, node in folds.items():
         element = _Element(layout).value(node.element)
-        folded = functions.call(node.folding.function, [f"f{signal}", element])
+        folded = definition_of(node.folding.function, 2).call(PYTHON, [f"f{signal}", element])
         function.line(f"f{signal} = {folded}", 1)
     for truth in counted:
         function.line(f"true_{truth} += {_Element(layout).truth(truth)} == 1", 1)

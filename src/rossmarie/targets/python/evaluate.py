@@ -14,7 +14,7 @@ from rossmarie.targets import comments
 from rossmarie.targets.python import expressions, names, state
 from rossmarie.targets.python.channels import calm_channels
 from rossmarie.targets.python.function import Function
-from rossmarie.targets.python.layout import Guard, Layout
+from rossmarie.targets.python.layout import Guard, Layout, memory
 
 _MOST_LINES = 2000
 """Python's compiler takes more than its share of time for functions that are longer by far."""
@@ -76,14 +76,11 @@ def _signal(layout: Layout, index: int) -> Function:
     match signal.node:
         case ir.Apply():
             text = expressions.applied(layout, signal.node, layout.value)
-        case ir.Rate(signal=sampled) if sampled in layout.sampled:
-            _sample(layout, index, sampled, function)
-            text = f"samples_{sampled}.rate()"
-        case ir.Previous(signal=sampled) if sampled in layout.sampled:
-            _sample(layout, index, sampled, function)
-            text = f"samples_{sampled}.before"
+        case ir.Sampled() if memory(signal.node) in layout.memories:
+            _sample(layout, index, signal.node, function)
+            text = expressions.of_samples(signal.node)
         case (
-            ir.Constant() | ir.Read() | ir.Rate() | ir.Previous() | ir.Element() | ir.Fold()
+            ir.Constant() | ir.Read() | ir.Sampled() | ir.Element() | ir.Fold()
             | ir.Count()
         ):  # fmt: skip
             return function  # known when compiling, or found when a message arrives
@@ -92,16 +89,17 @@ def _signal(layout: Layout, index: int) -> Function:
     return function
 
 
-def _sample(layout: Layout, index: int, sampled: int, function: Function) -> None:
-    """S18, once for all that look at the samples of a signal."""
+def _sample(layout: Layout, index: int, node: ir.Sampled, function: Function) -> None:
+    """S18, once for all that look at the same samples."""
+    name = memory(node)
     users = (
         i
         for i, signal in enumerate(layout.machine.signals)
-        if isinstance(signal.node, ir.Rate | ir.Previous) and signal.node.signal == sampled
+        if isinstance(signal.node, ir.Sampled) and memory(signal.node) == name
     )
     if next(users) == index:
-        function.line(f"if updated & {_bits(layout, sampled)}:")
-        function.line(f"samples_{sampled}.take({layout.value(sampled)}, at_ns)", 1)
+        function.line(f"if updated & {_bits(layout, node.signal)}:")
+        function.line(f"{name}.take({layout.value(node.signal)}, at_ns)", 1)
 
 
 def _bits(layout: Layout, signal: int) -> int:

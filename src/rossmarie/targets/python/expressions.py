@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from rossmarie import core, ir
-from rossmarie.targets.python import functions
-from rossmarie.targets.python.layout import Layout
+from rossmarie.targets.formulas import definition_of, definition_of_samples
+from rossmarie.targets.python.functions import PYTHON
+from rossmarie.targets.python.layout import Layout, memory
 
 Write = Callable[[int], str]
 """How a signal or a truth is written, by its index."""
@@ -27,7 +28,16 @@ def applied(layout: Layout, node: ir.Apply, write: Write) -> str:
 
 def raw(node: ir.Apply, write: Write) -> str:
     """The same, but infinite where it is too large."""
-    return functions.call(node.function, [write(operand) for operand in node.operands])
+    operands = [write(operand) for operand in node.operands]
+    return definition_of(node.function, len(operands)).call(PYTHON, operands)
+
+
+def of_samples(node: ir.Sampled) -> str:
+    """A function of samples; NaN if it is not finite (S4), unless it keeps infinities (S8)."""
+    declared = core.sampling_row(node.function)
+    views = [f"{memory(node)}.{view.value}()" for view in declared.views]
+    text = definition_of_samples(node.function).call(PYTHON, views)
+    return text if declared.keeps_infinities else f"known({text})"
 
 
 def is_shown(node: ir.Apply, operand: int) -> bool:
@@ -41,9 +51,10 @@ def may_be_infinite(layout: Layout, signal: int) -> bool:
     match layout.machine.signals[signal].node:
         case ir.Element() | ir.Fold():
             return True
-        case ir.Previous(signal=sampled):
-            return may_be_infinite(layout, sampled)
-        case ir.Constant() | ir.Read() | ir.Apply() | ir.Rate() | ir.Count():
+        case ir.Sampled(function=function, signal=sampled):
+            keeps = core.sampling_row(function).keeps_infinities
+            return keeps and may_be_infinite(layout, sampled)
+        case ir.Constant() | ir.Read() | ir.Apply() | ir.Count():
             return False
 
 

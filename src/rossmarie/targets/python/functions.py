@@ -1,14 +1,11 @@
-"""Functions of numbers in Python: a plain operation in its place, else a function of the module."""
+"""Functions of the core in Python."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-from rossmarie.core import Function, defined, parameters, row
 from rossmarie.core.expressions import Primitive, locals_of
-from rossmarie.targets.formulas import Dialect, Formulas, is_plain
+from rossmarie.targets.formulas import Definition, Dialect, Formulas
 
-_PYTHON = Dialect(
+PYTHON = Dialect(
     number=lambda value: repr(value) if value == value else "NAN",
     calls={
         Primitive.DIVIDE: "divide",
@@ -23,30 +20,17 @@ _PYTHON = Dialect(
 )
 
 
-def name(function: Function, count: int) -> str:
-    """The Python function of a function of `count` operands."""
-    own = f"{function.value}_of"
-    return own if row(function).most is not None else f"{own}_{count}"
-
-
-def call(function: Function, operands: Sequence[str]) -> str:
-    """The function of operands that are atoms of Python, before S4."""
-    count = len(operands)
-    if is_plain(function, count):
-        return Formulas(_PYTHON, operands).text(defined(function, count))
-    return f"{name(function, count)}({', '.join(operands)})"
-
-
-def definition(function: Function, count: int) -> str:
-    """The Python function that `call` calls."""
-    names = parameters(count)
-    expression = defined(function, count)
-    formulas = Formulas(_PYTHON, names)
-    remark = row(function).worded(names)
+def function(definition: Definition) -> str:
+    """The text of a Python function."""
+    formulas = Formulas(PYTHON, definition.parameters)
+    head = ", ".join(f"{each}: float" for each in definition.parameters)
     lines = [
-        f"def {name(function, count)}({', '.join(f'{each}: float' for each in names)}) -> float:",
-        f'    """{remark[0].upper()}{remark[1:]}."""',
-        *(f"    {local.name} = {formulas.text(local.value)}" for local in locals_of(expression)),
-        f"    return {formulas.text(expression)}",
+        f"def {definition.name}({head}) -> float:",
+        f'    """{definition.remark}"""',
+        *(
+            f"    {local.name} = {formulas.text(local.value)}"
+            for local in locals_of(definition.expression)
+        ),
+        f"    return {formulas.text(definition.expression)}",
     ]
     return "\n".join(lines) + "\n"

@@ -69,7 +69,7 @@ class Layout:
             case ir.Read(slot=slot):
                 return f"x{slot}"
             case (
-                ir.Apply() | ir.Rate() | ir.Previous() | ir.Element() | ir.Fold() | ir.Count()
+                ir.Apply() | ir.Sampled() | ir.Element() | ir.Fold() | ir.Count()
             ):  # fmt: skip
                 return f"s{signal}"
 
@@ -155,14 +155,21 @@ class Layout:
         ]
 
     @cached_property
+    def memories(self) -> dict[str, ir.Sampled]:
+        """The names of what remembers samples of signals that rest on an input, and for whom."""
+        found: dict[str, ir.Sampled] = {}
+        for signal in self.machine.signals:
+            if isinstance(signal.node, ir.Sampled) and self._channels(signal.node.signal):
+                found.setdefault(memory(signal.node), signal.node)
+        return found
+
+    @property
     def sampled(self) -> list[int]:
-        """The signals that rest on an input and whose samples are remembered."""
-        found = {
-            signal.node.signal
-            for signal in self.machine.signals
-            if isinstance(signal.node, ir.Rate | ir.Previous)
-        }
-        return sorted(signal for signal in found if self.supports.signals[signal].channels)
+        """The signals whose samples are remembered."""
+        return sorted({node.signal for node in self.memories.values()})
+
+    def _channels(self, signal: int) -> frozenset[int]:
+        return self.supports.signals[signal].channels
 
     # --- guards ------------------------------------------------------------------------------
 
@@ -200,6 +207,12 @@ class Layout:
     def _is_remembered(self, signal: int) -> bool:
         support = self.supports.signals[signal]
         return bool(support.folds or support.samples)
+
+
+def memory(node: ir.Sampled) -> str:
+    """The name of what remembers the samples that a node looks at."""
+    window = f"_{node.window_ns}" if node.window_ns else ""
+    return f"samples_{node.signal}{window}"
 
 
 def number(value: float) -> str:

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 
 from rossmarie import ir
 from rossmarie.targets import comments
+from rossmarie.targets.formulas import definitions
 from rossmarie.targets.python import functions, names, parts, state
 from rossmarie.targets.python.channels import arrive, receive, update
 from rossmarie.targets.python.elements import look
@@ -103,9 +104,9 @@ def source(machine: ir.Machine) -> str:
 
 def _functions(machine: ir.Machine, body: str) -> Iterator[str]:
     """The functions of numbers that the module calls."""
-    for function, count in ir.functions(machine):
-        if f"{functions.name(function, count)}(" in body:
-            yield functions.definition(function, count)
+    for definition in definitions(machine):
+        if f"{definition.name}(" in body:
+            yield functions.function(definition)
 
 
 def _descriptions(machine: ir.Machine) -> Iterator[str]:

@@ -71,29 +71,51 @@ def arc_sine(x: float) -> float:
 
 
 class Samples:
-    """The last two samples of a signal."""
+    """The last two samples of a signal, or with a window those in it, 64 at the most."""
 
-    def __init__(self) -> None:
-        self.forget()
+    def __init__(self, window_ns: int = 0) -> None:
+        self.window_ns = window_ns
+        self.kept: deque[tuple[int, float]] = deque(maxlen=64 if window_ns else 2)
 
     def forget(self) -> None:
         """There are none."""
-        self.latest = self.before = NAN
-        self.latest_ns: int | None = None
-        self.before_ns: int | None = None
+        self.kept.clear()
 
     def take(self, value: float, at_ns: int) -> None:
         """A sample; at an equal instant it replaces the last one."""
-        if self.latest_ns != at_ns:
-            self.before, self.before_ns = self.latest, self.latest_ns
-        self.latest, self.latest_ns = value, at_ns
+        kept = self.kept
+        if kept and kept[-1][0] == at_ns:
+            kept.pop()
+        while self.window_ns and kept and at_ns - kept[0][0] >= self.window_ns:
+            kept.popleft()
+        kept.append((at_ns, value))
 
-    def rate(self) -> float:
-        """The slope per second; NaN unless there are two samples, both finite."""
-        if self.latest_ns is None or self.before_ns is None:
+    def newest(self) -> float:
+        """NaN if there is none."""
+        return self.kept[-1][1] if self.kept else NAN
+
+    def before(self) -> float:
+        """The sample before the newest; NaN if there is none."""
+        return self.kept[-2][1] if len(self.kept) > 1 else NAN
+
+    def seconds(self) -> float:
+        """The time between these two; NaN if they are not there."""
+        return (self.kept[-1][0] - self.kept[-2][0]) / 1e9 if len(self.kept) > 1 else NAN
+
+    def lower(self) -> float:
+        """The middle by size, of two the lower; NaN if any sample is, or there is none."""
+        return self.ranked((len(self.kept) - 1) // 2)
+
+    def upper(self) -> float:
+        """The middle by size, of two the upper; NaN if any sample is, or there is none."""
+        return self.ranked(len(self.kept) // 2)
+
+    def ranked(self, rank: int) -> float:
+        """The sample with so many others before it by size; of equals, the earlier."""
+        values = [value for _, value in self.kept]
+        if not values or any(value != value for value in values):
             return NAN
-        slope = (self.latest - self.before) / ((self.latest_ns - self.before_ns) / 1e9)
-        return slope if slope - slope == 0.0 else NAN
+        return sorted(values)[rank]
 
 
 class Oscillation:

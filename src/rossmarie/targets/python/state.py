@@ -27,7 +27,8 @@ def variables(layout: Layout) -> Iterator[tuple[str, str]]:
             yield f"s{index}", "NAN"
     for array in range(len(layout.machine.arrays)):
         yield from (pair for pair in results(layout, array).items() if pair[0].startswith("q"))
-    yield from ((f"samples_{signal}", "Samples()") for signal in layout.sampled)
+    for name, sampled in layout.memories.items():
+        yield name, f"Samples({sampled.window_ns or ''})"
     for index, node in layout.oscillations:
         settings = f"{node.count}, {node.window_ns}, {node.swing!r}"
         yield f"oscillation_{index}", f"Oscillation({settings})"
@@ -58,14 +59,15 @@ def expire(layout: Layout, function: Function) -> None:
             if array.input in group.inputs:
                 for variable, unknown in results(layout, index).items():
                     function.assign(variable, unknown, 1)
-        for signal in _sampled(layout, group):
-            function.line(f"samples_{signal}.forget()", 1)
+        for name in _sampled(layout, group):
+            function.line(f"{name}.forget()", 1)
 
 
-def _sampled(layout: Layout, group: Group) -> list[int]:
-    """S21: the signals whose samples do not outlive these inputs."""
+def _sampled(layout: Layout, group: Group) -> list[str]:
+    """S21: the samples that do not outlive these inputs."""
     supports = layout.supports.signals
-    return [signal for signal in layout.sampled if supports[signal].inputs & group.inputs]
+    memories = layout.memories.items()
+    return [name for name, node in memories if supports[node.signal].inputs & group.inputs]
 
 
 # --- timers ----------------------------------------------------------------------------------
@@ -111,8 +113,8 @@ def restart(layout: Layout) -> list[str]:
         # No limit on an age is above LONGEST, so that older inputs count as that old.
         stamp = f"stamp_{channel}"
         function.assign(stamp, f"at_ns - min(now - {stamp}, LONGEST)")
-    for signal in layout.sampled:
-        function.line(f"samples_{signal}.forget()")
+    for name in layout.memories:
+        function.line(f"{name}.forget()")
     for index, _ in layout.oscillations:
         function.line(f"oscillation_{index}.forget(2, at_ns)")
     for index, _ in layout.held:

@@ -349,6 +349,12 @@ static void review(monitor *m, int64_t t_ns)
             cross(m, g, m->value[guard_value[g]], t_ns);
 }
 
+/* The lesser of (a, b). */
+static double minimum_of(double a, double b)
+{
+    return isnan(a) || isnan(b) ? NAN : a < b ? a : b;
+}
+
 /* An input reached its timeout: what it brought is forgotten. */
 static void expire(monitor *m, unsigned input)
 {
@@ -356,12 +362,6 @@ static void expire(monitor *m, unsigned input)
     m->quiet[input_channel[input]] = false;
     for (unsigned i = input_values[input]; i != input_values[input + 1]; i++)
         m->value[lost_values[i]] = NAN;
-}
-
-/* The lesser of (a, b). */
-static double minimum_of(double a, double b)
-{
-    return isnan(a) || isnan(b) ? NAN : a < b ? a : b;
 }
 
 /* --- rules --------------------------------------------------------------------------------- */

@@ -59,6 +59,7 @@ enum {
     VALUE_SIGNAL_4, /* draft.ross:1 signal_4 */
     VALUE_RATE_ORIENTATION_PITCH, /* draft.ross:1 rate(orientation.pitch()) */
     VALUE_PREVIOUS_ORIENTATION_PITCH, /* draft.ross:1 previous(orientation.pitch()) */
+    VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC, /* draft.ross:1 median(orientation.pitch(), 1 sec) */
     VALUE_TRUTH_0, /* draft.ross:1 truth_0 */
     VALUES
 };
@@ -66,33 +67,38 @@ enum {
 /* The numbers that are watched. */
 enum {
     GUARD_RATE_ORIENTATION_PITCH, /* draft.ross:1 rate(orientation.pitch()) */
+    GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, /* draft.ross:1 median(orientation.pitch(), 1 sec) */
     GUARD_TRUTH_0, /* draft.ross:1 truth_0 */
     GUARDS
 };
 
 /* Truths: first those that look at numbers or ages, then those made of others. */
 enum {
-    TRUTH_TRUTH_2, /* draft.ross:1 truth_2 */
-    TRUTH_TRUTH_0, /* draft.ross:1 truth_0 */
     TRUTH_TRUTH_4, /* draft.ross:1 truth_4 */
-    TRUTH_TRUTH_5, /* draft.ross:1 truth_5 */
     TRUTH_TRUTH_1, /* draft.ross:1 truth_1 */
+    TRUTH_TRUTH_0, /* draft.ross:1 truth_0 */
+    TRUTH_TRUTH_2, /* draft.ross:1 truth_2 */
+    TRUTH_TRUTH_6, /* draft.ross:1 truth_6 */
+    TRUTH_TRUTH_7, /* draft.ross:1 truth_7 */
     TRUTH_TRUTH_3, /* draft.ross:1 truth_3 */
+    TRUTH_TRUTH_5, /* draft.ross:1 truth_5 */
     TRUTHS
 };
 
 enum {
-    LEAVES = 4,
-    RULES = 2,
+    LEAVES = 6,
+    RULES = 3,
     CHANNELS = 1,
     HELD = 0,
     AGES = 0,
     OSCILLATIONS = 1,
     SAMPLED = 1,
-    SAMPLED_VALUES = 3,
+    SAMPLED_VALUES = 4,
     COVERED = 0,
     LATCHED = 65535,
-    NO_TWIN = 65535
+    NO_TWIN = 65535,
+    WINDOWS = 1,
+    MOST_SAMPLES = 64
 };
 
 static const index_t input_channel[1] = {0};
@@ -101,73 +107,89 @@ static const int64_t input_timeouts[1] = {
 };
 
 /* What depends on each truth; rules stand behind all truths. */
-static const uint64_t node_users[6] = {
-    UINT64_C(0x20), UINT64_C(0x20), UINT64_C(0x40), UINT64_C(0x80), UINT64_C(0x80),
-    UINT64_C(0x40)};
+static const uint64_t node_users[8] = {
+    UINT64_C(0x80), UINT64_C(0x100), UINT64_C(0x80), UINT64_C(0x100), UINT64_C(0x200),
+    UINT64_C(0x400), UINT64_C(0x400), UINT64_C(0x200)};
 
 /* Rules: the condition, what must hold for them to clear, what a verdict carries. */
-static const index_t rule_condition[2] = {
-    TRUTH_TRUTH_3, /* draft.ross:1 rule_1: clears by contract */
-    TRUTH_TRUTH_1, /* draft.ross:1 rule_2: clears by contract */
+static const index_t rule_condition[3] = {
+    TRUTH_TRUTH_1, /* draft.ross:1 rule_1: clears by contract */
+    TRUTH_TRUTH_5, /* draft.ross:1 rule_2: clears by contract */
+    TRUTH_TRUTH_3, /* draft.ross:1 rule_3: clears by contract */
 };
-static const index_t rule_release[2] = {TRUTH_TRUTH_4, TRUTH_TRUTH_5};
-static const index_t rule_terms[3] = {0, 2, 3};
-static const index_t terms[3] = {TRUTH_TRUTH_0, TRUTH_TRUTH_2, TRUTH_TRUTH_1};
-static const index_t rule_values[3] = {0, 3, 4};
-static const index_t shown_values[4] = {
-    VALUE_SIGNAL_4, VALUE_RATE_ORIENTATION_PITCH, VALUE_PREVIOUS_ORIENTATION_PITCH,
-    VALUE_INPUT_0_SLOT_0};
-static const index_t rule_inputs[3] = {0, 1, 2};
-static const index_t shown_inputs[2] = {INPUT_INPUT_0, INPUT_INPUT_0};
+static const index_t rule_release[3] = {TRUTH_TRUTH_2, TRUTH_TRUTH_6, TRUTH_TRUTH_7};
+static const index_t rule_terms[4] = {0, 1, 3, 4};
+static const index_t terms[4] = {TRUTH_TRUTH_1, TRUTH_TRUTH_0, TRUTH_TRUTH_4, TRUTH_TRUTH_3};
+static const index_t rule_values[4] = {0, 1, 4, 5};
+static const index_t shown_values[5] = {
+    VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC, VALUE_SIGNAL_4, VALUE_RATE_ORIENTATION_PITCH,
+    VALUE_PREVIOUS_ORIENTATION_PITCH, VALUE_INPUT_0_SLOT_0};
+static const index_t rule_inputs[4] = {0, 1, 2, 3};
+static const index_t shown_inputs[3] = {INPUT_INPUT_0, INPUT_INPUT_0, INPUT_INPUT_0};
 
 /* Guards: guard g watches a value. It owns the truths from guard_leaves[g] up to, but without,
  * guard_leaves[g + 1], and the limits between the ends guard_limits[g] and guard_limits[g + 1] - 1,
  * from low to high. A number above limits[i] gives the truth limit_leaf[i] the value
  * limit_above[i]; limit_twin[i] is the other limit of the same truth, if it has two.
  */
-static const index_t guard_value[2] = {VALUE_RATE_ORIENTATION_PITCH, VALUE_TRUTH_0};
-static const index_t guard_leaves[3] = {0, 1, 2};
-static const index_t guard_limits[3] = {0, 3, 6};
-static const double limits[6] = {
+static const index_t guard_value[3] = {
+    VALUE_RATE_ORIENTATION_PITCH, VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC, VALUE_TRUTH_0};
+static const index_t guard_leaves[4] = {0, 1, 2, 3};
+static const index_t guard_limits[4] = {0, 3, 6, 9};
+static const double limits[9] = {
     -INFINITY, /* below all limits of RATE_ORIENTATION_PITCH */
-    0.5, /* draft.ross:1 truth_2 */
+    0.5, /* draft.ross:1 truth_4 */
     DBL_MAX, /* above all limits of RATE_ORIENTATION_PITCH */
+    -INFINITY, /* below all limits of MEDIAN_ORIENTATION_PITCH_1_SEC */
+    0.2, /* draft.ross:1 truth_1 */
+    DBL_MAX, /* above all limits of MEDIAN_ORIENTATION_PITCH_1_SEC */
     -INFINITY, /* below all limits of TRUTH_0 */
     0.5, /* draft.ross:1 truth_0 */
     DBL_MAX, /* above all limits of TRUTH_0 */
 };
-static const index_t limit_leaf[6] = {0, TRUTH_TRUTH_2, 0, 0, TRUTH_TRUTH_0, 0};
-static const index_t limit_twin[6] = {NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN};
-static const unsigned char limit_above[6] = {FALSE, TRUE, FALSE, FALSE, TRUE, FALSE};
-static const unsigned char leaf_below[2] = {FALSE, FALSE};
+static const index_t limit_leaf[9] = {
+    0, TRUTH_TRUTH_4, 0, 0, TRUTH_TRUTH_1, 0, 0, TRUTH_TRUTH_0, 0};
+static const index_t limit_twin[9] = {
+    NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN};
+static const unsigned char limit_above[9] = {
+    FALSE, TRUE, FALSE, FALSE, TRUE, FALSE, FALSE, TRUE, FALSE};
+static const unsigned char leaf_below[3] = {FALSE, FALSE, FALSE};
 
 /* Whose lack makes a truth lost, and whose leaves it unknown. */
-static const index_t row_blames[4] = {0, 4, 8, 9};
-static const index_t blames[9] = {
+static const index_t row_blames[5] = {0, 4, 8, 12, 13};
+static const index_t blames[13] = {
+    VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2, VALUE_INPUT_0_SLOT_3,
     VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2, VALUE_INPUT_0_SLOT_3,
     VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2, VALUE_INPUT_0_SLOT_3,
     VALUE_INPUT_0_SLOT_0};
-static const index_t row_excuses[4] = {0, 1, 2, 2};
-static const index_t excuses[2] = {VALUE_RATE_ORIENTATION_PITCH, VALUE_PREVIOUS_ORIENTATION_PITCH};
+static const index_t row_excuses[5] = {0, 1, 2, 3, 3};
+static const index_t excuses[3] = {
+    VALUE_RATE_ORIENTATION_PITCH, VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC,
+    VALUE_PREVIOUS_ORIENTATION_PITCH};
 
-static const index_t input_values[2] = {0, 8};
-static const index_t lost_values[8] = {
+static const index_t input_values[2] = {0, 9};
+static const index_t lost_values[9] = {
     VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2, VALUE_INPUT_0_SLOT_3,
     VALUE_SIGNAL_4, VALUE_RATE_ORIENTATION_PITCH, VALUE_PREVIOUS_ORIENTATION_PITCH,
-    VALUE_TRUTH_0};
+    VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC, VALUE_TRUTH_0};
 static const index_t input_samples[2] = {0, 1};
 static const index_t lost_samples[1] = {0};
+static const index_t input_windows[2] = {0, 1};
+static const index_t lost_windows[1] = {0};
 
 static const int64_t turn_windows[1] = {
-    INT64_C(250000000), /* draft.ross:1 truth_1 */
+    INT64_C(250000000), /* draft.ross:1 truth_3 */
 };
 static const double turn_swings[1] = {0.1};
 static const index_t turn_value[1] = {VALUE_INPUT_0_SLOT_0};
 static const index_t turn_first[2] = {0, 3};
-static const index_t turn_leaf[1] = {TRUTH_TRUTH_1};
+static const index_t turn_leaf[1] = {TRUTH_TRUTH_3};
 
-static const index_t sampled_values[3] = {
-    VALUE_RATE_ORIENTATION_PITCH, VALUE_PREVIOUS_ORIENTATION_PITCH, VALUE_TRUTH_0};
+static const index_t sampled_values[4] = {
+    VALUE_RATE_ORIENTATION_PITCH, VALUE_PREVIOUS_ORIENTATION_PITCH,
+    VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC, VALUE_TRUTH_0};
+
+static const int64_t window_lengths[1] = {INT64_C(1000000000)};
 
 /* --- the core ------------------------------------------------------------------------------ */
 
@@ -243,11 +265,69 @@ static void sample(monitor *m, unsigned k, double x, int64_t t_ns)
     m->latest_ns[k] = t_ns;
 }
 
-/* The slope over the last two samples, per second. */
-static double rate_of(const monitor *m, unsigned k)
+/* The time between the last two samples. */
+static double seconds_between(const monitor *m, unsigned k)
 {
-    const double seconds = (double)(m->latest_ns[k] - m->before_ns[k]) / 1e9;
-    return known((m->latest[k] - m->before[k]) / seconds);
+    return (double)(m->latest_ns[k] - m->before_ns[k]) / 1e9;
+}
+
+/* Sample i of a window, the oldest first. */
+static unsigned window_place(const monitor *m, unsigned k, unsigned i)
+{
+    return (m->window_first[k] + i) % MOST_SAMPLES;
+}
+
+static void drop_oldest(monitor *m, unsigned k)
+{
+    m->window_first[k] = (index_t)window_place(m, k, 1);
+    m->window_count[k]--;
+}
+
+static void forget_window(monitor *m, unsigned k) { m->window_count[k] = 0; }
+
+/* A sample of a window; at an equal instant it replaces the last one. */
+static void sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
+{
+    if (m->window_count[k] != 0 &&
+        m->window_ns[k][window_place(m, k, m->window_count[k] - 1u)] == t_ns)
+        m->window_count[k]--;
+    while (m->window_count[k] != 0 &&
+           t_ns - m->window_ns[k][m->window_first[k]] >= window_lengths[k])
+        drop_oldest(m, k);
+    if (m->window_count[k] == MOST_SAMPLES)
+        drop_oldest(m, k);
+    const unsigned place = window_place(m, k, m->window_count[k]);
+    m->window_value[k][place] = x;
+    m->window_ns[k][place] = t_ns;
+    m->window_count[k]++;
+}
+
+/* How many samples stand before sample i by size; of equals, the earlier. */
+static unsigned window_rank(const monitor *m, unsigned k, unsigned i)
+{
+    const double x = m->window_value[k][window_place(m, k, i)];
+    unsigned before = 0;
+    for (unsigned j = 0; j != m->window_count[k]; j++) {
+        const double other = m->window_value[k][window_place(m, k, j)];
+        if (other < x || (other == x && j < i))
+            before++;
+    }
+    return before;
+}
+
+/* The middle of a window by size, of two the lower or the upper; unknown if any sample is. */
+static double window_middle(const monitor *m, unsigned k, unsigned is_upper)
+{
+    const unsigned count = m->window_count[k];
+    double found = NAN;
+    for (unsigned i = 0; i != count; i++) {
+        const double x = m->window_value[k][window_place(m, k, i)];
+        if (isnan(x))
+            return NAN;
+        if (window_rank(m, k, i) == (count - 1 + is_upper) / 2)
+            found = x;
+    }
+    return found;
 }
 
 /* A number that is not finite may be an infinity out of an array, which is as good as any. */
@@ -449,6 +529,26 @@ static void follow(monitor *m, unsigned k, int64_t t_ns)
     look_at_swings(m, k, t_ns);
 }
 
+/* The pitch of (x, y, z, w). */
+static double pitch_of(double x, double y, double z, double w)
+{
+    const double n = x * x + y * y + z * z + w * w;
+    const double sine = 2.0 * (w * y - z * x) / n;
+    return n == 0.0 ? NAN : asin(sine < (-1.0) ? (-1.0) : 1.0 < sine ? 1.0 : sine);
+}
+
+/* The rate of change of a number. */
+static double rate_of(double newest, double before, double seconds)
+{
+    return (newest - before) / seconds;
+}
+
+/* The median of a number over a window. */
+static double median_of(double lower, double upper)
+{
+    return lower == upper ? lower : lower / 2.0 + upper / 2.0;
+}
+
 /* An input reached its timeout: what it brought is forgotten. */
 static void expire(monitor *m, unsigned input)
 {
@@ -458,14 +558,8 @@ static void expire(monitor *m, unsigned input)
         m->value[lost_values[i]] = NAN;
     for (unsigned i = input_samples[input]; i != input_samples[input + 1]; i++)
         forget_samples(m, lost_samples[i]);
-}
-
-/* The pitch of (x, y, z, w). */
-static double pitch_of(double x, double y, double z, double w)
-{
-    const double n = x * x + y * y + z * z + w * w;
-    const double sine = 2.0 * (w * y - z * x) / n;
-    return n == 0.0 ? NAN : asin(sine < (-1.0) ? (-1.0) : 1.0 < sine ? 1.0 : sine);
+    for (unsigned i = input_windows[input]; i != input_windows[input + 1]; i++)
+        forget_window(m, lost_windows[i]);
 }
 
 /* --- rules --------------------------------------------------------------------------------- */
@@ -527,10 +621,10 @@ static int judge(monitor *m, unsigned rule, int64_t t_ns)
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     switch (node) {
-    case TRUTH_TRUTH_1: /* draft.ross:1 truth_1 */
-        return swings_or_gap(m, 0, t_ns);
     case TRUTH_TRUTH_3: /* draft.ross:1 truth_3 */
-        return both(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_TRUTH_2]);
+        return swings_or_gap(m, 0, t_ns);
+    case TRUTH_TRUTH_5: /* draft.ross:1 truth_5 */
+        return both(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_TRUTH_4]);
     default:
         return UNKNOWN;
     }
@@ -606,6 +700,8 @@ static void restart(monitor *m, int64_t t_ns)
         m->quiet[i] = false;
     for (unsigned k = 0; k != SAMPLED; k++)
         forget_samples(m, k);
+    for (unsigned k = 0; k != WINDOWS; k++)
+        forget_window(m, k);
     for (unsigned i = 0; i != SAMPLED_VALUES; i++)
         m->value[sampled_values[i]] = NAN;
     for (unsigned k = 0; k != OSCILLATIONS; k++) {
@@ -613,8 +709,9 @@ static void restart(monitor *m, int64_t t_ns)
         m->gap[k] = m->started ? UNKNOWN : FALSE;
         m->gap_end_ns[k] = t_ns;
     }
-    set_truth(m, TRUTH_TRUTH_4, TRUE, t_ns);
-    set_truth(m, TRUTH_TRUTH_5, TRUE, t_ns);
+    set_truth(m, TRUTH_TRUTH_2, TRUE, t_ns);
+    set_truth(m, TRUTH_TRUTH_6, TRUE, t_ns);
+    set_truth(m, TRUTH_TRUTH_7, TRUE, t_ns);
     for (unsigned g = 0; g != GUARDS; g++) {
         m->place[g] = -(int)UNSET;
         m->low[g] = INFINITY;
@@ -701,8 +798,10 @@ INLINE void receive_topic_0(monitor *m, int64_t t_ns, double slot_0, double slot
     m->value[VALUE_INPUT_0_SLOT_3] = known(slot_3);
     m->value[VALUE_SIGNAL_4] = pitch_of(m->value[VALUE_INPUT_0_SLOT_0], m->value[VALUE_INPUT_0_SLOT_1], m->value[VALUE_INPUT_0_SLOT_2], m->value[VALUE_INPUT_0_SLOT_3]);
     sample(m, 0, m->value[VALUE_SIGNAL_4], t_ns);
-    m->value[VALUE_RATE_ORIENTATION_PITCH] = rate_of(m, 0);
+    m->value[VALUE_RATE_ORIENTATION_PITCH] = known(rate_of(m->latest[0], m->before[0], seconds_between(m, 0)));
     m->value[VALUE_PREVIOUS_ORIENTATION_PITCH] = m->before[0];
+    sample_window(m, 0, m->value[VALUE_SIGNAL_4], t_ns);
+    m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC] = median_of(window_middle(m, 0, 0), window_middle(m, 0, 1));
     m->value[VALUE_TRUTH_0] = outcome(isnan(m->value[VALUE_SIGNAL_4]) || isnan(m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]), m->value[VALUE_SIGNAL_4] > m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]);
     follow(m, 0, t_ns);
 }
@@ -715,6 +814,8 @@ RARE int settle_topic_0(monitor *m, int64_t t_ns, unsigned first)
         cross(m, first, m->value[guard_value[first]], t_ns);
     if (!is_inside(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH]))
         cross(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH], t_ns);
+    if (!is_inside(m, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC]))
+        cross(m, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC], t_ns);
     if (!is_inside(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0]))
         cross(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0], t_ns);
     return evaluate(m, t_ns);
@@ -742,6 +843,8 @@ INLINE int take_topic_0(monitor *m, int64_t t_ns, double slot_0, double slot_1, 
     receive_topic_0(m, t_ns, slot_0, slot_1, slot_2, slot_3);
     if (UNLIKELY(!is_inside(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH])))
         return settle_topic_0(m, t_ns, GUARD_RATE_ORIENTATION_PITCH);
+    if (UNLIKELY(!is_inside(m, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC])))
+        return settle_topic_0(m, t_ns, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC);
     if (UNLIKELY(!is_inside(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0])))
         return settle_topic_0(m, t_ns, GUARD_TRUTH_0);
     if (is_pending(m))
@@ -776,12 +879,16 @@ int memories_step(memories_monitor *m, int64_t t_ns, const memories_values *v)
         m->value[VALUE_INPUT_0_SLOT_3] = known(v->topic_0.slot_3);
         m->value[VALUE_SIGNAL_4] = pitch_of(m->value[VALUE_INPUT_0_SLOT_0], m->value[VALUE_INPUT_0_SLOT_1], m->value[VALUE_INPUT_0_SLOT_2], m->value[VALUE_INPUT_0_SLOT_3]);
         sample(m, 0, m->value[VALUE_SIGNAL_4], t_ns);
-        m->value[VALUE_RATE_ORIENTATION_PITCH] = rate_of(m, 0);
+        m->value[VALUE_RATE_ORIENTATION_PITCH] = known(rate_of(m->latest[0], m->before[0], seconds_between(m, 0)));
         m->value[VALUE_PREVIOUS_ORIENTATION_PITCH] = m->before[0];
+        sample_window(m, 0, m->value[VALUE_SIGNAL_4], t_ns);
+        m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC] = median_of(window_middle(m, 0, 0), window_middle(m, 0, 1));
         m->value[VALUE_TRUTH_0] = outcome(isnan(m->value[VALUE_SIGNAL_4]) || isnan(m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]), m->value[VALUE_SIGNAL_4] > m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]);
         follow(m, 0, t_ns);
         if (!is_inside(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH]))
             cross(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH], t_ns);
+        if (!is_inside(m, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC]))
+            cross(m, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC], t_ns);
         if (!is_inside(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0]))
             cross(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0], t_ns);
     }
@@ -830,7 +937,7 @@ const char *memories_init(monitor *m, memories_callback on_event, void *user)
     m->on_event = on_event;
     m->user = user;
     m->wake_ns = INT64_MIN;
-    for (unsigned i = 0; i != 8; i++)
+    for (unsigned i = 0; i != 9; i++)
         m->value[i] = NAN;
     return arithmetic_fault();
 }
@@ -886,35 +993,45 @@ bool memories_has_all_inputs(const monitor *m)
     return true;
 }
 
-static const char *const term_texts[3] = {
+static const char *const term_texts[4] = {
+    "truth_1",
     "truth_0",
-    "truth_2",
-    "truth_1"};
+    "truth_4",
+    "truth_3"};
 
-static const char *const value_texts[4] = {
+static const char *const value_texts[5] = {
+    "median(orientation.pitch(), 1 sec)",
     "signal_4",
     "rate(orientation.pitch())",
     "previous(orientation.pitch())",
     "signal_0"};
 
-static const char *const input_texts[2] = {
+static const char *const input_texts[3] = {
+    "input_0",
     "input_0",
     "input_0"};
 
-const memories_description memories_rules[2] = {
+const memories_description memories_rules[3] = {
     {"rule_1",
-     "truth_3",
-     "clears by contract",
-     "stop",
-     "draft.ross:1",
-     term_texts + 0, value_texts + 0, input_texts + 0,
-     2, 3, 1},
-    {"rule_2",
      "truth_1",
      "clears by contract",
      "stop",
      "draft.ross:1",
-     term_texts + 2, value_texts + 3, input_texts + 1,
+     term_texts + 0, value_texts + 0, input_texts + 0,
+     1, 1, 1},
+    {"rule_2",
+     "truth_5",
+     "clears by contract",
+     "stop",
+     "draft.ross:1",
+     term_texts + 1, value_texts + 1, input_texts + 1,
+     2, 3, 1},
+    {"rule_3",
+     "truth_3",
+     "clears by contract",
+     "stop",
+     "draft.ross:1",
+     term_texts + 3, value_texts + 4, input_texts + 2,
      1, 1, 1},
 };
 

@@ -345,6 +345,7 @@ static unsigned char held(monitor *m, unsigned k, unsigned node, int64_t t_ns)
     return operand == TRUE && t_ns >= due_ns ? (unsigned char)TRUE : m->held_before[k];
 }
 
+
 /* --- rules --------------------------------------------------------------------------------- */
 
 static bool is_active(const monitor *m, unsigned rule)

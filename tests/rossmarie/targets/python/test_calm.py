@@ -60,7 +60,7 @@ CONDITIONS: dict[str, Callable[[Topics], int]] = {
     "length": lambda d: d.above(d.apply(Function.NORM, d.x, d.y, d.z), 2.0),
     "angle": lambda d: d.above(d.apply(Function.YAW, d.x, d.y, d.x, d.y), 0.5),
     "age": lambda d: d.truth(ir.AgeReaches(0, SECOND // 4)),
-    "rate": lambda d: d.above(d.signal(ir.Rate(d.x)), 0.5),
+    "rate": lambda d: d.above(d.signal(ir.Sampled(ir.Sampling.RATE, d.x)), 0.5),
     "swing": lambda d: d.truth(ir.Oscillates(d.x, 2, SECOND, 0.5)),
 }
 

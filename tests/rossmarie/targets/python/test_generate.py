@@ -157,7 +157,7 @@ def test_integers_beyond_the_exact_ones_are_rounded_before_they_are_compared() -
 
 def test_integers_that_are_remembered_are_computed_with_as_floats() -> None:
     draft = Draft()
-    before = draft.signal(ir.Previous(draft.read()))
+    before = draft.signal(ir.Sampled(ir.Sampling.PREVIOUS, draft.read()))
     draft.rule(draft.above(draft.apply(ir.Function.MULTIPLY, before, before), 1.0))
     step = PythonMonitor(draft.machine(), source(draft.machine())).update_call(0)
     assert [step(at_ns, 10**200) for at_ns in range(3)] == [0, 0, 0]

@@ -1,0 +1,10 @@
+"""Durations of checked programs."""
+
+from __future__ import annotations
+
+from rossmarie.check.model import Value
+
+
+def duration_ns(value: Value) -> int:
+    """A constant duration, given in seconds, in whole nanoseconds."""
+    return round(value.numbers[0] * 1e9)

@@ -1,0 +1,58 @@
+/* Sample i of a window, the oldest first. */
+static unsigned window_place(const monitor *m, unsigned k, unsigned i)
+{
+    return (m->window_first[k] + i) % MOST_SAMPLES;
+}
+
+static void drop_oldest(monitor *m, unsigned k)
+{
+    m->window_first[k] = (index_t)window_place(m, k, 1);
+    m->window_count[k]--;
+}
+
+static void forget_window(monitor *m, unsigned k) { m->window_count[k] = 0; }
+
+/* A sample of a window; at an equal instant it replaces the last one. */
+static void sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
+{
+    if (m->window_count[k] != 0 &&
+        m->window_ns[k][window_place(m, k, m->window_count[k] - 1u)] == t_ns)
+        m->window_count[k]--;
+    while (m->window_count[k] != 0 &&
+           t_ns - m->window_ns[k][m->window_first[k]] >= window_lengths[k])
+        drop_oldest(m, k);
+    if (m->window_count[k] == MOST_SAMPLES)
+        drop_oldest(m, k);
+    const unsigned place = window_place(m, k, m->window_count[k]);
+    m->window_value[k][place] = x;
+    m->window_ns[k][place] = t_ns;
+    m->window_count[k]++;
+}
+
+/* How many samples stand before sample i by size; of equals, the earlier. */
+static unsigned window_rank(const monitor *m, unsigned k, unsigned i)
+{
+    const double x = m->window_value[k][window_place(m, k, i)];
+    unsigned before = 0;
+    for (unsigned j = 0; j != m->window_count[k]; j++) {
+        const double other = m->window_value[k][window_place(m, k, j)];
+        if (other < x || (other == x && j < i))
+            before++;
+    }
+    return before;
+}
+
+/* The middle of a window by size, of two the lower or the upper; unknown if any sample is. */
+static double window_middle(const monitor *m, unsigned k, unsigned is_upper)
+{
+    const unsigned count = m->window_count[k];
+    double found = NAN;
+    for (unsigned i = 0; i != count; i++) {
+        const double x = m->window_value[k][window_place(m, k, i)];
+        if (isnan(x))
+            return NAN;
+        if (window_rank(m, k, i) == (count - 1 + is_upper) / 2)
+            found = x;
+    }
+    return found;
+}
