@@ -16,6 +16,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from rossmarie import ir
+from rossmarie.naming import public_prefix
 from rossmarie.targets.c99 import names
 from rossmarie.targets.limits import Limit, limits_of
 
@@ -177,7 +178,7 @@ class _Builder:
         order = [*guarded, *ages, *literals, *oscillations, *derived]
         return Layout(
             machine=self.machine,
-            name=names.public_prefix(self.machine.name),
+            name=public_prefix(self.machine.name),
             supports=self.supports,
             elements=self.elements,
             values=tuple(self.values),
