@@ -34,7 +34,7 @@ def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
     from ezskiros.engine.world import World
     from ezskiros.ontology import Ontology
     from ezskiros.session import NOWHERE
-    from ezskiros.skills.nodes import SkillCall
+    from ezskiros.skills.calls import SkillCall
     from ezskiros.trees.expand import expand
     from ezskiros.trees.library import Library
 

@@ -16,8 +16,7 @@ from ezskiros.engine.world import World
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.load import load_named
 from ezskiros.session import NOWHERE
-from ezskiros.skills.description import SkillDescription
-from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.calls import SkillCall, SkillClass
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import Tree
 
@@ -86,9 +85,9 @@ def _refuse_errors(checked: Checked, found: Sequence[Diagnostic]) -> None:
         raise FaultyError(checked, found)
 
 
-def _found(name: str, library: Library) -> tuple[type[SkillDescription], str | None]:
+def _found(name: str, library: Library) -> tuple[SkillClass, str | None]:
     """The description, and the implementation if it is named."""
-    known: dict[str, tuple[type[SkillDescription], str | None]] = {}
+    known: dict[str, tuple[SkillClass, str | None]] = {}
     for description in library.descriptions():
         for each in library.implementations(description):
             known.setdefault(each, (description, each))

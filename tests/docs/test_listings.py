@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.driver.build import build_files
-from rossmarie.targets.c99.names import public_prefix
+from rossmarie.naming import public_prefix
 from support.markdown import blocks
 
 ROOT = Path(__file__).parents[2]

@@ -13,9 +13,10 @@ from dataclasses import dataclass, field, replace
 from itertools import product
 
 from ezskiros.ontology.statements import AnyOf, Relation
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, SkillInterface
 from ezskiros.skills.markers import Kind
-from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor
 from ezskiros.trees.tree import ThingReference
 from support.contract_trees import OWN, RELATIONS, THINGS, Drawn, Facts, holds
 from support.ontologies import START

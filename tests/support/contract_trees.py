@@ -11,9 +11,10 @@ from typing import Any
 from dslkit.source import SourceFile, Span
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.statements import AnyOf, Relation, Statement
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
-from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor
 from ezskiros.trees.tree import ThingReference
 from support.ontologies import START, turtle
 

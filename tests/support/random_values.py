@@ -22,7 +22,7 @@ from ezskiros.engine.task import Task
 from ezskiros.engine.world import World
 from ezskiros.ontology import Ontology
 from ezskiros.session import NOWHERE
-from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.calls import SkillCall
 
 MOST_TICKS = 8
 RECORDED = Path(__file__).parents[1] / "ezskiros" / "engine" / "values_in_skiros2.json"

@@ -18,6 +18,7 @@ from dslkit.diagnostics import Collector
 from ezskiros import SkillDescription, session
 from ezskiros.hosts.skiros2_form import Form, FormCondition, form_of
 from ezskiros.ontology import Ontology, load
+from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.describe import describe
 from ezskiros.skills.stand_ins import standing_in
 from support import skiros2_api
@@ -53,7 +54,7 @@ def new_forms(text: str, folder: Path, world: str = "world") -> dict[str, Form]:
         return {name: _new_form(each, ontology) for name, each in skills.items()}
 
 
-def _new_form(skill: type[SkillDescription], ontology: Ontology) -> Form:
+def _new_form(skill: SkillClass, ontology: Ontology) -> Form:
     collector = Collector()
     with session.collecting(collector):
         described = describe(skill)

@@ -22,8 +22,9 @@ from ezskiros.engine.setting import Setting
 from ezskiros.engine.world import World
 from ezskiros.ontology import Ontology
 from ezskiros.session import NOWHERE
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import State
-from ezskiros.skills.nodes import Flow, Node, Processor, SkillCall
+from ezskiros.skills.nodes import Flow, Node, Processor
 from ezskiros.trees.library import Library
 
 MOST_TICKS = 8

@@ -12,8 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from ezskiros.driver import Checked, check_paths
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import SkillInterface
-from ezskiros.skills.nodes import Decorator, Node, Processor, SkillCall
+from ezskiros.skills.nodes import Decorator, Node, Processor
 from ezskiros.skills.stand_ins import standing_in
 from ezskiros.skills.values import Symbol
 from ezskiros.trees.tree import ThingReference, ValueReference

@@ -24,9 +24,10 @@ from ezskiros.ontology.statements import (
     Statement,
 )
 from ezskiros.ontology.things import Unknown, described
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
-from ezskiros.skills.nodes import SkillCall, calls
+from ezskiros.skills.nodes import calls
 from ezskiros.skills.syntax import argument_places, class_span
 from ezskiros.skills.values import SymbolicValue
 from ezskiros.trees.library import Implementations, Library

@@ -11,9 +11,10 @@ from dataclasses import dataclass, field
 from dslkit.diagnostics import Diagnostic, Label
 from dslkit.source import Span
 from ezskiros.check import tree_errors as errors
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
-from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall, calls
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, calls
 from ezskiros.skills.syntax import set_in
 from ezskiros.trees.library import Library
 from ezskiros.trees.names import Shared, all_shared

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation, State
 from ezskiros.skills.methods import told_states
-from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall, children
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, children
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import Tree
 

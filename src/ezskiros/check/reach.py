@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 from dslkit.diagnostics import Diagnostic, Label
 from ezskiros.check import tree_errors as errors
 from ezskiros.check.outcomes import Outcomes, goes_on_with
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import State
-from ezskiros.skills.nodes import Flow, Node, Processor, SkillCall, calls, children
+from ezskiros.skills.nodes import Flow, Node, Processor, calls, children
 from ezskiros.trees.tree import Tree
 
 _RESULT = {State.SUCCESS: "succeeds", State.FAILURE: "fails"}

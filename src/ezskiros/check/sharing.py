@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from dslkit.diagnostics import Diagnostic, Label
 from dslkit.source import Span
 from ezskiros.check import tree_errors as errors
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.nodes import Flow, Node, Processor, SkillCall, calls, children
+from ezskiros.skills.nodes import Flow, Node, Processor, calls, children
 from ezskiros.skills.syntax import argument_places
 from ezskiros.trees.library import Library
 from ezskiros.trees.names import all_shared, shared_names

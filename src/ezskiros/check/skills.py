@@ -17,6 +17,7 @@ from ezskiros.check.relations import check_relations
 from ezskiros.check.repeated import repeated
 from ezskiros.ontology import Ontology
 from ezskiros.skills import SkillDescription, tree_errors
+from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.describe import Described, describe
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.syntax import attributes_in, class_span
@@ -26,12 +27,12 @@ CHECKS = (check_relations, check_consistency, check_outputs)
 
 
 def check_skills(
-    skills: Iterable[type[SkillDescription]], scenes: Sequence[Path] = ()
-) -> dict[type[SkillDescription], Described]:
+    skills: Iterable[SkillClass], scenes: Sequence[Path] = ()
+) -> dict[SkillClass, Described]:
     """The interfaces of skills; mistakes are reported. The `scenes` say which things there are."""
     individuals = Individuals(scenes)
-    found: dict[type[SkillDescription], Described] = {}
-    names: dict[str, type[SkillDescription]] = {}
+    found: dict[SkillClass, Described] = {}
+    names: dict[str, SkillClass] = {}
     for skill in skills:
         _report_implementing(skill)
         described = describe(skill)
@@ -61,7 +62,7 @@ def _report_directions(described: Iterable[Described]) -> None:
             session.report(diagnostic)
 
 
-def _report_implementing(skill: type[SkillDescription]) -> None:
+def _report_implementing(skill: SkillClass) -> None:
     """Tell of a description that is written like an implementation."""
     for method in ("expandBT", "execute"):
         above = skill.__mro__[1]
@@ -73,7 +74,7 @@ def _report_implementing(skill: type[SkillDescription]) -> None:
 
 
 def _findings(
-    skill: type[SkillDescription],
+    skill: SkillClass,
     described: Described,
     ontology: Ontology,
     individuals: Individuals,

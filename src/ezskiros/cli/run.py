@@ -26,8 +26,8 @@ if TYPE_CHECKING:  # the engine is loaded only where it is needed
     from ezskiros.engine.task import Outcome
     from ezskiros.engine.tracing import Trace
     from ezskiros.runner import Ready
+    from ezskiros.skills.calls import SkillCall
     from ezskiros.skills.interface import SkillInterface
-    from ezskiros.skills.nodes import SkillCall
 
 _GIVEN = re.compile(r"[A-Za-z_]\w*=")
 

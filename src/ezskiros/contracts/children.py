@@ -10,9 +10,9 @@ from ezskiros.check.inference import names as names_of
 from ezskiros.contracts.knowledge import Change, How, Known, Made, Name, Origin, Renewed
 from ezskiros.contracts.statements import Asked, asked
 from ezskiros.ontology.statements import Generated, Specified
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind, Option
-from ezskiros.skills.nodes import SkillCall
 from ezskiros.trees.names import shared_names
 
 SkillOf = Callable[[SkillCall], SkillInterface]

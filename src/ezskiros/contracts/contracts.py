@@ -18,8 +18,9 @@ from ezskiros.contracts.repairs import Repairs, in_order
 from ezskiros.contracts.statements import Asked, asked
 from ezskiros.contracts.walk import Walk
 from ezskiros.ontology.things import Unknown
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, SkillInterface
-from ezskiros.skills.nodes import SkillCall, calls
+from ezskiros.skills.nodes import calls
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import Tree
 

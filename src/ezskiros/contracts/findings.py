@@ -15,8 +15,8 @@ from ezskiros.contracts.knowledge import Change, How, Known, Renewed
 from ezskiros.contracts.repairs import Repairs
 from ezskiros.contracts.statements import Asked
 from ezskiros.ontology.statements import Statement
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import SkillInterface
-from ezskiros.skills.nodes import SkillCall
 from ezskiros.trees.tree import Tree
 
 _HOW = {

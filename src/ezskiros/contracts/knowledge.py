@@ -11,7 +11,7 @@ from typing import TypeAlias
 from dslkit.source import Span
 from ezskiros.check.inference import names as names_of
 from ezskiros.ontology.statements import Statement
-from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.calls import SkillCall
 
 
 @dataclass(frozen=True)

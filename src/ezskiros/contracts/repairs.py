@@ -25,8 +25,8 @@ from ezskiros.ontology.statements import (
     Statement,
     Value,
 )
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import SkillInterface
-from ezskiros.skills.nodes import SkillCall
 
 
 @dataclass(frozen=True)

@@ -12,16 +12,8 @@ from ezskiros.contracts.findings import Findings
 from ezskiros.contracts.judge import Judge
 from ezskiros.contracts.knowledge import Change, How, Known, Origin
 from ezskiros.contracts.statements import Asked, renamed
-from ezskiros.skills.nodes import (
-    Decoration,
-    Decorator,
-    Flow,
-    Node,
-    Processor,
-    SkillCall,
-    calls,
-    children,
-)
+from ezskiros.skills.calls import SkillCall
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, calls, children
 from ezskiros.skills.values import Symbol
 
 MOST_TRIES = 5

@@ -20,8 +20,9 @@ from ezskiros.drawing import errors
 from ezskiros.drawing.btcpp_models import BUILT_IN, literal, model_of
 from ezskiros.drawing.nested import Nested
 from ezskiros.drawing.outline import branch_texts
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Parameter, SkillInterface
-from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall, calls
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, calls
 from ezskiros.skills.values import Symbol, SymbolicValue
 from ezskiros.trees.library import Library
 from ezskiros.trees.names import shared_names

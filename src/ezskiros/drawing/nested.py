@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.calls import SkillCall
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import Tree
 

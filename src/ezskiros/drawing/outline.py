@@ -11,8 +11,9 @@ from ezskiros.check.spelled import spelled
 from ezskiros.drawing.nested import Nested
 from ezskiros.ontology.statements import Statement
 from ezskiros.ontology.things import Unknown
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import Clause, SkillInterface
-from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, SkillCall
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor
 from ezskiros.skills.values import Symbol, SymbolicValue
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import ThingReference, Tree, ValueReference

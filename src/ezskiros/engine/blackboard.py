@@ -16,8 +16,8 @@ from typing import Any
 from ezskiros.engine.plans import Plan
 from ezskiros.engine.values import WorldThing
 from ezskiros.engine.world import World
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import ROBOT, Parameter
-from ezskiros.skills.nodes import SkillCall
 from ezskiros.trees.tree import ThingReference, ValueReference
 
 Cell = list[Any]

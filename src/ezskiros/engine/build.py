@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import TYPE_CHECKING
 
 from py_trees.behaviour import Behaviour
 
+from ezskiros.engine.compatible import CompatibleSkill
 from ezskiros.engine.depth import MOST_DEPTH, TooDeepError
+from ezskiros.engine.grounding import Names
 from ezskiros.engine.processors import decorator, processor
-from ezskiros.skills.nodes import Decorator, Node, Processor, SkillCall
+from ezskiros.engine.setting import Setting
+from ezskiros.engine.skill import RunningSkill
+from ezskiros.skills.calls import SkillCall
+from ezskiros.skills.nodes import Decorator, Node, Processor
 
-if TYPE_CHECKING:  # a skill builds its own tree
-    from ezskiros.engine.grounding import Names
-    from ezskiros.engine.setting import Setting
-    from ezskiros.engine.skill import RunningSkill
+
+def root_skill(call: SkillCall, setting: Setting, label: str) -> RunningSkill:
+    """The skill of a task, with nothing above it."""
+    return _skill_class(setting)(call, Names({}), setting, label, behavior)
 
 
 def behavior(root: Node, names: Names, setting: Setting, above: RunningSkill | None) -> Behaviour:
@@ -22,11 +26,8 @@ def behavior(root: Node, names: Names, setting: Setting, above: RunningSkill | N
     return _Builder(names, setting, above).build(root, above.depth + 1 if above else 0)
 
 
-def skill_class(setting: Setting) -> type[RunningSkill]:
+def _skill_class(setting: Setting) -> type[RunningSkill]:
     """The class that runs skills: with values as they are meant, or as SkiROS2 has them."""
-    from ezskiros.engine.compatible import CompatibleSkill
-    from ezskiros.engine.skill import RunningSkill
-
     return CompatibleSkill if setting.compatible else RunningSkill
 
 
@@ -36,7 +37,7 @@ class _Builder:
     def __init__(self, names: Names, setting: Setting, above: RunningSkill | None) -> None:
         self._names, self._setting, self._above = names, setting, above
         self._seen: Counter[str] = Counter()
-        self._skill_class = skill_class(setting)
+        self._skill_class = _skill_class(setting)
 
     def build(self, node: Node, depth: int) -> Behaviour:
         if depth > MOST_DEPTH:
@@ -57,4 +58,6 @@ class _Builder:
         self._seen[label] += 1
         number = f"#{self._seen[label]}" if self._seen[label] > 1 else ""
         name = f"{label}{number}"
-        return self._skill_class(call, self._names, self._setting, name, self._above, depth)
+        return self._skill_class(
+            call, self._names, self._setting, name, behavior, self._above, depth
+        )

@@ -15,9 +15,10 @@ from ezskiros import session
 from ezskiros.engine import user_code
 from ezskiros.engine.events import Code, Reason
 from ezskiros.ontology.things import depends_on_symbol
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import SkillInterface
-from ezskiros.skills.nodes import Decorator, Node, SkillCall, children
+from ezskiros.skills.nodes import Decorator, Node, children
 from ezskiros.skills.syntax import class_span
 from ezskiros.skills.values import Symbol
 from ezskiros.trees.build import EmptyTreeError, build

@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from ezskiros.engine.events import Code, Reason
 from ezskiros.ontology.statements import Generated, OfType
 from ezskiros.skills.interface import Clause, Parameter, SkillInterface
 from ezskiros.skills.markers import Option
-
-if TYPE_CHECKING:  # what is locked is locked by what runs
-    from ezskiros.engine.skill import RunningSkill
 
 
 def with_options(skill: SkillInterface) -> SkillInterface:
@@ -49,16 +46,28 @@ def _with(skill: SkillInterface, option: Option) -> Iterator[Parameter]:
     return (each for each in skill.parameters if each.is_thing and option in each.options)
 
 
+class Owner(Protocol):
+    """A skill that runs, as far as locks know it: what is above it, and how it is called there."""
+
+    @property
+    def above(self) -> Owner | None:
+        """The compound whose child it is; None at the root."""
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """The names of the skills from the root on."""
+
+
 class Locks:
     """Which skills have locked which things. What a skill has locked, those below it may lock too,
     one at a time.
     """
 
     def __init__(self) -> None:
-        self._owners: dict[str, list[RunningSkill]] = {}
+        self._owners: dict[str, list[Owner]] = {}
 
     def lock(
-        self, skill: RunningSkill, names: tuple[str, ...], values: Mapping[str, Any]
+        self, skill: Owner, names: tuple[str, ...], values: Mapping[str, Any]
     ) -> Reason | None:
         """Lock what some parameters stand for; None if that could be done."""
         things = {name: values[name] for name in names if values[name] is not None}
@@ -71,13 +80,13 @@ class Locks:
             self._owners.setdefault(thing.iri, []).append(skill)
         return None
 
-    def release(self, skill: RunningSkill) -> None:
+    def release(self, skill: Owner) -> None:
         """Give back what a skill has locked."""
         for owners in self._owners.values():
             owners[:] = [each for each in owners if each is not skill]
 
 
-def _is_above(owner: RunningSkill, skill: RunningSkill | None) -> bool:
+def _is_above(owner: Owner, skill: Owner | None) -> bool:
     while skill is not None and skill is not owner:
         skill = skill.above
     return skill is owner

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from ezskiros.engine.options import emptied, locked, with_options
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
-from ezskiros.skills.nodes import SkillCall
 from ezskiros.skills.own_conditions import has_own_conditions
 from ezskiros.skills.values import plain
 from ezskiros.trees.library import Implementations, Library

@@ -9,18 +9,15 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 from py_trees import behaviours, composites, decorators
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from ezskiros.engine.events import Code, Reason
+from ezskiros.engine.setting import Setting
 from ezskiros.skills.nodes import Decoration, Decorator, Flow
 from ezskiros.skills.values import Symbol
-
-if TYPE_CHECKING:  # what runs is built of these
-    from ezskiros.engine.setting import Setting
 
 _DECIDES = {Flow.PARALLEL_FF: {Status.FAILURE}, Flow.PARALLEL_FS: {Status.FAILURE, Status.SUCCESS}}
 

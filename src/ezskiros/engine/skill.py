@@ -7,14 +7,13 @@ compound ticks the tree that `expandBT` has built, a primitive is executed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from ezskiros.engine import user_code
-from ezskiros.engine.build import behavior
 from ezskiros.engine.depth import MOST_DEPTH, TooDeepError
 from ezskiros.engine.events import Code, Event, Happened, Reason
 from ezskiros.engine.grounding import (
@@ -28,13 +27,19 @@ from ezskiros.engine.plans import Plan
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.simulation import simulate
 from ezskiros.engine.values import Values
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
-from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.nodes import Node
 from ezskiros.trees.tree import Tree
+
+Build = Callable[[Node, Names, Setting, "RunningSkill"], Behaviour]
+"""Makes what ticks the tree of a compound, from its root. Raises `TooDeepError`."""
 
 
 class RunningSkill(Behaviour):
-    """A child that is a skill; `names` are the values that it shares with its siblings."""
+    """A child that is a skill. `names` are the values that it shares with its siblings, `build`
+    makes of a compound's tree what ticks it.
+    """
 
     def __init__(
         self,
@@ -42,12 +47,13 @@ class RunningSkill(Behaviour):
         names: Names,
         setting: Setting,
         label: str,
+        build: Build,
         above: RunningSkill | None = None,
         depth: int = 0,
     ) -> None:
         super().__init__(label)
         self.depth, self.above = depth, above
-        self._call, self._names, self._setting = call, names, setting
+        self._call, self._names, self._setting, self._build = call, names, setting, build
         self._values: dict[str, Any] = {}
         self._instance: SkillImplementation | None = None
         self._instances: dict[type[SkillImplementation] | None, SkillImplementation] = {}
@@ -252,7 +258,7 @@ class RunningSkill(Behaviour):
             self._expanded = found
             self._tree_names = Names(self._values)
             try:
-                self._tree = behavior(found.root, self._tree_names, setting, self)
+                self._tree = self._build(found.root, self._tree_names, setting, self)
             except TooDeepError:
                 text = f"the tree has more than {MOST_DEPTH} levels: does a skill call itself?"
                 return Reason(Code.START, text)

@@ -10,13 +10,12 @@ from dataclasses import dataclass
 
 from py_trees.common import Status
 
-from ezskiros.engine.build import skill_class
+from ezskiros.engine.build import root_skill
 from ezskiros.engine.depth import deep
 from ezskiros.engine.events import Reason
-from ezskiros.engine.grounding import Names
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.user_code import kept_alive
-from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.calls import SkillCall
 
 PERIOD = 0.04
 """Seconds from tick to tick, as in SkiROS2."""
@@ -39,8 +38,7 @@ class Task:
         plan = setting.plans.of(call)[0]
         self.setting = setting
         self.ticks = 0
-        name = plan.label or plan.skill.name
-        self.root = skill_class(setting)(call, Names({}), setting, name)
+        self.root = root_skill(call, setting, plan.label or plan.skill.name)
 
     def tick(self) -> Status:
         """One tick."""

@@ -16,6 +16,7 @@ from ezskiros import session
 from ezskiros.check import check_implementations, check_skills
 from ezskiros.contracts import check_contracts
 from ezskiros.hosts import skiros2_errors as errors
+from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.describe import Described
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.implementation import SkillImplementation
@@ -33,7 +34,7 @@ _accepted: set[type] = set()
 class AcceptedLibrary(Library):
     """A library with nothing but what SkiROS2 may load."""
 
-    def implementations(self, description: type[SkillDescription]) -> Implementations:
+    def implementations(self, description: SkillClass) -> Implementations:
         """What implements a skill, by name."""
         known = super().implementations(description)
         return {name: each for name, each in known.items() if each in _accepted}
@@ -43,7 +44,7 @@ class AcceptedLibrary(Library):
 class CheckedLibrary:
     """The accepted skills of some modules, and all that is wrong with them and with the others."""
 
-    described: Mapping[type[SkillDescription], Described]
+    described: Mapping[SkillClass, Described]
     implementations: Sequence[type[SkillImplementation]]
     refused: Sequence[type]
     diagnostics: Sequence[Diagnostic]

@@ -25,10 +25,10 @@ from ezskiros.hosts.skiros2_skills import (
 )
 from ezskiros.hosts.skiros2_versions import unfit
 from ezskiros.ontology import Ontology
-from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.load import roots
 
-_hosted: dict[type[SkillDescription], HostedSkill] = {}
+_hosted: dict[SkillClass, HostedSkill] = {}
 """The skills of all libraries that SkiROS2 has loaded."""
 
 

@@ -15,9 +15,10 @@ from itertools import count
 
 from ezskiros.engine.values import wanted
 from ezskiros.ontology.statements import Value
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import ROBOT, Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
-from ezskiros.skills.nodes import Decorator, Node, Processor, SkillCall
+from ezskiros.skills.nodes import Decorator, Node, Processor
 from ezskiros.skills.own_conditions import has_own_conditions
 from ezskiros.skills.values import Symbol
 from ezskiros.trees.library import Library

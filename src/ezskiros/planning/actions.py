@@ -24,7 +24,7 @@ from ezskiros.ontology.statements import (
 )
 from ezskiros.planning import errors
 from ezskiros.planning.facts import EVERYTHING, About, Clause, Fluent, Literal, implied
-from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind, Option
 from ezskiros.trees.library import Library
@@ -37,7 +37,7 @@ class Action:
     """A skill. All of `needs` have to be so; afterwards all `effects` are, the later ones first."""
 
     skill: SkillInterface
-    description: type[SkillDescription]
+    description: SkillClass
     things: tuple[Parameter, ...]
     needs: tuple[Clause, ...]
     effects: tuple[Literal, ...]
@@ -70,9 +70,7 @@ def actions(library: Library, model: Model) -> tuple[list[Action], list[Diagnost
     return [_with_consequences(each, drafts, model) for each in drafts], found
 
 
-def _ways(
-    description: type[SkillDescription], skill: SkillInterface, library: Library
-) -> list[SkillInterface]:
+def _ways(description: SkillClass, skill: SkillInterface, library: Library) -> list[SkillInterface]:
     """The skill as its implementations do it: more than once, if these have pre-conditions of their
     own. In a plan the skill is called; which implementation does it is found out at its start.
     """
@@ -85,7 +83,7 @@ def _ways(
     return list(ways.values())
 
 
-def _draft(skill: SkillInterface, description: type[SkillDescription], model: Model) -> Action:
+def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> Action:
     """An action with what the skill says itself."""
     for parameter in skill.parameters:
         if parameter.is_thing and parameter.is_output:

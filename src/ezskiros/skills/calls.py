@@ -7,21 +7,23 @@ that this implementation has to do. `Pick.SkillBase` is what implementations are
 from __future__ import annotations
 
 import inspect
+from collections.abc import Mapping
 from dataclasses import dataclass
 from types import FunctionType
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any
 
+from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN
 from ezskiros.skills import tree_errors as errors
-from ezskiros.skills.nodes import SkillCall, made
-
-if TYPE_CHECKING:  # descriptions are of the class that is written here
-    from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.growing import made
 
 
 class SkillClass(type):
     """The type of all descriptions."""
+
+    SkillBase: type[Any]
+    """What the implementations of the skill are derived from."""
 
     def __call__(cls, *positional: object, **arguments: object) -> Any:
         """A child of a behavior tree."""
@@ -49,8 +51,21 @@ class ImplementationName:
         """The class that is meant where one is derived from a misspelt `SkillBase`."""
         found = errors.NoSkillBase(skill=self.skill.__name__, spelled=self.spelled)
         session.report(found.at(session.here()))
-        base: type = self.skill.SkillBase  # type: ignore[assignment]
-        return (base,)
+        return (self.skill.SkillBase,)
+
+
+@dataclass(frozen=True, eq=False)
+class SkillCall:
+    """A child that is a skill: `ApproachMovement.go_to_linear(Target=params.GraspPose)`.
+
+    `skill` is its description, `implementation` the name of the one that is wanted; None if any
+    does. `arguments` are what the parameters get, as given.
+    """
+
+    skill: SkillClass
+    implementation: str | None
+    arguments: Mapping[str, object]
+    span: Span
 
 
 def _child(
@@ -66,8 +81,7 @@ def _child(
         found = errors.NamelessArgument(skill=skill.__name__, named=named)
         session.report(found.at(span))
         arguments |= dict.fromkeys(meant, UNKNOWN)  # that they have a value is not told besides
-    called = cast("type[SkillDescription]", skill)
-    return made(SkillCall(called, implementation, arguments, span))
+    return made(SkillCall(skill, implementation, arguments, span))
 
 
 def _parameters(skill: SkillClass) -> list[str]:

@@ -17,6 +17,7 @@ from ezskiros import session
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.things import ThingClass
 from ezskiros.skills import errors
+from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.explored import Adding, Conditions, explored
 from ezskiros.skills.interface import Parameter, SkillInterface
@@ -37,7 +38,7 @@ class Described:
     is_whole: bool
 
 
-def describe(skill: type[SkillDescription]) -> Described | None:
+def describe(skill: SkillClass) -> Described | None:
     """What a skill says of itself; None if it says nothing, after a finding."""
     method = inspect.getattr_static(skill, "description", None)
     if not isinstance(method, FunctionType):
@@ -74,7 +75,7 @@ def _unclear(method: FunctionType, parameters: Sequence[Parameter]) -> frozenset
     return frozenset(written) - {each.name for each in parameters}
 
 
-def _no_description(skill: type[SkillDescription]) -> Diagnostic:
+def _no_description(skill: SkillClass) -> Diagnostic:
     """The finding for a skill without a description, with the method that may be meant."""
     methods = {
         name: each
@@ -97,14 +98,14 @@ def _has_self(method: FunctionType) -> bool:
     return first is not None and (first.name == "self" or first.annotation is first.empty)
 
 
-def _made(skill: type[SkillDescription]) -> Adding:
+def _made(skill: SkillClass) -> Adding:
     """An instance: to call a skill by its name is to make a child of a behavior tree."""
     made: SkillDescription = type.__call__(skill)
     return Adding(made, made.pre_conditions, made.hold_conditions, made.post_conditions)
 
 
 def _explored(
-    skill: type[SkillDescription], function: FunctionType, parameters: Sequence[Parameter]
+    skill: SkillClass, function: FunctionType, parameters: Sequence[Parameter]
 ) -> tuple[Conditions, bool]:
     """The conditions of a description, and whether none is missing after a mistake."""
 

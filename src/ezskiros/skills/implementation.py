@@ -12,18 +12,9 @@ from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown, described
 from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.calls import SkillClass
+from ezskiros.skills.growing import Nowhere, drop, is_growing, made
 from ezskiros.skills.maker_calls import maker
-from ezskiros.skills.nodes import (
-    Decoration,
-    Decorator,
-    Flow,
-    Node,
-    Nowhere,
-    Processor,
-    drop,
-    is_growing,
-    made,
-)
+from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor
 from ezskiros.skills.values import SymbolicValue, has_decided, plain
 
 
@@ -63,7 +54,7 @@ class SkillImplementation(metaclass=ImplementationClass):
     do with the results of their children is what SkiROS2's processors of these names do.
     """
 
-    description: ClassVar[type]
+    description: ClassVar[SkillClass]
     """The skill that is implemented."""
     available_for_planning: ClassVar[bool] = True
     """Whether a task planner may use it: `available_for_planning = False` is for skills that are
@@ -208,7 +199,7 @@ def _processor(flow: Flow, children: tuple[Any, ...]) -> Node:
     below = tuple(child for child in children if _is_node(child))
     if not children and not has_decided():  # a loop that depends on a value may have none
         session.report(errors.NoChildren(processor=flow.value).at(span))
-    return made(Processor(flow, below, span))
+    return made(Processor(flow, below, span), below)
 
 
 def _decorator(decoration: Decoration, child: Node, limit: Any) -> Node:
@@ -227,7 +218,7 @@ def _decorator(decoration: Decoration, child: Node, limit: Any) -> Node:
         limit = 1
     if not _is_node(child):
         return child
-    return made(Decorator(decoration, child, limit, span))
+    return made(Decorator(decoration, child, limit, span), (child,))
 
 
 _LIMITS: Mapping[Decoration, tuple[type, ...]] = {

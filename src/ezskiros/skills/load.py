@@ -26,6 +26,7 @@ from ezskiros import session
 from ezskiros.skills import errors as skill_errors
 from ezskiros.skills import load_errors as errors
 from ezskiros.skills.blame import said, user_files, user_place, user_steps
+from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.encoding import UnreadableError
 from ezskiros.skills.guard import (
@@ -51,7 +52,7 @@ T = TypeVar("T")
 class Loaded:
     """What some modules define, in the order in which it is written."""
 
-    descriptions: Sequence[type[SkillDescription]]
+    descriptions: Sequence[SkillClass]
     implementations: Sequence[type[SkillImplementation]]
 
 
@@ -63,7 +64,7 @@ def load_skills(paths: Iterable[Path]) -> Loaded:
             nowhere = Span(SourceFile(str(path), ""), 0, 0)
             help = _HELP if _is_name_of_module(path) else None
             session.report(errors.NoFile(path=str(path)).at(nowhere, help=help))
-    descriptions: dict[type[SkillDescription], None] = {}
+    descriptions: dict[SkillClass, None] = {}
     implementations: dict[type[SkillImplementation], None] = {}
     endless: dict[str, str] = {}
     for file in module_files(paths):

@@ -10,7 +10,8 @@ from typing import Concatenate, ParamSpec, TypeVar
 
 from ezskiros import session
 from ezskiros.skills import tree_errors as errors
-from ezskiros.skills.nodes import Flow, Node, Processor, made
+from ezskiros.skills.growing import made
+from ezskiros.skills.nodes import Flow, Node, Processor
 
 _Arguments = ParamSpec("_Arguments")
 _Self = TypeVar("_Self")
@@ -36,7 +37,7 @@ def maker(method: Maker[_Self, _Arguments]) -> Maker[_Self, _Arguments]:
         given = (*arguments, *named.values())
         children = tuple(each for each in given if isinstance(each, Node))
         flow = _FLOWS.get(method.__name__, Flow.SERIAL_STAR)
-        return made(Processor(flow, children, session.here()))
+        return made(Processor(flow, children, session.here()), children)
 
     return checked
 

@@ -22,8 +22,8 @@ from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology import condition_errors as errors
 from ezskiros.ontology.things import SYMBOL_IN_TEXT, UNKNOWN, Described, Unknown
+from ezskiros.skills.growing import times
 from ezskiros.skills.guard import TimeOverError
-from ezskiros.skills.nodes import times
 
 MOST_PATHS = 64
 MOST_DECISIONS = 1000

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from ezskiros.skills.growing import growing
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import SkillInterface
-from ezskiros.skills.nodes import Node, growing
+from ezskiros.skills.nodes import Node
 from ezskiros.trees.expand import References
 
 
@@ -29,4 +30,5 @@ def build(
         written.expandBT(References(skill, known))
     if not tree.loose:
         raise EmptyTreeError(f"`{implementation.__name__}` builds no behavior tree")
-    return tree.loose[-1]
+    root: Node = tree.loose[-1]
+    return root

@@ -16,11 +16,12 @@ from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown
 from ezskiros.skills import tree_errors as errors
+from ezskiros.skills.growing import Nowhere, growing
 from ezskiros.skills.implementation import MAKERS, SkillImplementation
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.methods import written
 from ezskiros.skills.no_such_parameter import no_such_parameter
-from ezskiros.skills.nodes import Node, Nowhere, growing
+from ezskiros.skills.nodes import Node
 from ezskiros.skills.syntax import class_span, definition
 from ezskiros.skills.tracing import Method, ways
 from ezskiros.skills.values import Decisions

@@ -9,11 +9,11 @@ from typing import TypeVar
 from dslkit.diagnostics import Diagnostic
 from ezskiros import session
 from ezskiros.ontology import Ontology
+from ezskiros.skills.calls import SkillCall, SkillClass
 from ezskiros.skills.describe import Described, describe
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import SkillInterface
-from ezskiros.skills.nodes import SkillCall
 from ezskiros.skills.own_conditions import refined
 
 T = TypeVar("T")
@@ -29,19 +29,19 @@ class Library:
     are looked at when they are asked for; what is wrong with them is told where they are checked.
     """
 
-    def __init__(self, described: Mapping[type[SkillDescription], Described]) -> None:
+    def __init__(self, described: Mapping[SkillClass, Described]) -> None:
         self.checked = tuple(described)
         """The skills that are checked, in the order in which they are written."""
-        self._described: dict[type[SkillDescription], Described | None] = {**described}
+        self._described: dict[SkillClass, Described | None] = {**described}
         self._refined: dict[type[SkillImplementation], Described | None] = {}
         self.elsewhere: list[Diagnostic] = []
         """Findings in skills that are not checked, as far as they were looked at."""
 
-    def descriptions(self) -> list[type[SkillDescription]]:
+    def descriptions(self) -> list[SkillClass]:
         """All that are known so far, in the order in which they were loaded."""
         return [each for each in self._described if issubclass(each, SkillDescription)]
 
-    def skill(self, description: type[SkillDescription]) -> SkillInterface | None:
+    def skill(self, description: SkillClass) -> SkillInterface | None:
         """The interface of a skill; None if its description says nothing."""
         found = self._known(description)
         return found.interface if found else None
@@ -87,7 +87,7 @@ class Library:
         found = (each.ontology for each in self._described.values() if each)
         return next(filter(None, found), None)
 
-    def implementations(self, description: type[SkillDescription]) -> Implementations:
+    def implementations(self, description: SkillClass) -> Implementations:
         """What implements a skill, by name, in the order in which it was loaded."""
         return implementations(description)
 
@@ -103,7 +103,7 @@ class Library:
                 return self.skill(description)
         return None
 
-    def _known(self, description: type[SkillDescription]) -> Described | None:
+    def _known(self, description: SkillClass) -> Described | None:
         if description not in self._described:
             with session.trying() as found:
                 self._described[description] = describe(description)
@@ -111,12 +111,12 @@ class Library:
         return self._described[description]
 
 
-def implementations(description: type[SkillDescription]) -> Implementations:
+def implementations(description: SkillClass) -> Implementations:
     """What implements a skill, by name, of all modules that have been imported."""
     return {each.__name__: each for each in _derived(description.SkillBase)}
 
 
-def known_skills() -> Iterator[type[SkillDescription]]:
+def known_skills() -> Iterator[SkillClass]:
     """All skills of all modules that have been imported."""
     return _derived(SkillDescription)
 

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
-from ezskiros.skills.nodes import SkillCall
 from ezskiros.skills.syntax import set_in
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import ThingReference, ValueReference

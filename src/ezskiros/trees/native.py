@@ -8,10 +8,10 @@ import sys
 from collections.abc import Iterator
 from types import FunctionType, ModuleType
 
-from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.calls import SkillClass
 
 
-def native_implementations(description: type[SkillDescription]) -> dict[str, type]:
+def native_implementations(description: SkillClass) -> dict[str, type]:
     """The classes whose `createDescription` sets a description of EzSkiROS, by their names."""
     return {each.__name__: each for each in _classes() if _sets(each, description)}
 
@@ -27,7 +27,7 @@ def _classes() -> Iterator[type]:
                 yield each
 
 
-def _sets(found: type, description: type[SkillDescription]) -> bool:
+def _sets(found: type, description: SkillClass) -> bool:
     """Whether the code of a class names `setDescription` and the description."""
     method = vars(found)["createDescription"]
     names = method.__code__.co_names

@@ -9,10 +9,11 @@ from typing import Any, cast
 
 from dslkit.source import Span
 from ezskiros.ontology.things import Described
+from ezskiros.skills.growing import times
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.markers import Kind
-from ezskiros.skills.nodes import Node, times
+from ezskiros.skills.nodes import Node
 from ezskiros.skills.values import SymbolicValue, decided, plain
 
 

@@ -11,7 +11,7 @@ from py_trees.behaviour import Behaviour
 
 from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.skill import RunningSkill
-from ezskiros.skills.nodes import SkillCall
+from ezskiros.skills.calls import SkillCall
 from ezskiros.trees.tree import ThingReference, ValueReference
 
 

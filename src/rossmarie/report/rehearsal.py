@@ -24,7 +24,7 @@ from rossmarie.ir import (
     Verdict,
     reactions,
 )
-from rossmarie.targets.ros.words import effect_words
+from rossmarie.naming import effect_words
 
 
 @dataclass(frozen=True)

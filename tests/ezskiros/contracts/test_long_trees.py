@@ -10,9 +10,10 @@ import pytest
 from ezskiros.check.worlds import World
 from ezskiros.contracts import judge
 from ezskiros.contracts.contracts import check_tree
+from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.markers import Kind
-from ezskiros.skills.nodes import Flow, Node, Processor, SkillCall
+from ezskiros.skills.nodes import Flow, Node, Processor
 from ezskiros.trees.tree import ThingReference, Tree
 from support.contract_trees import OWN, Drawing, drawn
 

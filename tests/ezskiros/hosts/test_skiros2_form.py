@@ -25,6 +25,7 @@ from ezskiros.skills import (
     of_type,
     specified,
 )
+from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.describe import describe
 from support.ontologies import turtle
 
@@ -32,7 +33,7 @@ world = load(Path(__file__).parents[3] / "examples" / "pick_place" / "ontology")
 cora, rparts, skiros = world.cora, world.rparts, world.skiros
 
 
-def form(skill: type[SkillDescription], ontology: Ontology = world) -> Form:
+def form(skill: SkillClass, ontology: Ontology = world) -> Form:
     with session.collecting(Collector()) as found:
         described = describe(skill)
     assert described is not None

@@ -11,8 +11,7 @@ from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.ir import reactions
-from rossmarie.targets.ros import names, needs
-from rossmarie.targets.ros.words import effect_words
+from rossmarie.naming import effect_words, node_name, relayed_servers, unfiltered
 
 PLANNER = "planner"
 ROBOT = "robot"
@@ -85,7 +84,7 @@ def wiring_of(machine: ir.Machine) -> Wiring:
     """The wiring of the node that is built from a machine."""
     commands = range(len(machine.reactions.commands))
     return Wiring(
-        node=names.package(machine),
+        node=node_name(machine),
         commands=tuple(_command(machine, index) for index in commands),
         inputs=tuple(_inputs(machine)),
         outputs=tuple(_outputs(machine)),
@@ -101,8 +100,8 @@ def _remark(machine: ir.Machine) -> str | None:
     remarks = []
     if not machine.reactions.commands:
         remarks.append("No rule limits, scales or blocks a command: none passes through the node.")
-    for server in needs.relayed(machine):
-        entrance = names.unfiltered(server)
+    for server in relayed_servers(machine):
+        entrance = unfiltered(server)
         remarks.append(f"In ROS 2 goals for {server} enter at {entrance}, to be sent again.")
     return " ".join(remarks) or None
 
@@ -115,7 +114,7 @@ def _command(machine: ir.Machine, index: int) -> Command:
         if _filtered(found.effect) == index
     ]
     return Command(
-        unfiltered=names.unfiltered(command.topic),
+        unfiltered=unfiltered(command.topic),
         topic=command.topic,
         message_type=command.message_type,
         uses=_uses(machine, tasks),

@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from rossmarie import ir
+from rossmarie.naming import public_prefix
 from rossmarie.targets.c99 import names
 from rossmarie.targets.limits import Limit, limits_of
 
@@ -186,7 +187,7 @@ class _Builder:
         order = [*guarded, *ages, *literals, *oscillations, *derived]
         return Layout(
             machine=self.machine,
-            name=names.public_prefix(self.machine.name),
+            name=public_prefix(self.machine.name),
             supports=self.supports,
             elements=self.elements,
             values=tuple(self.values),

@@ -6,71 +6,11 @@ C or C++.
 
 from __future__ import annotations
 
-import re
-import unicodedata
 from collections.abc import Iterable
 from pathlib import PurePath
 
 from dslkit.source import Span
-from rossmarie.core import Function, Sampling
-
-_LONGEST = 40
-
-_LANGUAGE = """
-    alignas alignof and and_eq asm atomic auto bitand bitor bool break case catch char class compl
-    concept const consteval constexpr constinit const_cast continue co_await co_return co_yield
-    decltype default delete do double dynamic_cast else enum explicit export extern false float for
-    friend goto if inline int long mutable namespace new noexcept not not_eq nullptr operator or
-    or_eq private protected public register reinterpret_cast requires restrict return short signed
-    sizeof static static_assert static_cast struct switch template this thread_local throw true try
-    typedef typeid typename typeof union unsigned using virtual void volatile wchar_t while xor
-    xor_eq linux unix
-"""
-
-# What the generated functions call and name themselves, where a field of a message is a parameter.
-_GENERATED = """
-    arrive asin atan2 both catch_up cross either element_truth events every evaluate fabs first
-    follow how_many i index_t is_calm is_inside is_pending isfinite isnan known m mark monitor
-    opposite outcome sample sample_window seconds_between set_wake some sqrt t_ns tick visit
-    window_middle
-"""
-
-# What the names that the generated C keeps to itself begin with, up to the first underscore; a test
-# collects them.
-_PRIVATE = """
-    age always append arithmetic array at before begins by catch change claiming column command
-    covered cross dbl drop due earliest element engages factor failed flag flt forget fp from gain
-    gap give goes guard has held host how index input int32 int64 is late latest leaf limit look
-    lose lost most never no node now oldest on opposite or others pass planned receive report
-    resource row rule sampled samples scale seconds set settle shown since size slot stage staged
-    stamp start started swings t take task term text texts topic truth truths turn uint16 uint64
-    uint8 unknown unknowns value values wake was watched width window yields
-"""
-
-_RESERVED = frozenset((_LANGUAGE + _GENERATED).split())
-_PRIVATE_WORDS = frozenset(_PRIVATE.split()) | {
-    each.value.split("_")[0] for each in (*Function, *Sampling)
-}
-_FUNCTION = re.compile(r"[a-z]+_of(_\d+)?")
-"""Names of functions of the core in C."""
-
-
-def identifier(text: str) -> str:
-    """The text as a word of letters, digits and underscores; never empty, never reserved."""
-    plain = unicodedata.normalize("NFKD", text).encode("ascii", "ignore").decode("ascii")
-    word = re.sub(r"[^a-z0-9]+", "_", plain.lower()).strip("_")[:_LONGEST].strip("_")
-    if not word or word[0].isdigit():
-        word = f"n{word}"
-    is_taken = word in _RESERVED or _FUNCTION.fullmatch(word)
-    return f"{word}_" if is_taken else word
-
-
-def public_prefix(program: str) -> str:
-    """What all public names of a monitor begin with: the name of its rules file, unless that makes
-    names that the monitor has inside, as `rule_values` of `rule.ross` would be.
-    """
-    word = identifier(program)
-    return f"ross_{word}" if word.split("_")[0] in _PRIVATE_WORDS else word
+from rossmarie.naming import c_identifier
 
 
 class Family:
@@ -85,7 +25,7 @@ class Family:
 
     def name(self, text: str, *endings: str) -> str:
         """A new identifier that reminds of the text; with each of the endings it is new, too."""
-        word = self._prefix + identifier(text)
+        word = self._prefix + c_identifier(text)
         if self._prefix.isupper():
             word = word.upper()
         candidate = word

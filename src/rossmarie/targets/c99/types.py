@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 from rossmarie import ir
+from rossmarie.naming import c_identifier
 from rossmarie.targets.c99 import names
 
 SLOT_TYPES = {ir.Kind.REAL: "double", ir.Kind.FLAG: "bool", ir.Kind.TEXT: "int32_t"}
@@ -38,7 +39,7 @@ def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
     """What the messages of a channel carry: its slots, then its arrays."""
     # The functions that have fields as parameters call functions named after channels.
     called = [
-        f"{step}_{names.identifier(topic.topic)}"
+        f"{step}_{c_identifier(topic.topic)}"
         for step in ("receive", "settle", "late", "take")
         for topic in machine.channels
     ]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.ir import reactions
+from rossmarie.naming import effect_words
 from rossmarie.targets import comments
 from rossmarie.targets.c99.names import place, string
 from rossmarie.targets.c99.text import indented
@@ -14,7 +15,6 @@ from rossmarie.targets.c99.types import duration
 from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.dialect import Dialect, Interface
 from rossmarie.targets.ros.tables import rule_of_task
-from rossmarie.targets.ros.words import effect_words
 
 _SAY = {
     reactions.Level.DEBUG: "debug",

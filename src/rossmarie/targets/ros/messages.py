@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rossmarie import ir
 from rossmarie.ir import reactions
+from rossmarie.naming import unfiltered
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.text import indented
@@ -111,9 +112,7 @@ def commands(machine: ir.Machine, dialect: Dialect) -> str:
 def _command(machine: ir.Machine, dialect: Dialect, index: int, word: str) -> str:
     command = machine.reactions.commands[index]
     kind = dialect.cpp_type(command.message_type, Interface.MESSAGE)
-    filtered, unfiltered = (
-        names.relative(topic) for topic in (command.topic, names.unfiltered(command.topic))
-    )
+    left, entered = (names.relative(topic) for topic in (command.topic, unfiltered(command.topic)))
     visits = [line for place, field in enumerate(command.fields) for line in _visit(place, field)]
     return (
         f"// {command.topic}: {command.message_type}\n"
@@ -121,8 +120,8 @@ def _command(machine: ir.Machine, dialect: Dialect, index: int, word: str) -> st
         f"    using Message = {kind};\n"
         f"    static constexpr int index = {index};\n"
         f"    static constexpr std::size_t fields = {len(command.fields)};\n"
-        f"    static const char *filtered() {{ return {filtered}; }}\n"
-        f"    static const char *unfiltered() {{ return {unfiltered}; }}\n\n"
+        f"    static const char *filtered() {{ return {left}; }}\n"
+        f"    static const char *unfiltered() {{ return {entered}; }}\n\n"
         f"    template <class Visit> static void each_number(Message &message, Visit visit)\n"
         f"    {{\n{indented(visits, 2)}\n    }}\n}};\n"
     )

@@ -8,23 +8,9 @@ from rossmarie import ir
 from rossmarie.ir import reactions
 from rossmarie.targets.c99 import names
 
-_UNFILTERED = "unfil_"
 _SHARING = (
     reactions.SetParameter | reactions.SwitchControllers | reactions.SendGoal | reactions.CancelGoal
 )
-
-
-def package(machine: ir.Machine) -> str:
-    """The package and its node. The ending keeps it apart from packages that are called like the
-    rules file, and from the C names.
-    """
-    return f"{names.public_prefix(machine.name).rstrip('_')}_safety"
-
-
-def unfiltered(topic: str) -> str:
-    """Where commands come from that leave on `topic`: `/robot/unfil_cmd_vel`."""
-    head, slash, tail = topic.rpartition("/")
-    return f"{head}{slash}{_UNFILTERED}{tail}"
 
 
 def relative(name: str) -> str:

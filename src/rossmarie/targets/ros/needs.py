@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from rossmarie import ir
 from rossmarie.ir import reactions
+from rossmarie.naming import relayed_servers, unfiltered
 from rossmarie.targets.c99.names import string
 from rossmarie.targets.ros import names
 from rossmarie.targets.ros.dialect import Dialect, Interface, Part
@@ -22,28 +23,8 @@ def parts(machine: ir.Machine, dialect: Dialect) -> list[Part]:
     """The parts that the effects of the tasks need."""
     used = {type(task.effect) for task in machine.reactions.tasks}
     found = [part for effect, part in dialect.parts.items() if effect in used]
-    is_relayed = dialect.relay is not None and bool(relayed(machine))
+    is_relayed = dialect.relay is not None and bool(relayed_servers(machine))
     return [*found, dialect.relay] if is_relayed and dialect.relay else found
-
-
-def relayed(machine: ir.Machine) -> dict[str, str]:
-    """The action servers of which goals that were interrupted are sent again, with their types."""
-    found = {}
-    for task in machine.reactions.tasks:
-        match task.effect:
-            case (
-                reactions.SendGoal(server=server, action_type=str(action_type))
-                | reactions.CancelGoal(server=server, action_type=str(action_type))
-            ) if task.effect.interrupted is reactions.Interrupted.RESEND:
-                found[server] = action_type
-            case (
-                reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Call()
-                | reactions.SetParameter() | reactions.SwitchControllers() | reactions.SendGoal()
-                | reactions.CancelGoal() | reactions.Log() | reactions.Diagnose()
-                | reactions.Hook() | reactions.Reset()
-            ):  # fmt: skip
-                pass
-    return found
 
 
 class SharedObject(NamedTuple):
@@ -58,7 +39,7 @@ def shared_objects(machine: ir.Machine, dialect: Dialect) -> list[SharedObject]:
     """In the order of the tasks that need them first."""
     tasks = machine.reactions.tasks
     effects = {name: tasks[index].effect for index, name in names.shared(machine).items()}
-    relays = relayed(machine) if dialect.relay else {}
+    relays = relayed_servers(machine) if dialect.relay else {}
     found = []
     for name, effect in effects.items():
         kind, arguments = _shared_kind(effect, dialect, relays)
@@ -78,7 +59,7 @@ def _shared_kind(
             if server not in relays:
                 return "Goals", (resolved(server),)
             action = dialect.cpp_type(relays[server], Interface.ACTION)
-            return f"Relay<{action}>", (resolved(server), resolved(names.unfiltered(server)))
+            return f"Relay<{action}>", (resolved(server), resolved(unfiltered(server)))
         case (
             reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Call()
             | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()

@@ -9,6 +9,7 @@ from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
 from rossmarie.ir.reactions import CommandTopic
+from rossmarie.naming import node_name, unfiltered
 from rossmarie.targets import c99, comments
 from rossmarie.targets.c99.layout import Layout, lay_out
 from rossmarie.targets.manifest import Placement
@@ -69,7 +70,7 @@ class PackageWriter:
             **placement.blanks(self._machine, self._placed),
             "name": self._layout.name,
             "upper": self._layout.name.upper(),
-            "package": names.package(self._machine),
+            "package": node_name(self._machine),
             "files": comments.inside(template, comments.rules_files(self._machine)),
             "primitives": self._dialect.primitives,
             "generation": self._dialect.generation,
@@ -124,7 +125,7 @@ class PackageWriter:
 
     def _source_files(self) -> dict[str, str]:
         """The sources, as far as they differ from machine to machine."""
-        machine, dialect, package = self._machine, self._dialect, names.package(self._machine)
+        machine, dialect, package = self._machine, self._dialect, node_name(self._machine)
         hooks = names.hooks(machine).values()
         channels = range(len(self._layout.channel_names))
         texts = _SHOWN_TEXT.format(name=self._layout.name) if machine.texts else ""
@@ -166,7 +167,7 @@ class PackageWriter:
 
     def _source(self, command: CommandTopic) -> str:
         """Where commands come from."""
-        return f"    topics.push_back({names.relative(names.unfiltered(command.topic))});"
+        return f"    topics.push_back({names.relative(unfiltered(command.topic))});"
 
     def _subscription(self, channel: int) -> str:
         """The lines that subscribe to an input topic."""

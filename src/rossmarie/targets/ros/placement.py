@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from rossmarie import ir
+from rossmarie.naming import node_name
 from rossmarie.targets import comments
 from rossmarie.targets.manifest import Manifest, Person, Placement
-from rossmarie.targets.ros import names
 
 _VERSION = "0.1.0"
 _LICENSE = "to be chosen"
@@ -17,7 +17,7 @@ def blanks(machine: ir.Machine, placement: Placement) -> dict[str, str]:
 
     Several nodes may be parts of one package, so there their files are called like the node.
     """
-    node = names.package(machine)
+    node = node_name(machine)
     if placement.part_of is None:
         return {
             "home": node,

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
-from rossmarie.targets.ros import names, needs
+from rossmarie.naming import effect_words, relayed_servers, unfiltered
+from rossmarie.targets.ros import needs
 from rossmarie.targets.ros.dialect import Dialect
-from rossmarie.targets.ros.words import effect_words
 
 
 def blanks(machine: ir.Machine, dialect: Dialect) -> dict[str, object]:
@@ -30,12 +30,12 @@ def _ways(machine: ir.Machine, dialect: Dialect) -> Iterator[str]:
     """What goes through the node."""
     for command in machine.reactions.commands:
         yield _way(command.topic, command.message_type)
-    for server, action_type in (needs.relayed(machine) if dialect.relay else {}).items():
+    for server, action_type in (relayed_servers(machine) if dialect.relay else {}).items():
         yield _way(server, f"goals of {action_type}")
 
 
 def _way(name: str, content: str) -> str:
-    return f"- `{names.unfiltered(name)}` -> this node -> `{name}` ({content})"
+    return f"- `{unfiltered(name)}` -> this node -> `{name}` ({content})"
 
 
 def _other(other: needs.Other) -> str:

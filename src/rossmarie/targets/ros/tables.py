@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from hashlib import sha256
 
 from rossmarie import ir
+from rossmarie.naming import effect_words
 from rossmarie.targets.c99.names import place, string
 from rossmarie.targets.c99.types import duration, number
 from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.dialect import Dialect
-from rossmarie.targets.ros.words import effect_words
 
 _KINDS = {
     ir.Kind.REAL: "ValueText::NUMBER",

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
+from rossmarie.naming import node_name, unfiltered
 from rossmarie.targets.manifest import Placement
-from rossmarie.targets.ros import names
 from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros1.dialect import ROS1
 
@@ -27,7 +27,7 @@ def next_step(_: ir.Machine) -> str:
 def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     """The files of the package, by their paths in it."""
     writer = PackageWriter(machine, ROS1, placement)
-    package = names.package(machine)
+    package = node_name(machine)
     used = writer.packages() | _ALWAYS
     components = "\n  ".join(sorted(used))
     topics = [command.topic for command in machine.reactions.commands]
@@ -46,7 +46,7 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
 
 def _remaps(topic: str) -> Iterator[str]:
     """The lines that put what is sent to a topic behind the filter."""
-    pair = (topic, names.unfiltered(topic))
+    pair = (topic, unfiltered(topic))
     for sent, behind in (tuple(name.removeprefix("/") for name in pair), map(_in_namespace, pair)):
         yield f'    <remap from="{sent}" to="{behind}"/>'
 

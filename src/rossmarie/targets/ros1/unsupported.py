@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from dslkit.diagnostics import Diagnostic
 from rossmarie import ir
 from rossmarie.ir import reactions
+from rossmarie.naming import effect_words
 from rossmarie.targets import c99
 from rossmarie.targets.errors import NothingToDo, UnsupportedEffect
-from rossmarie.targets.ros.words import effect_words
 
 
 def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:

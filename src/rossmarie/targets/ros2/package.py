@@ -6,8 +6,8 @@ Takes a machine that `ir.verify` has passed and for which `unsupported` found no
 from __future__ import annotations
 
 from rossmarie import ir
+from rossmarie.naming import node_name, relayed_servers, unfiltered
 from rossmarie.targets.manifest import Placement
-from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros2 import security
 from rossmarie.targets.ros2.dialect import ROS2
@@ -26,14 +26,14 @@ _ALWAYS = {
 
 def next_step(machine: ir.Machine) -> str:
     """How the package is built."""
-    package = names.package(machine)
+    package = node_name(machine)
     return f"build it where ROS 2 is: `colcon build --packages-select {package}` in its workspace"
 
 
 def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     """The files of the package, by their paths in it."""
     writer = PackageWriter(machine, ROS2, placement)
-    package = names.package(machine)
+    package = node_name(machine)
     used = writer.packages() | _ALWAYS
     remaps = [f"    '{source}': '{front}'," for source, front in _remappings(machine).items()]
     return {
@@ -51,8 +51,8 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
 def _remappings(machine: ir.Machine) -> dict[str, str]:
     """The names that commands and goals go by, and where they enter the node."""
     topics = (command.topic for command in machine.reactions.commands)
-    found = {topic: names.unfiltered(topic) for topic in topics}
-    for server in needs.relayed(machine):
+    found = {topic: unfiltered(topic) for topic in topics}
+    for server in relayed_servers(machine):
         for each in _OF_ACTIONS:
-            found[f"{server}/_action/{each}"] = f"{names.unfiltered(server)}/_action/{each}"
+            found[f"{server}/_action/{each}"] = f"{unfiltered(server)}/_action/{each}"
     return found

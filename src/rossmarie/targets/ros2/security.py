@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 from rossmarie import ir
 from rossmarie.ir import reactions
+from rossmarie.naming import node_name, relayed_servers, unfiltered
 from rossmarie.targets import comments
-from rossmarie.targets.ros import names, needs
 
 _VERSION = "0.2.0"
 
@@ -60,11 +60,11 @@ _KINDS = {
 
 def policy(machine: ir.Machine) -> str:
     """The policy, as XML: an enclave for the node, and one for whatever sends commands."""
-    package = names.package(machine)
+    package = node_name(machine)
     root = ET.Element("policy", version=_VERSION)
     enclaves = ET.SubElement(root, "enclaves")
     _add_enclave(enclaves, f"/{package}", package, _NODE, _of_node(machine))
-    if machine.reactions.commands or needs.relayed(machine):
+    if machine.reactions.commands or relayed_servers(machine):
         _add_enclave(enclaves, f"/behind_{package}", "planner", _BEHIND, _of_planner(machine))
     ET.indent(root)
     files = comments.in_xml(comments.rules_files(machine))
@@ -94,7 +94,7 @@ def _of_node(machine: ir.Machine) -> Iterator[_Grant]:
     effects = [task.effect for task in machine.reactions.tasks]
     sent = [each.topic for each in effects if isinstance(each, reactions.Publish)]
     inputs = [each.topic for each in machine.channels]
-    relayed = needs.relayed(machine)
+    relayed = relayed_servers(machine)
     goals = reactions.SendGoal | reactions.CancelGoal
     servers = [each.server for each in effects if isinstance(each, goals)]
     used = (*_PUBLISHED_BY_EACH, *_PUBLISHED)
@@ -108,7 +108,7 @@ def _of_node(machine: ir.Machine) -> Iterator[_Grant]:
 
 
 def _of_planner(machine: ir.Machine) -> Iterator[_Grant]:
-    commands, relayed = _commands(machine), needs.relayed(machine)
+    commands, relayed = _commands(machine), relayed_servers(machine)
     yield _Grant("publish", _relative(commands), is_allowed=False)
     yield _Grant("call", _relative(relayed), is_allowed=False)
     yield _Grant("publish", (*_PUBLISHED_BY_EACH, *_relative(_in_front(commands))))
@@ -142,7 +142,7 @@ def _asked(effects: Sequence[reactions.Effect]) -> Iterator[str]:
 
 
 def _in_front(topics: Iterable[str]) -> Iterator[str]:
-    return (names.unfiltered(topic) for topic in topics)
+    return (unfiltered(topic) for topic in topics)
 
 
 def _relative(absolute: Iterable[str]) -> Iterator[str]:

@@ -7,10 +7,9 @@ from collections.abc import Iterator
 from dslkit.diagnostics import Diagnostic
 from rossmarie import ir
 from rossmarie.ir import reactions
+from rossmarie.naming import effect_words, relayed_servers
 from rossmarie.targets import c99
 from rossmarie.targets.errors import NothingToDo, UnsupportedEffect
-from rossmarie.targets.ros import needs
-from rossmarie.targets.ros.words import effect_words
 
 
 def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
@@ -21,7 +20,7 @@ def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
     for task in machine.reactions.tasks:
         match task.effect:
             case reactions.CancelGoal(server=server, interrupted=reactions.Interrupted.RESEND) if (
-                server not in needs.relayed(machine)
+                server not in relayed_servers(machine)
             ):
                 yield UnsupportedEffect(
                     target="ros2",

@@ -70,26 +70,6 @@ def test_the_same_rules_give_the_same_files(generation: str) -> None:
     assert generate(machine, generation) == generate(machine, generation)
 
 
-@pytest.mark.parametrize(
-    ("topic", "source"),
-    [
-        ("/cmd_vel", "/unfil_cmd_vel"),
-        ("/robot/cmd_vel", "/robot/unfil_cmd_vel"),
-        ("cmd_vel", "unfil_cmd_vel"),
-    ],
-)
-def test_commands_come_from_a_topic_beside(topic: str, source: str) -> None:
-    assert names.unfiltered(topic) == source
-
-
-@pytest.mark.parametrize(
-    ("rules", "package"),
-    [("std_msgs", "std_msgs_safety"), ("switch", "switch_safety"), ("2 Räder", "n2_rader_safety")],
-)
-def test_a_package_is_called_like_its_rules_but_like_no_other(rules: str, package: str) -> None:
-    assert names.package(replace(vehicle(), name=rules)) == package
-
-
 def test_command_topics_that_differ_only_in_signs_differ_in_cpp() -> None:
     machine = vehicle()
     command, _ = machine.reactions.commands

@@ -1,0 +1,14 @@
+"""What the parts of a guard are called, by which its users, other nodes and reports know them."""
+
+from rossmarie.naming.effects import effect_words
+from rossmarie.naming.identifiers import c_identifier, public_prefix
+from rossmarie.naming.node import node_name, relayed_servers, unfiltered
+
+__all__ = [
+    "c_identifier",
+    "effect_words",
+    "node_name",
+    "public_prefix",
+    "relayed_servers",
+    "unfiltered",
+]

@@ -1,0 +1,15 @@
+"""What the public names of the generated C begin with."""
+
+from __future__ import annotations
+
+from rossmarie.naming import public_prefix
+
+
+def test_a_file_keeps_its_name_unless_c_has_it() -> None:
+    assert [public_prefix(name) for name in ("husky", "rules", "limits", "rule", "int")] == [
+        "husky",
+        "rules",
+        "limits",
+        "ross_rule",
+        "int_",
+    ]
