@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from dslkit.diagnostics import Label
 from rossmarie.check.actions.errors import FieldGivenTwice, FieldNotAssignable, ValueMismatch
 from rossmarie.check.actions.numbers import fits
 from rossmarie.check.actions.paths import Field, describe_field, field_of
@@ -45,8 +44,8 @@ def assignments_of(
             continue
         earlier = first.setdefault(field.path, assignment)
         if earlier is not assignment:
-            place = Label(earlier.path.span, "the first time")
             finding = FieldGivenTwice(field=field.text)
+            place = finding.First().at(earlier.path.span)
             targets.context.collector.add(finding.at(assignment.path.span, place))
             is_right = False
         value = _value(assignment.value, field, targets.context)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from rossmarie.check.actions.errors import (
     BoundWithoutZero,
@@ -126,8 +126,9 @@ class CommandChecker:
                 continue
             earlier = first.setdefault(field.path, bound)
             if earlier is not bound:
-                place = Label(earlier.path.span, "the first time")
-                self._add(FieldGivenTwice(field=field.text).at(bound.path.span, place))
+                finding = FieldGivenTwice(field=field.text)
+                place = finding.First().at(earlier.path.span)
+                self._add(finding.at(bound.path.span, place))
             ends = self._ends(bound, field)
             if ends is not None:
                 found.append((index, field.unit or DIMENSIONLESS, ends, field.text))

@@ -6,7 +6,8 @@ are looked up here; what follows from which action refers to which is looked at 
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Diagnostic, Label, listed
+from dslkit.diagnostics import Diagnostic, DidYouMean, listed
+from dslkit.source import Span
 from rossmarie.check.actions.assignments import assignments_of
 from rossmarie.check.actions.commands import CommandChecker, command_of
 from rossmarie.check.actions.errors import (
@@ -41,14 +42,14 @@ from rossmarie.units import DIMENSIONLESS
 
 class EffectChecker:
     """Checks the bodies of all actions. `commands` are the topics that may pass through the safety
-    filter; `confirmations` what each confirmation rests on.
+    filter; `confirmations` where each confirmation stands, and what it rests on.
     """
 
     def __init__(self, targets: Targets) -> None:
         self._targets = targets
         self._context: Context = targets.context
         self.commands: dict[str, reactions.CommandTopic] = {}
-        self.confirmations: list[tuple[Label, Uses]] = []
+        self.confirmations: list[tuple[Span, Uses]] = []
         self._command_checker = CommandChecker(targets, self.commands)
         self._resources = declared_resources(targets)
         self._published = {
@@ -125,8 +126,7 @@ class EffectChecker:
         if near is None:
             self._add(finding.at(name.span))
             return
-        fix = rename(name, near)
-        self._add(finding.at(name.span, help=f"did you mean `{near}`?", fix=fix))
+        self._add(finding.at(name.span, help=DidYouMean(near=near), fix=rename(name, near)))
 
     # --- what is awaited ---------------------------------------------------------------------
 
@@ -206,9 +206,8 @@ class EffectChecker:
         conflicts = [name for name in effect.stop if name.text in started]
         for name in conflicts:
             first, second = sorted((started[name.text], name), key=lambda one: one.span.start)
-            place = Label(first.span, "the first time")
             finding = ControllerConflict(identifier=name.text)
-            self._add(finding.at(second.span, place))
+            self._add(finding.at(second.span, finding.First().at(first.span)))
         if timeout is None or conflicts:
             return None
         start, stop = (
@@ -240,8 +239,7 @@ class EffectChecker:
             infer(effect.confirmation, self._context)
             require_condition(effect.confirmation, self._context)
             warn_of_decided(effect.confirmation, self._context)
-            place = Label(effect.confirmation.span, "this confirmation rests on it")
-            self.confirmations.append((place, uses))
+            self.confirmations.append((effect.confirmation.span, uses))
             if effect.otherwise is None:
                 self._add(UnguardedConfirmation().at(effect.confirmation.span))
         if timeout is None:

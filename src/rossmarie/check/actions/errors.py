@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class UnknownSentType(Error, code="ROSS118", name="unknown-sent-type"):
@@ -44,6 +44,9 @@ class FieldGivenTwice(Error, code="ROSS124", name="field-given-twice"):
     help = "keep one of the two"
     field: str
 
+    class First(Remark):
+        says = "the first time"
+
 
 class ReservedHook(Error, code="ROSS125", name="reserved-hook"):
     """A hook that cannot be the name of a function."""
@@ -61,6 +64,10 @@ class UncommandedTopic(Error, code="ROSS133", name="uncommanded-topic"):
     label = "whatever comes in on this topic goes out"
     help = "limit, scale or block {topic} in an action, or name a topic of an action"
     topic: str
+
+    class Commanded(Remark):
+        says = "commanded are {known}"
+        known: str
 
 
 class UnknownTarget(Error, code="ROSS140", name="unknown-target"):
@@ -80,6 +87,9 @@ class SharedTarget(Error, code="ROSS141", name="shared-target"):
     help = "name it once; what commands the same thing is one resource"
     target: str
     resource: str
+
+    class Other(Remark):
+        says = "here, too"
 
 
 class NothingToBound(Error, code="ROSS225", name="nothing-to-bound"):
@@ -256,6 +266,9 @@ class ControllerConflict(Error, code="ROSS419", name="controller-conflict"):
     label = "the second time"
     help = "keep one of the two"
     identifier: str
+
+    class First(Remark):
+        says = "the first time"
 
 
 ALL: tuple[type[Template], ...] = (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class UnknownTestInput(Error, code="ROSS126", name="unknown-test-input"):
@@ -45,6 +45,12 @@ class InstantOutOfOrder(Error, code="ROSS129", name="instant-out-of-order"):
     what: str
     before: str
     advice: str
+
+    class Later(Remark):
+        says = "this comes later"
+
+    class Beginning(Remark):
+        says = "the beginning"
 
 
 class TooManyMessages(Error, code="ROSS130", name="too-many-messages"):

@@ -105,7 +105,7 @@ class _SettingChecker:
             if isinstance(step, ast.Position):
                 if not isinstance(type_, Array):
                     finding = NotAnArray(purpose="an index", found=describe(type_))
-                    self._add(finding.at(step.span, help="leave the index out"))
+                    self._add(finding.at(step.span, help=finding.NoIndex()))
                     return None
                 type_ = type_.element
                 path.append(step.index)
