@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from dslkit.diagnostics import Error, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
     """More conditions, rules and limits than the indexes of the generated code can tell apart."""
 
@@ -21,7 +18,6 @@ class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
     most: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class TooManyEvaluations(Error, code="ROSS502", name="too-many-evaluations"):
     """Timers that can fall due too often, one after the other, before one message."""
 
@@ -41,7 +37,6 @@ class TooManyEvaluations(Error, code="ROSS502", name="too-many-evaluations"):
     most: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnsupportedEffect(Error, code="ROSS503", name="unsupported-effect"):
     """An effect of an action that a target cannot carry out."""
 
@@ -55,7 +50,6 @@ class UnsupportedEffect(Error, code="ROSS503", name="unsupported-effect"):
     way_out: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class NothingToDo(Error, code="ROSS504", name="nothing-to-do"):
     """Rules whose actions all have no body."""
 
