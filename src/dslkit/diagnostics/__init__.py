@@ -9,7 +9,7 @@ from dslkit.diagnostics.counting import summary
 from dslkit.diagnostics.edits import apply_edits
 from dslkit.diagnostics.listing import listed
 from dslkit.diagnostics.model import Diagnostic, Edit, Fix, Label, Severity
-from dslkit.diagnostics.remark import DeclaredHere, DidYouMean, NamedHere, Remark, Write
+from dslkit.diagnostics.remark import DeclaredHere, DidYouMean, NamedHere, Remark, Write, remarked
 from dslkit.diagnostics.template import Error, Note, Template, Warning
 
 __all__ = [
@@ -30,5 +30,6 @@ __all__ = [
     "Write",
     "apply_edits",
     "listed",
+    "remarked",
     "summary",
 ]

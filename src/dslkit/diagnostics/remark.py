@@ -18,10 +18,11 @@ the diagnostic, as its help or as a note.
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import ClassVar
 
 from dslkit.diagnostics.fields import Wording
-from dslkit.diagnostics.model import Label
+from dslkit.diagnostics.model import Diagnostic, Label
 from dslkit.source import Span
 
 
@@ -41,6 +42,12 @@ class Remark(Wording):
     def texts(cls) -> Iterable[str | None]:
         """What it says."""
         return (cls.says,)
+
+
+def remarked(found: Diagnostic, *notes: Remark, help: Remark | None = None) -> Diagnostic:
+    """A finding with more notes, and with another help if there is one."""
+    more = (*found.notes, *map(str, notes))
+    return replace(found, notes=more, help=found.help if help is None else str(help))
 
 
 class DidYouMean(Remark):

@@ -46,8 +46,8 @@ class Template(Wording):
         span: Span,
         *labels: Label,
         fix: Fix | None = None,
-        help: Remark | str | None = None,
-        notes: Iterable[Remark | str] = (),
+        help: Remark | None = None,
+        notes: Iterable[Remark] = (),
     ) -> Diagnostic:
         """The finding at `span`; `help` replaces the class's own text, `notes` add to it."""
         values = vars(self)

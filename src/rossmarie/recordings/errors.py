@@ -30,6 +30,14 @@ def at_file(finding: Template, path: Path, help: Remark | None = None) -> Diagno
     return finding.at(Span(SourceFile(str(path), ""), 0, 0), help=help)
 
 
+class TopicLeftOut(Remark):
+    """The note that tells why a topic or a column is not read."""
+
+    says = "{title}; {help}"
+    title: str
+    help: str
+
+
 # --- a topic or a field, at the input that reads it ------------------------------------------
 
 

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit import diagnostics
-from dslkit.diagnostics import Collector, Diagnostic, Remark, Template
+from dslkit.diagnostics import Collector, Diagnostic, Remark, Template, remarked
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import Array, Channel, Kind, Machine, Slot
 from rossmarie.recordings.errors import (
     MessagesUnreadable,
     NothingToReplay,
     RecordingError,
+    TopicLeftOut,
     TopicMapUnused,
     TopicNeverSent,
     TopicNotRecorded,
@@ -123,10 +124,8 @@ def with_reasons(
     finding: Diagnostic, collector: Collector, help: Remark | None = None
 ) -> RecordingError:
     """A finding that ends the reading, with all that has been found out before as its notes."""
-    reasons = sorted({f"{found.title}; {found.help}" for found in collector.sorted()})
-    notes = (*finding.notes, *reasons)
-    usual = finding.help if help is None else str(help)
-    return RecordingError(replace(finding, notes=notes, help=usual))
+    told = {TopicLeftOut(title=each.title, help=each.help or "") for each in collector.sorted()}
+    return RecordingError(remarked(finding, *sorted(told, key=str), help=help))
 
 
 def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
