@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template
+from dslkit.diagnostics import Error, Remark, Template
 
 
 class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
@@ -43,11 +43,16 @@ class UnsupportedEffect(Error, code="ROSS503", name="unsupported-effect"):
     title = "the target {target} cannot do `{effect}`"
     label = "{reason}"
     note = "a node that left it out would do less than these rules say"
-    help = "{way_out}"
     target: str
     effect: str
     reason: str
-    way_out: str
+
+    class StateType(Remark):
+        says = "say it in a system model, `server {server} : PACKAGE/TYPE;`"
+        server: str
+
+    class OtherParameter(Remark):
+        says = "name a parameter that the node has in ROS 1, or do it in a `hook`"
 
 
 class NothingToDo(Error, code="ROSS504", name="nothing-to-do"):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from dslkit.diagnostics import Collector, DidYouMean, Edit, Fix, listed
+from dslkit.diagnostics import Collector, DidYouMean, Edit, Fix, Remark, listed
 from dslkit.source import Span
 from rossmarie.check.actions.errors import UncommandedTopic, UnknownSentType, UntypedTarget
 from rossmarie.check.scopes.context import Context
@@ -182,18 +182,16 @@ class Targets:
         if not (self.model.is_whole and self.is_parsed):
             return
         word = {"topic": "topic", "service": "service", "action server": "server"}[kind]
-        declaration = f"`{word} {full_name(name.text)} : {example};`"
+        declaration = f"{word} {full_name(name.text)} : {example};"
         near = self.model.near_topic(name.text) if kind == "topic" else None
-        advice = f"declare it in a system model, {declaration}"
-        if kind == "action server":
-            advice += f", or write `send {example} {{ ... }}`"
-        else:
-            advice += f", or write `{name.text} : {example}`"
+        finding = UntypedTarget(kind=kind, identifier=name.text)
+        help: Remark = finding.DeclareOrWrite(declaration=declaration, name=name.text, type=example)
         fix = None
+        if kind == "action server":
+            help = finding.DeclareOrSend(declaration=declaration, type=example)
         if near is not None:
-            advice, fix = f"did you mean `{near}`?", rename(name, near)
-        finding = UntypedTarget(kind=kind, identifier=name.text, advice=advice)
-        self._collector.add(finding.at(name.span, fix=fix))
+            help, fix = DidYouMean(near=near), rename(name, near)
+        self._collector.add(finding.at(name.span, help=help, fix=fix))
 
 
 def insertion(behind: Span, text: str) -> Fix:

@@ -73,14 +73,14 @@ def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
 def report_held_elements(held: ast.Held, fold: ast.Call, context: Context) -> None:
     """Report that `for` stands on the elements of an array, inside `fold`."""
     function = fold.function.text
-    advice = "no single element is watched over time: put `for` after the whole condition"
+    finding = ArrayAsScalar(expected="condition")
+    help: Remark = finding.NotWatched()
     fix = None
     if stripped(fold.arguments[0]) is held and function in _QUANTIFIERS:
         meant = f"{function}({held.condition.span.text}) for {held.duration.span.text}"
-        advice = f"no single element is watched over time: write `{quoted(meant)}`"
+        help = finding.WatchedTogether(meant=quoted(meant))
         fix = rewritten(fold, meant, context)
-    finding = ArrayAsScalar(expected="condition", advice=advice)
-    context.collector.add(finding.at(held.condition.span, fix=fix))
+    context.collector.add(finding.at(held.condition.span, help=help, fix=fix))
 
 
 def _parts(argument: ast.Expression, context: Context) -> Iterator[ast.Expression]:

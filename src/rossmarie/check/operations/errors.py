@@ -96,9 +96,22 @@ class ArrayAsScalar(Error, code="ROSS206", name="array-as-scalar"):
 
     title = "an array is not one {expected}"
     label = "this has one {expected} for each element"
-    help = "{advice}"
     expected: str
-    advice: str
+
+    class NotWatched(Remark):
+        says = "no single element is watched over time: put `for` after the whole condition"
+
+    class WatchedTogether(Remark):
+        says = "no single element is watched over time: write `{meant}`"
+        meant: str
+
+    class Number(Remark):
+        says = "choose one: `min({text})`, `max({text})`, or an element, `{text}[0]`"
+        text: str
+
+    class Condition(Remark):
+        says = "write `any({text})` or `all({text})`"
+        text: str
 
 
 class MessageAsValue(Error, code="ROSS207", name="message-as-value"):

@@ -55,8 +55,8 @@ def scalar_operand(node: ast.Expression, context: Context) -> Operand | None:
 def report_array(node: ast.Expression, context: Context) -> None:
     """Report that many numbers stand where one has to be."""
     text = text_of(node)
-    advice = f"choose one: `min({text})`, `max({text})`, or an element, `{text}[0]`"
-    context.collector.add(ArrayAsScalar(expected="number", advice=advice).at(node.span))
+    finding = ArrayAsScalar(expected="number")
+    context.collector.add(finding.at(node.span, help=finding.Number(text=text)))
 
 
 def report_misused_age(node: ast.Expression, reason: str, context: Context) -> None:
@@ -139,10 +139,11 @@ def require_condition(node: ast.Expression, context: Context) -> None:
         report_not_a_condition(node, context)
         return
     text = text_of(node)
-    advice = f"write `any({text})` or `all({text})`"
+    finding = ArrayAsScalar(expected="condition")
+    help = finding.Condition(text=text)
     before, behind = (Span(node.span.file, at, at) for at in (node.span.start, node.span.end))
     fix = Fix(f"write `any({text})`", (Edit(before, "any("), Edit(behind, ")")))
-    context.collector.add(ArrayAsScalar(expected="condition", advice=advice).at(node.span, fix=fix))
+    context.collector.add(finding.at(node.span, help=help, fix=fix))
 
 
 def duration_ns(node: ast.Expression, purpose: str, context: Context) -> int | None:

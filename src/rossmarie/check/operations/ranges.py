@@ -88,10 +88,10 @@ def _check_ends(
     for end in second_units:
         finding = MisplacedUnit(
             reason="this end has a unit, and so has the whole range",
-            advice=f"write the unit once, `[low, high] {unit.symbol}`",
         )
         place = () if node.unit is None else (finding.OfBothEnds().at(node.unit.span),)
-        context.collector.add(finding.at(end.node.span, *place))
+        help = finding.OnceInRange(unit=unit.symbol)
+        context.collector.add(finding.at(end.node.span, *place, help=help))
     return not second_units
 
 

@@ -165,11 +165,10 @@ def _rescaled(type_: Type, unit: Unit | None) -> Type:
 
 
 def _report_no_number(unit: ast.Unit, type_: Type, field: str, collector: Collector) -> None:
-    advice = f"leave `in {unit.text}` out"
-    if isinstance(type_, Message):
-        advice = f"choose the field that is in {unit.text}, or leave `in {unit.text}` out"
-    finding = MisplacedUnit(reason=f"`{field}` is not a number", advice=advice)
-    collector.add(finding.at(unit.span))
+    finding = MisplacedUnit(reason=f"`{field}` is not a number")
+    is_message = isinstance(type_, Message)
+    kind = finding.ChooseField if is_message else finding.LeaveOut
+    collector.add(finding.at(unit.span, help=kind(unit=unit.text)))
 
 
 def _check_one_type(

@@ -55,8 +55,7 @@ def _gaps(rate: ast.Expression, context: Context) -> Gaps | None:
                 what="a rate",
                 bound="at most 1e9 Hz" if is_fast else "at least 1e-9 Hz",
                 found=f"{hertz:g} Hz",
-                advice="write how often messages come",
             )
-            context.collector.add(finding.at(rate.span))
+            context.collector.add(finding.at(rate.span, help=finding.HowOften()))
             return None
     return round(1e9 / numbers[-1]), round(1e9 / numbers[0])

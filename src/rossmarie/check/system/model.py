@@ -202,7 +202,7 @@ def _check_unit_declaration(
     if isinstance(type_, Unknown):
         return
     if has_no_number(type_):
-        _report_misplaced(declaration.unit, text, "name a field that holds numbers", collector)
+        _report_misplaced(declaration.unit, text, MisplacedUnit.NameNumber(), collector)
     elif unit is not None:
         _check_declared_once(unit, declaration, (name, path), first, collector)
 
@@ -224,9 +224,9 @@ def _check_declared_once(
         collector.add(finding.at(declaration.unit.span, place))
 
 
-def _report_misplaced(unit: ast.Unit, text: str, advice: str, collector: Collector) -> None:
-    finding = MisplacedUnit(reason=f"`{text}` is not a number", advice=advice)
-    collector.add(finding.at(unit.span))
+def _report_misplaced(unit: ast.Unit, text: str, help: Remark, collector: Collector) -> None:
+    finding = MisplacedUnit(reason=f"`{text}` is not a number")
+    collector.add(finding.at(unit.span, help=help))
 
 
 def _add_topic(declaration: ast.TopicDeclaration, model: SystemModel, collector: Collector) -> None:
@@ -297,10 +297,11 @@ def _topic_unit(
         return unit
     data = std_msgs_data(message)
     if data is None or has_no_number(data):
-        advice = f"leave `in {declaration.unit.text}` out"
+        written = declaration.unit.text
+        help: Remark = MisplacedUnit.LeaveOut(unit=written)
         if data is None:
-            advice = f"name the field: `unit {message.name}.FIELD = {declaration.unit.text};`"
-        _report_misplaced(declaration.unit, message.name, advice, collector)
+            help = MisplacedUnit.NameField(message=message.name, unit=written)
+        _report_misplaced(declaration.unit, message.name, help, collector)
         return None
     contradiction = contradicts(unit_of(data), unit, f"{message.name}.data")
     if contradiction is not None:

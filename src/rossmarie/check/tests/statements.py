@@ -185,10 +185,10 @@ class _TestChecker:
             finding = InstantOutOfOrder(
                 what="the ends of this stretch are",
                 before="the beginning",
-                advice="write the earlier instant behind `from`",
             )
             place = finding.Beginning().at(stretch.first.span)
-            self._context.collector.add(finding.at(stretch.last.span, place))
+            help = finding.Ends()
+            self._context.collector.add(finding.at(stretch.last.span, place, help=help))
             return None
         return first, last
 
@@ -219,10 +219,10 @@ class _TestChecker:
         finding = InstantOutOfOrder(
             what="this statement is",
             before="the statement above it",
-            advice="move it up; expectations may stand anywhere",
         )
         place = finding.Later().at(_start(before).span)
-        self._context.collector.add(finding.at(_start(statement).span, place))
+        help = finding.MoveUp()
+        self._context.collector.add(finding.at(_start(statement).span, place, help=help))
 
 
 def _start(statement: ast.Arrival | ast.OperatorReset) -> ast.Expression:

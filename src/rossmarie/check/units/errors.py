@@ -129,12 +129,42 @@ class MisplacedUnit(Error, code="ROSS309", name="misplaced-unit"):
 
     title = "a unit does not belong here"
     label = "{reason}"
-    help = "{advice}"
     reason: str
-    advice: str
 
     class OfBothEnds(Remark):
         says = "the unit of both ends"
+
+    class OfParameter(Remark):
+        says = "say which unit the parameter has: `in {unit} to ...`"
+        unit: str
+
+    class Value(Remark):
+        says = "write a value in {unit}"
+        unit: str
+
+    class OnceInList(Remark):
+        says = "write the unit once, `[...] {unit}`"
+        unit: str
+
+    class OnceInRange(Remark):
+        says = "write the unit once, `[low, high] {unit}`"
+        unit: str
+
+    class LeaveOut(Remark):
+        says = "leave `in {unit}` out"
+        unit: str
+
+    class NameField(Remark):
+        says = "name the field: `unit {message}.FIELD = {unit};`"
+        message: str
+        unit: str
+
+    class NameNumber(Remark):
+        says = "name a field that holds numbers"
+
+    class ChooseField(Remark):
+        says = "choose the field that is in {unit}, or leave `in {unit}` out"
+        unit: str
 
 
 class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
