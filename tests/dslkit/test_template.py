@@ -6,7 +6,17 @@ from typing import ClassVar
 
 import pytest
 
-from dslkit.diagnostics import Collector, Error, Fix, Label, Severity, Template, Warning
+from dslkit.diagnostics import (
+    Collector,
+    DidYouMean,
+    Error,
+    Fix,
+    Label,
+    Remark,
+    Severity,
+    Template,
+    Warning,
+)
 from dslkit.source import SourceFile, Span
 
 FILE = SourceFile("x.ross", "const a = 1\nconst b = 2\n")
@@ -19,6 +29,14 @@ class Mismatch(Error, code="ROSS999", name="mismatch"):
     help = "write {wanted}"
     found: str
     wanted: str
+
+    class Result(Remark):
+        says = "and so {result} are lost"
+        result: str
+
+    class Misspelt(Remark):
+        says = "{resutl}"
+        result: str
 
 
 class Unused(Warning, code="ROSS998", name="unused"):
@@ -57,15 +75,21 @@ def span(start: int) -> Span:
 def test_the_fields_fill_the_texts() -> None:
     other = Label(span(0), "the other")
     fix = Fix("do", ())
-    found = Mismatch(found="m", wanted="s").at(span(6), other, fix=fix, notes=("and so",))
+    found = Mismatch(found="m", wanted="s").at(
+        span(6), other, fix=fix, notes=(Mismatch.Result(result="all"),)
+    )
     assert (found.code, found.name, found.severity) == ("ROSS999", "mismatch", Severity.ERROR)
     assert (found.title, found.help) == ("`m` is not `s`", "write s")
     assert found.primary == Label(span(6), "this is m")
-    assert (found.labels, found.notes, found.fix) == ((other,), ("they differ", "and so"), fix)
+    assert (found.labels, found.notes, found.fix) == (
+        (other,),
+        ("they differ", "and so all are lost"),
+        fix,
+    )
 
 
 def test_a_help_at_hand_replaces_the_general_one() -> None:
-    found = Mismatch(found="m", wanted="s").at(span(6), help="did you mean `s`?")
+    found = Mismatch(found="m", wanted="s").at(span(6), help=DidYouMean(near="s"))
     assert found.help == "did you mean `s`?"
 
 
@@ -77,6 +101,20 @@ def test_a_misspelt_placeholder_is_found() -> None:
     Mismatch.check_placeholders()
     with pytest.raises(ValueError, match="fuond"):
         Misspelt.check_placeholders()
+
+
+def test_a_misspelt_placeholder_of_a_remark_is_found() -> None:
+    Mismatch.Result.check_placeholders()
+    with pytest.raises(ValueError, match=r"Mismatch\.Misspelt.*resutl"):
+        Mismatch.Misspelt.check_placeholders()
+
+
+def test_a_remark_is_a_label_where_it_gets_a_place() -> None:
+    result = Mismatch(found="m", wanted="s").Result(result="{all}")
+    assert result.at(span(3)) == Label(span(3), "and so {all} are lost")
+    assert result == Mismatch.Result(result="{all}") != Mismatch.Result(result="none")
+    with pytest.raises(TypeError, match="'result'"):
+        Mismatch.Result(found="m")  # type: ignore[call-arg]
 
 
 def test_fields_are_those_of_all_bases_and_have_to_be_given() -> None:

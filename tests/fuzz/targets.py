@@ -19,7 +19,7 @@ from rosbags.rosbag2 import CompressionMode, StoragePlugin
 
 import ezskiros.catalog
 import rossmarie.catalog
-from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.diagnostics import Collector, DeclaredHere, Diagnostic
 from dslkit.diagnostics.render_json import render_json
 from dslkit.diagnostics.render_sarif import Tool, render_sarif
 from dslkit.diagnostics.render_text import render_text
@@ -188,7 +188,7 @@ def _load(content: bytes, folder: Path) -> None:
     with session.collecting(collector):
         ontology = load(path)
     for name in (*ontology.model.classes, *ontology.model.relations):
-        ontology.label(name, "here")
+        ontology.label(name, DeclaredHere())
     _say(collector.sorted(), EZSKIROS)
 
 

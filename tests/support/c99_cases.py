@@ -74,7 +74,7 @@ def arrays() -> ir.Machine:
 
 
 def memories() -> ir.Machine:
-    """A rate, a previous sample, a median, an oscillation, a quaternion, numbers compared with each other."""
+    """All that remembers samples, a quaternion, numbers compared with each other."""
     draft = Draft(texts=("docked",))
     channel = draft.channel()
     used = draft.input(channel, SECOND)

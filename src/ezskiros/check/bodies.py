@@ -20,7 +20,7 @@ from inspect import unwrap
 from types import CodeType, FunctionType, ModuleType
 from typing import Any, TypeGuard
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, DidYouMean
 from dslkit.source import SourceFile, Span
 from dslkit.source.call_site import node_span, source_file
 from ezskiros.check import body_errors as errors
@@ -162,7 +162,7 @@ class _Body:
             return
         if node.id not in _set_globally(self._written.file):
             near = difflib.get_close_matches(node.id, [*self._local, *self._globals], n=1)
-            help = f"did you mean `{near[0]}`?" if near else None
+            help = DidYouMean(near=near[0]) if near else None
             found = errors.UndefinedName(spelled=node.id, method=self._method.__name__)
             yield found.at(self._span(node), help=help)
 
@@ -191,7 +191,7 @@ class _Body:
     def _no_attribute(self, node: ast.Attribute, known: Iterable[str]) -> Diagnostic:
         owner = self._span(node.value).text
         near = difflib.get_close_matches(node.attr, [x for x in known if x[:1] != "_"], n=1)
-        help = f"did you mean `{owner}.{near[0]}`?" if near else None
+        help = DidYouMean(near=f"{owner}.{near[0]}") if near else None
         found = errors.NoAttribute(owner=owner, spelled=node.attr, method=self._method.__name__)
         return found.at(self._span(node), help=help)
 

@@ -6,7 +6,7 @@ import difflib
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import DeclaredHere, Diagnostic, DidYouMean, Label, NamedHere, Remark
 from dslkit.source import Span
 from ezskiros.check import tree_errors as errors
 from ezskiros.check.errors import DoesNotFit
@@ -94,8 +94,8 @@ class _Checker:
             return
         near = difflib.get_close_matches(wanted, known, n=1)
         missing = errors.UnknownImplementation(spelled=wanted, skill=self.skill.name)
-        labels = [Label(class_span(known[near[0]]), "it is written here")] if near else []
-        help = f"did you mean `{near[0]}`?" if near else self._known_ones(known)
+        labels = [missing.Near().at(class_span(known[near[0]]))] if near else []
+        help = DidYouMean(near=near[0]) if near else self._known_ones(known)
         yield missing.at(self._named_implementation(), *labels, help=help)
 
     def _native(self, left: type) -> Diagnostic:
@@ -103,8 +103,11 @@ class _Checker:
         found = errors.NativeImplementation(implementation=left.__name__, skill=self.skill.name)
         return found.at(class_span(left))
 
-    def _known_ones(self, known: Implementations) -> str | None:
-        return f"`{self.skill.name}` is implemented by {', '.join(known)}" if known else None
+    def _known_ones(self, known: Implementations) -> Remark | None:
+        if not known:
+            return None
+        names = ", ".join(known)
+        return errors.UnknownImplementation.Known(skill=self.skill.name, known=names)
 
     def _named_implementation(self) -> Span:
         """The name in `Skill.name(...)`."""
@@ -120,8 +123,9 @@ class _Checker:
     def _unknown(self, name: str, span: Span) -> Diagnostic:
         names = [each.name for each in self.skill.parameters]
         near = difflib.get_close_matches(name, names, n=1)
-        help = f"did you mean `{near[0]}`?" if near else f"it has {', '.join(names) or 'none'}"
         found = errors.UnknownArgument(skill=self.skill.name, spelled=name)
+        known = found.Known(known=", ".join(names) or "none")
+        help = DidYouMean(near=near[0]) if near else known
         return found.at(span, self._declaration(), help=help)
 
     def _argument(self, parameter: Parameter, value: object, span: Span) -> Iterator[Diagnostic]:
@@ -206,7 +210,7 @@ class _Checker:
                         property=_python(iri, model),
                         wanted=" or ".join(_python(each, model) for each in sorted(union)),
                     )
-                    yield found.at(span, Label(clause.span, "asked here"), _declared(given))
+                    yield found.at(span, found.Condition().at(clause.span), _declared(given))
                     return
 
     def _spelled(self, parameter: Parameter) -> str:
@@ -215,7 +219,7 @@ class _Checker:
         return parameter.type.__name__
 
     def _declaration(self) -> Label:
-        return Label(self.skill.span, "declared here")
+        return DeclaredHere().at(self.skill.span)
 
 
 def _needed(
@@ -243,4 +247,4 @@ def _python(iri: str, model: Model) -> str:
 
 
 def _declared(parameter: Parameter) -> Label:
-    return Label(parameter.span, f"`{parameter.name}` is declared here")
+    return NamedHere(name=parameter.name).at(parameter.span)

@@ -6,10 +6,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from dslkit.diagnostics import Diagnostic, Label, Template, listed
+from dslkit.diagnostics import Diagnostic, Template, listed
 from ezskiros.check import world_errors
 from ezskiros.check.clash import Clash
 from ezskiros.check.spelled import spelled, spelled_iri
+from ezskiros.check.world_errors import IriHere
 from ezskiros.check.worlds import certain
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.statements import Statement
@@ -72,18 +73,16 @@ class ClashFindings:
         """At the last of the conditions, with the others and what the ontology declares."""
         *others, last = (places[each].span for each in _in_order(clash, places))
         is_of_thing = clash.kind is world_errors.ImpossibleThing
-        text = "this cannot be so of the same thing" if is_of_thing else _AT_ONE_TIME
-        labels = [Label(span, text) for span in others if span != last]
+        other = world_errors.OfOneThing() if is_of_thing else world_errors.AtOneTime()
+        labels = [other.at(span) for span in others if span != last]
         thing = self._skill.parameter(clash.thing) if clash.thing else None
         if thing is not None and thing.iri:
-            labels.append(Label(thing.span, f"declared as a {spelled_iri(thing.iri, self._model)}"))
+            declared = world_errors.DeclaredAs(owl_class=spelled_iri(thing.iri, self._model))
+            labels.append(declared.at(thing.span))
         for iri in clash.declared():
-            label = self._ontology.label(iri, f"{spelled_iri(iri, self._model)} is declared here")
+            label = self._ontology.label(iri, IriHere(iri=spelled_iri(iri, self._model)))
             labels += [label] if label else []
         return found.at(last, *labels)
-
-
-_AT_ONE_TIME = "this cannot hold at the same time"
 
 
 def _in_order(clash: Clash, places: Places) -> list[Statement]:

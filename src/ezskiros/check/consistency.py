@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TypeAlias
 
-from dslkit.diagnostics import Diagnostic, Label, Severity
+from dslkit.diagnostics import DeclaredHere, Diagnostic, Label, Severity
 from ezskiros.check import errors, world_errors
 from ezskiros.check.clash import Clash, Reason
 from ezskiros.check.clash_findings import ClashFindings, Moment, Places, places_of
@@ -36,7 +36,8 @@ def check_consistency(skill: SkillInterface, ontology: Ontology) -> Iterator[Dia
         for clause in clauses:
             first = seen.setdefault(clause.statement, clause)
             if first is not clause:
-                yield errors.Repeated(kind=kind).at(clause.span, Label(first.span, "it is here"))
+                repeated = errors.Repeated(kind=kind)
+                yield repeated.at(clause.span, repeated.First().at(first.span))
     yield from _Consistency(skill, ontology).check()
 
 
@@ -98,7 +99,7 @@ class _Consistency:
                 why = f"{both}, which are disjoint" if conflict else "below owl:Nothing"
                 owl_class = spelled_iri(parameter.iri, self._model)
                 found = world_errors.EmptyClass(owl_class=owl_class, why=why)
-                label = self._ontology.label(parameter.iri, "declared here")
+                label = self._ontology.label(parameter.iri, DeclaredHere())
                 yield found.at(parameter.span, *filter(None, [label]))
 
     def _classes(self, places: Places) -> Iterator[Diagnostic]:
@@ -163,22 +164,21 @@ class _Consistency:
         places: Places,
         others: Sequence[Clause],
     ) -> Diagnostic:
+        found = world_errors.NoAlternative(kind=moment.kind, when=moment.when)
         labels: dict[Label, None] = {}
         whys: dict[str, None] = {}
         for part in alternatives(clause.statement):
             world = self._world([*places, *part])
             clash = next(self._impossible(world), None)
             if clash is None:
-                text = "excludes it together with others"
-                labels |= {Label(each.span, text): None for each in others}
+                labels |= {found.Together().at(each.span): None for each in others}
                 continue
-            text = f"excludes {self._findings.listed(part)}"
+            excludes = found.Excludes(part=self._findings.listed(part))
             labels |= {
-                Label(places[each].span, text): None for each in places if each in clash.said
+                excludes.at(places[each].span): None for each in places if each in clash.said
             }
             whys[clash.reason(self._model)] = None
-        found = world_errors.NoAlternative(kind=moment.kind, when=moment.when)
-        return found.at(clause.span, *labels, notes=tuple(filter(None, whys)))
+        return found.at(clause.span, *labels, notes=[found.Why(why=why) for why in whys if why])
 
     # --- the end of what is held
 

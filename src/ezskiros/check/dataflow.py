@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import DeclaredHere, Diagnostic
 from dslkit.source import Span
 from ezskiros.check import tree_errors as errors
 from ezskiros.skills.calls import SkillCall
@@ -45,7 +45,7 @@ def check_dataflow(tree: Tree, library: Library) -> Iterator[Diagnostic]:
     for parameter in tree.skill.parameters:
         if parameter.is_output and after is not None and parameter.name not in after:
             found = errors.OutputMissing(skill=tree.skill.name, parameter=parameter.name)
-            yield found.at(tree.span, Label(parameter.span, "declared here"))
+            yield found.at(tree.span, DeclaredHere().at(parameter.span))
     yield from flow.unread()
 
 
@@ -119,7 +119,7 @@ class _Dataflow:
             parameter="count" if node.decoration is Decoration.RETRY else "seconds",
             given=given.name,
         )
-        self.found.append(nothing.at(node.span, Label(given.span, "declared here")))
+        self.found.append(nothing.at(node.span, DeclaredHere().at(given.span)))
 
     def _after_sequence(self, children: Iterable[Node], before: Known) -> After:
         failures = []
@@ -174,18 +174,18 @@ class _Dataflow:
     def _unwritten(self, call: SkillCall, shared: Shared) -> Diagnostic:
         """The finding for a value that is read: nobody gives it, or not on all ways."""
         parameter = shared.parameter
-        labels = [Label(parameter.span, "declared here")]
+        labels = [DeclaredHere().at(parameter.span)]
         skill = call.skill.__name__
         writer = self._writer_before(shared.shared, call)
         own = self.tree.skill.parameter(shared.shared)
         if writer is None and own is not None and not own.is_output:
             nothing = errors.MayBeNothing(skill=skill, parameter=parameter.name, given=own.name)
-            return nothing.at(call.span, *labels, Label(own.span, "declared as optional here"))
+            return nothing.at(call.span, *labels, nothing.Optional().at(own.span))
         if writer is None:
             missing = errors.MissingArgument(skill=skill, parameter=parameter.name)
             return missing.at(call.span, *labels)
-        labels.append(Label(writer.span, "this gives it a value, if it gets there"))
         found = errors.NotWrittenOnAllWays(skill=skill, parameter=parameter.name)
+        labels.append(found.Writer().at(writer.span))
         return found.at(call.span, *labels)
 
     def _writer_before(self, name: str, call: SkillCall) -> SkillCall | None:
@@ -222,8 +222,7 @@ class _Dataflow:
             skill=call.skill.__name__, parameter=shared.parameter.name,
             writer=writer.skill.__name__,
         )  # fmt: skip
-        label = Label(writer.span, "this gives it its value, at the same time")
-        self.found.append(found.at(call.span, label))
+        self.found.append(found.at(call.span, found.Writer().at(writer.span)))
 
     def _written(self, those: Iterable[SkillCall]) -> Iterator[tuple[str, SkillCall]]:
         for call in those:

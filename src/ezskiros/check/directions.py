@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import Diagnostic
 from ezskiros.check import errors
 from ezskiros.check.relations import simple
 from ezskiros.ontology.iris import split
@@ -74,4 +74,4 @@ def _finding(classes: _Classes, use: _Use, other: _Use, model: Model) -> Diagnos
         object=other_class,
         turned=f"{use.relation.object}.{name}({use.relation.subject})",
     )
-    return found.at(use.clause.span, Label(other.clause.span, "here it is the other way round"))
+    return found.at(use.clause.span, found.Other().at(other.clause.span))

@@ -2,8 +2,30 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 from ezskiros.check.world_errors import Clashing
+
+
+class OtherWay(Remark):
+    """The help where a relation fits if it is turned."""
+
+    says = "the other way round: `{other}.{property}({subject})`"
+    other: str
+    property: str
+    subject: str
+
+
+class DeclaredAs(Remark):
+    """The label of a parameter."""
+
+    says = "declared as {owl_class}"
+    owl_class: str
+
+
+class Relates(Remark):
+    """The label of a property of the ontology."""
+
+    says = "what it relates is declared here"
 
 
 class DoesNotFit(Error, code="EZS401", name="does-not-fit"):
@@ -49,6 +71,10 @@ class UnlistedValue(Error, code="EZS404", name="unlisted-value"):
     property: str
     values: str
 
+    class Near(Remark):
+        says = "did you mean {near}?"
+        near: str
+
 
 class NoOrder(Error, code="EZS405", name="no-order"):
     """`<` of texts."""
@@ -65,6 +91,9 @@ class Repeated(Warning, code="EZS410", name="repeated-condition"):
     title = "this {kind}-condition is there already"
     help = "leave it out: conditions are a set"
     kind: str
+
+    class First(Remark):
+        says = "it is here"
 
 
 class Contradiction(Clashing, code="EZS411", name="contradiction"):
@@ -109,6 +138,9 @@ class BothDirections(Warning, code="EZS422", name="both-directions"):
     subject: str
     object: str
     turned: str
+
+    class Other(Remark):
+        says = "here it is the other way round"
 
 
 ALL: tuple[type[Template], ...] = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import DeclaredHere, Diagnostic
 from ezskiros.check.inference import names
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.statements import Specified
@@ -27,5 +27,5 @@ def check_outputs(skill: SkillInterface, _ontology: Ontology) -> Iterator[Diagno
 def _asked_before(output: Parameter, kind: str, clause: Clause) -> Diagnostic:
     reason = f"a {kind}-condition is about it"
     found = WrongOutput(parameter=output.name, reason=reason, type=output.type.__qualname__)
-    help = f"say it as a post-condition, or declare `{output.name}` without OUTPUT"
-    return found.at(clause.span, Label(output.span, "declared here"), help=help)
+    help = found.AskedBefore(parameter=output.name)
+    return found.at(clause.span, DeclaredHere().at(output.span), help=help)

@@ -9,10 +9,10 @@ from __future__ import annotations
 import ast
 import difflib
 import inspect
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from types import FunctionType
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, DidYouMean, Remark
 from dslkit.source import Span
 from dslkit.source.call_site import node_span
 from ezskiros.check import tree_errors as errors
@@ -25,10 +25,10 @@ STATE, TRUTH = "execute", ("onStart", "onEnd")
 TASKS = ("expandBT", STATE)
 METHODS = (*TASKS, "onInit", *TRUTH, "onPreempt", METHOD)
 """The methods of an implementation that are called by others than itself."""
-_OF_SKIROS2 = {
-    "createDescription": "delete it: `Skill.SkillBase` says which skill it is",
-    "modifyDescription": f"add pre-conditions in `def {METHOD}(self, Parameter):`",
-    "expand": "write the tree in `def expandBT(self, params):`",
+_OF_SKIROS2: Mapping[str, Remark] = {
+    "createDescription": errors.NeverCalled.SkillBase(),
+    "modifyDescription": errors.NeverCalled.OwnConditions(method=METHOD),
+    "expand": errors.NeverCalled.Tree(),
 }
 """Methods of SkiROS2's own classes, and what to do instead."""
 _NO_STATE = (
@@ -70,7 +70,7 @@ def _nothing_to_do(implementation: type[SkillImplementation]) -> Diagnostic:
         near = difflib.get_close_matches(name, TASKS, n=1, cutoff=0.7)
         if near and isinstance(method, FunctionType):
             is_old = name == "expand"
-            help = "`ezskiros migrate` translates it" if is_old else f"did you mean `{near[0]}`?"
+            help = found.Migrate() if is_old else DidYouMean(near=near[0])
             return found.at(definition(method).whole, help=help)
     return found.at(class_span(implementation))
 
@@ -85,7 +85,7 @@ def _never_called(implementation: type[SkillImplementation]) -> Iterator[Diagnos
         if not isinstance(method, FunctionType) or name in {*METHODS, *spoken_of}:
             continue
         near = difflib.get_close_matches(name.lower(), lower, n=1, cutoff=0.85)
-        help = _OF_SKIROS2.get(name) or (f"did you mean `{lower[near[0]]}`?" if near else None)
+        help = _OF_SKIROS2.get(name) or (DidYouMean(near=lower[near[0]]) if near else None)
         if help is not None:
             found = errors.NeverCalled(implementation=implementation.__name__, method=name)
             yield found.at(definition(method).whole, help=help)

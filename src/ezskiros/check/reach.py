@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import Diagnostic
 from ezskiros.check import tree_errors as errors
 from ezskiros.check.outcomes import Outcomes, goes_on_with
 from ezskiros.skills.calls import SkillCall
@@ -24,7 +24,7 @@ def check_reach(trees: Sequence[Tree], outcomes: Outcomes) -> Iterator[Diagnosti
             yield _endless(tree, cycle)
         elif State.SUCCESS not in outcomes.results(tree.root) and not found:
             never = errors.NeverSucceeds(implementation=tree.implementation)
-            yield never.at(tree.span, Label(tree.root.span, "this never succeeds"))
+            yield never.at(tree.span, never.Root().at(tree.root.span))
         yield from found
 
 
@@ -34,8 +34,8 @@ def _never_reached(node: Node, outcomes: Outcomes) -> Iterator[Diagnostic]:
     for index, child in enumerate(below[:-1]):
         if wanted is not None and wanted not in outcomes.results(child):
             found = errors.NeverReached(result=_RESULT[wanted])
-            label = Label(child.span, f"this never {_RESULT[wanted]}")
-            yield found.at(below[index + 1].span, label)
+            before = found.Before(result=_RESULT[wanted])
+            yield found.at(below[index + 1].span, before.at(child.span))
             break
     for child in below:
         yield from _never_reached(child, outcomes)
@@ -46,8 +46,8 @@ def _started_again(node: Node, outcomes: Outcomes) -> Iterator[Diagnostic]:
     if isinstance(node, Processor) and node.flow is Flow.SERIAL:
         long = [child for child in node.children if outcomes.is_long(child)]
         for child in long[1:]:
-            label = Label(long[0].span, "this is started again at each tick")
-            yield errors.StartedAgain().at(child.span, label)
+            found = errors.StartedAgain()
+            yield found.at(child.span, found.Before().at(long[0].span))
     for child in children(node):
         yield from _started_again(child, outcomes)
 
@@ -75,7 +75,6 @@ def _cycle(tree: Tree, trees: Sequence[Tree]) -> list[SkillCall] | None:
 
 def _endless(tree: Tree, cycle: Sequence[SkillCall]) -> Diagnostic:
     way = " > ".join([tree.skill.name, *(call.skill.__name__ for call in cycle)])
-    labels = [Label(call.span, "which calls this") for call in cycle[1:]]
-    return errors.EndlessRecursion(implementation=tree.implementation, way=way).at(
-        cycle[0].span, *labels
-    )
+    found = errors.EndlessRecursion(implementation=tree.implementation, way=way)
+    labels = [found.Calls().at(call.span) for call in cycle[1:]]
+    return found.at(cycle[0].span, *labels)

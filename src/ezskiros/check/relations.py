@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import TypeAlias
 
-from dslkit.diagnostics import Diagnostic, Label, Template
+from dslkit.diagnostics import DeclaredHere, Diagnostic, Remark, Template, remarked
 from ezskiros.check import errors
 from ezskiros.check.values import is_value_of, spelled_types
 from ezskiros.ontology import Ontology
@@ -74,8 +73,8 @@ class _Checker:
                 wrong = [*self._related(subject, iri, other, clause)]
                 if len(wrong) == 2 and not [*self._related(other, iri, subject, clause)]:
                     name = identifier(split(iri)[1])
-                    help = f"the other way round: `{other}.{name}({subject})`"
-                    wrong = [replace(wrong[0], help=help)]
+                    turned = errors.OtherWay(other=other, property=name, subject=subject)
+                    wrong = [remarked(wrong[0], help=turned)]
                 yield from wrong
             case HasProperty(subject=subject, property=iri):
                 yield from self._fits(subject, iri, self._model.domain(iri), clause)
@@ -112,8 +111,8 @@ class _Checker:
             wanted=" or ".join(self._spelled(each) for each in sorted(union)),
         )
         labels = [
-            Label(parameter.span, f"declared as {self._spelled(parameter.iri)}"),
-            self._ontology.label(iri, "what it relates is declared here"),
+            errors.DeclaredAs(owl_class=self._spelled(parameter.iri)).at(parameter.span),
+            self._ontology.label(iri, errors.Relates()),
         ]
         return found.at(
             names_in(clause.span).get(parameter.name, clause.span), *filter(None, labels)
@@ -151,13 +150,13 @@ class _Checker:
         )
         near = {each.lower(): each for each in sorted(known)}
         meant = difflib.get_close_matches(str(statement.value).lower(), near, n=1)
-        help = f"did you mean {near[meant[0]]!r}?" if meant else None
+        help = found.Near(near=repr(near[meant[0]])) if meant else None
         return self._at_value(found, declared, clause, help)
 
     def _at_value(
-        self, found: Template, declared: DataProperty, clause: Clause, help: str | None = None
+        self, found: Template, declared: DataProperty, clause: Clause, help: Remark | None = None
     ) -> Diagnostic:
         """The finding at the value that is compared with."""
-        label = self._ontology.label(declared.iri, "declared here")
+        label = self._ontology.label(declared.iri, DeclaredHere())
         span = compared_value(clause.span) or clause.span
         return found.at(span, *([label] if label else []), help=help)

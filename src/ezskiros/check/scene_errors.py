@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
+
+
+class Near(Remark):
+    """The help where the name of an entity is misspelt."""
+
+    says = "did you mean {near}?"
+    near: str
 
 
 class NoOntologyForScene(Error, code="EZS600", name="scene-without-ontology"):
@@ -49,6 +56,9 @@ class SceneDoesNotFit(Error, code="EZS604", name="scene-does-not-fit"):
     property: str
     wanted: str
 
+    class Relates(Remark):
+        says = "what it relates is declared here"
+
 
 class WrongSceneValue(Error, code="EZS605", name="wrong-value-in-scene"):
     """A value of another type than the property has."""
@@ -89,6 +99,9 @@ class RepeatedNumber(Error, code="EZS608", name="repeated-number"):
     help = "give one of them a number that no other has"
     thing: str
     other: str
+
+    class Other(Remark):
+        says = "the other one"
 
 
 class TwoObjects(Error, code="EZS609", name="two-objects"):

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pyoxigraph
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import DeclaredHere, Diagnostic, Remark
 from dslkit.source import SourceFile, Span
 from ezskiros.check import scene_errors as errors
 from ezskiros.check.values import is_value_of, spelled_types
@@ -126,7 +126,7 @@ class _Scene:
                     property=self._spelled(relation),
                     wanted=" or ".join(map(self._spelled, sorted(union))),
                 )
-                label = self._ontology.label(relation, "what it relates is declared here")
+                label = self._ontology.label(relation, found.Relates())
                 yield found.at(place, *([label] if label else []))
                 return
 
@@ -172,7 +172,7 @@ class _Scene:
             found=f"{value.value!r} ({value.datatype.value.removeprefix(XSD)})",
             wanted=" or ".join(sorted({name for names in wanted for name in names})),
         )
-        label = self._ontology.label(iri, "declared here")
+        label = self._ontology.label(iri, DeclaredHere())
         yield found.at(place, *([label] if label else []))
 
     def _missing(self, thing: _Thing) -> Iterator[Diagnostic]:
@@ -211,7 +211,7 @@ class _Scene:
             other = seen.setdefault(match[1], iri)
             if other != iri:
                 found = errors.RepeatedNumber(thing=self._spelled(iri), other=self._spelled(other))
-                yield found.at(self._place(iri), Label(self._place(other), "the other one"))
+                yield found.at(self._place(iri), found.Other().at(self._place(other)))
 
     def _functional(self) -> Iterator[Diagnostic]:
         objects: dict[tuple[str, str], list[str]] = defaultdict(list)
@@ -241,11 +241,11 @@ class _Scene:
                 return f"{prefix}:{iri[len(start) :]}"
         return self._model.short(iri)
 
-    def _meant(self, iri: str, known: object) -> str | None:
+    def _meant(self, iri: str, known: object) -> Remark | None:
         """The known one that is spelt most alike."""
         names = {split(each)[1]: each for each in known} if hasattr(known, "__iter__") else {}
         near = difflib.get_close_matches(split(iri)[1], names, n=1, cutoff=0.7)
-        return f"did you mean {self._spelled(names[near[0]])}?" if near else None
+        return errors.Near(near=self._spelled(names[near[0]])) if near else None
 
     def _place(self, subject: str, *parts: str) -> Span:
         """Where a subject is described, or where another name stands in its description."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import Diagnostic, Label, NamedHere
 from dslkit.source import Span
 from ezskiros.check import tree_errors as errors
 from ezskiros.skills.calls import SkillCall
@@ -100,7 +100,7 @@ def _written_twice(node: Node, library: Library) -> Iterator[Diagnostic]:
                     by, other = writers.setdefault(shared.shared, (child, call))
                     if by is not child:
                         found = errors.WrittenBesides(shared=shared.shared)
-                        yield found.at(call.span, Label(other.span, "this does so as well"))
+                        yield found.at(call.span, found.Other().at(other.span))
     for child in children(node):
         yield from _written_twice(child, library)
 
@@ -115,7 +115,7 @@ def _labels(skill: SkillInterface, *names: str) -> list[Label]:
 
 
 def _declared(parameter: Parameter) -> Label:
-    return Label(parameter.span, f"`{parameter.name}` is declared here")
+    return NamedHere(name=parameter.name).at(parameter.span)
 
 
 def _spelled(parameter: Parameter) -> str:

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from pathlib import Path
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, remarked
 from ezskiros import session
 from ezskiros.check.consistency import check_consistency
 from ezskiros.check.directions import check_directions
@@ -19,6 +18,7 @@ from ezskiros.ontology import Ontology
 from ezskiros.skills import SkillDescription, tree_errors
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.describe import Described, describe
+from ezskiros.skills.errors import HasKey
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.syntax import attributes_in, class_span
 from ezskiros.trees.library import implementations
@@ -91,8 +91,8 @@ def _with_keys(found: Diagnostic, skill: SkillInterface) -> Diagnostic:
     """A finding that also says what SkiROS2 calls the parameters at which it points."""
     places = {found.primary.span, *(label.span for label in found.labels)}
     notes = (
-        f"`{each.name}` has the key {each.key!r}"
+        HasKey(parameter=each.name, key=repr(each.key))
         for each in skill.parameters
         if each.key != each.name and each.span in places
     )
-    return replace(found, notes=(*found.notes, *notes))
+    return remarked(found, *notes)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NotImplementedAnywhere(Warning, code="EZS520", name="not-implemented"):
@@ -21,6 +21,14 @@ class UnknownImplementation(Error, code="EZS521", name="unknown-implementation")
     note = "in SkiROS2 the task hangs when the tree gets there, and every later one with it"
     skill: str
     spelled: str
+
+    class Near(Remark):
+        says = "it is written here"
+
+    class Known(Remark):
+        says = "`{skill}` is implemented by {known}"
+        skill: str
+        known: str
 
 
 class NativeImplementation(Error, code="EZS562", name="native-implementation"):
@@ -50,6 +58,10 @@ class UnknownArgument(Error, code="EZS523", name="unknown-argument"):
     title = "`{skill}` has no parameter `{spelled}`"
     skill: str
     spelled: str
+
+    class Known(Remark):
+        says = "it has {known}"
+        known: str
 
 
 class WrongArgument(Error, code="EZS524", name="wrong-argument"):
@@ -106,6 +118,9 @@ class PassedLacksProperty(Error, code="EZS561", name="passed-lacks-property"):
     property: str
     wanted: str
 
+    class Condition(Remark):
+        says = "asked here"
+
 
 class NameClash(Error, code="EZS528", name="name-clash"):
     """Two children that share a name, and that need different kinds of things under it."""
@@ -147,6 +162,9 @@ class NotWrittenOnAllWays(Error, code="EZS531", name="not-written-on-all-ways"):
     skill: str
     parameter: str
 
+    class Writer(Remark):
+        says = "this gives it a value, if it gets there"
+
 
 class ReadBesides(Error, code="EZS532", name="read-besides"):
     """A value that one child of a parallel needs while another one finds it out."""
@@ -156,6 +174,9 @@ class ReadBesides(Error, code="EZS532", name="read-besides"):
     skill: str
     parameter: str
     writer: str
+
+    class Writer(Remark):
+        says = "this gives it its value, at the same time"
 
 
 class WrittenNeverRead(Warning, code="EZS533", name="written-never-read"):
@@ -194,6 +215,9 @@ class WrittenBesides(Error, code="EZS536", name="written-besides"):
     help = "pass each its own, or run them one after the other"
     shared: str
 
+    class Other(Remark):
+        says = "this does so as well"
+
 
 class MayBeNothing(Error, code="EZS537", name="may-be-nothing"):
     """An optional parameter of the compound is passed to a child that needs a value."""
@@ -203,6 +227,9 @@ class MayBeNothing(Error, code="EZS537", name="may-be-nothing"):
     skill: str
     parameter: str
     given: str
+
+    class Optional(Remark):
+        says = "declared as optional here"
 
 
 class NoState(Error, code="EZS540", name="no-state"):
@@ -234,6 +261,9 @@ class NothingToDo(Error, code="EZS542", name="nothing-to-do"):
     help = "write `def expandBT(self, params):` for a behavior tree, `def execute(self):` else"
     implementation: str
 
+    class Migrate(Remark):
+        says = "`ezskiros migrate` translates it"
+
 
 class NeverCalled(Warning, code="EZS564", name="never-called"):
     """A method whose name is nearly that of one that is called, or is one of SkiROS2."""
@@ -242,6 +272,16 @@ class NeverCalled(Warning, code="EZS564", name="never-called"):
     note = "the skill runs without it, in SkiROS2 as well"
     implementation: str
     method: str
+
+    class SkillBase(Remark):
+        says = "delete it: `Skill.SkillBase` says which skill it is"
+
+    class OwnConditions(Remark):
+        says = "add pre-conditions in `def {method}(self, Parameter):`"
+        method: str
+
+    class Tree(Remark):
+        says = "write the tree in `def expandBT(self, params):`"
 
 
 class WrongProgress(Error, code="EZS547", name="wrong-progress"):
@@ -261,12 +301,19 @@ class NeverSucceeds(Warning, code="EZS543", name="never-succeeds"):
     title = "`{implementation}` never succeeds: it fails, or runs until it is stopped"
     implementation: str
 
+    class Root(Remark):
+        says = "this never succeeds"
+
 
 class NeverReached(Error, code="EZS544", name="never-reached"):
     """A child that is never started."""
 
     title = "this is never reached: what comes before it never {result}"
     result: str
+
+    class Before(Remark):
+        says = "this never {result}"
+        result: str
 
 
 class StartedAgain(Warning, code="EZS545", name="started-again"):
@@ -276,6 +323,9 @@ class StartedAgain(Warning, code="EZS545", name="started-again"):
     note = "a Serial begins with its first child at each tick, and stops the later ones meanwhile"
     help = "write `self.serialstar(...)`, which goes on where it is"
 
+    class Before(Remark):
+        says = "this is started again at each tick"
+
 
 class EndlessRecursion(Error, code="EZS546", name="endless-recursion"):
     """A compound skill that cannot succeed without calling itself."""
@@ -284,6 +334,9 @@ class EndlessRecursion(Error, code="EZS546", name="endless-recursion"):
     help = "let one way through the tree end without it"
     implementation: str
     way: str
+
+    class Calls(Remark):
+        says = "which calls this"
 
 
 ALL: tuple[type[Template], ...] = (

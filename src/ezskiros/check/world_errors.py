@@ -2,7 +2,33 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
+
+
+class IriHere(Remark):
+    """The label of a declaration of the ontology."""
+
+    says = "{iri} is declared here"
+    iri: str
+
+
+class AtOneTime(Remark):
+    """The label of another one of conditions that do not go together."""
+
+    says = "this cannot hold at the same time"
+
+
+class OfOneThing(Remark):
+    """The label of another one of conditions that no thing fulfils."""
+
+    says = "this cannot be so of the same thing"
+
+
+class DeclaredAs(Remark):
+    """The label of the parameter that stands for a thing."""
+
+    says = "declared as a {owl_class}"
+    owl_class: str
 
 
 class Together(Template):
@@ -85,6 +111,17 @@ class NoAlternative(Error, code="EZS323", name="no-alternative"):
     help = "leave out the `or`, or what excludes it"
     kind: str
     when: str
+
+    class Together(Remark):
+        says = "excludes it together with others"
+
+    class Excludes(Remark):
+        says = "excludes {part}"
+        part: str
+
+    class Why(Remark):
+        says = "{why}"
+        why: str
 
 
 class EmptyClass(Warning, code="EZS324", name="empty-class"):

@@ -14,6 +14,7 @@ from ezskiros.contracts.children import Children, SkillOf, names_of_tree
 from ezskiros.contracts.findings import Findings, Missing
 from ezskiros.contracts.judge import Judge
 from ezskiros.contracts.knowledge import Known, Origin
+from ezskiros.contracts.remarks import Branch
 from ezskiros.contracts.repairs import Repairs, in_order
 from ezskiros.contracts.statements import Asked, asked
 from ezskiros.contracts.walk import Walk
@@ -69,7 +70,7 @@ def is_sound(tree: Tree, library: Library) -> bool:
 
 
 def check_tree(
-    tree: Tree, library: Library, added: Added = NOTHING, *, branch: str = ""
+    tree: Tree, library: Library, added: Added = NOTHING, *, branch: Branch | None = None
 ) -> Findings | None:
     """What is found in one tree; None if nothing can be. `branch` says which of several it is."""
     ontology = library.ontology()
@@ -94,12 +95,12 @@ def check_tree(
     return findings
 
 
-def _branch(tree: Tree, trees: Sequence[Tree]) -> str:
+def _branch(tree: Tree, trees: Sequence[Tree]) -> Branch | None:
     """Which tree it is, if `expandBT` builds several."""
     if sum(each.span == tree.span for each in trees) < 2:
-        return ""
+        return None
     names = listed([call.skill.__name__ for call in calls(tree.root)])
-    return f"`expandBT` branches: this is the tree with {names}"
+    return Branch(children=names)
 
 
 def _check_end(said: Asked, endings: Sequence[Known], judge: Judge, findings: Findings) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class CannotStart(Error, code="EZS550", name="cannot-start"):
@@ -80,6 +80,10 @@ class EndsHold(Error, code="EZS557", name="ends-hold"):
     skill: str
     child: str
     condition: str
+
+    class Repair(Remark):
+        says = "leave the hold-condition out, or let `{child}` come before"
+        child: str
 
 
 class MayEndHold(Warning, code="EZS558", name="may-end-hold"):

@@ -2,16 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from dslkit.diagnostics import Diagnostic, Label, Template, listed
+from dslkit.diagnostics import Diagnostic, Label, Remark, Template, listed
 from ezskiros.check.clash import Clash
 from ezskiros.check.inference import names as names_of
 from ezskiros.check.spelled import spelled
 from ezskiros.contracts import errors
 from ezskiros.contracts.judge import Judge
 from ezskiros.contracts.knowledge import Change, How, Known, Renewed
+from ezskiros.contracts.remarks import (
+    BeforeItFailed,
+    Branch,
+    ByWhich,
+    CalledHere,
+    ComesHere,
+    ConditionOf,
+    HasEnded,
+    ItsTree,
+    KnownThere,
+    Meanwhile,
+    NothingKnown,
+    OnTheWay,
+    Why,
+)
 from ezskiros.contracts.repairs import Repairs
 from ezskiros.contracts.statements import Asked
 from ezskiros.ontology.statements import Statement
@@ -19,10 +34,10 @@ from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.trees.tree import Tree
 
-_HOW = {
-    How.DONE: "this has ended it, or may have",
-    How.FAILED: "it may have done this before it failed",
-    How.BESIDE: "it may do this before, or meanwhile",
+_HOW: Mapping[How, Remark] = {
+    How.DONE: HasEnded(),
+    How.FAILED: BeforeItFailed(),
+    How.BESIDE: Meanwhile(),
 }
 _MOST_KNOWN = 4
 
@@ -46,7 +61,7 @@ class Findings:
     skill: SkillInterface
     judge: Judge
     repairs: Repairs
-    branch: str = ""
+    branch: Branch | None = None
     found: dict[tuple[object, ...], Diagnostic] = field(default_factory=dict)
     missing: dict[Statement, Missing] = field(default_factory=dict)
 
@@ -61,7 +76,8 @@ class Findings:
         labels = [*self._declared(call, asked), *self._reasons(clash, known)]
         why = clash.reason(self.judge.model)
         help = self.repairs.of_false(call, asked.statement, known, clash)
-        self._add(found, call, asked, labels, known, help, *filter(None, [why]))
+        notes = [Why(why=why)] if why else []
+        self._add(found, call, asked, labels, known, help, *notes)
 
     def unknown_at_start(
         self, call: SkillCall, asked: Asked, known: Known, *, is_fatal: bool
@@ -104,7 +120,7 @@ class Findings:
     def hold(self, call: SkillCall, asked: Asked, known: Known, clash: Clash | None) -> None:
         """What the compound holds has ended, or may have, when a child starts."""
         child, condition = call.skill.__name__, self._spelled(asked.statement)
-        label = Label(asked.clause.span, f"hold-condition of `{self.skill.name}`")
+        label = ConditionOf(kind="hold", skill=self.skill.name).at(asked.clause.span)
         change = self.last_touching(known, asked.statement)
         names = {"skill": self.skill.name, "child": child, "condition": condition}
         source = change.origin.call if change else None
@@ -112,8 +128,8 @@ class Findings:
         if clash is not None:
             ends = errors.EndsHold(**names)
             labels = [label, *self._reasons(clash, known)]
-            help = f"leave the hold-condition out, or let `{child}` come before"
-            self._add(ends, call, asked, labels, known, help, key=key)
+            repair = ends.Repair(child=child)
+            self._add(ends, call, asked, labels, known, repair, key=key)
         else:
             may_end = errors.MayEndHold(**names)
             labels = [label, *self._changed(change)]
@@ -132,9 +148,9 @@ class Findings:
         change = self.last_touching(known, asked.statement)
         labels = self._reasons(clash, known) if clash else self._changed(change)
         why = clash.reason(self.judge.model) if clash else ""
-        notes = (*filter(None, [why]), *self._notes(asked, known))
+        notes = [*([Why(why=why)] if why else []), *self._notes(asked, known)]
         help = self.repairs.at_end(asked.statement, change)
-        labels = [Label(self.tree.span, "its tree"), *labels]
+        labels = [ItsTree().at(self.tree.span), *labels]
         written = [label for label in labels if label.span != asked.clause.span]
         key = (asked.statement, self.tree.implementation)
         self._keep(found.at(asked.clause.span, *written, notes=notes, help=help), key)
@@ -168,21 +184,19 @@ class Findings:
         after = Known({change.made: change.origin}, frozenset())
         return self.judge.clash(after, asked.statement) is not None
 
-    def _notes(self, asked: Asked, known: Known) -> tuple[str, ...]:
+    def _notes(self, asked: Asked, known: Known) -> Sequence[Remark]:
         """What is known there, and on which way that is."""
         about = set(names_of(asked.statement))
         related = [each for each in known.facts if about & set(names_of(each))]
         related.sort(key=lambda each: -len(about & set(names_of(each))))
         texts = [self._spelled(each) for each in related[:_MOST_KNOWN]]
-        held = (
-            f"known there: {listed(texts)}" if texts else "nothing is known there of these things"
-        )
-        way = f"this is so where {', and '.join(known.trail)}" if known.trail else ""
-        return tuple(filter(None, [held, way, self.branch]))
+        held = KnownThere(conditions=listed(texts)) if texts else NothingKnown()
+        way = OnTheWay(way=", and ".join(known.trail)) if known.trail else None
+        return [each for each in (held, way, self.branch) if each is not None]
 
     def _declared(self, call: SkillCall, asked: Asked) -> Iterator[Label]:
-        name = call.skill.__name__
-        yield Label(asked.clause.span, f"{asked.kind}-condition of `{name}`")
+        condition = ConditionOf(kind=asked.kind, skill=call.skill.__name__)
+        yield condition.at(asked.clause.span)
 
     def _reasons(self, clash: Clash, known: Known) -> list[Label]:
         """Where that is written which excludes it, and which children have it."""
@@ -191,10 +205,10 @@ class Findings:
             if said in clash.said:
                 origin = known.facts[said]
                 owner = origin.call.skill.__name__ if origin.call else self.skill.name
-                text = f"{origin.kind}-condition of `{owner}`, by which `{self._spelled(said)}`"
-                labels[Label(origin.span, text)] = None
+                by_which = ByWhich(kind=origin.kind, skill=owner, condition=self._spelled(said))
+                labels[by_which.at(origin.span)] = None
                 if origin.call is not None:
-                    labels[Label(origin.call.span, f"`{owner}` comes here")] = None
+                    labels[ComesHere(skill=owner).at(origin.call.span)] = None
         return list(labels)
 
     def _changed(self, change: Change | None) -> list[Label]:
@@ -202,8 +216,8 @@ class Findings:
             return []
         call = change.origin.call
         return [
-            Label(change.origin.span, _HOW[change.how]),
-            Label(call.span, f"`{call.skill.__name__}` is called here"),
+            _HOW[change.how].at(change.origin.span),
+            CalledHere(skill=call.skill.__name__).at(call.span),
         ]
 
     def _spelled(self, said: Statement) -> str:
@@ -218,8 +232,8 @@ class Findings:
         asked: Asked,
         labels: list[Label],
         known: Known,
-        help: str | None,
-        *notes: str,
+        help: Remark | None,
+        *notes: Remark,
         key: object = None,
     ) -> None:
         written = [label for label in dict.fromkeys(labels) if label.span != call.span]

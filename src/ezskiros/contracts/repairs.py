@@ -5,12 +5,28 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from dslkit.diagnostics import listed
+from dslkit.diagnostics import Remark, listed
 from ezskiros.check.clash import Clash
 from ezskiros.check.inference import names as names_of
 from ezskiros.check.spelled import spelled
 from ezskiros.contracts.judge import Judge
 from ezskiros.contracts.knowledge import Change, How, Known, Renewed
+from ezskiros.contracts.remarks import (
+    AddElseInsert,
+    AddPreCondition,
+    Append,
+    Insert,
+    LetAChild,
+    Move,
+    MoveIfNeeded,
+    OneAfterTheOther,
+    OneOf,
+    PassParameter,
+    PassWithPreCondition,
+    Restore,
+    SayInPreConditions,
+    StillStands,
+)
 from ezskiros.contracts.statements import conjuncts
 from ezskiros.ontology.iris import split
 from ezskiros.ontology.python_names import identifier
@@ -39,68 +55,69 @@ class Repairs:
     calls: tuple[SkillCall, ...]
     ambiguous: frozenset[str]
 
-    def of_unknown(self, said: Statement) -> str:
+    def of_unknown(self, said: Statement) -> Remark:
         """For a condition of which nothing is known, and which nothing has ended."""
         text = self.pre_condition(said)
         inserted = self._giving(said)
         if text is not None:
-            found = f"if it holds before `{self.skill.name}`, add `{text}` to its description"
-            return f"{found}; else insert `{inserted}` before" if inserted else found
+            if inserted is None:
+                return AddPreCondition(skill=self.skill.name, condition=text)
+            return AddElseInsert(skill=self.skill.name, condition=text, child=inserted)
         unknown = [name for name in names_of(said) if self.skill.parameter(name) is None]
         own = self.skill.name
         if unknown:
-            found = f"pass a parameter of `{own}` for `{unknown[0]}`, with this as a pre-condition"
-            return f"{found}; or insert `{inserted}` before" if inserted else found
-        return f"say so in the pre-conditions of `{own}`"
+            passed = PassWithPreCondition(skill=own, name=unknown[0])
+            return _one_of(passed, Insert(child=inserted)) if inserted else passed
+        return SayInPreConditions(skill=own)
 
-    def of_lost(self, call: SkillCall, said: Statement, known: Known, change: Change) -> str:
+    def of_lost(self, call: SkillCall, said: Statement, known: Known, change: Change) -> Remark:
         """For a condition that another child may have ended."""
         other = change.origin.call
         if change.how is How.BESIDE:
-            return "run them one after the other: `self.serialstar(...)`"
-        options = [*self._passing(call, said, known)]
+            return OneAfterTheOther()
+        options: list[Remark] = [*self._passing(call, said, known)]
         if inserted := self._giving(said):
-            options.append(f"insert `{inserted}` before")
+            options.append(Insert(child=inserted))
         if not options and other is not None and other.skill is not call.skill:
-            options.append(f"move it before `{other.skill.__name__}`, if it has to hold then")
+            options.append(MoveIfNeeded(child=other.skill.__name__))
         fresh = self._fresh_in(change)
         if fresh and other is not None and other.skill is not call.skill:
-            own = self.skill.name
-            options.append(f"pass `{other.skill.__name__}` a parameter of `{own}` for `{fresh}`")
-        return "; or ".join(options) or f"restore it before `{call.skill.__name__}`"
+            options.append(self._pass(other, fresh))
+        return _one_of(*options) if options else Restore(child=call.skill.__name__)
 
-    def _passing(self, call: SkillCall, said: Statement, known: Known) -> Iterator[str]:
+    def _passing(self, call: SkillCall, said: Statement, known: Known) -> Iterator[Remark]:
         """Parameters of the compound for names that an earlier child has found things for."""
         free = [name for name in names_of(said) if self.skill.parameter(name) is None]
         chosen = self.judge.choice(known, [said], free) if free else {}
         given = [f"{name}=params.{one}" for name, one in chosen.items() if name != one]
         if given and all(self.skill.parameter(one) for one in chosen.values()):
-            names = listed(free)
-            yield (
-                f"write `{call.skill.__name__}({', '.join(given)}, ...)`: {names} still stands for "
-                "what an earlier child has found"
-            )
+            written = f"{call.skill.__name__}({', '.join(given)}, ...)"
+            yield StillStands(call=written, names=listed(free))
 
-    def of_false(self, call: SkillCall, said: Statement, known: Known, clash: Clash) -> str | None:
+    def of_false(
+        self, call: SkillCall, said: Statement, known: Known, clash: Clash
+    ) -> Remark | None:
         """For a condition that is false."""
-        options = []
+        options: list[Remark] = []
         if inserted := self._giving(said):
-            options.append(f"insert `{inserted}` before")
+            options.append(Insert(child=inserted))
         destroyers = [known.facts[each].call for each in known.facts if each in clash.said]
         other = next((each for each in destroyers if each is not None), None)
         if other is not None and other.span != call.span:
-            options.append(f"move it before `{other.skill.__name__}`")
-        return "; or ".join(options) or None
+            options.append(Move(child=other.skill.__name__))
+        return _one_of(*options) if options else None
 
-    def at_end(self, said: Statement, change: Change | None) -> str:
+    def at_end(self, said: Statement, change: Change | None) -> Remark:
         """For a post-condition that is not achieved."""
         other = change.origin.call if change else None
         fresh = self._fresh_in(change) if change else None
         if fresh and other is not None:
-            return f"pass `{other.skill.__name__}` a parameter of `{self.skill.name}` for `{fresh}`"
+            return self._pass(other, fresh)
         inserted = self._giving(said)
-        first = f"append `{inserted}`" if inserted else "let a child see to it"
-        return f"{first}, or leave the condition out"
+        return Append(child=inserted) if inserted else LetAChild()
+
+    def _pass(self, other: SkillCall, name: str) -> Remark:
+        return PassParameter(child=other.skill.__name__, skill=self.skill.name, name=name)
 
     def pre_condition(self, said: Statement) -> str | None:
         """What to add to the compound; None if it has no words for it."""
@@ -145,6 +162,10 @@ class Repairs:
             f"{parameter}=params.{name}" for parameter, name in names.items() if parameter != name
         ]
         return f"{skill.name}({', '.join(given)})"
+
+
+def _one_of(*repairs: Remark) -> Remark:
+    return OneOf(ways="; or ".join(map(str, repairs)))
 
 
 def _unified(made: Statement, said: Statement) -> Mapping[str, str] | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template
+from dslkit.diagnostics import Error, Remark, Template
 
 
 class NoPrefix(Error, code="EZS884", name="no-prefix"):
@@ -25,6 +25,9 @@ class PrefixTaken(Error, code="EZS885", name="prefix-taken"):
     prefix: str
     namespace: str
     other: str
+
+    class Other(Remark):
+        says = "the other one"
 
 
 class FileNameTaken(Error, code="EZS886", name="file-name-taken"):

@@ -16,7 +16,7 @@ from xml.parsers import expat
 
 import pyoxigraph
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from ezskiros.hosts import owl_errors as errors
 from ezskiros.ontology import Ontology
@@ -149,8 +149,8 @@ def _prefix_findings(ontology: Ontology) -> Iterator[Diagnostic]:
         other = taken.setdefault(name, start)
         if other != start:
             others = [firsts[other]] if other in firsts else []
-            labels = [Label(_place(ontology.documents, each), "the other one") for each in others]
             found = errors.PrefixTaken(prefix=name, namespace=start, other=other)
+            labels = [found.Other().at(_place(ontology.documents, each)) for each in others]
             yield found.at(place, *labels)
 
 

@@ -5,9 +5,9 @@ that follows.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from dslkit.diagnostics import Diagnostic, Template, listed
+from dslkit.diagnostics import Diagnostic, Template, listed, remarked
 from dslkit.source import Span
 from ezskiros.migrate import implementation_errors
 from ezskiros.migrate.skills import SkillId
@@ -92,5 +92,6 @@ def _missing(group: Sequence[Follower]) -> Diagnostic:
     others = [each for each in dict.fromkeys(each.name for each in group) if each != group[0].name]
     if not others:
         return first
-    note = f"for the same reason {listed(others)} {'is' if len(others) == 1 else 'are'} left"
-    return replace(first, notes=(*first.notes, note))
+    are = "is" if len(others) == 1 else "are"
+    note = implementation_errors.LeftToo(names=listed(others), are=are)
+    return remarked(first, note)

@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
+
+
+class LeftToo(Remark):
+    """The note that tells what else is left as it is."""
+
+    says = "for the same reason {names} {are} left"
+    names: str
+    are: str
 
 
 class UnusableSkill(Error, code="EZS721", name="unusable-skill"):

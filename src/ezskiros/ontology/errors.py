@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class UnknownFormat(Error, code="EZS101", name="unknown-format"):
@@ -73,6 +73,13 @@ class UnknownNamespace(Error, code="EZS110", name="unknown-namespace"):
     label = "no file declares anything in it"
     spelled: str
 
+    class Use(Remark):
+        says = "used here"
+
+    class Known(Remark):
+        says = "there are {known}"
+        known: str
+
 
 class UnknownName(Error, code="EZS111", name="unknown-name"):
     """A class or individual that its namespace does not have."""
@@ -81,6 +88,10 @@ class UnknownName(Error, code="EZS111", name="unknown-name"):
     label = "not in the ontology"
     namespace: str
     spelled: str
+
+    class OtherNamespace(Remark):
+        says = "it is in another namespace: write `{meant}`"
+        meant: str
 
 
 ALL: tuple[type[Template], ...] = (

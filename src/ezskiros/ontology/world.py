@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import Any
 
-from dslkit.diagnostics import Diagnostic, Label, listed
+from dslkit.diagnostics import DeclaredHere, Diagnostic, DidYouMean, Label, Remark, listed
 from dslkit.source.named import uses_of
 from ezskiros import session
 from ezskiros.ontology import condition_errors, errors
@@ -66,12 +66,13 @@ class Ontology:
         if name in self.namespaces:
             return self.namespaces[name]
         near = difflib.get_close_matches(name, self.namespaces)
-        known = f"there are {listed(sorted(self.namespaces))}"
         if near or self.is_whole:
-            help = f"did you mean `{near[0]}`?" if near else known
+            found = errors.UnknownNamespace(spelled=name)
+            known = found.Known(known=listed(sorted(self.namespaces)))
+            help = DidYouMean(near=near[0]) if near else known
             here = session.here()
-            uses = (Label(each, "used here") for each in uses_of(here)[:_MOST_USES])
-            session.report(errors.UnknownNamespace(spelled=name).at(here, *uses, help=help))
+            uses = (found.Use().at(each) for each in uses_of(here)[:_MOST_USES])
+            session.report(found.at(here, *uses, help=help))
         return UNKNOWN
 
     def __getitem__(self, name: str) -> Namespace:
@@ -193,14 +194,14 @@ class Ontology:
         found = condition_errors.UnknownProperty(
             spelled=name, subject=repr(thing), subject_class=repr(type(thing))
         )
-        labels = [self.label(self.properties[near[0]][0], "declared here")] if near else []
-        help = f"did you mean `{near[0]}`?" if near else None
+        labels = [self.label(self.properties[near[0]][0], DeclaredHere())] if near else []
+        help = DidYouMean(near=near[0]) if near else None
         session.report(found.at(session.here(), *filter(None, labels), help=help))
 
-    def label(self, iri: str, text: str) -> Label | None:
+    def label(self, iri: str, remark: Remark) -> Label | None:
         """A remark at the place where a file declares something."""
         place = declaration(self.documents, iri)
-        return Label(place, text) if place else None
+        return remark.at(place) if place else None
 
 
 def _bases(direct: tuple[ThingClass, ...], order: tuple[ThingClass, ...]) -> tuple[ThingClass, ...]:
@@ -257,13 +258,13 @@ class Namespace:
     def _unknown(self, name: str) -> errors.UnknownName:
         return errors.UnknownName(namespace=self.__name, spelled=name)
 
-    def _meant(self, name: str) -> str | None:
+    def _meant(self, name: str) -> Remark | None:
         """A class of this namespace, or else of another, that may be meant."""
         known = {**self.__ontology.class_names, **self._own_classes()}
         if name in known:
-            return f"it is in another namespace: write `{known[name]}`"
+            return errors.UnknownName.OtherNamespace(meant=known[name])
         near = difflib.get_close_matches(name, known, n=1)
-        return f"did you mean `{known[near[0]]}`?" if near else None
+        return DidYouMean(near=known[near[0]]) if near else None
 
     def _own_classes(self) -> dict[str, str]:
         """With the name of the namespace, by the bare names of Python."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NoGoal(Error, code="EZS850", name="no-goal"):
@@ -19,6 +19,10 @@ class UnknownThing(Error, code="EZS851", name="unknown-thing-in-goal"):
     title = "the scene has no `{spelled}`"
     spelled: str
 
+    class Known(Remark):
+        says = "it has {known}"
+        known: str
+
 
 class UnknownProperty(Error, code="EZS852", name="unknown-property-in-goal"):
     """A relation or data property in a goal that the ontology does not have."""
@@ -26,12 +30,37 @@ class UnknownProperty(Error, code="EZS852", name="unknown-property-in-goal"):
     title = "the ontology has no relation or data property `{spelled}`"
     spelled: str
 
+    class WithPrefix(Remark):
+        says = "name one with its prefix, such as `skiros:contain`"
+
 
 class GoalOutOfReach(Error, code="EZS853", name="goal-out-of-reach"):
     """A goal that no sequence of skills leads to, because of one condition."""
 
     title = "no skill leads to this: {missing}"
     missing: str
+
+    class Needs(Remark):
+        says = "`{skill}` needs {needed}"
+        skill: str
+        needed: str
+
+    class NeedsThing(Remark):
+        says = "`{skill}` needs a {owl_class}, and the scene has none"
+        skill: str
+        owl_class: str
+
+    class Circular(Remark):
+        says = (
+            "{missing} is not so in the scene, and what makes it so, {skills}, leads back to "
+            "these needs"
+        )
+        missing: str
+        skills: str
+
+    class Missing(Remark):
+        says = "{missing} is not so in the scene, and no skill makes it so"
+        missing: str
 
 
 class GoalsTogether(Error, code="EZS854", name="goals-together"):

@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, DidYouMean, Remark
 from dslkit.source import SourceFile, Span
 from ezskiros.ontology.iris import split
 from ezskiros.ontology.model import Model
@@ -99,16 +99,17 @@ class _Reader:
             known[self._model.short(iri)] = iri
         if word in known:
             return known[word]
-        help = _near(word, known) or "name one with its prefix, such as `skiros:contain`"
-        found = errors.UnknownProperty(spelled=word).at(self._span(start, end), help=help)
-        raise GoalError(found)
+        found = errors.UnknownProperty(spelled=word)
+        help = _near(word, known) or found.WithPrefix()
+        raise GoalError(found.at(self._span(start, end), help=help))
 
     def _thing(self, word: str, start: int, end: int) -> str:
         name = word.strip('"')
         if name in self._things:
             return self._things[name]
-        help = _near(name, self._things) or f"it has {_some(self._things)}"
-        raise GoalError(errors.UnknownThing(spelled=name).at(self._span(start, end), help=help))
+        found = errors.UnknownThing(spelled=name)
+        help = _near(name, self._things) or found.Known(known=_some(self._things))
+        raise GoalError(found.at(self._span(start, end), help=help))
 
     # --- tokens -----------------------------------------------------------------------------------
 
@@ -141,9 +142,9 @@ def _value(word: str) -> str | int | float | bool:
     return word.strip('"')
 
 
-def _near(word: str, known: Mapping[str, str]) -> str | None:
+def _near(word: str, known: Mapping[str, str]) -> Remark | None:
     near = difflib.get_close_matches(word, known, n=1, cutoff=0.5)
-    return f"did you mean `{near[0]}`?" if near else None
+    return DidYouMean(near=near[0]) if near else None
 
 
 def _some(things: Mapping[str, str]) -> str:

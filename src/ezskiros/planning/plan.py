@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from dslkit.diagnostics import Diagnostic, Severity, listed
+from dslkit.diagnostics import Diagnostic, Remark, Severity, listed
 from dslkit.source import SourceFile, Span, is_file
 from ezskiros.check.scene_errors import NoOntologyForScene
 from ezskiros.ontology.iris import THING
@@ -117,21 +117,20 @@ class _Search:
 
     def _out_of_reach(self, goal: Goal, missing: Missing) -> Diagnostic:
         """The finding for a goal, with the way from it to what is missing."""
-        needed = [f"`{skill}` needs {self._said(each)}" for skill, each in reversed(missing.chain)]
-        if missing.without is not None:
-            model = self.scene.ontology.model
-            name, _ = missing.chain[0]
-            what = f"`{name}` needs a {model.short(missing.without)}, and the scene has none"
-            needed[-1] = what
-        elif missing.circular:
-            what = (
-                f"{self._said(missing.literal)} is not so in the scene, and what makes it so, "
-                f"{listed(missing.circular)}, leads back to these needs"
-            )
-        else:
-            what = f"{self._said(missing.literal)} is not so in the scene, and no skill makes it so"
         found = errors.GoalOutOfReach(missing=self._said(goal.literal))
-        notes = (*needed, what) if missing.without is None else tuple(needed)
+        notes: list[Remark] = [
+            found.Needs(skill=skill, needed=self._said(each))
+            for skill, each in reversed(missing.chain)
+        ]
+        lacking = self._said(missing.literal)
+        if missing.without is not None:
+            owl_class = self.scene.ontology.model.short(missing.without)
+            name, _ = missing.chain[0]
+            notes[-1] = found.NeedsThing(skill=name, owl_class=owl_class)
+        elif missing.circular:
+            notes.append(found.Circular(missing=lacking, skills=listed(missing.circular)))
+        else:
+            notes.append(found.Missing(missing=lacking))
         return found.at(goal.span, notes=notes)
 
     def _said(self, literal: Literal) -> str:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from types import FunctionType
 
-from dslkit.diagnostics import Diagnostic, Label, Template
+from dslkit.diagnostics import Diagnostic, DidYouMean, Remark, Template
 from ezskiros import session
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.things import ThingClass
@@ -87,9 +87,8 @@ def _no_description(skill: SkillClass) -> Diagnostic:
     if not near:
         return found.at(class_span(skill))
     is_old = near[0] == "createDescription"
-    help = "`ezskiros migrate` translates `createDescription`" if is_old else None
-    label = Label(definition(methods[near[0]]).whole, "did you mean `description`?")
-    return found.at(class_span(skill), label, help=help)
+    label = found.Near().at(definition(methods[near[0]]).whole)
+    return found.at(class_span(skill), label, help=found.Migrate() if is_old else None)
 
 
 def _has_self(method: FunctionType) -> bool:
@@ -109,11 +108,11 @@ def _explored(
 ) -> tuple[Conditions, bool]:
     """The conditions of a description, and whether none is missing after a mistake."""
 
-    def undefined(spelled: str) -> tuple[Template, str | None]:
+    def undefined(spelled: str) -> tuple[Template, Remark | None]:
         known = [*(each.name for each in parameters), *function.__globals__]
         near = difflib.get_close_matches(spelled, known, n=1)
         found = errors.UnknownParameter(spelled=spelled, skill=skill.__name__)
-        return found, f"did you mean `{near[0]}`?" if near else None
+        return found, DidYouMean(near=near[0]) if near else None
 
     method = Method(
         skill,

@@ -13,16 +13,13 @@ from dataclasses import dataclass
 from importlib.machinery import SourceFileLoader
 from types import CodeType
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, Remark
 from dslkit.source import SourceFile, Span
 from dslkit.source.paths import shown
 from ezskiros import session
 from ezskiros.skills.load_errors import NoPython
 
 _DEFAULT = "utf-8"
-_HELP = (
-    "save the file in UTF-8, or say what it is in by its first line: `# -*- coding: latin-1 -*-`"
-)
 
 
 @dataclass(frozen=True)
@@ -32,7 +29,7 @@ class _Fault:
     said: str
     place: int
     encoding: str = _DEFAULT
-    help: str | None = None
+    help: Remark | None = None
 
 
 class UnreadableError(SyntaxError):
@@ -91,7 +88,7 @@ def _undecodable(content: bytes, encoding: str) -> _Fault | None:
         content.decode(encoding)
     except UnicodeDecodeError as problem:
         said = f"the byte 0x{content[problem.start]:02x} is not of {encoding}"
-        return _Fault(said, problem.start, encoding, _HELP)
+        return _Fault(said, problem.start, encoding, NoPython.Encoding())
     return None
 
 

@@ -2,7 +2,15 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
+
+
+class HasKey(Remark):
+    """The note that tells what SkiROS2 calls a parameter."""
+
+    says = "`{parameter}` has the key {key}"
+    parameter: str
+    key: str
 
 
 class NoDescription(Error, code="EZS201", name="no-description"):
@@ -11,6 +19,12 @@ class NoDescription(Error, code="EZS201", name="no-description"):
     title = "the skill `{skill}` has no method `description`"
     help = "write `def description(self, Robot: INFERRED[cora.Robot], ...):`"
     skill: str
+
+    class Near(Remark):
+        says = "did you mean `description`?"
+
+    class Migrate(Remark):
+        says = "`ezskiros migrate` translates `createDescription`"
 
 
 class NoAnnotation(Error, code="EZS202", name="no-annotation"):
@@ -134,6 +148,11 @@ class UnknownParameter(Error, code="EZS213", name="unknown-parameter"):
     spelled: str
     skill: str
 
+    class Signature(Remark):
+        says = "write `def {method}(self, {parameter}):`"
+        method: str
+        parameter: str
+
 
 class NoSelf(Error, code="EZS214", name="no-self"):
     """A description without `self`, or with a parameter in its place."""
@@ -159,6 +178,10 @@ class Raised(Error, code="EZS220", name="description-raised"):
     method: str
     exception: str
     said: str
+
+    class Added(Remark):
+        says = "write `self.{conditions} += ...`"
+        conditions: str
 
 
 class SideEffect(Error, code="EZS221", name="side-effect"):
@@ -221,6 +244,15 @@ class DuplicateSkill(Error, code="EZS230", name="duplicate-skill"):
     note = "one hides the other: SkiROS2 looks skills and implementations up by their names alone"
     help = "give one of them another name"
     skill: str
+
+    class Other(Remark):
+        says = "the other one"
+
+    class OfLibraries(Remark):
+        says = (
+            "give one of them another name: of two libraries SkiROS2 takes that of the first in "
+            "`libraries_list`"
+        )
 
 
 ALL: tuple[type[Template], ...] = (

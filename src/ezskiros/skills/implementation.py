@@ -8,6 +8,7 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from dslkit.diagnostics import DidYouMean, Remark
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown, described
 from ezskiros.skills import tree_errors as errors
@@ -182,16 +183,18 @@ _ELSEWHERE = {
 """Names that others have for some of them."""
 
 
-def _help_for(name: str) -> str:
+def _help_for(name: str) -> Remark:
     """What to write instead of something that `self` does not have in `expandBT`."""
     if name == "params":
-        return "`expandBT` gets the parameters: write `params.Name`"
+        return errors.UnknownProcessor.Params()
     if name == "skill":
-        return "a child is called by the name of its skill: `Drive(Target=params.Place)`"
+        return errors.UnknownProcessor.Skill()
     if name in _ELSEWHERE:
-        return f"write `self.{_ELSEWHERE[name]}(...)`"
+        return errors.UnknownProcessor.OtherName(processor=_ELSEWHERE[name])
     near = difflib.get_close_matches(name, MAKERS, n=1)
-    return f"did you mean `self.{near[0]}`?" if near else f"there is {', '.join(MAKERS)}"
+    if near:
+        return DidYouMean(near=f"self.{near[0]}")
+    return errors.UnknownProcessor.Known(known=", ".join(MAKERS))
 
 
 def _processor(flow: Flow, children: tuple[Any, ...]) -> Node:
@@ -247,14 +250,14 @@ def _is_node(child: object) -> bool:
     return False
 
 
-def _help_for_child(child: object) -> str | None:
+def _help_for_child(child: object) -> Remark | None:
     """What to write instead of something that is no child, where that is plain."""
     if isinstance(child, str) and child.isidentifier():
-        return f"write `{child}(...)`: skills are named without quotes"
+        return errors.NoNode.Quoted(skill=child)
     if isinstance(child, SkillClass):
-        return f"write `{child.__name__}(...)`"
+        return errors.NoNode.SkillClass(skill=child.__name__)
     if isinstance(child, (list, tuple)):
-        return "write `*[...]`, with an asterisk: children are given one by one"
+        return errors.NoNode.List()
     if callable(child):
-        return "call it: a tree consists of what the calls give"
+        return errors.NoNode.Call()
     return None

@@ -19,7 +19,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TypeVar
 
-from dslkit.diagnostics import Collector, Diagnostic, Label
+from dslkit.diagnostics import Collector, Diagnostic, Remark
 from dslkit.source import SourceFile, Span, is_file, is_folder
 from dslkit.source.call_site import line_span, source_file
 from ezskiros import session
@@ -62,8 +62,9 @@ def load_skills(paths: Iterable[Path]) -> Loaded:
     for path in paths:
         if located(path) is None:
             nowhere = Span(SourceFile(str(path), ""), 0, 0)
-            help = _HELP if _is_name_of_module(path) else None
-            session.report(errors.NoFile(path=str(path)).at(nowhere, help=help))
+            found = errors.NoFile(path=str(path))
+            help = found.NoModule() if _is_name_of_module(path) else None
+            session.report(found.at(nowhere, help=help))
     descriptions: dict[SkillClass, None] = {}
     implementations: dict[type[SkillImplementation], None] = {}
     endless: dict[str, str] = {}
@@ -115,11 +116,6 @@ def located(path: Path) -> Path | None:
     if places:
         return Path(next(iter(places)))
     return Path(spec.origin) if spec and spec.origin and spec.origin.endswith(".py") else None
-
-
-_HELP = (
-    "no module of this name is found either: install it, or run this in the folder that it is in"
-)
 
 
 def _is_name_of_module(path: Path) -> bool:
@@ -215,8 +211,8 @@ def _report_repeated(file: Path, skills: set[str]) -> None:
     seen: dict[str, Span] = {}
     for name, span in classes_of(source):
         if name in skills and name in seen:
-            label = Label(seen[name], "the other one")
-            session.report(skill_errors.DuplicateSkill(skill=name).at(span, label))
+            twice = skill_errors.DuplicateSkill(skill=name)
+            session.report(twice.at(span, twice.Other().at(seen[name])))
         seen.setdefault(name, span)
 
 
@@ -247,16 +243,11 @@ def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> D
         exception, why = "it ends the process", "nothing is imported after this"
     elif isinstance(problem, ModuleNotFoundError) and problem.name in endless:
         why = f"the import of `{problem.name}` does not end"
-    help = _star_help(source) if isinstance(problem, NameError) else None
+    found = errors.ModuleFailed(exception=exception, said=why)
+    help: Remark | None = _star_help(source) if isinstance(problem, NameError) else None
     if _was_refused(problem):
-        help = _REFUSED
-    return errors.ModuleFailed(exception=exception, said=why).at(span, help=help)
-
-
-_REFUSED = (
-    "a check changes no file, starts no process and uses no network: import what does in the "
-    "methods that use it"
-)
+        help = found.Refused()
+    return found.at(span, help=help)
 
 
 def _was_refused(problem: BaseException | None) -> bool:
@@ -268,10 +259,10 @@ def _was_refused(problem: BaseException | None) -> bool:
     return False
 
 
-def _star_help(source: SourceFile) -> str | None:
+def _star_help(source: SourceFile) -> Remark | None:
     """What to do about `from rospy import *`: nobody knows which names a stand-in would have."""
     stars = re.findall(r"(?m)^\s*from\s+([\w.]+)\s+import\s+\*", source.text)
     missing = [each for each in stars if not is_installed(each.partition(".")[0])]
     if not missing:
         return None
-    return f"`{missing[0]}` is not installed, and gives no names to `import *`: import them by name"
+    return errors.ModuleFailed.Star(module=missing[0])

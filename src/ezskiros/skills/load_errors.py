@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NoFile(Error, code="EZS001", name="no-file"):
@@ -11,6 +11,12 @@ class NoFile(Error, code="EZS001", name="no-file"):
     title = "there is no file {path}"
     path: str
 
+    class NoModule(Remark):
+        says = (
+            "no module of this name is found either: install it, or run this in the folder that "
+            "it is in"
+        )
+
 
 class NoPython(Error, code="EZS002", name="no-python"):
     """A file that Python does not understand."""
@@ -18,6 +24,12 @@ class NoPython(Error, code="EZS002", name="no-python"):
     title = "this is not Python: {said}"
     note = "the skills of this file are not checked"
     said: str
+
+    class Encoding(Remark):
+        says = (
+            "save the file in UTF-8, or say what it is in by its first line: `# -*- coding: "
+            "latin-1 -*-`"
+        )
 
 
 class ModuleFailed(Error, code="EZS003", name="module-failed"):
@@ -28,6 +40,16 @@ class ModuleFailed(Error, code="EZS003", name="module-failed"):
     note = "the skills of this file are not checked"
     exception: str
     said: str
+
+    class Refused(Remark):
+        says = (
+            "a check changes no file, starts no process and uses no network: import what does in "
+            "the methods that use it"
+        )
+
+    class Star(Remark):
+        says = "`{module}` is not installed, and gives no names to `import *`: import them by name"
+        module: str
 
 
 class StandIn(Warning, code="EZS004", name="stand-in"):

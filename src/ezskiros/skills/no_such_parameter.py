@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, DidYouMean
 from dslkit.source import Span
 from ezskiros.skills import tree_errors as errors
 from ezskiros.skills.interface import SkillInterface
@@ -13,5 +13,5 @@ from ezskiros.skills.interface import SkillInterface
 def no_such_parameter(skill: SkillInterface, name: str, place: Span) -> Diagnostic:
     """The finding, with the parameter that may be meant."""
     near = difflib.get_close_matches(name, [each.name for each in skill.parameters], n=1)
-    help = f"did you mean `{near[0]}`?" if near else None
+    help = DidYouMean(near=near[0]) if near else None
     return errors.NoSuchParameter(skill=skill.name, spelled=name).at(place, help=help)

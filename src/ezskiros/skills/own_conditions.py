@@ -17,7 +17,7 @@ from dataclasses import replace
 from types import FunctionType
 from typing import Any
 
-from dslkit.diagnostics import Diagnostic, Template
+from dslkit.diagnostics import Diagnostic, DidYouMean, Remark, Template, remarked
 from ezskiros import session
 from ezskiros.ontology.things import Condition, Unknown
 from ezskiros.skills import errors, tree_errors
@@ -67,16 +67,16 @@ def _own(
     ]
     for name in unknown:
         found = no_such_parameter(skill, name, written.name_of(name))
-        session.report(found if found.help else replace(found, help=_signature_help(skill)))
+        session.report(found if found.help else remarked(found, help=_signature_help(skill)))
 
-    def undefined(spelled: str) -> tuple[Template, str | None]:
+    def undefined(spelled: str) -> tuple[Template, Remark | None]:
         names = [each.name for each in skill.parameters]
         if spelled in names:
             found = errors.UnknownParameter(spelled=spelled, skill=METHOD)
-            return found, f"write `def {METHOD}(self, {spelled}):`"
+            return found, found.Signature(method=METHOD, parameter=spelled)
         near = difflib.get_close_matches(spelled, [*names, *function.__globals__], n=1)
         found = errors.UnknownParameter(spelled=spelled, skill=skill.name)
-        return found, f"did you mean `{near[0]}`?" if near else None
+        return found, DidYouMean(near=near[0]) if near else None
 
     method = Method(
         implementation,
@@ -101,21 +101,21 @@ def _own(
     return added.pre, are_whole and not unknown and not is_replaced
 
 
-def _signature_help(skill: SkillInterface) -> str:
+def _signature_help(skill: SkillInterface) -> Remark:
     """The help for the signature of the method, with the first parameter of a skill."""
     things = [each.name for each in skill.parameters if each.is_thing]
     first = next(iter([*things, *(each.name for each in skill.parameters)]), "Parameter")
-    return f"write `def {METHOD}(self, {first}):`: the parameters of the skill have their own names"
+    return tree_errors.Signature(method=METHOD, parameter=first)
 
 
 def _adds_nothing(implementation: type[SkillImplementation], function: FunctionType) -> Diagnostic:
     """The finding for a method without an effect, with the keyword that may be the cause."""
     found = tree_errors.NoOwnConditions(implementation=implementation.__name__)
-    help = None
+    help: Remark | None = None
     if inspect.isgeneratorfunction(function) or inspect.isasyncgenfunction(function):
-        help = "leave out `yield`: the method is called, and nobody asks for what it yields"
+        help = found.Generator()
     elif inspect.iscoroutinefunction(function):
-        help = "leave out `async`: the method is called, and not awaited"
+        help = found.Coroutine()
     return found.at(definition(function).whole, help=help)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template
+from dslkit.diagnostics import Error, Remark, Template
 
 
 class NoBrackets(Error, code="EZS006", name="no-brackets"):
@@ -23,6 +23,10 @@ class DuplicateKey(Error, code="EZS007", name="duplicate-key"):
     parameter: str
     key: str
 
+    class First(Remark):
+        says = "so has `{parameter}`"
+        parameter: str
+
 
 class WrongKey(Error, code="EZS008", name="wrong-key"):
     """A key that is no text, is empty, or is not the only one."""
@@ -41,6 +45,10 @@ class WrongOutput(Error, code="EZS009", name="wrong-output"):
     parameter: str
     reason: str
     type: str
+
+    class AskedBefore(Remark):
+        says = "say it as a post-condition, or declare `{parameter}` without OUTPUT"
+        parameter: str
 
 
 class RobotAsValue(Error, code="EZS217", name="robot-as-value"):

@@ -11,7 +11,6 @@ from functools import lru_cache
 from types import FunctionType
 from typing import Annotated, Any, get_args, get_origin
 
-from dslkit.diagnostics import Label
 from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, ThingClass, Unknown
@@ -53,7 +52,7 @@ def _report_repeated_keys(parameters: Sequence[Parameter]) -> None:
         first = seen.setdefault(each.key, each)
         if first is not each:
             found = parameter_errors.DuplicateKey(parameter=each.name, key=repr(each.key))
-            session.report(found.at(each.span, Label(first.span, f"so has `{first.name}`")))
+            session.report(found.at(each.span, found.First(parameter=first.name).at(first.span)))
 
 
 @dataclass

@@ -15,7 +15,7 @@ from pathlib import Path
 from types import FunctionType
 from typing import Generic, TypeVar
 
-from dslkit.diagnostics import Diagnostic, Template
+from dslkit.diagnostics import Diagnostic, DidYouMean, Remark, Template
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN
 from ezskiros.skills import errors
@@ -45,7 +45,7 @@ class Method:
     function: FunctionType
     called: str
     advice: str
-    undefined: Callable[[str], tuple[Template, str | None]]
+    undefined: Callable[[str], tuple[Template, Remark | None]]
     substitute: object = UNKNOWN
 
 
@@ -153,11 +153,11 @@ def _raised(method: Method, problem: BaseException) -> Diagnostic:
     return found.at(span, help=_help_for(problem))
 
 
-def _help_for(problem: BaseException) -> str | None:
+def _help_for(problem: BaseException) -> Remark | None:
     """The help where `self.` is forgotten, `pre_conditions += ...`, or the name is misspelt."""
     if isinstance(problem, AttributeError) and problem.name:
         near = difflib.get_close_matches(problem.name, CONDITIONS, n=1, cutoff=0.75)
-        return f"did you mean `self.{near[0]}`?" if near else None
+        return DidYouMean(near=f"self.{near[0]}") if near else None
     unbound = isinstance(problem, UnboundLocalError)
     names = (each for each in CONDITIONS if unbound and f"'{each}'" in str(problem))
-    return next((f"write `self.{each} += ...`" for each in names), None)
+    return next((errors.Raised.Added(conditions=each) for each in names), None)

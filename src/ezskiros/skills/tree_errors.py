@@ -2,7 +2,17 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
+
+
+class Signature(Remark):
+    """The help for the signature of an implementation's own conditions."""
+
+    says = (
+        "write `def {method}(self, {parameter}):`: the parameters of the skill have their own names"
+    )
+    method: str
+    parameter: str
 
 
 class NoChildren(Error, code="EZS501", name="no-children"):
@@ -20,6 +30,20 @@ class NoNode(Error, code="EZS502", name="no-node"):
     title = "a behavior tree consists of skills, and this is {found}"
     help = "write `Skill(Parameter=...)`, `Skill.implementation(...)` or `self.serialstar(...)`"
     found: str
+
+    class Quoted(Remark):
+        says = "write `{skill}(...)`: skills are named without quotes"
+        skill: str
+
+    class SkillClass(Remark):
+        says = "write `{skill}(...)`"
+        skill: str
+
+    class List(Remark):
+        says = "write `*[...]`, with an asterisk: children are given one by one"
+
+    class Call(Remark):
+        says = "call it: a tree consists of what the calls give"
 
 
 class WrongLimit(Error, code="EZS503", name="wrong-limit"):
@@ -67,6 +91,13 @@ class EmptyTree(Error, code="EZS507", name="empty-tree"):
     help = "write the tree: `self.serialstar(Drive(...), Pick(...))`"
     implementation: str
 
+    class Branch(Remark):
+        says = "where this is {answer}"
+        answer: str
+
+    class Generator(Remark):
+        says = "leave out `yield`: what `expandBT` calls is the tree"
+
 
 class NoSuchParameter(Error, code="EZS508", name="no-such-parameter"):
     """A parameter of an implementation that the description of its skill does not have."""
@@ -93,6 +124,15 @@ class UnknownSkill(Error, code="EZS510", name="unknown-skill"):
     title = "`{spelled}` is not defined"
     note = "in SkiROS2 a skill that is not there ends the task when it gets to this tree"
     spelled: str
+
+    class Processor(Remark):
+        says = "write `self.{processor}(...)`"
+        processor: str
+
+    class Import(Remark):
+        says = "import it: `from {module} import {skill}`"
+        module: str
+        skill: str
 
 
 class ImplementationNamed(Error, code="EZS515", name="implementation-named"):
@@ -141,6 +181,20 @@ class UnknownProcessor(Error, code="EZS519", name="unknown-processor"):
     implementation: str
     spelled: str
 
+    class Params(Remark):
+        says = "`expandBT` gets the parameters: write `params.Name`"
+
+    class Skill(Remark):
+        says = "a child is called by the name of its skill: `Drive(Target=params.Place)`"
+
+    class OtherName(Remark):
+        says = "write `self.{processor}(...)`"
+        processor: str
+
+    class Known(Remark):
+        says = "there is {known}"
+        known: str
+
 
 class WrongMakerCall(Error, code="EZS538", name="wrong-processor-call"):
     """A processor or a decorator that gets arguments that it does not have."""
@@ -169,6 +223,12 @@ class NoOwnConditions(Warning, code="EZS565", name="no-own-conditions"):
     title = "`conditions` of `{implementation}` adds no pre-condition"
     help = "write `self.pre_conditions += ...`, or leave out the method"
     implementation: str
+
+    class Generator(Remark):
+        says = "leave out `yield`: the method is called, and nobody asks for what it yields"
+
+    class Coroutine(Remark):
+        says = "leave out `async`: the method is called, and not awaited"
 
 
 ALL: tuple[type[Template], ...] = (

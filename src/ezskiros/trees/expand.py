@@ -11,7 +11,7 @@ import inspect
 from collections.abc import Iterator, Mapping
 from types import FunctionType, MappingProxyType
 
-from dslkit.diagnostics import Label, Template
+from dslkit.diagnostics import DidYouMean, Remark, Template
 from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, Unknown
@@ -111,16 +111,16 @@ def expand(
                 _report_empty(implementation, function, branch)
 
 
-def _undefined(spelled: str, function: FunctionType) -> tuple[Template, str | None]:
+def _undefined(spelled: str, function: FunctionType) -> tuple[Template, Remark | None]:
     """The finding for a name that is nowhere, with the skill that may be meant."""
     found = errors.UnknownSkill(spelled=spelled)
     if spelled in MAKERS:
-        return found, f"write `self.{spelled}(...)`"
+        return found, found.Processor(processor=spelled)
     modules = {each.__name__: each.__module__ for each in known_skills()}
     if spelled in modules:
-        return found, f"import it: `from {modules[spelled]} import {spelled}`"
+        return found, found.Import(module=modules[spelled], skill=spelled)
     near = difflib.get_close_matches(spelled, [*function.__globals__, *modules], n=1)
-    return found, f"did you mean `{near[0]}`?" if near else None
+    return found, DidYouMean(near=near[0]) if near else None
 
 
 def _branch(decisions: Decisions) -> tuple[tuple[Span, bool], ...]:
@@ -154,8 +154,8 @@ def _report_empty(
     function: FunctionType,
     branch: tuple[tuple[Span, bool], ...],
 ) -> None:
-    labels = (Label(span, f"where this is {str(answer).lower()}") for span, answer in branch)
     empty = errors.EmptyTree(implementation=implementation.__name__)
+    labels = (empty.Branch(answer=str(answer).lower()).at(span) for span, answer in branch)
     is_generator = inspect.isgeneratorfunction(function)
-    help = "leave out `yield`: what `expandBT` calls is the tree" if is_generator else None
+    help = empty.Generator() if is_generator else None
     session.report(empty.at(definition(function).whole, *labels, help=help))

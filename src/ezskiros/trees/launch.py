@@ -13,6 +13,7 @@ from typing import Any
 from ruamel.yaml import YAML
 from ruamel.yaml.error import MarkedYAMLError, ReusedAnchorWarning, YAMLError
 
+from dslkit.diagnostics import DidYouMean
 from dslkit.source import SourceFile, Span, ending
 from dslkit.source.python_file import too_deep
 from ezskiros import session
@@ -124,7 +125,7 @@ class _Reader:
 
     def _unknown(self, span: Span, spelled: str, kind: str, known: Iterable[str]) -> None:
         near = difflib.get_close_matches(spelled, list(known), n=1)
-        help = f"did you mean `{near[0]}`?" if near else None
+        help = DidYouMean(near=near[0]) if near else None
         found = errors.UnknownLaunchName(kind=kind, spelled=spelled)
         session.report(found.at(span, help=help))
 

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from dslkit.diagnostics import Label
+from dslkit.diagnostics import Remark
 from rossmarie.analysis.activity import truths_of
-from rossmarie.analysis.errors import ConflictOrdered, NeverTogether, RulesConflict, Undecided
+from rossmarie.analysis.errors import (
+    ConflictOrdered,
+    NameRules,
+    NeedsItToo,
+    NeverTogether,
+    OrderRules,
+    RulesConflict,
+    Undecided,
+)
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, both_active
 from rossmarie.analysis.solver import Outcome
@@ -75,12 +83,12 @@ def _judged(
     pair = inquiry.about(first, second)
     result = pair.decide(both_active(pair.machine))
     names = (rules[0].name, rules[1].name)
-    place = Label(rules[0].head, "this rule needs it too")
+    place = NeedsItToo().at(rules[0].head)
     span = rules[1].head
     if result.outcome is Outcome.IMPOSSIBLE:
         never = NeverTogether(first=names[0], second=names[1], resource=needed)
         return Finding(never.at(span, place))
-    notes: tuple[str, ...] = ()
+    notes: tuple[Remark, ...] = ()
     if result.witness is not None:
         truths = truths_of(pair.machine, (0, 1))
         notes = (witness_note(pair.machine, result.witness, truths),)
@@ -93,15 +101,13 @@ def _judged(
         question = f"can rules `{names[0]}` and `{names[1]}`, which both need {needed}, be active"
         open_one = Undecided(question=f"{question} together?", reason="no order between them")
         return Finding(open_one.at(span, place, help=_advice(machine, first, second)))
-    finding = RulesConflict(
-        first=names[0], second=names[1], resource=needed, advice=_advice(machine, first, second)
-    )
-    return Finding(finding.at(span, place, notes=notes), result.witness)
+    finding = RulesConflict(first=names[0], second=names[1], resource=needed)
+    help = _advice(machine, first, second)
+    return Finding(finding.at(span, place, notes=notes, help=help), result.witness)
 
 
-def _advice(machine: Machine, first: int, second: int) -> str:
+def _advice(machine: Machine, first: int, second: int) -> Remark:
     rules = (machine.rules[first], machine.rules[second])
     if any(rule.head.text != rule.name for rule in rules):
-        return "name both rules, and say which is more important: `priority RULE over RULE;`"
-    order = f"`priority {rules[0].name} over {rules[1].name};`, or the other way round"
-    return f"say which is more important: {order}; or let one give way: `if ... unless RULE then`"
+        return NameRules()
+    return OrderRules(first=rules[0].name, second=rules[1].name)

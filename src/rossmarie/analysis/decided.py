@@ -11,9 +11,16 @@ from functools import partial
 
 import z3
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import Diagnostic, Label, Remark
 from rossmarie.analysis.course import Course
-from rossmarie.analysis.errors import AlwaysActive, ConstantPart, NeverActive, Undecided
+from rossmarie.analysis.errors import (
+    AlwaysActive,
+    ConstantPart,
+    Decided,
+    NeverActive,
+    NumberIs,
+    Undecided,
+)
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.state import ArbitraryState
@@ -164,10 +171,10 @@ def _rule_finding(
     machine = inquiry.machine
     rule = machine.rules[index]
     labels: tuple[Label, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Remark, ...] = ()
     if cause is not None:
         part, value = cause
-        labels = (Label(machine.truths[part].span, f"this is {_WORDS[value]}"),)
+        labels = (Decided(outcome=_WORDS[value]).at(machine.truths[part].span),)
         notes = _reasons(machine, part)
     span = rule.head
     if lacking is ALWAYS:
@@ -190,13 +197,13 @@ _WORDS = {NEVER: "never true", ALWAYS: "always true"}
 # --- reasons ---------------------------------------------------------------------------------
 
 
-def _reasons(machine: Machine, truth: int) -> tuple[str, ...]:
+def _reasons(machine: Machine, truth: int) -> tuple[Remark, ...]:
     """What the numbers that a leaf compares can be."""
     node = machine.truths[truth].node
     if isinstance(node, Quantified):
         return _reasons(machine, node.element)
     return tuple(
-        f"`{machine.signals[signal].text}` is {_range(machine, signal)}"
+        NumberIs(number=machine.signals[signal].text, range=_range(machine, signal))
         for signal in compared_signals(node)
         if _range(machine, signal)
     )

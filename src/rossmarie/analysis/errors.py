@@ -2,7 +2,77 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Note, Template, Warning
+from dslkit.diagnostics import Note, Remark, Template, Warning
+
+
+class WhileActive(Remark):
+    """The label of what a rule does to a command."""
+
+    says = "in force while the rule is active"
+
+
+class Escalated(Remark):
+    """The label of what an escalation does to a command."""
+
+    says = "in force once what stands before its `else` has failed"
+
+
+class WheneverNot(Remark):
+    """The label of a rule that is active whenever another one is."""
+
+    says = "whenever this is not, that is not either"
+
+
+class Decided(Remark):
+    """The label of the part of a condition that decides it."""
+
+    says = "this is {outcome}"
+    outcome: str
+
+
+class NumberIs(Remark):
+    """The note that tells what a number can be."""
+
+    says = "`{number}` is {range}"
+    number: str
+    range: str
+
+
+class NeedsItToo(Remark):
+    """The label of the other of two rules that need the same thing."""
+
+    says = "this rule needs it too"
+
+
+class Shown(Remark):
+    """The note that tells a witness."""
+
+    says = "shown by this: {course}"
+    course: str
+
+
+class ShownWithLoss(Remark):
+    """The note that tells a witness in which an input is missing."""
+
+    says = "shown by this, where an input is missing: {course}"
+    course: str
+
+
+class NameRules(Remark):
+    """The help where rules that need an order have no names."""
+
+    says = "name both rules, and say which is more important: `priority RULE over RULE;`"
+
+
+class OrderRules(Remark):
+    """The help where rules need an order."""
+
+    says = (
+        "say which is more important: `priority {first} over {second};`, or the other way round; "
+        "or let one give way: `if ... unless RULE then`"
+    )
+    first: str
+    second: str
 
 
 class RulesConflict(Warning, code="ROSS700", name="rules-conflict"):
@@ -11,11 +81,9 @@ class RulesConflict(Warning, code="ROSS700", name="rules-conflict"):
     title = "rules `{first}` and `{second}` can be active together, and both need {resource}"
     label = "which one gets it?"
     note = "without an order, the rule that stands first in the file gets it: `{first}`"
-    help = "{advice}"
     first: str
     second: str
     resource: str
-    advice: str
 
 
 class NeverTogether(Note, code="ROSS701", name="never-together"):
@@ -112,6 +180,9 @@ class RecoveryBlocked(Warning, code="ROSS709", name="recovery-blocked"):
     low: str
     high: str
 
+    class Limit(Remark):
+        says = "this lies on it at the same time"
+
 
 class LimitHoldsCondition(Warning, code="ROSS710", name="limit-holds-condition"):
     """What a rule does to a command keeps its own condition from becoming false."""
@@ -152,6 +223,31 @@ class NeverAtRate(Warning, code="ROSS713", name="never-at-rate"):
     condition: str
     topic: str
 
+    class Rate(Remark):
+        says = "messages on {topic} come {apart}; {reason}"
+        topic: str
+        apart: str
+        reason: Remark
+
+    class NeverCleared(Remark):
+        says = "so rule `{rule}` is never cleared then"
+        rule: str
+
+    class Over(Remark):
+        says = "{age} after each `{condition}` can no longer be true, until the next"
+        age: str
+        condition: str
+
+    class TurningPoints(Remark):
+        says = "{count} turning points take {time}"
+        count: int
+        time: str
+
+    class Forgotten(Remark):
+        says = "`{input}` is lost {timeout} after each, and the value before it is forgotten"
+        input: str
+        timeout: str
+
 
 class LostBetweenMessages(Warning, code="ROSS714", name="lost-between-messages"):
     """An input whose timeout is shorter than the time from message to message."""
@@ -164,6 +260,11 @@ class LostBetweenMessages(Warning, code="ROSS714", name="lost-between-messages")
     apart: str
     timeout: str
     longest: str
+
+    class BecomesActive(Remark):
+        says = "rule `{rule}` becomes active then; {shown}"
+        rule: str
+        shown: Remark
 
 
 class OneMessageEnough(Warning, code="ROSS715", name="one-message-enough"):
@@ -182,11 +283,29 @@ class LatchReleased(Warning, code="ROSS716", name="latch-released"):
 
     title = "rule `{rule}` can reset {latched} without an operator"
     label = "its action `{action}` resets all latched rules"
-    help = "{advice}"
     rule: str
     latched: str
     action: str
-    advice: str
+
+    class Latched(Remark):
+        says = "this rule waits for a reset"
+
+    class OwnLatch(Remark):
+        says = "leave the reset to an operator, or leave `latched until reset` out"
+
+    class NameRules(Remark):
+        says = (
+            "leave the reset to an operator; or name both rules, and say that it is meant: "
+            "`priority RULE over RULE;`"
+        )
+
+    class GiveWay(Remark):
+        says = (
+            "leave the reset to an operator, or write `unless {latched}` after the condition of "
+            "`{rule}`; if the reset is meant, say so: `priority {rule} over {latched};`"
+        )
+        rule: str
+        latched: str
 
 
 class LimitHoldsRelease(Warning, code="ROSS717", name="limit-holds-release"):
@@ -200,6 +319,9 @@ class LimitHoldsRelease(Warning, code="ROSS717", name="limit-holds-release"):
     release: str
     when: str
 
+    class Release(Remark):
+        says = "this is what clears the rule"
+
 
 class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
     """Rules that become active again and again by what they publish."""
@@ -211,6 +333,16 @@ class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
     whom: str
     topic: str
     reader: str
+
+    class Other(Remark):
+        says = "this one publishes on {topic}, which {reader} reads"
+        topic: str
+        reader: str
+
+    class Often(Remark):
+        says = "{who} becomes active twice within {within}"
+        who: str
+        within: str
 
 
 class Undecided(Note, code="ROSS729", name="undecided"):

@@ -9,7 +9,6 @@ from dataclasses import replace
 
 import z3
 
-from dslkit.diagnostics import Label
 from rossmarie import ir
 from rossmarie.analysis.activity import becomes_active, is_cleared, truths_of
 from rossmarie.analysis.closed_loop import Loop, Outside
@@ -360,18 +359,16 @@ def _alternating(machine: Machine, circle: Sequence[Publication], witness: Witne
         reader=_reader(machine, circle, 0),
     )
     places = [
-        Label(
-            machine.rules[each.rule].head,
-            f"this one publishes on {machine.channels[each.channel].topic}, which "
-            f"{_reader(machine, circle, place)} reads",
-        )
+        finding.Other(
+            topic=machine.channels[each.channel].topic, reader=_reader(machine, circle, place)
+        ).at(machine.rules[each.rule].head)
         for place, each in enumerate(circle)
         if place > 0
     ]
     truths = truths_of(machine, tuple(each.rule for each in circle))
     note = witness_note(machine, witness, truths)
     who = "each of them" if circle[1:] else "it"
-    often = f"{who} becomes active twice within {duration_text(witness.end_ns)}"
+    often = finding.Often(who=who, within=duration_text(witness.end_ns))
     head = machine.rules[circle[0].rule].head
     return Finding(finding.at(head, *places, notes=(note, often)), witness)
 

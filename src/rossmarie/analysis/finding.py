@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, Remark
+from rossmarie.analysis.errors import Shown, ShownWithLoss
 from rossmarie.analysis.witness import Witness, told
 from rossmarie.ir import Constant, Machine, compared_signals, reachable_truths
 
@@ -18,7 +19,7 @@ class Finding:
     witness: Witness | None = None
 
 
-def witness_note(machine: Machine, witness: Witness, truths: Sequence[int]) -> str:
+def witness_note(machine: Machine, witness: Witness, truths: Sequence[int]) -> Remark:
     """The witness in words, as a note: what the truths look at, and when."""
     signals = {
         signal
@@ -27,5 +28,5 @@ def witness_note(machine: Machine, witness: Witness, truths: Sequence[int]) -> s
         for signal in compared_signals(machine.truths[truth].node)
         if not isinstance(machine.signals[signal].node, Constant)
     }
-    what = "shown by this" if witness.is_calm else "shown by this, where an input is missing"
-    return f"{what}: {told(machine, witness, sorted(signals))}"
+    kind = Shown if witness.is_calm else ShownWithLoss
+    return kind(course=told(machine, witness, sorted(signals)))

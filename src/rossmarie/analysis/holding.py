@@ -13,7 +13,7 @@ from functools import partial
 import z3
 
 from dslkit.diagnostics import Diagnostic, Label
-from rossmarie.analysis.errors import LimitHoldsCondition, LimitHoldsRelease
+from rossmarie.analysis.errors import Escalated, LimitHoldsCondition, LimitHoldsRelease, WhileActive
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
@@ -217,16 +217,15 @@ def _judged(inquiry: Inquiry, rule: int, kept: Sequence[Kept]) -> Diagnostic | N
         release=machine.truths[release].text,
         when="never true" if is_never else "not true while the condition is false",
     )
-    place = Label(machine.truths[release].span, "this is what clears the rule")
+    place = stuck.Release().at(machine.truths[release].span)
     return stuck.at(declared.head, place, *places)
 
 
 def _places(machine: Machine, rule: int, kept: Sequence[Kept]) -> Iterator[Label]:
     planned = {task for stage in machine.reactions.plans[rule].stages for task in stage}
     for task in dict.fromkeys(each.task for each in kept):
-        escalated = "in force once what stands before its `else` has failed"
-        when = "in force while the rule is active" if task in planned else escalated
-        yield Label(machine.reactions.tasks[task].span, when)
+        when = WhileActive() if task in planned else Escalated()
+        yield when.at(machine.reactions.tasks[task].span)
 
 
 def _does(machine: Machine, kept: Sequence[Kept]) -> str:

@@ -11,13 +11,12 @@ from functools import partial
 
 import z3
 
-from dslkit.diagnostics import Label
 from rossmarie.analysis.activity import (
     becomes_active,
     is_cleared,
     truths_of,
 )
-from rossmarie.analysis.errors import NeverItsTurn, RuleImplied
+from rossmarie.analysis.errors import NeverItsTurn, RuleImplied, WheneverNot
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, both_active
 from rossmarie.analysis.state import ArbitraryState
@@ -117,7 +116,7 @@ def _told(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
     witness = pair.witness(both_active(pair.machine))
     truths = truths_of(pair.machine, (0, 1))
     notes = () if witness is None else (witness_note(pair.machine, witness, truths),)
-    place = Label(two.head, "whenever this is not, that is not either")
+    place = WheneverNot().at(two.head)
     resource = _shared(machine, rule, other)
     if is_same:
         finding = RuleImplied(rule=one.name, other=two.name)

@@ -8,7 +8,7 @@ from functools import partial
 
 import z3
 
-from dslkit.diagnostics import Label
+from dslkit.diagnostics import Remark
 from rossmarie.analysis.activity import becomes_active, may_be_active, truths_of
 from rossmarie.analysis.conflict import ordered_pairs
 from rossmarie.analysis.course import Course
@@ -143,28 +143,22 @@ def _released(machine: Machine, rule: int, latched: int, task: int, result: Resu
         rule=one.name,
         latched="its own latch" if rule == latched else f"the latched rule `{two.name}`",
         action=machine.reactions.actions[action].name,
-        advice=_advice(machine, rule, latched),
     )
     assert result.witness is not None
     conditions = tuple(dict.fromkeys((two.condition, one.condition)))
     note = witness_note(machine, result.witness, conditions)
-    places = () if rule == latched else (Label(two.head, "this rule waits for a reset"),)
-    return Finding(finding.at(one.head, *places, notes=(note,)), result.witness)
+    places = () if rule == latched else (finding.Latched().at(two.head),)
+    help = _advice(machine, rule, latched)
+    return Finding(finding.at(one.head, *places, notes=(note,), help=help), result.witness)
 
 
-def _advice(machine: Machine, rule: int, latched: int) -> str:
+def _advice(machine: Machine, rule: int, latched: int) -> Remark:
     one, two = machine.rules[rule], machine.rules[latched]
     if rule == latched:
-        return "leave the reset to an operator, or leave `latched until reset` out"
+        return LatchReleased.OwnLatch()
     if any(each.head.text != each.name for each in (one, two)):
-        return (
-            "leave the reset to an operator; or name both rules, and say that it is meant: "
-            "`priority RULE over RULE;`"
-        )
-    return (
-        f"leave the reset to an operator, or write `unless {two.name}` after the condition of "
-        f"`{one.name}`; if the reset is meant, say so: `priority {one.name} over {two.name};`"
-    )
+        return LatchReleased.NameRules()
+    return LatchReleased.GiveWay(rule=one.name, latched=two.name)
 
 
 def _open(machine: Machine, rule: int, latched: int) -> Finding:

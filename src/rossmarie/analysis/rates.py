@@ -10,6 +10,7 @@ from functools import partial
 
 import z3
 
+from dslkit.diagnostics import Remark
 from rossmarie.analysis.activity import truths_of
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.errors import LostBetweenMessages, NeverAtRate, OneMessageEnough
@@ -90,8 +91,8 @@ def _lost_between(inquiry: Inquiry, index: int) -> Iterator[Finding]:
             continue
         witness = _loss(inquiry, declared, rule, gaps[1])
         if witness is not None:
-            note = witness_note(machine, witness, (asked.condition,))
-            active = f"rule `{asked.name}` becomes active then; {note}"
+            shown = witness_note(machine, witness, (asked.condition,))
+            active = finding.BecomesActive(rule=asked.name, shown=shown)
             yield Finding(finding.at(declared.span, notes=(active,)), witness)
             return
     yield Finding(finding.at(declared.span))
@@ -150,33 +151,34 @@ def never_at_rate(inquiry: Inquiry, truth: int) -> list[Finding]:
     for channel in sorted(inquiry.asked.supports.truths[truth].channels):
         gaps = _gaps(machine, channel)
         reason = _reason(inquiry, truth, channel, gaps[0])
-        if reason:
+        if reason is not None:
             part = machine.truths[truth]
             topic = machine.channels[channel].topic
             held = [rule.name for rule in machine.rules if rule.release == truth]
-            notes = (
-                f"messages on {topic} come {_apart(gaps)}; {reason}",
-                *(f"so rule `{rule}` is never cleared then" for rule in held),
-            )
             finding = NeverAtRate(condition=part.text, topic=topic)
+            notes = (
+                finding.Rate(topic=topic, apart=_apart(gaps), reason=reason),
+                *(finding.NeverCleared(rule=rule) for rule in held),
+            )
             return [Finding(finding.at(part.span, notes=notes))]
     return []
 
 
-def _reason(inquiry: Inquiry, truth: int, channel: int, gap_ns: int) -> str:
-    """Why a part is never true if messages on a channel are that far apart; empty if it may be."""
+def _reason(inquiry: Inquiry, truth: int, channel: int, gap_ns: int) -> Remark | None:
+    """Why a part is never true if messages on a channel are that far apart; None if it may be."""
     machine = inquiry.machine
     match machine.truths[truth].node:
         case Held(operand=operand, duration_ns=duration_ns):
             over_ns = _over_after(inquiry, operand, channel, min(gap_ns, duration_ns + 1))
             if over_ns is not None:
                 text, over = machine.truths[operand].text, duration_text(over_ns)
-                return f"{over} after each `{text}` can no longer be true, until the next"
+                return NeverAtRate.Over(age=over, condition=text)
         case Oscillates(count=count, window_ns=window_ns) as node:
             if inquiry.asked.supports.signals[node.signal].channels != {channel}:
-                return ""
+                return None
             if (count - 1) * gap_ns >= window_ns:
-                return f"{count} turning points take {duration_text((count - 1) * gap_ns)}"
+                time = duration_text((count - 1) * gap_ns)
+                return NeverAtRate.TurningPoints(count=count, time=time)
             return _forgotten(inquiry, node.signal, channel, gap_ns)
         case (
             Literal() | Compare() | Between() | Flag() | AgeReaches() | Quantified() | Not()
@@ -184,9 +186,9 @@ def _reason(inquiry: Inquiry, truth: int, channel: int, gap_ns: int) -> str:
         ) as node:  # fmt: skip
             for signal in _remembering(machine, compared_signals(node)):
                 reason = _forgotten(inquiry, signal, channel, gap_ns)
-                if reason:
+                if reason is not None:
                     return reason
-    return ""
+    return None
 
 
 def _over_after(inquiry: Inquiry, operand: int, channel: int, below_ns: int) -> int | None:
@@ -224,18 +226,18 @@ def _remembering(machine: Machine, signals: Sequence[int]) -> Iterator[int]:
         waiting += signal_operands(node)
 
 
-def _forgotten(inquiry: Inquiry, signal: int, channel: int, gap_ns: int) -> str:
-    """Why there are never two samples of a signal (S21); empty if there may be."""
+def _forgotten(inquiry: Inquiry, signal: int, channel: int, gap_ns: int) -> Remark | None:
+    """Why there are never two samples of a signal (S21); None if there may be."""
     machine = inquiry.machine
     support = inquiry.asked.supports.signals[signal]
     if support.channels != {channel}:
-        return ""
+        return None
     for used in sorted(support.inputs):
         timeout_ns = machine.inputs[used].timeout_ns
         if timeout_ns is not None and timeout_ns < gap_ns:
             name, timeout = machine.inputs[used].name, duration_text(timeout_ns)
-            return f"`{name}` is lost {timeout} after each, and the value before it is forgotten"
-    return ""
+            return NeverAtRate.Forgotten(input=name, timeout=timeout)
+    return None
 
 
 # --- durations that one message fulfils -------------------------------------------------------

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from dslkit.diagnostics import Label
 from rossmarie.analysis.activity import truths_of
 from rossmarie.analysis.errors import RecoveryBlocked, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
@@ -84,7 +83,7 @@ def _blocked(
     by = f"its own `{limit}`" if rule == other else f"`{limit}` of `{machine.rules[other].name}`"
     field = machine.reactions.commands[publish.command].fields[bound.field]
     path = ".".join(str(step) for step in field.path)
-    place = Label(limit_task.span, "this lies on it at the same time")
+    place = RecoveryBlocked.Limit().at(limit_task.span)
     if result.outcome is Outcome.UNDECIDED:
         question = f"can rule `{name}` publish {path} on {publish.topic} while {by} makes it 0?"
         open_one = Undecided(question=question, reason="whether both can be active is open")

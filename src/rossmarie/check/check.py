@@ -27,6 +27,7 @@ from rossmarie.check.model import (
 from rossmarie.check.names.references import use_actions
 from rossmarie.check.names.unused import warn_of_unused
 from rossmarie.check.operations.operands import duration_ns, require_condition, require_constant
+from rossmarie.check.rules.errors import MissingTimeout
 from rossmarie.check.rules.hazards import declared_hazards
 from rossmarie.check.rules.last_resorts import check_last_resorts
 from rossmarie.check.rules.missing import (
@@ -141,7 +142,7 @@ def _constants_in(constant: ast.Constant, context: Context) -> list[ast.Constant
 def _report_circular_constant(circle: Sequence[ast.Constant], context: Context) -> None:
     names = [constant.name.text for constant in circle]
     finding = CircularConstant(identifier=names[0], cycle=_circle(names))
-    labels = [Label(other.name.span, "part of the circle") for other in circle[1:_LONGEST_CIRCLE]]
+    labels = [finding.Part().at(other.name.span) for other in circle[1:_LONGEST_CIRCLE]]
     context.collector.add(finding.at(circle[0].name.span, *labels))
 
 
@@ -188,7 +189,7 @@ def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
             infer(contract.duration, context)
             duration_ns(contract.duration, "what stands after `clear for`", context)
     head = rule.condition.span if rule.name is None else rule.name.span
-    return Label(head, "this rule rests on it"), uses
+    return MissingTimeout.Rule().at(head), uses
 
 
 def _check_actions(targets: Targets, context: Context) -> _Actions:
@@ -206,7 +207,8 @@ def _check_actions(targets: Targets, context: Context) -> _Actions:
         check_latches(effects, context)
         order, priorities = order_of_rules(context)
         check_last_resorts(effects, order, unless, checker.commands, context)
-    confirmations = tuple(checker.confirmations)
+    resting = MissingTimeout.Confirmation()
+    confirmations = tuple((resting.at(span), uses) for span, uses in checker.confirmations)
     return _Actions(effects, checker.commands, confirmations, order, unless, priorities)
 
 
@@ -217,7 +219,7 @@ def _check_circles(conditions: dict[ConditionKey, Uses], context: Context) -> No
         finding = CircularCondition(identifier=names[0], cycle=_circle(names))
         steps = zip(circle, (*circle[1:], circle[0]), strict=True)
         first, *others = [conditions[key].conditions[needed] for key, needed in steps]
-        labels = [Label(span, "and this on the next") for span in others[:_LONGEST_CIRCLE]]
+        labels = [finding.Next().at(span) for span in others[:_LONGEST_CIRCLE]]
         context.collector.add(finding.at(first, *labels))
 
 

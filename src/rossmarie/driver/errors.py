@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class FileUnreadable(Error, code="ROSS801", name="file-unreadable"):
@@ -34,6 +34,9 @@ class ImportNotFound(Error, code="ROSS803", name="import-not-found"):
     note = "the path of an import is relative to the file that imports"
     path: str
     looked_for: str
+
+    class CheckPath(Remark):
+        says = "check the path"
 
 
 class TooManyWarnings(Warning, code="ROSS804", name="too-many-warnings"):

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.diagnostics import Collector, Diagnostic, DidYouMean
 from dslkit.source import SourceFile, Span, ending, is_file, is_folder
 from rossmarie.driver.errors import FileUnreadable, ImportNotFound, NotARulesFile, NotUtf8
 from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, parse
@@ -163,6 +163,6 @@ def _import_not_found(path: Path, span: Span) -> Diagnostic:
         folder = LIBRARY
     present = [found.stem for found in folder.glob("*.ross")] if is_folder(folder) else []
     near = difflib.get_close_matches(path.stem, present, n=1)
-    help = f"did you mean `{near[0]}.ross`?" if near else "check the path"
     finding = ImportNotFound(path=span.text.strip('"'), looked_for=f"`{path}`")
+    help = DidYouMean(near=f"{near[0]}.ross") if near else finding.CheckPath()
     return finding.at(span, help=help)

@@ -12,6 +12,7 @@ from decimal import Decimal
 
 from rossmarie.ir import EARLIEST_NS, LATEST_NS, ChannelValues, Kind, Machine
 from rossmarie.recordings.csv_columns import Columns
+from rossmarie.recordings.errors import MessagesUnreadable
 from rossmarie.recordings.matching import Match, Unreadable, input_span, listed
 
 _SECONDS = ("time", "t", "stamp")
@@ -126,5 +127,5 @@ def unreadable_cells(
         total=filled,
         start_ns=start_ns,
         spans=[input_span(machine, reader) for reader in match.inputs],
-        advice="correct these cells, or leave them empty: that is not known",
+        help=MessagesUnreadable.Cells(),
     )

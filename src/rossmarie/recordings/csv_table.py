@@ -139,19 +139,19 @@ class CsvRecording:
                 wanted = [machine.inputs[reader].name]
             if wanted and len(missing) == len(read):
                 near = similar_column(match, missing, machine, unread)
-                advice = near and "did you mean `{}`? then name this column `{}`".format(*near)
                 finding = ColumnMissing(
                     input=machine.inputs[reader].name,
                     unread=listed(unread, none="no other column"),
                     expected=listed(wanted),
                 )
-                collector.add(finding.at(span, help=advice))
+                help = finding.Near(near=near[0], expected=near[1]) if near else None
+                collector.add(finding.at(span, help=help))
                 continue
             for field, name in zip(missing, wanted, strict=True):
                 text, kind = field_text(field.path), kind_text(field)
                 reason = f"`{self.path.name}` has no column for it"
                 lost = FieldNotRecorded(topic=match.topic, field=text, kind=kind, reason=reason)
-                collector.add(lost.at(span, help=f"add a column `{name}`"))
+                collector.add(lost.at(span, help=lost.NoColumn(column=name)))
             if is_blank:
                 collector.add(TopicNeverSent(topic=match.topic).at(span))
 
@@ -160,8 +160,7 @@ class CsvRecording:
             expected="the inputs " + listed(declared.name for declared in machine.inputs),
             recorded="the columns " + listed(self._names[1:], none="(none)"),
         )
-        advice = "name the columns after the inputs, or after topics: `/topic.field`"
-        return with_reasons(at_file(finding, self.path), collector, help=advice)
+        return with_reasons(at_file(finding, self.path), collector, help=finding.Columns())
 
     def _read(self, readers: Sequence[ChannelReader], collector: Collector) -> Iterator[Update]:
         for at_ns, cells in self._rows():

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from dslkit.diagnostics import Diagnostic, Error, Template, Warning
+from dslkit.diagnostics import Diagnostic, Error, Remark, Template, Warning
 from dslkit.source import SourceFile, Span
 
 
@@ -25,9 +25,17 @@ class RecordingError(Exception):
         )
 
 
-def at_file(finding: Template, path: Path) -> Diagnostic:
+def at_file(finding: Template, path: Path, help: Remark | None = None) -> Diagnostic:
     """A finding about a recording as a whole."""
-    return finding.at(Span(SourceFile(str(path), ""), 0, 0))
+    return finding.at(Span(SourceFile(str(path), ""), 0, 0), help=help)
+
+
+class TopicLeftOut(Remark):
+    """The note that tells why a topic or a column is not read."""
+
+    says = "{title}; {help}"
+    title: str
+    help: str
 
 
 # --- a topic or a field, at the input that reads it ------------------------------------------
@@ -45,6 +53,11 @@ class TopicNotRecorded(Warning, code="ROSS601", name="topic-not-recorded"):
     topic: str
     read_as: str
     recorded: str
+
+    class Near(Remark):
+        says = "did you mean `{near}`? then say `--topic-map {topic}={near}`"
+        near: str
+        topic: str
 
 
 class TopicOfAnotherType(Warning, code="ROSS602", name="topic-of-another-type"):
@@ -79,6 +92,10 @@ class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
     kind: str
     reason: str
 
+    class NoColumn(Remark):
+        says = "add a column `{column}`"
+        column: str
+
 
 class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     """Messages of a topic, or cells of a CSV file, that are not what they should be."""
@@ -92,6 +109,9 @@ class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     total: int
     seconds: float
     reason: str
+
+    class Cells(Remark):
+        says = "correct these cells, or leave them empty: that is not known"
 
 
 class DefinitionMissing(Warning, code="ROSS606", name="definition-missing"):
@@ -131,6 +151,11 @@ class TopicMapUnused(Error, code="ROSS607", name="topic-map-unused"):
     topic: str
     known: str
 
+    class Near(Remark):
+        says = "did you mean `{near}={recorded}`?"
+        near: str
+        recorded: str
+
 
 # --- a file as a whole -----------------------------------------------------------------------
 
@@ -139,8 +164,9 @@ class RecordingNotFound(Error, code="ROSS610", name="recording-not-found"):
     """A path at which there is nothing."""
 
     title = "there is no recording at this path"
-    help = "{hint}"
-    hint: str
+
+    class CheckPath(Remark):
+        says = "check the path"
 
 
 class RecordingUnreadable(Error, code="ROSS611", name="recording-unreadable"):
@@ -196,6 +222,9 @@ class NothingToReplay(Error, code="ROSS616", name="nothing-to-replay"):
     help = "name the recorded topics with `--topic-map TOPIC=RECORDED`"
     expected: str
     recorded: str
+
+    class Columns(Remark):
+        says = "name the columns after the inputs, or after topics: `/topic.field`"
 
 
 class RecordingUntyped(Error, code="ROSS617", name="recording-untyped"):
@@ -258,6 +287,11 @@ class ColumnMissing(Warning, code="ROSS623", name="column-missing"):
     input: str
     unread: str
     expected: str
+
+    class Near(Remark):
+        says = "did you mean `{near}`? then name this column `{expected}`"
+        near: str
+        expected: str
 
 
 ALL: tuple[type[Template], ...] = (

@@ -6,6 +6,7 @@ import difflib
 import re
 from pathlib import Path
 
+from dslkit.diagnostics import DidYouMean, Remark
 from rossmarie.recordings.errors import (
     RecordingEmpty,
     RecordingError,
@@ -48,7 +49,7 @@ def _files(path: Path) -> list[Path]:
     if path.is_dir():
         return _files_in(path)
     if not path.exists():
-        raise RecordingError(at_file(RecordingNotFound(hint=_similar(path)), path))
+        raise RecordingError(at_file(RecordingNotFound(), path, help=_similar(path)))
     if path.suffix not in _KINDS:
         ending = f"`{path.suffix}`" if path.suffix else "a name without an ending"
         reason = f"{ending} is not a kind of recording that can be read"
@@ -76,8 +77,8 @@ def _unnumbered(file: Path) -> str:
     return re.sub(r"_\d+$", "", file.stem) + file.suffix
 
 
-def _similar(path: Path) -> str:
+def _similar(path: Path) -> Remark:
     folder = path.parent
     present = {found.stem: found for found in folder.iterdir()} if folder.is_dir() else {}
     near = difflib.get_close_matches(path.stem, present, n=1)
-    return f"did you mean `{present[near[0]]}`?" if near else "check the path"
+    return DidYouMean(near=str(present[near[0]])) if near else RecordingNotFound.CheckPath()

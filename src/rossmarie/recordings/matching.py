@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit import diagnostics
-from dslkit.diagnostics import Collector, Diagnostic, Template
+from dslkit.diagnostics import Collector, Diagnostic, Remark, Template, remarked
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import Array, Channel, Kind, Machine, Slot
 from rossmarie.recordings.errors import (
     MessagesUnreadable,
     NothingToReplay,
     RecordingError,
+    TopicLeftOut,
     TopicMapUnused,
     TopicNeverSent,
     TopicNotRecorded,
@@ -44,14 +45,14 @@ class Match:
 class Unreadable:
     """Counts what cannot be read of one topic, and remembers the first case.
 
-    `what` is counted, such as "messages on `/odom`"; `advice` replaces the usual help.
+    `what` is counted, such as "messages on `/odom`"; `help` replaces the usual one.
     """
 
     what: str
     total: int
     start_ns: int
     spans: Sequence[Span]
-    advice: str | None = None
+    help: Remark | None = None
     count: int = 0
     first: tuple[int, str] | None = None
 
@@ -73,7 +74,7 @@ class Unreadable:
             reason=reason,
         )
         for span in self.spans:
-            collector.add(finding.at(span, help=self.advice))
+            collector.add(finding.at(span, help=self.help))
 
 
 def channel_match(machine: Machine, channel: int, topic: str) -> Match:
@@ -99,12 +100,12 @@ def match_topics(
     matches = []
     for number, channel in enumerate(machine.channels):
         match = channel_match(machine, number, topic_map.get(channel.topic, channel.topic))
-        finding, advice = _trouble(topics, channel, match.topic)
+        finding, help = _trouble(topics, channel, match.topic)
         if finding is None:
             matches.append(match)
         else:
             for reader in match.inputs:
-                collector.add(finding.at(input_span(machine, reader), help=advice))
+                collector.add(finding.at(input_span(machine, reader), help=help))
     if not matches and machine.channels:
         raise nothing_to_replay(topics, machine, path, collector)
     return matches
@@ -120,12 +121,11 @@ def nothing_to_replay(
 
 
 def with_reasons(
-    finding: Diagnostic, collector: Collector, help: str | None = None
+    finding: Diagnostic, collector: Collector, help: Remark | None = None
 ) -> RecordingError:
     """A finding that ends the reading, with all that has been found out before as its notes."""
-    reasons = sorted({f"{found.title}; {found.help}" for found in collector.sorted()})
-    notes = (*finding.notes, *reasons)
-    return RecordingError(replace(finding, notes=notes, help=help or finding.help))
+    told = {TopicLeftOut(title=each.title, help=each.help or "") for each in collector.sorted()}
+    return RecordingError(remarked(finding, *sorted(told, key=str), help=help))
 
 
 def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
@@ -134,15 +134,15 @@ def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
     for topic, recorded in topic_map.items():
         if topic not in known:
             near = difflib.get_close_matches(topic, known, n=1)
-            advice = f"did you mean `{near[0]}={recorded}`?" if near else None
             span = Span(SourceFile("--topic-map", f"{topic}={recorded}"), 0, len(topic))
             finding = TopicMapUnused(topic=topic, known=listed(known))
-            raise RecordingError(finding.at(span, help=advice))
+            help = finding.Near(near=near[0], recorded=recorded) if near else None
+            raise RecordingError(finding.at(span, help=help))
 
 
 def _trouble(
     topics: Mapping[str, Topic], channel: Channel, name: str
-) -> tuple[Template | None, str | None]:
+) -> tuple[Template | None, Remark | None]:
     """What keeps a channel from reading the recorded topic `name`, with a better help than the
     usual one if there is.
     """
@@ -151,10 +151,7 @@ def _trouble(
     if topic is None:
         finding = TopicNotRecorded(topic=name, read_as=channel.topic, recorded=listed(topics))
         near = _alternative(topics, name, wanted)
-        return (
-            finding,
-            near and f"did you mean `{near}`? then say `--topic-map {channel.topic}={near}`",
-        )
+        return finding, finding.Near(near=near, topic=channel.topic) if near else None
     if topic.message_type not in (None, wanted):
         recorded = topic.message_type or "?"
         return TopicOfAnotherType(topic=name, recorded=recorded, expected=wanted), None

@@ -75,7 +75,7 @@ def refutations(proofs: Proofs, file: Span) -> Iterator[Diagnostic]:
         finding = PartRefuted(part=outcome.check.about, sentence=first, check=outcome.check.name)
         places = (_place(proofs.machine, words) for words in (first, outcome.check.about))
         span = next((place for place in places if place is not None), file)
-        yield finding.at(span, notes=tuple(f"nor does: {other}" for other in others))
+        yield finding.at(span, notes=[finding.NorDoes(sentence=other) for other in others])
 
 
 def _place(machine: ir.Machine, words: str) -> Span | None:

@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from dslkit.diagnostics import Diagnostic, Edit, Fix, Label
+from dslkit.diagnostics import Diagnostic, Edit, Fix, Remark, Write
 from dslkit.source import Span
 from rossmarie.syntax import ast, errors
 from rossmarie.syntax.scan import Scan, Token
@@ -105,14 +105,14 @@ class ExpressionBuilder:
         first, second = (
             part.span if isinstance(part, _Comparator) else self._at(part) for part in parts[1:4:2]
         )
-        advice = "write two comparisons, joined by `and`; a condition needs no `== true`"
+        finding = errors.ChainedComparison()
+        help: Remark = finding.Two()
         fix = None
         if edit is not None:
             fix = Fix(f"write `{edit.replacement}`", (edit,))
             meant = edit.replacement[1:-1]
-            advice = f"write `{meant if len(meant) <= _LONGEST_ADVICE else 'a < b and b < c'}`"
-        finding = errors.ChainedComparison(advice=advice)
-        return finding.at(second, Label(first, "the first comparison"), fix=fix)
+            help = Write(meant=meant if len(meant) <= _LONGEST_ADVICE else "a < b and b < c")
+        return finding.at(second, finding.First().at(first), help=help, fix=fix)
 
     def _link(self, left: ast.Expression, sign: Token | _Comparator, right: Any) -> ast.Expression:
         span = left.span.to(right.span)

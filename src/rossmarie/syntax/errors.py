@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template
+from dslkit.diagnostics import Error, Remark, Template
 
 
 class FileTooLarge(Error, code="ROSS001", name="file-too-large"):
@@ -35,6 +35,9 @@ class UnterminatedString(Error, code="ROSS003", name="unterminated-string"):
     note = "a string stands on one line"
     help = 'close it with `"`'
 
+    class Escape(Remark):
+        says = "there are no escapes: a string cannot contain a quotation mark"
+
 
 class UnterminatedDocumentation(Error, code="ROSS004", name="unterminated-documentation"):
     """A `'''` without its partner."""
@@ -49,9 +52,29 @@ class UnknownItem(Error, code="ROSS005", name="unknown-item"):
 
     title = "`{found}` does not begin anything that a file is made of"
     label = "expected `import`, `system`, `action`, `const`, `input`, `entity`, `rule` or `if`"
-    help = "{advice}"
     found: str
-    advice: str
+
+    class InSystem(Remark):
+        says = "this belongs inside a system: `system NAME {{ ... }}`"
+
+    class Condition(Remark):
+        says = "conditions stand inside an entity: `entity NAME {{ ... }}`"
+
+    class Constant(Remark):
+        says = "to give a value a name, write `const {name} = ...;`"
+        name: str
+
+    class Else(Remark):
+        says = "a rule has no `else`: write another rule, with `not` in front of the condition"
+
+    class InAction(Remark):
+        says = "this belongs into the body of an action: `action NAME {{ ... }}`"
+
+    class Then(Remark):
+        says = "`then` belongs to a rule: `if CONDITION then {{ ACTION; }};`"
+
+    class NoItemWord(Remark):
+        says = "begin with the word that says what it is, such as `const` or `rule`"
 
 
 class MissingSign(Error, code="ROSS006", name="missing-sign"):
@@ -73,6 +96,9 @@ class UnclosedBracket(Error, code="ROSS007", name="unclosed-bracket"):
     help = "write `{closing}` where it ends"
     bracket: str
     closing: str
+
+    class NextItem(Remark):
+        says = "the next item begins here"
 
 
 class UnopenedBracket(Error, code="ROSS008", name="unopened-bracket"):
@@ -111,8 +137,12 @@ class ChainedComparison(Error, code="ROSS011", name="chained-comparison"):
     title = "comparisons cannot be chained"
     label = "the second comparison would compare the truth of the first"
     note = "a comparison has exactly two sides"
-    help = "{advice}"
-    advice: str
+
+    class First(Remark):
+        says = "the first comparison"
+
+    class Two(Remark):
+        says = "write two comparisons, joined by `and`; a condition needs no `== true`"
 
 
 class NestingTooDeep(Error, code="ROSS012", name="nesting-too-deep"):
@@ -154,6 +184,11 @@ class MissingName(Error, code="ROSS015", name="missing-name"):
     help = "{form}"
     place: str
     form: str
+
+    class NoUnit(Remark):
+        says = "an instant has a unit: write `at {number} sec {name}`"
+        number: str
+        name: str
 
 
 class MissingValue(Error, code="ROSS016", name="missing-value"):
@@ -223,10 +258,13 @@ class MalformedNumber(Error, code="ROSS023", name="malformed-number"):
     title = "`{found}` is not how numbers are written"
     label = "{reason}"
     note = "decimals stand after a point, with at least one digit on each side of it"
-    help = "{advice}"
     found: str
     reason: str
-    advice: str
+
+    class Thousands(Remark):
+        says = "write `{decimals}` if the comma begins the decimals, else `{whole}`"
+        decimals: str
+        whole: str
 
 
 class KeywordInCapitals(Error, code="ROSS024", name="keyword-in-capitals"):
@@ -254,10 +292,14 @@ class HiddenCharacter(Error, code="ROSS026", name="hidden-character"):
     title = "{character} hides what the file says"
     label = "{reason}"
     note = "what a reviewer sees has to be what the monitor does (CVE-2021-42574)"
-    help = "{advice}"
     character: str
     reason: str
-    advice: str
+
+    class LineFeed(Remark):
+        says = "end lines with a line feed"
+
+    class Remove(Remark):
+        says = "remove it"
 
 
 class ForeignForm(Error, code="ROSS027", name="foreign-form"):
@@ -267,6 +309,13 @@ class ForeignForm(Error, code="ROSS027", name="foreign-form"):
     label = "{problem}"
     found: str
     problem: str
+
+    class Form(Remark):
+        says = "{form}"
+        form: str
+
+    class Documentation(Remark):
+        says = "put it between `'''` and `'''`"
 
 
 class UnknownEffect(Error, code="ROSS028", name="unknown-effect"):
@@ -278,9 +327,10 @@ class UnknownEffect(Error, code="ROSS028", name="unknown-effect"):
         "an action can limit, scale or block a command, publish, call a service, set a parameter, "
         "switch controllers, send or cancel a goal, log, diagnose, call a hook, and reset"
     )
-    help = "{advice}"
     found: str
-    advice: str
+
+    class NoEffectWord(Remark):
+        says = "begin with the word that says what it does"
 
 
 class UnknownStatement(Error, code="ROSS029", name="unknown-statement"):

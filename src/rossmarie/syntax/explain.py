@@ -11,7 +11,7 @@ import re
 import unicodedata
 from collections.abc import Sequence
 
-from dslkit.diagnostics import Diagnostic, Edit, Fix, Label
+from dslkit.diagnostics import Diagnostic, Edit, Fix, Label, Remark
 from dslkit.source import Span
 from rossmarie.syntax import errors
 from rossmarie.syntax.grammar import Failure
@@ -52,8 +52,8 @@ def unterminated_text(source: Scan, token: Token) -> Diagnostic:
     """
     text = source.file.text
     if '\\"' in text[text.rfind("\n", 0, token.start) + 1 : token.start]:
-        advice = "there are no escapes: a string cannot contain a quotation mark"
-        return errors.UnterminatedString().at(source.span(token), help=advice)
+        finding = errors.UnterminatedString()
+        return finding.at(source.span(token), help=finding.Escape())
     content = token.text.rstrip()
     then = _THEN.search(content)
     ends = content.endswith(";") and len(content) > 1
@@ -248,14 +248,14 @@ class _Case:
         finding = errors.MissingName(place="after", form=self._form)
         return finding.at(self._source.span(before), help=self._help_with_unit(before))
 
-    def _help_with_unit(self, before: Token) -> str | None:
+    def _help_with_unit(self, before: Token) -> Remark | None:
         """In `at 0 speed = 1 m/s` the name of the input was read as the unit of the instant."""
         at, number = self._index - 3, self._index - 2
         if at < self._first or self._tokens[at].text != "at":
             return None
         if self._tokens[number].kind != "number":
             return None
-        return f"an instant has a unit: write `at {self._tokens[number].text} sec {before.text}`"
+        return errors.MissingName.NoUnit(number=self._tokens[number].text, name=before.text)
 
     def _value(self) -> Diagnostic | None:
         if not self._operand_is_missing():

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cache, cached_property, partial
 from typing import NamedTuple
 
-from dslkit.diagnostics import Diagnostic, Edit, Fix
+from dslkit.diagnostics import Diagnostic, DidYouMean, Edit, Fix, Write
 from dslkit.source import Span
 from rossmarie.syntax import errors
 from rossmarie.syntax.findings import Findings
@@ -109,8 +109,8 @@ class _Search:
                 if meant is None and word not in _KEYWORDS:
                     meant = _nearest(word, near.words)
                 if meant is not None:
-                    advice = f"did you mean `{meant}`?"
-                    habit = Habit(near.pattern, meant, _NO_WORD, advice)
+                    advice = DidYouMean(near=meant)
+                    habit = Habit(near.pattern, meant, _NO_WORD, str(advice))
                     yield first, partial(self._habit, habit, match)
         for pair in PAIRS:
             for first, _ in self._matches(pair):
@@ -151,10 +151,10 @@ class _Search:
         if meant is not None:
             title = f"write `{meant}`" if meant else f"remove `{shown}`"
             fix = Fix(title, (_edit(span, meant),))
-        advice = habit.advice or f"write `{meant}`"
         finding = errors.ForeignForm(problem=habit.problem.format(**groups), found=shown)
         change = _Change(first, last, tokens)
-        return (change,), finding.at(span, help=advice, fix=fix)
+        help = finding.Form(form=habit.advice) if habit.advice else Write(meant=meant or "")
+        return (change,), finding.at(span, help=help, fix=fix)
 
     def _pair(self, pair: Habit, first: int) -> tuple[tuple[_Change, ...], Diagnostic]:
         closing = self._partners.get(first)
@@ -168,7 +168,7 @@ class _Search:
         finding = errors.ForeignForm(problem=pair.problem, found=self._tokens[first].text)
         fix = Fix(f"write `{edits[0].replacement}`", tuple(edits)) if closing is not None else None
         at = self._source.span(self._tokens[first])
-        return tuple(changes), finding.at(at, help=pair.advice, fix=fix)
+        return tuple(changes), finding.at(at, help=finding.Form(form=pair.advice), fix=fix)
 
     @cached_property
     def _partners(self) -> dict[int, int]:

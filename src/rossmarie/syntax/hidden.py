@@ -31,10 +31,9 @@ def hidden_characters(source: Scan) -> Iterator[Diagnostic]:
         finding = errors.HiddenCharacter(
             character="a carriage return without a line feed (U+000D)",
             reason="some programs end a line here, others do not",
-            advice="end lines with a line feed",
         )
         fix = Fix("write line feeds", tuple(Edit(span, "\n") for span in returns))
-        yield finding.at(returns[0], fix=fix)
+        yield finding.at(returns[0], help=finding.LineFeed(), fix=fix)
     hidden = [Span(source.file, one.start(), one.end()) for one in _HIDDEN.finditer(text)]
     pieces = sorted((*source.tokens, *source.trivia), key=_start) if hidden else []
     for span in hidden:
@@ -52,10 +51,10 @@ def _hidden(span: Span, *, is_inside: bool) -> Diagnostic:
         reason="some programs end a line here, others do not"
         if is_break
         else "programs show the characters around this in another order",
-        advice="remove it",
     )
     replacement = "\n" if is_break and not is_inside else ""
-    return finding.at(span, fix=Fix("remove it", (Edit(span, replacement),)))
+    help = finding.Remove()
+    return finding.at(span, help=help, fix=Fix(str(help), (Edit(span, replacement),)))
 
 
 def _start(piece: Token) -> int:

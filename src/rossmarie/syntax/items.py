@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
-from dslkit.diagnostics import Diagnostic, Edit, Fix
+from dslkit.diagnostics import Diagnostic, DidYouMean, Edit, Fix, Remark
 from dslkit.source import Span
 from rossmarie.syntax import ast, errors
 from rossmarie.syntax.cut import Piece, cut
@@ -153,8 +153,8 @@ def _before_stray(part: PartParser, piece: Piece, kind: str, failure: Failure) -
 def _misspelt(source: Scan, piece: Piece, meant: str) -> Diagnostic:
     found = source.tokens[piece.first]
     fix = Fix(f"write `{meant}`", (Edit(source.span(found), meant),))
-    finding = errors.UnknownItem(found=found.text, advice=f"did you mean `{meant}`?")
-    return finding.at(source.span(found), fix=fix)
+    finding = errors.UnknownItem(found=found.text)
+    return finding.at(source.span(found), help=DidYouMean(near=meant), fix=fix)
 
 
 def _unknown(source: Scan, piece: Piece) -> Diagnostic:
@@ -167,21 +167,23 @@ def _unknown(source: Scan, piece: Piece) -> Diagnostic:
         return unterminated_text(source, found)
     if found.kind == "sign":
         return explain_token(source, piece.first, "module")
+    text = found.text if len(found.text) <= 40 else f"{found.text[:37]}..."
+    finding = errors.UnknownItem(found=text)
     fix = None
+    help: Remark
     if found.text in MEMBER_WORDS and after not in ("=", ":"):
-        advice = "this belongs inside a system: `system NAME { ... }`"
+        help = finding.InSystem()
     elif after == ":":
-        advice = "conditions stand inside an entity: `entity NAME { ... }`"
+        help = finding.Condition()
     elif after == "=":
-        advice = f"to give a value a name, write `const {found.text} = ...;`"
+        help = finding.Constant(name=found.text)
         fix = Fix("insert `const`", (Edit(Span(source.file, found.start, found.start), "const "),))
     elif found.text == "else":
-        advice = "a rule has no `else`: write another rule, with `not` in front of the condition"
+        help = finding.Else()
     elif found.text in EFFECT_WORDS:
-        advice = "this belongs into the body of an action: `action NAME { ... }`"
+        help = finding.InAction()
     elif found.text == "then":
-        advice = "`then` belongs to a rule: `if CONDITION then { ACTION; };`"
+        help = finding.Then()
     else:
-        advice = "begin with the word that says what it is, such as `const` or `rule`"
-    text = found.text if len(found.text) <= 40 else f"{found.text[:37]}..."
-    return errors.UnknownItem(found=text, advice=advice).at(source.span(found), fix=fix)
+        help = finding.NoItemWord()
+    return finding.at(source.span(found), help=help, fix=fix)

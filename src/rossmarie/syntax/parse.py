@@ -96,4 +96,4 @@ def _quoted_documentation(source: Scan, token: Token) -> Diagnostic:
     fix = Fix("write `'''...'''`", (Edit(span, text),))
     problem = "documentation is written `'''...'''`"
     finding = errors.ForeignForm(found='"""', problem=problem)
-    return finding.at(span, help="put it between `'''` and `'''`", fix=fix)
+    return finding.at(span, help=finding.Documentation(), fix=fix)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from dslkit.diagnostics import Edit, Fix
+from dslkit.diagnostics import DidYouMean, Edit, Fix
 from rossmarie.syntax import ast, errors
 from rossmarie.syntax.explain import explain_token, missing_sign
 from rossmarie.syntax.grammar import Failure
@@ -85,9 +85,10 @@ def _report_unknown(part: PartParser, index: int, meant: str | None) -> None:
     token = part.source.tokens[index]
     span = part.source.span(token)
     shown = token.text if len(token.text) <= 40 else f"{token.text[:37]}..."
-    advice = f"did you mean `{meant}`?" if meant else "begin with the word that says what it does"
+    finding = errors.UnknownEffect(found=shown)
+    help = DidYouMean(near=meant) if meant else finding.NoEffectWord()
     fix = Fix(f"write `{meant}`", (Edit(span, meant),)) if meant else None
-    part.findings.add(errors.UnknownEffect(found=shown, advice=advice).at(span, fix=fix))
+    part.findings.add(finding.at(span, help=help, fix=fix))
 
 
 def _members(part: PartParser, first: int, last: int) -> Iterator[Member]:

@@ -7,6 +7,7 @@ from typing import NamedTuple, TypeVar
 
 from dslkit.diagnostics import Label
 from rossmarie.syntax import ast
+from rossmarie.syntax.errors import UnclosedBracket
 from rossmarie.syntax.explain import is_name, missing_sign, unclosed_bracket
 from rossmarie.syntax.grammar import Failure
 from rossmarie.syntax.part import PartParser
@@ -52,7 +53,7 @@ def check_closed(part: PartParser, item: Stretch, start: int) -> None:
     labels: tuple[Label, ...] = ()
     if item.last < len(tokens):
         next_item = part.source.span(tokens[item.last])
-        labels = (Label(next_item, "the next item begins here"),)
+        labels = (UnclosedBracket.NextItem().at(next_item),)
     brace = tokens[start - 1]
     part.findings.add(unclosed_bracket(part.source, brace, tokens[item.last - 1], *labels))
 

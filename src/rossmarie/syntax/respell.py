@@ -12,7 +12,7 @@ import dataclasses
 from collections.abc import Sequence
 from itertools import chain
 
-from dslkit.diagnostics import Diagnostic, Edit, Fix
+from dslkit.diagnostics import Diagnostic, Edit, Fix, Write
 from rossmarie.syntax import errors
 from rossmarie.syntax.findings import Findings
 from rossmarie.syntax.scan import Scan, Token, ends_line
@@ -51,14 +51,14 @@ def _bad_number(source: Scan, token: Token) -> Diagnostic:
     reason = f"a digit is missing {'in front of' if span.text[0] == '.' else 'after'} the point"
     if "," in span.text:
         reason = "decimals begin with a point, not with a comma"
+    finding = errors.MalformedNumber(found=span.text, reason=reason)
     if "," in span.text and len(rest) == _THOUSANDS:
-        advice = f"write `{token.text}` if the comma begins the decimals, else `{whole}{rest}`"
-        return errors.MalformedNumber(found=span.text, reason=reason, advice=advice).at(span)
+        help = finding.Thousands(decimals=token.text, whole=f"{whole}{rest}")
+        return finding.at(span, help=help)
     follows = span.file.text[span.end : span.end + 1]
     gap = " " if span.text.endswith(".") and follows.isalpha() else ""
     fix = Fix(f"write `{token.text}`", (Edit(span, f"{token.text}{gap}"),))
-    finding = errors.MalformedNumber(found=span.text, reason=reason, advice=f"write `{token.text}`")
-    return finding.at(span, fix=fix)
+    return finding.at(span, help=Write(meant=token.text), fix=fix)
 
 
 def _respell(tokens: Sequence[Token], text: str) -> list[Token]:

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from dslkit.diagnostics import Error, Template
+from dslkit.diagnostics import Error, Remark, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
     """More conditions, rules and limits than the indexes of the generated code can tell apart."""
 
@@ -21,7 +18,6 @@ class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
     most: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class TooManyEvaluations(Error, code="ROSS502", name="too-many-evaluations"):
     """Timers that can fall due too often, one after the other, before one message."""
 
@@ -41,21 +37,24 @@ class TooManyEvaluations(Error, code="ROSS502", name="too-many-evaluations"):
     most: int
 
 
-@dataclass(frozen=True, kw_only=True)
 class UnsupportedEffect(Error, code="ROSS503", name="unsupported-effect"):
     """An effect of an action that a target cannot carry out."""
 
     title = "the target {target} cannot do `{effect}`"
     label = "{reason}"
     note = "a node that left it out would do less than these rules say"
-    help = "{way_out}"
     target: str
     effect: str
     reason: str
-    way_out: str
+
+    class StateType(Remark):
+        says = "say it in a system model, `server {server} : PACKAGE/TYPE;`"
+        server: str
+
+    class OtherParameter(Remark):
+        says = "name a parameter that the node has in ROS 1, or do it in a `hook`"
 
 
-@dataclass(frozen=True, kw_only=True)
 class NothingToDo(Error, code="ROSS504", name="nothing-to-do"):
     """Rules whose actions all have no body."""
 

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from dslkit.diagnostics import Error, Template
+from dslkit.diagnostics import Error, Remark, Template
 
 
-@dataclass(frozen=True, kw_only=True)
 class PartRefuted(Error, code="ROSS790", name="part-refuted"):
     """A part of the generated C that does not do what the rules mean."""
 
@@ -22,8 +19,11 @@ class PartRefuted(Error, code="ROSS790", name="part-refuted"):
     sentence: str
     check: str
 
+    class NorDoes(Remark):
+        says = "nor does: {sentence}"
+        sentence: str
 
-@dataclass(frozen=True, kw_only=True)
+
 class NoProver(Error, code="ROSS791", name="no-prover"):
     """A system on which nothing can be proved."""
 
@@ -38,7 +38,6 @@ class NoProver(Error, code="ROSS791", name="no-prover"):
     advice: str
 
 
-@dataclass(frozen=True, kw_only=True)
 class ProgramRefused(Error, code="ROSS792", name="program-refused"):
     """A program that CBMC does not translate."""
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from dslkit.diagnostics import Collector
+from dslkit.diagnostics import Collector, DeclaredHere
 from ezskiros import session
 from ezskiros.ontology import load
 from support.ontologies import PREFIXES, START, loaded, turtle
@@ -69,7 +69,7 @@ def test_all_forms_say_the_same(text: str, suffix: str) -> None:
 )
 def test_the_place_of_a_declaration_is_found(text: str, suffix: str, name: str, line: int) -> None:
     ontology, _ = loaded(text, suffix)
-    label = ontology.label(START + name, "here")
+    label = ontology.label(START + name, DeclaredHere())
     assert label is not None
     assert label.span.begin.line == line
     assert name in label.span.text

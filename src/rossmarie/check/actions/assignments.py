@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from dslkit.diagnostics import Label
+from dslkit.diagnostics import Remark
 from rossmarie.check.actions.errors import FieldGivenTwice, FieldNotAssignable, ValueMismatch
 from rossmarie.check.actions.numbers import fits
 from rossmarie.check.actions.paths import Field, describe_field, field_of
@@ -45,8 +45,8 @@ def assignments_of(
             continue
         earlier = first.setdefault(field.path, assignment)
         if earlier is not assignment:
-            place = Label(earlier.path.span, "the first time")
             finding = FieldGivenTwice(field=field.text)
+            place = finding.First().at(earlier.path.span)
             targets.context.collector.add(finding.at(assignment.path.span, place))
             is_right = False
         value = _value(assignment.value, field, targets.context)
@@ -68,20 +68,22 @@ def _elements(value: ast.Expression) -> tuple[ast.Expression, ...]:
 
 
 def _is_assignable(field: Field, assignment: ast.FieldAssignment, context: Context) -> bool:
-    reason, advice = "a message, not a value", "name one of its fields"
+    kind = FieldNotAssignable
+    help: Remark
+    reason, help = "a message, not a value", kind.SomeField()
     if isinstance(field.type, Message) and field.leaf is None:
         inside = [f"`{field.text}.{name}`" for name in field.type.fields][:8]
-        advice = f"name one of its fields: {', '.join(inside)}" if inside else advice
+        help = kind.Fields(fields=", ".join(inside)) if inside else help
     elif field.leaf is None:
-        reason, advice = "it takes more than a number", "set numbers, truths and strings"
+        reason, help = "it takes more than a number", kind.Scalars()
         if not isinstance(field.type, Quantity):
-            advice = f"name one of its parts, such as `{field.text}.x`"
+            help = kind.Part(field=field.text)
     elif field.leaf.is_array is field.is_element or not field.is_element:
         return True
     else:
-        reason, advice = "not an array", "leave the `[...]` out"
-    finding = FieldNotAssignable(field=field.text, reason=reason, advice=advice)
-    context.collector.add(finding.at(assignment.path.span))
+        reason, help = "not an array", kind.NoIndex()
+    finding = kind(field=field.text, reason=reason)
+    context.collector.add(finding.at(assignment.path.span, help=help))
     return False
 
 
@@ -138,8 +140,9 @@ def _number(
     number = context.values[id(node)].numbers[0]
     if unit is not None and not is_plain(type_):
         reason = "this element has a unit, and so has the whole list"
-        twice = MisplacedUnit(reason=reason, advice=f"write the unit once, `[...] {unit.symbol}`")
-        context.collector.add(twice.at(node.span))
+        twice = MisplacedUnit(reason=reason)
+        help = twice.OnceInList(unit=unit.symbol)
+        context.collector.add(twice.at(node.span, help=help))
         return None
     if unit is not None:
         number = unit.to_si(number)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from dslkit.diagnostics import Diagnostic, Label
+from dslkit.diagnostics import Diagnostic, Remark
 from dslkit.source import Span
 from rossmarie.check.actions.errors import (
     BoundWithoutZero,
@@ -115,8 +115,8 @@ class CommandChecker:
         ramps: list[tuple[ast.Expression, Unit, float]],
     ) -> reactions.Limit | None:
         if not effect.bounds:
-            advice = "bound a field: `{ FIELD in [LOW, HIGH] UNIT; }`"
-            self._add(DoesNothing(what="limit", advice=advice).at(effect.span))
+            empty = DoesNothing(what="limit")
+            self._add(empty.at(effect.span, help=empty.Limit()))
         first: dict[reactions.FieldPath, ast.FieldBound] = {}
         found: list[tuple[int, Unit, tuple[float, ...], str]] = []
         for bound in effect.bounds:
@@ -126,8 +126,9 @@ class CommandChecker:
                 continue
             earlier = first.setdefault(field.path, bound)
             if earlier is not bound:
-                place = Label(earlier.path.span, "the first time")
-                self._add(FieldGivenTwice(field=field.text).at(bound.path.span, place))
+                finding = FieldGivenTwice(field=field.text)
+                place = finding.First().at(earlier.path.span)
+                self._add(finding.at(bound.path.span, place))
             ends = self._ends(bound, field)
             if ends is not None:
                 found.append((index, field.unit or DIMENSIONLESS, ends, field.text))
@@ -148,14 +149,14 @@ class CommandChecker:
         if field.leaf is not None and field.leaf.path in paths and not field.is_element:
             return paths.index(field.leaf.path)
         whole = [".".join(map(str, path)) for path in paths]
-        reason, advice = "not a floating-point number", f"bound one of `{'`, `'.join(whole[:8])}`"
+        kind = FieldNotBounded
+        help: Remark
+        reason, help = "not a floating-point number", kind.OneOf(fields=_quoted(whole[:8]))
         if field.is_element:
-            reason = "a bound holds for each element of an array"
-            advice = "leave the `[...]` out"
+            reason, help = "a bound holds for each element of an array", kind.NoIndex()
         elif inside := [path for path in whole if path.startswith(f"{field.text}.")]:
-            reason, advice = "not a number, but several", f"bound `{'`, `'.join(inside[:8])}`"
-        finding = FieldNotBounded(field=field.text, reason=reason, advice=advice)
-        self._add(finding.at(bound.path.span))
+            reason, help = "not a number, but several", kind.Inside(fields=_quoted(inside[:8]))
+        self._add(kind(field=field.text, reason=reason).at(bound.path.span, help=help))
         return None
 
     def _ends(self, bound: ast.FieldBound, field: Field) -> tuple[float, ...] | None:
@@ -246,8 +247,8 @@ class CommandChecker:
                     value = self._context.values[id(ramp)].numbers[0]
                     found.append((ramp, multiply(type_.unit, SECOND), value))
             elif not isinstance(type_, Unknown):
-                advice = "write a number, such as `ramp 0.3 m/s^2`"
-                self._add(RampMismatch(found=describe(type_), advice=advice).at(ramp.span))
+                finding = RampMismatch(found=describe(type_))
+                self._add(finding.at(ramp.span, help=finding.Number()))
         return found
 
     def _by_field(
@@ -283,11 +284,15 @@ class CommandChecker:
         found = f"this lifts something in {lifted.symbol}, and `{text}` is in {unit.symbol}"
         if unit == DIMENSIONLESS:
             found = f"this lifts something in {lifted.symbol}, and {text} is a plain number"
-        finding = RampMismatch(found=found, advice=f"write it in {wanted}")
-        self._add(finding.at(ramp.span))
+        finding = RampMismatch(found=found)
+        self._add(finding.at(ramp.span, help=finding.Unit(unit=wanted)))
 
     def _add(self, finding: Diagnostic) -> None:
         self._context.collector.add(finding)
+
+
+def _quoted(paths: Sequence[str]) -> str:
+    return ", ".join(f"`{path}`" for path in paths)
 
 
 def _ramp_for(unit: Unit, ramps: list[tuple[ast.Expression, Unit, float]]) -> float | None:

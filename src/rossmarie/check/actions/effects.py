@@ -6,7 +6,8 @@ are looked up here; what follows from which action refers to which is looked at 
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Diagnostic, Label, listed
+from dslkit.diagnostics import Diagnostic, DidYouMean, Remark, listed
+from dslkit.source import Span
 from rossmarie.check.actions.assignments import assignments_of
 from rossmarie.check.actions.commands import CommandChecker, command_of
 from rossmarie.check.actions.errors import (
@@ -41,14 +42,14 @@ from rossmarie.units import DIMENSIONLESS
 
 class EffectChecker:
     """Checks the bodies of all actions. `commands` are the topics that may pass through the safety
-    filter; `confirmations` what each confirmation rests on.
+    filter; `confirmations` where each confirmation stands, and what it rests on.
     """
 
     def __init__(self, targets: Targets) -> None:
         self._targets = targets
         self._context: Context = targets.context
         self.commands: dict[str, reactions.CommandTopic] = {}
-        self.confirmations: list[tuple[Label, Uses]] = []
+        self.confirmations: list[tuple[Span, Uses]] = []
         self._command_checker = CommandChecker(targets, self.commands)
         self._resources = declared_resources(targets)
         self._published = {
@@ -108,8 +109,8 @@ class EffectChecker:
         level = levels.get(effect.level.text)
         if not effect.text.value.strip():
             what = "diagnosis" if isinstance(effect, ast.Diagnose) else "log"
-            finding = DoesNothing(what=what, advice="say what is the matter")
-            self._add(finding.at(effect.text.span))
+            finding = DoesNothing(what=what)
+            self._add(finding.at(effect.text.span, help=finding.Words()))
         if level is None:
             self._report_level(effect.level, tuple(levels))
             return None
@@ -125,8 +126,7 @@ class EffectChecker:
         if near is None:
             self._add(finding.at(name.span))
             return
-        fix = rename(name, near)
-        self._add(finding.at(name.span, help=f"did you mean `{near}`?", fix=fix))
+        self._add(finding.at(name.span, help=DidYouMean(near=near), fix=rename(name, near)))
 
     # --- what is awaited ---------------------------------------------------------------------
 
@@ -175,14 +175,16 @@ class EffectChecker:
             return self._plain_parameter(effect, type_)
         given = type_.unit or DIMENSIONLESS
         if given.dimension != (unit or DIMENSIONLESS).dimension:
+            help: Remark
             if unit is None:
                 reason = "a parameter is a plain number, and nothing says in which unit"
-                advice = f"say which unit the parameter has: `in {given.symbol} to ...`"
+                help = MisplacedUnit.OfParameter(unit=given.symbol)
                 fix = insertion(effect.parameter[-1].span, f" in {given.symbol}")
             else:
                 reason = f"the parameter is in {unit.symbol}, and this in {given.symbol}"
-                advice, fix = f"write a value in {unit.symbol}", None
-            self._add(MisplacedUnit(reason=reason, advice=advice).at(effect.value.span, fix=fix))
+                help, fix = MisplacedUnit.Value(unit=unit.symbol), None
+            finding = MisplacedUnit(reason=reason)
+            self._add(finding.at(effect.value.span, help=help, fix=fix))
             return None
         return (unit or DIMENSIONLESS).from_si(value.numbers[0]) + 0.0
 
@@ -200,15 +202,14 @@ class EffectChecker:
 
     def _switch(self, effect: ast.SwitchControllers, timeout: int | None) -> CheckedEffect | None:
         if not effect.start and not effect.stop:
-            advice = "name the controllers: `{ stop NAME; start NAME; }`"
-            self._add(DoesNothing(what="switch", advice=advice).at(effect.span))
+            empty = DoesNothing(what="switch")
+            self._add(empty.at(effect.span, help=empty.Switch()))
         started = {name.text: name for name in effect.start}
         conflicts = [name for name in effect.stop if name.text in started]
         for name in conflicts:
             first, second = sorted((started[name.text], name), key=lambda one: one.span.start)
-            place = Label(first.span, "the first time")
             finding = ControllerConflict(identifier=name.text)
-            self._add(finding.at(second.span, place))
+            self._add(finding.at(second.span, finding.First().at(first.span)))
         if timeout is None or conflicts:
             return None
         start, stop = (
@@ -240,8 +241,7 @@ class EffectChecker:
             infer(effect.confirmation, self._context)
             require_condition(effect.confirmation, self._context)
             warn_of_decided(effect.confirmation, self._context)
-            place = Label(effect.confirmation.span, "this confirmation rests on it")
-            self.confirmations.append((place, uses))
+            self.confirmations.append((effect.confirmation.span, uses))
             if effect.otherwise is None:
                 self._add(UnguardedConfirmation().at(effect.confirmation.span))
         if timeout is None:

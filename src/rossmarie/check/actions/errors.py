@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class UnknownSentType(Error, code="ROSS118", name="unknown-sent-type"):
@@ -20,10 +20,19 @@ class UntypedTarget(Error, code="ROSS119", name="untyped-target"):
 
     title = "the type of {kind} `{identifier}` is not known"
     label = "nothing says what is sent to this"
-    help = "{advice}"
     kind: str
     identifier: str
-    advice: str
+
+    class DeclareOrSend(Remark):
+        says = "declare it in a system model, `{declaration}`, or write `send {type} {{ ... }}`"
+        declaration: str
+        type: str
+
+    class DeclareOrWrite(Remark):
+        says = "declare it in a system model, `{declaration}`, or write `{name} : {type}`"
+        declaration: str
+        name: str
+        type: str
 
 
 class UnknownLevel(Error, code="ROSS121", name="unknown-level"):
@@ -44,6 +53,9 @@ class FieldGivenTwice(Error, code="ROSS124", name="field-given-twice"):
     help = "keep one of the two"
     field: str
 
+    class First(Remark):
+        says = "the first time"
+
 
 class ReservedHook(Error, code="ROSS125", name="reserved-hook"):
     """A hook that cannot be the name of a function."""
@@ -61,6 +73,10 @@ class UncommandedTopic(Error, code="ROSS133", name="uncommanded-topic"):
     label = "whatever comes in on this topic goes out"
     help = "limit, scale or block {topic} in an action, or name a topic of an action"
     topic: str
+
+    class Commanded(Remark):
+        says = "commanded are {known}"
+        known: str
 
 
 class UnknownTarget(Error, code="ROSS140", name="unknown-target"):
@@ -81,6 +97,9 @@ class SharedTarget(Error, code="ROSS141", name="shared-target"):
     target: str
     resource: str
 
+    class Other(Remark):
+        says = "here, too"
+
 
 class NothingToBound(Error, code="ROSS225", name="nothing-to-bound"):
     """A command without any floating-point number."""
@@ -100,10 +119,19 @@ class FieldNotBounded(Error, code="ROSS226", name="field-not-bounded"):
 
     title = "`{field}` cannot be bounded"
     label = "{reason}"
-    help = "{advice}"
     field: str
     reason: str
-    advice: str
+
+    class OneOf(Remark):
+        says = "bound one of {fields}"
+        fields: str
+
+    class Inside(Remark):
+        says = "bound {fields}"
+        fields: str
+
+    class NoIndex(Remark):
+        says = "leave the `[...]` out"
 
 
 class NotAnInterval(Error, code="ROSS227", name="not-an-interval"):
@@ -131,10 +159,25 @@ class FieldNotAssignable(Error, code="ROSS229", name="field-not-assignable"):
 
     title = "`{field}` cannot be set here"
     label = "{reason}"
-    help = "{advice}"
     field: str
     reason: str
-    advice: str
+
+    class Fields(Remark):
+        says = "name one of its fields: {fields}"
+        fields: str
+
+    class SomeField(Remark):
+        says = "name one of its fields"
+
+    class Scalars(Remark):
+        says = "set numbers, truths and strings"
+
+    class Part(Remark):
+        says = "name one of its parts, such as `{field}.x`"
+        field: str
+
+    class NoIndex(Remark):
+        says = "leave the `[...]` out"
 
 
 class IntegerMismatch(Error, code="ROSS230", name="integer-mismatch"):
@@ -155,11 +198,27 @@ class FieldUnitMismatch(Error, code="ROSS315", name="field-unit-mismatch"):
 
     title = "{found} does not fit `{field}`"
     label = "`{field}` is {expected}"
-    help = "{advice}"
     field: str
     found: str
     expected: str
-    advice: str
+
+    class Unit(Remark):
+        says = "write it in {unit}"
+        unit: str
+
+    class Unknown(Remark):
+        says = (
+            "leave the unit out: the number is sent as it is; or say in a system model which "
+            "unit the field has, `unit PACKAGE/TYPE.{field} = {unit};`"
+        )
+        field: str
+        unit: str
+
+    class Angle(Remark):
+        says = "write it in deg or rad"
+
+    class NoUnit(Remark):
+        says = "leave the unit out"
 
 
 class RampMismatch(Error, code="ROSS316", name="ramp-mismatch"):
@@ -168,9 +227,14 @@ class RampMismatch(Error, code="ROSS316", name="ramp-mismatch"):
     title = "this ramp belongs to nothing that is bounded here"
     label = "{found}"
     note = "a ramp says how fast a bound is lifted: per second, by how much of its field"
-    help = "{advice}"
     found: str
-    advice: str
+
+    class Number(Remark):
+        says = "write a number, such as `ramp 0.3 m/s^2`"
+
+    class Unit(Remark):
+        says = "write it in {unit}"
+        unit: str
 
 
 class RepeatedRamp(Error, code="ROSS317", name="repeated-ramp"):
@@ -226,9 +290,20 @@ class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
 
     title = "this {what} does nothing"
     label = "nothing in here"
-    help = "{advice}"
     what: str
-    advice: str
+
+    class Words(Remark):
+        says = "say what is the matter"
+
+    class Switch(Remark):
+        says = "name the controllers: `{{ stop NAME; start NAME; }}`"
+
+    class Limit(Remark):
+        says = "bound a field: `{{ FIELD in [LOW, HIGH] UNIT; }}`"
+
+    class Action(Remark):
+        says = "say what it does, or write `action {name};`"
+        name: str
 
 
 class MissingTimeLimit(Error, code="ROSS415", name="missing-time-limit"):
@@ -256,6 +331,9 @@ class ControllerConflict(Error, code="ROSS419", name="controller-conflict"):
     label = "the second time"
     help = "keep one of the two"
     identifier: str
+
+    class First(Remark):
+        says = "the first time"
 
 
 ALL: tuple[type[Template], ...] = (

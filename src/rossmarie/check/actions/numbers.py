@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dslkit.diagnostics import Remark
 from rossmarie.check.actions.errors import FieldUnitMismatch
 from rossmarie.check.actions.paths import Field, describe_field
 from rossmarie.check.expressions.errors import NotPositive
@@ -26,26 +27,20 @@ def fits(node: ast.Expression, found: Quantity, field: Field, context: Context) 
     expected = field.unit or DIMENSIONLESS
     if found.unit.dimension == expected.dimension:
         return True
-    advice = f"write it in {expected.symbol}"
+    finding = FieldUnitMismatch(
+        field=field.text, found=describe_quantity(found), expected=describe_field(field)
+    )
+    help: Remark = finding.Unit(unit=expected.symbol)
     fix = None
     if field.unit is None:
-        advice = (
-            "leave the unit out: the number is sent as it is; or say in a system model which unit "
-            f"the field has, `unit PACKAGE/TYPE.{field.text} = {found.unit.symbol};`"
-        )
+        help = finding.Unknown(field=field.text, unit=found.unit.symbol)
     elif is_plain(found) and expected.dimension != ANGLE:
         fix = unit_behind(node, expected.symbol, context)
     elif is_plain(found):
-        advice = "write it in deg or rad"
+        help = finding.Angle()
     elif expected == DIMENSIONLESS:
-        advice = "leave the unit out"
-    finding = FieldUnitMismatch(
-        field=field.text,
-        found=describe_quantity(found),
-        expected=describe_field(field),
-        advice=advice,
-    )
-    context.collector.add(finding.at(node.span, fix=fix))
+        help = finding.NoUnit()
+    context.collector.add(finding.at(node.span, help=help, fix=fix))
     return False
 
 
@@ -56,11 +51,11 @@ def period_ns(rate: ast.Expression, context: Context) -> int | None:
         return None
     hertz = context.values[id(rate)].numbers[0]
     if hertz > _FASTEST_HZ or round(1e9 / hertz) > 10**18:
-        bound, advice = "at most 1000 Hz", "publish less often, or once: leave `at` out"
-        if hertz <= _FASTEST_HZ:
-            bound, advice = "at least 1e-9 Hz", "publish more often, or once: leave `at` out"
-        too_fast = NotPositive(what="a rate", bound=bound, found=f"{hertz:g} Hz", advice=advice)
-        context.collector.add(too_fast.at(rate.span))
+        is_fast = hertz > _FASTEST_HZ
+        bound = "at most 1000 Hz" if is_fast else "at least 1e-9 Hz"
+        finding = NotPositive(what="a rate", bound=bound, found=f"{hertz:g} Hz")
+        help = finding.LessOften() if is_fast else finding.MoreOften()
+        context.collector.add(finding.at(rate.span, help=help))
         return None
     return round(1e9 / hertz)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from dslkit.diagnostics import Label
 from rossmarie.check.actions.errors import SharedTarget, UnknownTarget
 from rossmarie.check.actions.targets import Targets
 from rossmarie.check.scopes.errors import DuplicateName
@@ -28,7 +27,7 @@ def declared_resources(targets: Targets) -> Mapping[str, str]:
             before = found.setdefault(full, (resource.name.text, name))
             if before[1] is not name:
                 shared = SharedTarget(target=full, resource=before[0])
-                label = Label(before[1].span, "here, too")
+                label = shared.Other().at(before[1].span)
                 targets.context.collector.add(shared.at(name.span, label))
     _report_unknown([name for _, name in found.values()], targets)
     return {target: resource for target, (resource, _) in found.items()}
@@ -48,7 +47,7 @@ def _report_second(name: ast.Name, first: ast.Name, targets: Targets) -> None:
         other="a resource",
         reason="a resource is declared once, with all that belongs to it",
     )
-    place = Label(first.span, "first declared here")
+    place = finding.First().at(first.span)
     targets.context.collector.add(finding.at(name.span, place))
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from dslkit.diagnostics import Collector, Edit, Fix, Label, listed
+from dslkit.diagnostics import Collector, DidYouMean, Edit, Fix, Remark, listed
 from dslkit.source import Span
 from rossmarie.check.actions.errors import UncommandedTopic, UnknownSentType, UntypedTarget
 from rossmarie.check.scopes.context import Context
-from rossmarie.check.system.errors import MalformedMessageDefinition, TopicTypeConflict
+from rossmarie.check.system.errors import Here, MalformedMessageDefinition, TopicTypeConflict
 from rossmarie.check.system.model import (
     SystemModel,
     find_message,
@@ -102,7 +102,7 @@ class Targets:
         first = self.stated.setdefault((kind, full), written)
         if _short(first) != _short(written):
             finding = TopicTypeConflict(topic=full, found=_short(written), expected=_short(first))
-            place = Label(first.span, f"{_short(first)} here")
+            place = Here(what=_short(first)).at(first.span)
             self._collector.add(finding.at(written.span, place))
 
     def full_name(self, kind: Kind, name: ast.Name) -> str:
@@ -143,11 +143,11 @@ class Targets:
         known = [*self.commanded, *self.commanded.values(), *bare]
         near = near_name(name.text, known) if self.context.may_suggest() else None
         if near is not None:
-            help, fix = f"did you mean `{near}`?", rename(name, near)
+            help, fix = DidYouMean(near=near), rename(name, near)
             self._collector.add(finding.at(name.span, help=help, fix=fix))
             return
-        notes = (f"commanded are {listed(tuple(self.commanded))}",) if self.commanded else ()
-        self._collector.add(finding.at(name.span, notes=notes))
+        commanded = finding.Commanded(known=listed(tuple(self.commanded)))
+        self._collector.add(finding.at(name.span, notes=(commanded,) if self.commanded else ()))
 
     def sent(self, target: ast.Target, kind: Kind) -> Sent | None:
         """The service or action server; None after reporting that its type is not known."""
@@ -174,26 +174,24 @@ class Targets:
             if near is None:
                 self._collector.add(unknown.at(written.span))
             else:
-                help = f"did you mean `{near}`?"
-                self._collector.add(unknown.at(written.span, help=help, fix=rename(written, near)))
+                help, fix = DidYouMean(near=near), rename(written, near)
+                self._collector.add(unknown.at(written.span, help=help, fix=fix))
         return found
 
     def _report_untyped(self, name: ast.Name, kind: str, example: str) -> None:
         if not (self.model.is_whole and self.is_parsed):
             return
         word = {"topic": "topic", "service": "service", "action server": "server"}[kind]
-        declaration = f"`{word} {full_name(name.text)} : {example};`"
+        declaration = f"{word} {full_name(name.text)} : {example};"
         near = self.model.near_topic(name.text) if kind == "topic" else None
-        advice = f"declare it in a system model, {declaration}"
-        if kind == "action server":
-            advice += f", or write `send {example} {{ ... }}`"
-        else:
-            advice += f", or write `{name.text} : {example}`"
+        finding = UntypedTarget(kind=kind, identifier=name.text)
+        help: Remark = finding.DeclareOrWrite(declaration=declaration, name=name.text, type=example)
         fix = None
+        if kind == "action server":
+            help = finding.DeclareOrSend(declaration=declaration, type=example)
         if near is not None:
-            advice, fix = f"did you mean `{near}`?", rename(name, near)
-        finding = UntypedTarget(kind=kind, identifier=name.text, advice=advice)
-        self._collector.add(finding.at(name.span, fix=fix))
+            help, fix = DidYouMean(near=near), rename(name, near)
+        self._collector.add(finding.at(name.span, help=help, fix=fix))
 
 
 def insertion(behind: Span, text: str) -> Fix:

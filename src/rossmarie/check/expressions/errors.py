@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NotPositive(Error, code="ROSS318", name="not-positive"):
@@ -10,11 +10,21 @@ class NotPositive(Error, code="ROSS318", name="not-positive"):
 
     title = "{what} is {bound}"
     label = "this is {found}"
-    help = "{advice}"
     what: str
     bound: str
     found: str
-    advice: str
+
+    class AboveZero(Remark):
+        says = "write a number above zero"
+
+    class LessOften(Remark):
+        says = "publish less often, or once: leave `at` out"
+
+    class MoreOften(Remark):
+        says = "publish more often, or once: leave `at` out"
+
+    class HowOften(Remark):
+        says = "write how often messages come"
 
 
 class NotAFrequency(Error, code="ROSS319", name="not-a-frequency"):

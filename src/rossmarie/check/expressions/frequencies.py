@@ -38,8 +38,6 @@ def is_positive(node: ast.Expression, what: str, context: Context) -> bool:
     """Whether a constant is above zero; reports it if not."""
     if context.values[id(node)].numbers[0] > 0:
         return True
-    finding = NotPositive(
-        what=what, bound="more than zero", found="not", advice="write a number above zero"
-    )
-    context.collector.add(finding.at(node.span))
+    finding = NotPositive(what=what, bound="more than zero", found="not")
+    context.collector.add(finding.at(node.span, help=finding.AboveZero()))
     return False

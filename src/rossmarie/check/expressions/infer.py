@@ -7,6 +7,7 @@ nothing is reported about again.
 
 from __future__ import annotations
 
+from dslkit.diagnostics import Remark
 from rossmarie.check.names.references import is_value, type_of_member, type_of_reference
 from rossmarie.check.operations.constants import fold, record
 from rossmarie.check.operations.errors import NotAnArray
@@ -114,9 +115,8 @@ def _type_of_index(node: ast.Index, context: Context) -> Type:
         return type_.element
     if not isinstance(type_, Unknown):
         finding = NotAnArray(purpose="an index", found=describe(type_))
-        help = "leave the index out"
+        help: Remark = finding.NoIndex()
         if isinstance(type_, Vector):
-            text = text_of(node.value)
-            help = f"its components have names: `{text}.x`, `{text}.y`, `{text}.z`"
+            help = finding.Components(text=text_of(node.value))
         context.collector.add(finding.at(node.value.span, help=help))
     return Unknown()

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
+
+
+class Declared(Remark):
+    """The names that there are."""
+
+    says = "declared are {known}"
+    known: str
 
 
 class UndeclaredName(Error, code="ROSS101", name="undeclared-name"):
@@ -13,6 +20,14 @@ class UndeclaredName(Error, code="ROSS101", name="undeclared-name"):
     help = "declare it: `const {identifier} = ...` or `input {identifier} = topic ...`"
     identifier: str
 
+    class Unsure(Remark):
+        says = (
+            "did you mean `{near}`? If not, declare it: `const {identifier} = ...` or "
+            "`input {identifier} = ...`"
+        )
+        near: str
+        identifier: str
+
 
 class UndeclaredEntity(Error, code="ROSS102", name="undeclared-entity"):
     """Something before a dot that nothing declares."""
@@ -22,6 +37,9 @@ class UndeclaredEntity(Error, code="ROSS102", name="undeclared-entity"):
     help = "declare it: `entity {identifier} {{ ... }}`"
     identifier: str
 
+    class OtherCase(Remark):
+        says = "upper and lower case differ"
+
 
 class UnknownCondition(Error, code="ROSS103", name="unknown-condition"):
     """A condition that its entity does not have."""
@@ -30,6 +48,13 @@ class UnknownCondition(Error, code="ROSS103", name="unknown-condition"):
     label = "not a condition of `{entity}`"
     identifier: str
     entity: str
+
+    class Known(Remark):
+        says = "it has {known}"
+        known: str
+
+    class NoneThere(Remark):
+        says = "it has no conditions"
 
 
 class UndeclaredAction(Error, code="ROSS104", name="undeclared-action"):
@@ -51,6 +76,20 @@ class WrongKindOfName(Error, code="ROSS106", name="wrong-kind-of-name"):
     found: str
     expected: str
 
+    class OfEntity(Remark):
+        says = "choose a condition of it: {conditions}"
+        conditions: str
+
+    class EmptyEntity(Remark):
+        says = "it has no conditions"
+
+    class NoAction(Remark):
+        says = "name one of {actions}, or declare an action"
+        actions: str
+
+    class NoValue(Remark):
+        says = "actions are named after `then`; conditions are made of inputs"
+
 
 class UnknownField(Error, code="ROSS108", name="unknown-field"):
     """A field that a message, a vector or an orientation does not have."""
@@ -59,6 +98,22 @@ class UnknownField(Error, code="ROSS108", name="unknown-field"):
     label = "no such field"
     identifier: str
     owner: str
+
+    class Function(Remark):
+        says = "it is a function: write `{owner}.{name}()`"
+        owner: str
+        name: str
+
+    class Known(Remark):
+        says = "it has {known}"
+        known: str
+
+    class AlreadyData(Remark):
+        says = "`{owner}` already stands for its data: leave `.data` out"
+        owner: str
+
+    class NoFields(Remark):
+        says = "it has no fields at all: leave this out"
 
 
 class FieldNotUsable(Error, code="ROSS208", name="field-not-usable"):

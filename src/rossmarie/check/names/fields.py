@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from dslkit.diagnostics import Collector, Edit, Fix, listed
+from dslkit.diagnostics import Collector, DidYouMean, Edit, Fix, Remark, listed
 from dslkit.source import Span
 from rossmarie.check.names.errors import FieldNotUsable, UnknownField
 from rossmarie.check.wording.gaps import without
@@ -92,17 +92,18 @@ def _report_unknown(
     shown = owner.name if isinstance(owner, Message) else f"`{owner_text}`"
     finding = UnknownField(identifier=name.text, owner=shown)
     near = near_name(name.text, known)
+    help: Remark
     if near is not None:
-        help, fix = f"did you mean `{near}`?", rename(name, near)
+        help, fix = DidYouMean(near=near), rename(name, near)
     elif isinstance(owner, Quaternion) and name.text in _ANGLES:
         behind = Span(name.span.file, name.span.end, name.span.end)
-        help = f"it is a function: write `{owner_text}.{name.text}()`"
+        help = finding.Function(owner=owner_text, name=name.text)
         fix = Fix(f"write `{name.text}()`", (Edit(behind, "()"),))
     elif known:
-        help, fix = f"it has {listed(known)}", None
+        help, fix = finding.Known(known=listed(known)), None
     elif name.text == "data":
-        help = f"`{owner_text}` already stands for its data: leave `.data` out"
+        help = finding.AlreadyData(owner=owner_text)
         fix = Fix("leave `.data` out", without(before, ".", name.span))
     else:
-        help, fix = "it has no fields at all: leave this out", None
+        help, fix = finding.NoFields(), None
     collector.add(finding.at(name.span, help=help, fix=fix))

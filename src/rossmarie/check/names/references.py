@@ -7,10 +7,11 @@ undeclared: that file may declare it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
-from dslkit.diagnostics import Edit, Fix, Label, listed
+from dslkit.diagnostics import DeclaredHere, DidYouMean, Edit, Fix, NamedHere, Remark, Write, listed
 from rossmarie.check.names.errors import (
+    Declared,
     UndeclaredAction,
     UndeclaredEntity,
     UndeclaredName,
@@ -126,20 +127,23 @@ def _condition_of(entity: str, name: ast.Name, context: Context) -> Type:
     finding = UnknownCondition(identifier=name.text, entity=entity)
     if near is not None:
         context.used_conditions.add((entity, near))
-        place = Label(known[near].name.span, f"`{near}` is declared here")
-        help, fix = f"did you mean `{near}`?", rename(name, near)
+        place = NamedHere(name=near).at(known[near].name.span)
+        help, fix = DidYouMean(near=near), rename(name, near)
         context.collector.add(finding.at(name.span, place, help=help, fix=fix))
+    elif known:
+        known_ones = finding.Known(known=listed(tuple(known)))
+        context.collector.add(finding.at(name.span, help=known_ones))
     else:
-        help = f"it has {listed(tuple(known))}" if known else "it has no conditions"
-        context.collector.add(finding.at(name.span, help=help))
+        context.collector.add(finding.at(name.span, help=finding.NoneThere()))
     return Boolean()
 
 
 def _report_capitals(name: ast.Name, context: Context) -> None:
     """Report `True`, which is written `true` here."""
-    help = f"write `{name.text.lower()}`"
-    fix = Fix(help, (Edit(name.span, name.text.lower()),))
-    context.collector.add(UndeclaredName(identifier=name.text).at(name.span, help=help, fix=fix))
+    finding = UndeclaredName(identifier=name.text)
+    help = Write(meant=name.text.lower())
+    fix = Fix(str(help), (Edit(name.span, name.text.lower()),))
+    context.collector.add(finding.at(name.span, help=help, fix=fix))
 
 
 def _report_undeclared(name: ast.Name, context: Context) -> None:
@@ -157,20 +161,22 @@ def _report_undeclared(name: ast.Name, context: Context) -> None:
     if near is not None:
         _use_guess(near, context)
         declared = own[near].name if near in own else values[near]
-        place = Label(declared.span, f"`{near}` is declared here")
-        help, fix = f"did you mean `{near}`?", rename(name, near)
-        if fix is None:
-            help += f" If not, declare it: `const {name.text} = ...` or `input {name.text} = ...`"
+        place, fix = NamedHere(name=near).at(declared.span), rename(name, near)
+        unsure = finding.Unsure(near=near, identifier=name.text)
+        help = DidYouMean(near=near) if fix is not None else unsure
         context.collector.add(finding.at(name.span, place, help=help, fix=fix))
     elif elsewhere is not None:
         context.used_names.add(elsewhere)
         context.used_conditions.add((elsewhere, name.text))
         meant = f"{elsewhere}.{name.text}"
         fix = Fix(f"write `{meant}`", (Edit(name.span, meant),))
-        context.collector.add(finding.at(name.span, help=f"did you mean `{meant}`?", fix=fix))
+        context.collector.add(finding.at(name.span, help=DidYouMean(near=meant), fix=fix))
     else:
-        notes = (f"declared are {listed(tuple(values))}",) if values else ()
-        context.collector.add(finding.at(name.span, notes=notes))
+        context.collector.add(finding.at(name.span, notes=_declared(values)))
+
+
+def _declared(known: Mapping[str, object]) -> tuple[Remark, ...]:
+    return (Declared(known=listed(tuple(known))),) if known else ()
 
 
 def _use_guess(name: str, context: Context) -> None:
@@ -190,17 +196,16 @@ def _report_undeclared_entity(name: ast.Name, member: ast.Name, context: Context
     known = _named(context, ast.Entity, ast.Input)
     near = near_name(name.text, known)
     if near is None:
-        notes = (f"declared are {listed(tuple(known))}",) if known else ()
-        context.collector.add(finding.at(name.span, notes=notes))
+        context.collector.add(finding.at(name.span, notes=_declared(known)))
         return
     context.used_names.add(near)
     if _has_condition(near, member.text, context):
         context.used_conditions.add((near, member.text))
         if context.entity is None:
             context.uses.conditions.setdefault((near, member.text), name.span)
-    place = Label(known[near].span, f"`{near}` is declared here")
-    notes = ("upper and lower case differ",) if near.lower() == name.text.lower() else ()
-    help, fix = f"did you mean `{near}`?", rename(name, near)
+    place = NamedHere(name=near).at(known[near].span)
+    notes = (finding.OtherCase(),) if near.lower() == name.text.lower() else ()
+    help, fix = DidYouMean(near=near), rename(name, near)
     context.collector.add(finding.at(name.span, place, help=help, fix=fix, notes=notes))
 
 
@@ -212,12 +217,11 @@ def _report_undeclared_action(name: ast.Name, context: Context) -> None:
     known = _named(context, ast.Action)
     near = near_name(name.text, known)
     if near is None:
-        notes = (f"declared are {listed(tuple(known))}",) if known else ()
-        context.collector.add(finding.at(name.span, notes=notes))
+        context.collector.add(finding.at(name.span, notes=_declared(known)))
         return
     context.used_names.add(near)
-    place = Label(known[near].span, f"`{near}` is declared here")
-    help, fix = f"did you mean `{near}`?", rename(name, near)
+    place = NamedHere(name=near).at(known[near].span)
+    help, fix = DidYouMean(near=near), rename(name, near)
     context.collector.add(finding.at(name.span, place, help=help, fix=fix))
 
 
@@ -230,21 +234,23 @@ def _report_wrong_kind(
     finding = WrongKindOfName(
         identifier=name.text, found=ARTICLES[kind_of(declared)], expected=expected
     )
-    place = Label(declared.name.span, "declared here")
+    place = DeclaredHere().at(declared.name.span)
     context.collector.add(finding.at(name.span, place, help=_instead(declared, expected, context)))
 
 
-def _instead(declared: object, expected: str, context: Context) -> str | None:
+def _instead(declared: object, expected: str, context: Context) -> Remark | None:
     if not context.may_suggest():
         return None
     if isinstance(declared, ast.Entity) and expected == "a value":
         name = declared.name.text
         conditions = context.declarations.conditions.get(name, {})
         meant = [f"{name}.{condition}" for condition in conditions]
-        return f"choose a condition of it: {listed(meant)}" if meant else "it has no conditions"
+        if meant:
+            return WrongKindOfName.OfEntity(conditions=listed(meant))
+        return WrongKindOfName.EmptyEntity()
     if expected == "an action":
-        return f"name one of {listed(tuple(_named(context, ast.Action)))}, or declare an action"
-    return "actions are named after `then`; conditions are made of inputs"
+        return WrongKindOfName.NoAction(actions=listed(tuple(_named(context, ast.Action))))
+    return WrongKindOfName.NoValue()
 
 
 def _named(context: Context, *kinds: type[object]) -> dict[str, ast.Name]:

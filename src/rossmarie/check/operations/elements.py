@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from dslkit.diagnostics import Fix, Label
-from rossmarie.check.operations.errors import ArrayAsScalar, ElementwiseMixture
+from dslkit.diagnostics import Fix, Remark
+from rossmarie.check.operations.errors import ArrayAsScalar
+from rossmarie.check.operations.function_errors import ElementwiseMixture
 from rossmarie.check.operations.rewriting import rewritten
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import quoted, stripped, text_of
@@ -33,18 +34,19 @@ def check_elements(fold: ast.Call, context: Context) -> None:
             continue
         found = "this is another array" if is_array else "this changes from message to message"
         finding = ElementwiseMixture(found=found, function=fold.function.text, text=text_of(part))
-        labels = () if first is None else (Label(first.span, "the array"),)
+        labels = () if first is None else (finding.Array().at(first.span),)
         help, fix = None, None
         if isinstance(context.type_of(part), Boolean):
             help, fix = _take_out(part, fold, context)
         context.collector.add(finding.at(part.span, *labels, help=help, fix=fix))
 
 
-def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[str, Fix | None]:
+def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[Remark, Fix | None]:
     """`any(ranges < 1 m) or ok` for `any(ranges < 1 m or ok)`."""
     function = fold.function.text
     junction = stripped(fold.arguments[0])
-    help = f"`{text_of(truth)}` is one truth for all elements: take it out of `{function}`"
+    text = text_of(truth)
+    help = ElementwiseMixture.OneTruth(text=text, function=function)
     if not isinstance(junction, ast.Binary) or junction.operator not in ast.JUNCTIONS:
         return help, None
     if function not in _QUANTIFIERS or not (truth is junction.left or truth is junction.right):
@@ -54,7 +56,8 @@ def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[
         for side in (junction.left, junction.right)
     )
     meant = f" {junction.operator.value} ".join(sides)
-    return f"{help}, `{quoted(meant)}`", rewritten(fold, meant, context)
+    taken_out = ElementwiseMixture.TakenOut(text=text, function=function, meant=quoted(meant))
+    return taken_out, rewritten(fold, meant, context)
 
 
 def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
@@ -70,14 +73,14 @@ def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
 def report_held_elements(held: ast.Held, fold: ast.Call, context: Context) -> None:
     """Report that `for` stands on the elements of an array, inside `fold`."""
     function = fold.function.text
-    advice = "no single element is watched over time: put `for` after the whole condition"
+    finding = ArrayAsScalar(expected="condition")
+    help: Remark = finding.NotWatched()
     fix = None
     if stripped(fold.arguments[0]) is held and function in _QUANTIFIERS:
         meant = f"{function}({held.condition.span.text}) for {held.duration.span.text}"
-        advice = f"no single element is watched over time: write `{quoted(meant)}`"
+        help = finding.WatchedTogether(meant=quoted(meant))
         fix = rewritten(fold, meant, context)
-    finding = ArrayAsScalar(expected="condition", advice=advice)
-    context.collector.add(finding.at(held.condition.span, fix=fix))
+    context.collector.add(finding.at(held.condition.span, help=help, fix=fix))
 
 
 def _parts(argument: ast.Expression, context: Context) -> Iterator[ast.Expression]:

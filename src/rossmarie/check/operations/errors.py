@@ -2,15 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
-
-
-class UnknownFunction(Error, code="ROSS107", name="unknown-function"):
-    """A call of something that is not built in."""
-
-    title = "there is no function `{identifier}`"
-    label = "not a built-in function"
-    identifier: str
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NotACondition(Error, code="ROSS201", name="not-a-condition"):
@@ -21,6 +13,22 @@ class NotACondition(Error, code="ROSS201", name="not-a-condition"):
     help = "compare it with something, `{text} > ...`"
     found: str
     text: str
+
+    class String(Remark):
+        says = 'compare it with a string, `{text} == "..."`'
+        text: str
+
+    class Angle(Remark):
+        says = "compare an angle of it, `{text}.pitch() > ...`"
+        text: str
+
+    class Length(Remark):
+        says = "compare its length, `norm({text}) > ...`"
+        text: str
+
+    class Elements(Remark):
+        says = "compare its elements, `any({text} > ...)`"
+        text: str
 
 
 class VectorAsScalar(Error, code="ROSS202", name="vector-as-scalar"):
@@ -34,15 +42,6 @@ class VectorAsScalar(Error, code="ROSS202", name="vector-as-scalar"):
     text: str
 
 
-class ScalarAsRange(Error, code="ROSS203", name="scalar-as-range"):
-    """`in` followed by one number."""
-
-    title = "`in` needs a range, not one number"
-    label = "this is {found}"
-    note = "one number has no inside; a range has two ends, `[low, high]`"
-    found: str
-
-
 class Incomparable(Error, code="ROSS204", name="incomparable"):
     """A comparison of things of different kinds."""
 
@@ -52,6 +51,28 @@ class Incomparable(Error, code="ROSS204", name="incomparable"):
     right: str
     operator: str
 
+    class Strings(Remark):
+        says = "strings have no order; compare them with `==` or `!=`"
+
+    class Truth(Remark):
+        says = "use the condition by itself, or `not` and the condition"
+
+    class Constant(Remark):
+        says = "`{constant}` is declared as {what}; declare what is to be compared"
+        constant: str
+        what: str
+
+    class Quoted(Remark):
+        says = "leave the quotes out: `{number}`"
+        number: str
+
+    class Unquoted(Remark):
+        says = 'put it in quotes: `"{number}"`'
+        number: str
+
+    class OfOneKind(Remark):
+        says = "a string never equals a number: compare with something of the same kind"
+
 
 class NotANumber(Error, code="ROSS205", name="not-a-number"):
     """Something else where one number is needed."""
@@ -60,15 +81,37 @@ class NotANumber(Error, code="ROSS205", name="not-a-number"):
     label = "this is {found}"
     found: str
 
+    class Truth(Remark):
+        says = "a condition is used by itself, or counted over an array: `count(...)`"
+
+    class String(Remark):
+        says = "strings can only be compared with strings, `==` and `!=`"
+
+    class Range(Remark):
+        says = "a range can only stand after `in`"
+
 
 class ArrayAsScalar(Error, code="ROSS206", name="array-as-scalar"):
     """Many numbers, or many truths, where one is needed."""
 
     title = "an array is not one {expected}"
     label = "this has one {expected} for each element"
-    help = "{advice}"
     expected: str
-    advice: str
+
+    class NotWatched(Remark):
+        says = "no single element is watched over time: put `for` after the whole condition"
+
+    class WatchedTogether(Remark):
+        says = "no single element is watched over time: write `{meant}`"
+        meant: str
+
+    class Number(Remark):
+        says = "choose one: `min({text})`, `max({text})`, or an element, `{text}[0]`"
+        text: str
+
+    class Condition(Remark):
+        says = "write `any({text})` or `all({text})`"
+        text: str
 
 
 class MessageAsValue(Error, code="ROSS207", name="message-as-value"):
@@ -78,60 +121,12 @@ class MessageAsValue(Error, code="ROSS207", name="message-as-value"):
     label = "this is a {found}"
     found: str
 
+    class Fields(Remark):
+        says = "choose a field: {fields}"
+        fields: str
 
-class WrongArgumentCount(Error, code="ROSS209", name="wrong-argument-count"):
-    """A call with too few or too many arguments."""
-
-    title = "`{function}` takes {expected}"
-    label = "{found} given"
-    help = "write `{usage}`"
-    function: str
-    expected: str
-    found: str
-    usage: str
-
-
-class WrongArgument(Error, code="ROSS210", name="wrong-argument"):
-    """A call of a function on something that it is not defined for."""
-
-    title = "`{function}` needs {expected}"
-    label = "this is {found}"
-    help = "write `{usage}`"
-    function: str
-    expected: str
-    found: str
-    usage: str
-
-
-class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
-    """An elementwise expression over more than one array and constants."""
-
-    title = "an elementwise expression may use one array and constants"
-    label = "{found}"
-    note = "`{function}` looks at the elements of one array, one by one"
-    help = "compare the least or greatest element with `{text}`: `min(...)` or `max(...)`"
-    found: str
-    function: str
-    text: str
-
-
-class BracketLength(Error, code="ROSS212", name="bracket-length"):
-    """A bracket that is neither an interval nor a box."""
-
-    title = "a bracket holds 2 numbers (an interval) or 6 (a box), not {count}"
-    label = "{count} here"
-    help = "write `[low, high]`, or `[xmin, xmax, ymin, ymax, zmin, zmax]`"
-    count: int
-
-
-class RangeMismatch(Error, code="ROSS213", name="range-mismatch"):
-    """`in` with a value that the range cannot hold."""
-
-    title = "{value} cannot be in {container}"
-    label = "this is {container}"
-    note = "an interval holds numbers; a box holds vectors"
-    value: str
-    container: str
+    class NoFields(Remark):
+        says = "it has no fields; choose another"
 
 
 class OrientationAsScalar(Error, code="ROSS214", name="orientation-as-scalar"):
@@ -153,18 +148,6 @@ class NotConstant(Error, code="ROSS215", name="not-constant"):
     purpose: str
 
 
-class IntervalEndsSwapped(Error, code="ROSS216", name="interval-ends-swapped"):
-    """An interval whose low end is above its high end."""
-
-    title = "the ends of this interval are swapped"
-    label = "no number is in here"
-    note = "the low end comes first; {low} is more than {high}"
-    help = "write `{corrected}`"
-    low: str
-    high: str
-    corrected: str
-
-
 class DivisionByZero(Error, code="ROSS217", name="division-by-zero"):
     """A division by a constant that is zero."""
 
@@ -182,26 +165,6 @@ class ConstantTooLarge(Error, code="ROSS218", name="constant-too-large"):
     help = "write a number below 1e308, counted in SI units"
 
 
-class AgeMisused(Error, code="ROSS219", name="age-misused"):
-    """`age` other than as one side of a comparison with a constant time."""
-
-    title = "`age` can only be compared with a constant time"
-    label = "{reason}"
-    note = "an age grows by itself; the monitor has to know the instant at which it matters"
-    help = "write `age(INPUT) > 0.5 sec`; with `<`, `<=`, `>` or `>=`"
-    reason: str
-
-
-class OscillationCount(Error, code="ROSS220", name="oscillation-count"):
-    """A number of turning points that cannot be counted."""
-
-    title = "a number of turning points is a whole number from 1 to {most}"
-    label = "this is {found}"
-    help = "write `3 times`"
-    found: str
-    most: int
-
-
 class NotAnArray(Error, code="ROSS221", name="not-an-array"):
     """An index, or a question about elements, on something without elements."""
 
@@ -209,6 +172,13 @@ class NotAnArray(Error, code="ROSS221", name="not-an-array"):
     label = "this is {found}"
     purpose: str
     found: str
+
+    class NoIndex(Remark):
+        says = "leave the index out"
+
+    class Components(Remark):
+        says = "its components have names: `{text}.x`, `{text}.y`, `{text}.z`"
+        text: str
 
 
 class TruthCompared(Error, code="ROSS222", name="truth-compared"):
@@ -234,15 +204,6 @@ class StringsCompared(Error, code="ROSS223", name="strings-compared"):
     right: str
 
 
-class StringsAsRange(Error, code="ROSS224", name="strings-as-range"):
-    """Texts in brackets, as if `in` looked for one in a list."""
-
-    title = "a bracket is a range of numbers, not a list of strings"
-    label = "these are strings"
-    note = "strings have no order, so nothing is between two of them"
-    help = "compare with each string, `==` or `!=`, and join by `or` or `and`"
-
-
 class NotADuration(Error, code="ROSS306", name="not-a-duration"):
     """Something else where a length of time is needed."""
 
@@ -264,6 +225,9 @@ class DurationOutOfRange(Error, code="ROSS307", name="duration-out-of-range"):
     bound: str
     found: str
     reason: str
+
+    class EveryTurn(Remark):
+        says = "leave `by` out to count every turn"
 
 
 class TemperatureArithmetic(Error, code="ROSS310", name="temperature-arithmetic"):
@@ -315,30 +279,19 @@ class JumpingAngle(Warning, code="ROSS409", name="jumping-angle"):
 
 
 ALL: tuple[type[Template], ...] = (
-    UnknownFunction,
     NotACondition,
     VectorAsScalar,
-    ScalarAsRange,
     Incomparable,
     NotANumber,
     ArrayAsScalar,
     MessageAsValue,
-    WrongArgumentCount,
-    WrongArgument,
-    ElementwiseMixture,
-    BracketLength,
-    RangeMismatch,
     OrientationAsScalar,
     NotConstant,
-    IntervalEndsSwapped,
     DivisionByZero,
     ConstantTooLarge,
-    AgeMisused,
-    OscillationCount,
     NotAnArray,
     TruthCompared,
     StringsCompared,
-    StringsAsRange,
     NotADuration,
     DurationOutOfRange,
     TemperatureArithmetic,

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from dslkit.diagnostics import listed
+from dslkit.diagnostics import DidYouMean, Remark, Write, listed
 from rossmarie.check.operations.angles import warn_of_rate
 from rossmarie.check.operations.elements import check_elements
-from rossmarie.check.operations.errors import (
-    DurationOutOfRange,
-    NotAnArray,
+from rossmarie.check.operations.errors import DurationOutOfRange, NotAnArray
+from rossmarie.check.operations.function_errors import (
     OscillationCount,
     UnknownFunction,
     WrongArgument,
@@ -111,9 +110,11 @@ def _report_unknown(name: ast.Name, context: Context) -> None:
     known = [*_FUNCTIONS, Operator.OSCILLATES.value]
     begun = (function for function in known if name.text.startswith(function))
     near = near_name(name.text, known) or next(begun, None)
-    help = f"there are {listed(known)}" if near is None else f"did you mean `{near}`?"
-    fix = None if near is None else rename(name, near)
     finding = UnknownFunction(identifier=name.text)
+    if near is None:
+        context.collector.add(finding.at(name.span, help=finding.Known(known=listed(known))))
+        return
+    help, fix = DidYouMean(near=near), rename(name, near)
     context.collector.add(finding.at(name.span, help=help, fix=fix))
 
 
@@ -186,7 +187,7 @@ def _report_no_array(
     argument: ast.Expression, type_: Type, operator: Operator, context: Context
 ) -> None:
     finding = NotAnArray(purpose=f"`{operator.value}`", found=describe(type_))
-    context.collector.add(finding.at(argument.span, help=f"write `{USAGES[operator]}`"))
+    context.collector.add(finding.at(argument.span, help=Write(meant=USAGES[operator])))
 
 
 def _median(node: ast.Call, context: Context) -> Type:
@@ -230,7 +231,7 @@ def _report_argument(
     context.collector.add(finding.at(argument.span, help=help))
 
 
-def _fields_for(node: ast.Call, argument: ast.Expression, context: Context) -> str | None:
+def _fields_for(node: ast.Call, argument: ast.Expression, context: Context) -> Remark | None:
     """The fields of a message that a function can be called on; None if there is no such."""
     wanted = _FIELDS.get(_FUNCTIONS[node.function.text])
     type_ = context.type_of(argument)
@@ -241,7 +242,9 @@ def _fields_for(node: ast.Call, argument: ast.Expression, context: Context) -> s
     calls = [
         f"`{x}.{function}()`" if wanted is Quaternion else f"`{function}({x})`" for x in fields
     ]
-    return f"write {' or '.join(calls)}" if 0 < len(calls) <= _MOST_FIELDS else None
+    if not 0 < len(calls) <= _MOST_FIELDS:
+        return None
+    return WrongArgument.OfFields(calls=" or ".join(calls))
 
 
 def _paths_to(wanted: type[object], message: Message) -> Iterator[str]:
@@ -291,4 +294,4 @@ def _check_swing(node: ast.Expression, quantity: Quantity, context: Context) -> 
             found=f"{unit.from_si(number):.15g}",
             reason="it is the height of the smallest wave that counts",
         )
-        context.collector.add(finding.at(node.span, help="leave `by` out to count every turn"))
+        context.collector.add(finding.at(node.span, help=finding.EveryTurn()))

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Diagnostic, Edit, Fix
+from dslkit.diagnostics import Diagnostic, Edit, Fix, Write
 from dslkit.source import Span
 from rossmarie.check.operations.errors import (
-    AgeMisused,
     ArrayAsScalar,
     DurationOutOfRange,
     MessageAsValue,
@@ -16,6 +15,7 @@ from rossmarie.check.operations.errors import (
     OrientationAsScalar,
     VectorAsScalar,
 )
+from rossmarie.check.operations.function_errors import AgeMisused
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import stripped, text_of
 from rossmarie.check.units.quantities import SECOND, Operand
@@ -55,8 +55,8 @@ def scalar_operand(node: ast.Expression, context: Context) -> Operand | None:
 def report_array(node: ast.Expression, context: Context) -> None:
     """Report that many numbers stand where one has to be."""
     text = text_of(node)
-    advice = f"choose one: `min({text})`, `max({text})`, or an element, `{text}[0]`"
-    context.collector.add(ArrayAsScalar(expected="number", advice=advice).at(node.span))
+    finding = ArrayAsScalar(expected="number")
+    context.collector.add(finding.at(node.span, help=finding.Number(text=text)))
 
 
 def report_misused_age(node: ast.Expression, reason: str, context: Context) -> None:
@@ -85,21 +85,22 @@ def _not_a_number(node: ast.Expression, type_: Type) -> Diagnostic:
         return OrientationAsScalar(text=text).at(node.span)
     if isinstance(type_, Message):
         return message_as_value(node, type_)
+    finding = NotANumber(found=describe(type_))
     if is_truth(type_):
-        help = "a condition is used by itself, or counted over an array: `count(...)`"
-    elif isinstance(type_, Text):
-        help = "strings can only be compared with strings, `==` and `!=`"
-    else:
-        help = "a range can only stand after `in`"
-    return NotANumber(found=describe(type_)).at(node.span, help=help)
+        return finding.at(node.span, help=finding.Truth())
+    if isinstance(type_, Text):
+        return finding.at(node.span, help=finding.String())
+    return finding.at(node.span, help=finding.Range())
 
 
 def message_as_value(node: ast.Expression, message: Message) -> Diagnostic:
     """The finding that a message is no value; its fields are offered."""
     text = text_of(node)
     names = [f"`{text}.{name}`" for name in message.fields][:8]
-    help = f"choose a field: {', '.join(names)}" if names else "it has no fields; choose another"
-    return MessageAsValue(found=message.name).at(node.span, help=help)
+    finding = MessageAsValue(found=message.name)
+    if not names:
+        return finding.at(node.span, help=finding.NoFields())
+    return finding.at(node.span, help=finding.Fields(fields=", ".join(names)))
 
 
 def is_truth(type_: Type) -> bool:
@@ -121,13 +122,13 @@ def _not_a_condition(node: ast.Expression, type_: Type) -> Diagnostic:
         return message_as_value(node, type_)
     finding = NotACondition(found=describe(type_), text=text)
     if isinstance(type_, Text):
-        return finding.at(node.span, help=f'compare it with a string, `{text} == "..."`')
+        return finding.at(node.span, help=finding.String(text=text))
     if isinstance(type_, Quaternion):
-        return finding.at(node.span, help=f"compare an angle of it, `{text}.pitch() > ...`")
+        return finding.at(node.span, help=finding.Angle(text=text))
     if isinstance(type_, Vector):
-        return finding.at(node.span, help=f"compare its length, `norm({text}) > ...`")
+        return finding.at(node.span, help=finding.Length(text=text))
     if isinstance(type_, Array):
-        return finding.at(node.span, help=f"compare its elements, `any({text} > ...)`")
+        return finding.at(node.span, help=finding.Elements(text=text))
     return finding.at(node.span)
 
 
@@ -138,10 +139,11 @@ def require_condition(node: ast.Expression, context: Context) -> None:
         report_not_a_condition(node, context)
         return
     text = text_of(node)
-    advice = f"write `any({text})` or `all({text})`"
+    finding = ArrayAsScalar(expected="condition")
+    help = finding.Condition(text=text)
     before, behind = (Span(node.span.file, at, at) for at in (node.span.start, node.span.end))
     fix = Fix(f"write `any({text})`", (Edit(before, "any("), Edit(behind, ")")))
-    context.collector.add(ArrayAsScalar(expected="condition", advice=advice).at(node.span, fix=fix))
+    context.collector.add(finding.at(node.span, help=help, fix=fix))
 
 
 def duration_ns(node: ast.Expression, purpose: str, context: Context) -> int | None:
@@ -176,7 +178,7 @@ def _report_not_a_duration(
         corrected = f"{text_of(inner)} sec"
         behind = Span(inner.span.file, inner.span.end, inner.span.end)
         fix = Fix(f"write `{corrected}`", (Edit(behind, " sec"),))
-        context.collector.add(finding.at(node.span, help=f"write `{corrected}`", fix=fix))
+        context.collector.add(finding.at(node.span, help=Write(meant=corrected), fix=fix))
     else:
         context.collector.add(finding.at(node.span))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from dslkit.diagnostics import Edit, Fix
+from dslkit.diagnostics import Edit, Fix, Remark, Write
 from dslkit.source import Span
 from rossmarie.check.operations.angles import warn_of_difference
 from rossmarie.check.operations.elements import enclosing_fold, report_held_elements
@@ -214,8 +214,8 @@ def _truth_comparison(operator: Operator, node: ast.Binary, context: Context) ->
     if isinstance(literal, ast.Boolean) and operator in EQUALITY:
         is_same = literal.value == (operator is Operator.EQUAL)
         meant = other.span.text if is_same else f"not ({other.span.text})"
-        help = f"write `{quoted(meant)}`"
-        fix = Fix(help, (Edit(node.span, meant),))
+        help = Write(meant=quoted(meant))
+        fix = Fix(str(help), (Edit(node.span, meant),))
     finding = TruthCompared(operator=operator.value)
     context.collector.add(finding.at(node.span, help=help, fix=fix))
     return Unknown()
@@ -233,28 +233,29 @@ def _text_comparison(node: ast.Binary, context: Context) -> Type:
 def _report_incomparable(node: ast.Binary, context: Context) -> Type:
     left, right = (describe(context.type_of(side)) for side in (node.left, node.right))
     finding = Incomparable(left=left, right=right, operator=node.operator.value)
+    help: Remark
     if left == right:
-        help = "strings have no order; compare them with `==` or `!=`"
+        help = finding.Strings()
     elif is_truth(context.type_of(node.left)) or is_truth(context.type_of(node.right)):
-        help = "use the condition by itself, or `not` and the condition"
+        help = finding.Truth()
     else:
         help = _in_one_kind(node, context)
     context.collector.add(finding.at(node.span, help=help))
     return Unknown()
 
 
-def _in_one_kind(node: ast.Binary, context: Context) -> str:
+def _in_one_kind(node: ast.Binary, context: Context) -> Remark:
     """How to compare a text and a number."""
     for side in (node.left, node.right):
         literal, constant = stripped(side), constant_of(stripped(side), context.declarations)
         if constant is not None:
             what = describe(context.type_of(side))
-            return f"`{constant.name.text}` is declared as {what}; declare what is to be compared"
+            return Incomparable.Constant(constant=constant.name.text, what=what)
         if isinstance(literal, ast.Text) and _is_number(literal.value):
-            return f"leave the quotes out: `{literal.value}`"
+            return Incomparable.Quoted(number=literal.value)
         if isinstance(literal, ast.Number):
-            return f'put it in quotes: `"{text_of(literal)}"`'
-    return "a string never equals a number: compare with something of the same kind"
+            return Incomparable.Unquoted(number=text_of(literal))
+    return Incomparable.OfOneKind()
 
 
 def _is_number(text: str) -> bool:

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Edit, Fix, Label
+from dslkit.diagnostics import Edit, Fix, Label, Write
 from rossmarie.check.model import Value
 from rossmarie.check.operations.constants import record
-from rossmarie.check.operations.errors import (
-    BracketLength,
-    IntervalEndsSwapped,
-    RangeMismatch,
-    ScalarAsRange,
-    StringsAsRange,
-)
 from rossmarie.check.operations.operands import (
     is_age,
     report_misused_age,
     report_not_a_number,
     require_constant,
     scalar_operand,
+)
+from rossmarie.check.operations.range_errors import (
+    BracketLength,
+    IntervalEndsSwapped,
+    RangeMismatch,
+    ScalarAsRange,
+    StringsAsRange,
 )
 from rossmarie.check.operations.rewriting import rewritten
 from rossmarie.check.scopes.context import Context
@@ -74,7 +74,7 @@ def _report_texts(node: ast.Bracket, context: Context) -> None:
         sign, junction = ("!=", " and ") if around.is_negated else ("==", " or ")
         value = around.value.span.text
         meant = junction.join(f"{value} {sign} {text.span.text}" for text in node.elements)
-        help, fix = f"write `{quoted(meant)}`", rewritten(around, meant, context)
+        help, fix = Write(meant=quoted(meant)), rewritten(around, meant, context)
     context.collector.add(StringsAsRange().at(node.span, help=help, fix=fix))
 
 
@@ -88,10 +88,10 @@ def _check_ends(
     for end in second_units:
         finding = MisplacedUnit(
             reason="this end has a unit, and so has the whole range",
-            advice=f"write the unit once, `[low, high] {unit.symbol}`",
         )
-        place = () if node.unit is None else (Label(node.unit.span, "the unit of both ends"),)
-        context.collector.add(finding.at(end.node.span, *place))
+        place = () if node.unit is None else (finding.OfBothEnds().at(node.unit.span),)
+        help = finding.OnceInRange(unit=unit.symbol)
+        context.collector.add(finding.at(end.node.span, *place, help=help))
     return not second_units
 
 
@@ -143,20 +143,15 @@ def _report_unfit(node: ast.Membership, value: Type, container: Type, context: C
         report_not_a_number(node.value, context)
         return
     finding = RangeMismatch(value=describe(value), container=describe(container))
-    place = Label(node.value.span, f"this is {describe(value)}")
-    help = (
-        "write a position before `in`, or an interval, `[low, high]`, after it"
-        if isinstance(container, Box)
-        else "write an interval, `in [low, high]`, or a box, after `in`"
-    )
+    place = finding.Value(value=describe(value)).at(node.value.span)
+    help = finding.Position() if isinstance(container, Box) else finding.Range()
     context.collector.add(finding.at(node.container.span, place, help=help))
 
 
 def _report_scalar(node: ast.Membership, scalar: Type, context: Context) -> None:
     finding = ScalarAsRange(found=describe(scalar))
     if id(node.container) not in context.values:
-        help = "write two constant ends, `[low, high]`, or compare with `<` and `>`"
-        context.collector.add(finding.at(node.container.span, help=help))
+        context.collector.add(finding.at(node.container.span, help=finding.NotConstant()))
         return
     constant = constant_of(stripped(node.container), context.declarations)
     written = node.container if constant is None else constant.value
@@ -164,10 +159,10 @@ def _report_scalar(node: ast.Membership, scalar: Type, context: Context) -> None
     is_shared = constant is not None and constant.name.text in context.names_used_as_numbers
     place = node.container if is_shared else written
     fix = Fix(f"write the interval `{meant}`", (Edit(place.span, meant),))
-    help = f"if {text_of(written)} to either side of zero is meant, write `{meant}`"
+    help = finding.AroundZero(end=text_of(written), meant=meant)
     labels: tuple[Label, ...] = ()
     if constant is not None:
-        labels = (Label(constant.value.span, f"`{constant.name.text}` is one number"),)
+        labels = (finding.Constant(constant=constant.name.text).at(constant.value.span),)
     context.collector.add(finding.at(node.container.span, *labels, help=help, fix=fix))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class UndeclaredRule(Error, code="ROSS120", name="undeclared-rule"):
@@ -67,6 +67,12 @@ class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
     help = "write the longest silence you accept after it: `timeout 0.5 sec`"
     identifier: str
 
+    class Rule(Remark):
+        says = "this rule rests on it"
+
+    class Confirmation(Remark):
+        says = "this confirmation rests on it"
+
 
 class NoRules(Warning, code="ROSS407", name="no-rules"):
     """Conditions or inputs and no rule that rests on them, or a file without anything."""
@@ -85,6 +91,10 @@ class LatchConflict(Error, code="ROSS417", name="latch-conflict"):
     label = "a contract other than that of the action"
     help = "leave this contract out, or use an action that is not latched"
     identifier: str
+
+    class Latched(Remark):
+        says = "`{action}` is latched here"
+        action: str
 
 
 class PlanTooLarge(Error, code="ROSS420", name="plan-too-large"):
@@ -119,6 +129,14 @@ class LastResortOverruled(Error, code="ROSS422", name="last-resort-overruled"):
     rule: str
     other: str
     resource: str
+
+    class Ends(Remark):
+        says = "rule `{rule}` ends with it"
+        rule: str
+
+    class First(Remark):
+        says = "rule `{rule}` comes first"
+        rule: str
 
 
 ALL: tuple[type[Template], ...] = (

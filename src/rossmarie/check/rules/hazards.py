@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from dslkit.diagnostics import Label
 from rossmarie.check.rules.errors import UndeclaredHazard, UnmitigatedHazard
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.errors import DuplicateName
@@ -40,5 +39,5 @@ def _report_second(item: ast.Hazard, first: ast.Hazard, context: Context) -> Non
         other="a hazard",
         reason="rules say by its name which hazard they mitigate",
     )
-    place = Label(first.name.span, "first declared here")
+    place = finding.First().at(first.name.span)
     context.collector.add(finding.at(item.name.span, place))

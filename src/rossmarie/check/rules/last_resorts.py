@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 
-from dslkit.diagnostics import Label
 from dslkit.source import Span
 from rossmarie.check.model import CheckedEffect
 from rossmarie.check.rules.errors import LastResortOverruled
@@ -54,8 +53,8 @@ def check_last_resorts(
             finding = LastResortOverruled(
                 rule=names[number], other=names[owner], resource=effect.resource
             )
-            one = Label(_head(rule), f"rule `{names[number]}` ends with it")
-            other = Label(_head(rules[owner]), f"rule `{names[owner]}` comes first")
+            one = finding.Ends(rule=names[number]).at(_head(rule))
+            other = finding.First(rule=names[owner]).at(_head(rules[owner]))
             context.collector.add(finding.at(effect.span, one, other))
 
 

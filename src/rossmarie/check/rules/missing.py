@@ -38,9 +38,9 @@ def warn_of_empty_actions(context: Context) -> None:
     """Warn of every action with braces and nothing in them."""
     for item in context.declarations.items:
         if isinstance(item, ast.Action) and item.body is not None and not item.effects:
-            advice = f"say what it does, or write `action {item.name.text};`"
-            finding = DoesNothing(what="action", advice=advice)
-            context.collector.add(finding.at(item.body))
+            finding = DoesNothing(what="action")
+            help = finding.Action(name=item.name.text)
+            context.collector.add(finding.at(item.body, help=help))
 
 
 def warn_of_missing_timeouts(

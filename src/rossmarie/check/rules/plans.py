@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from dslkit.diagnostics import Label
 from rossmarie.check.model import CheckedEffect
 from rossmarie.check.rules.errors import CircularEscalation, LatchConflict, PlanTooLarge
 from rossmarie.check.rules.order import in_order
@@ -98,8 +97,8 @@ def check_latches(effects: Effects, context: Context) -> None:
             if action is None or action.latch is None:
                 break
             if not isinstance(contract, ast.LatchedUntilReset):
-                place = Label(action.latch.span, f"`{action.name.text}` is latched here")
                 finding = LatchConflict(identifier=action.name.text)
+                place = finding.Latched(action=action.name.text).at(action.latch.span)
                 context.collector.add(finding.at(contract.span, place))
 
 

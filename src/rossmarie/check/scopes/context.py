@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from dslkit.diagnostics import Collector, Template
+from dslkit.diagnostics import Collector, DidYouMean, Template
 from dslkit.source import Span
 from rossmarie.check.model import CheckedInput, ConditionKey, Value
 from rossmarie.check.scopes.declarations import Declarations
@@ -76,8 +76,8 @@ class Context:
         if near is None:
             self.collector.add(finding.at(name.span))
             return
-        help, fix = f"did you mean `{near}`?", rename(name, near)
-        self.collector.add(finding.at(name.span, help=help, fix=fix))
+        help = DidYouMean(near=near)
+        self.collector.add(finding.at(name.span, help=help, fix=rename(name, near)))
 
     def type_of(self, node: ast.Expression) -> Type:
         """The type found for a node; `Unknown` if it was passed over."""

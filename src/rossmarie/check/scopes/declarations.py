@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from dslkit.diagnostics import Collector, Label
+from dslkit.diagnostics import Collector
 from rossmarie.check.scopes.errors import DuplicateName, RepeatedAction, SeveralContracts
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import expressions
@@ -105,7 +105,7 @@ def _report_second(item: Named, first: Named, collector: Collector) -> None:
         other=ARTICLES[kind_of(first)],
         reason="constants, inputs, entities and actions share one set of names",
     )
-    collector.add(finding.at(item.name.span, Label(first.name.span, "first declared here")))
+    collector.add(finding.at(item.name.span, finding.First().at(first.name.span)))
 
 
 def _conditions(entity: ast.Entity, collector: Collector) -> dict[str, ast.Condition]:
@@ -119,7 +119,7 @@ def _conditions(entity: ast.Entity, collector: Collector) -> dict[str, ast.Condi
                 other="a condition",
                 reason="within an entity, each condition has a name of its own",
             )
-            place = Label(first.name.span, "first declared here")
+            place = finding.First().at(first.name.span)
             collector.add(finding.at(condition.name.span, place))
     return found
 
@@ -136,7 +136,7 @@ def _check_hidden_names(declarations: Declarations, collector: Collector) -> Non
                     other=ARTICLES[kind_of(value)],
                     reason=f"inside `{entity.name.text}` the bare name could mean either",
                 )
-                place = Label(value.name.span, "first declared here")
+                place = finding.First().at(value.name.span)
                 collector.add(finding.at(condition.name.span, place))
 
 
@@ -156,14 +156,14 @@ def _check_rule(rule: ast.Rule, names: dict[str, ast.Name], collector: Collector
                 other="a rule",
                 reason="a verdict names its rule; two rules of one name could not be told apart",
             )
-            place = Label(first.span, "first declared here")
+            place = finding.First().at(first.span)
             collector.add(finding.at(rule.name.span, place))
     for contract in rule.contracts[1:]:
-        place = Label(rule.contracts[0].span, "the first contract")
+        place = SeveralContracts.First().at(rule.contracts[0].span)
         collector.add(SeveralContracts().at(contract.span, place))
     for name, first in _repeated(rule.actions):
-        place = Label(first.span, "first named here")
-        collector.add(RepeatedAction(identifier=name.text).at(name.span, place))
+        repeated = RepeatedAction(identifier=name.text)
+        collector.add(repeated.at(name.span, repeated.First().at(first.span)))
 
 
 def _repeated(names: Sequence[ast.Name]) -> Iterator[tuple[ast.Name, ast.Name]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class DuplicateName(Error, code="ROSS105", name="duplicate-name"):
@@ -17,6 +17,9 @@ class DuplicateName(Error, code="ROSS105", name="duplicate-name"):
     other: str
     reason: str
 
+    class First(Remark):
+        says = "first declared here"
+
 
 class CircularConstant(Error, code="ROSS113", name="circular-constant"):
     """A constant that is defined by itself."""
@@ -27,6 +30,9 @@ class CircularConstant(Error, code="ROSS113", name="circular-constant"):
     help = "write the value of one of them as a number"
     identifier: str
     cycle: str
+
+    class Part(Remark):
+        says = "part of the circle"
 
 
 class CircularCondition(Error, code="ROSS114", name="circular-condition"):
@@ -39,6 +45,9 @@ class CircularCondition(Error, code="ROSS114", name="circular-condition"):
     identifier: str
     cycle: str
 
+    class Next(Remark):
+        says = "and this on the next"
+
 
 class SeveralContracts(Error, code="ROSS115", name="several-contracts"):
     """A rule with more than one resume contract."""
@@ -47,6 +56,9 @@ class SeveralContracts(Error, code="ROSS115", name="several-contracts"):
     label = "this one contradicts the first"
     note = "it would not be clear which of them releases the actions"
     help = "keep one; two conditions for release can be joined: `clear when (A and B) for 2 sec`"
+
+    class First(Remark):
+        says = "the first contract"
 
 
 class RepeatedAction(Warning, code="ROSS405", name="repeated-action"):
@@ -57,6 +69,9 @@ class RepeatedAction(Warning, code="ROSS405", name="repeated-action"):
     note = "an action is in force from its turn to the release; named again, it only begins again"
     help = "remove it"
     identifier: str
+
+    class First(Remark):
+        says = "first named here"
 
 
 ALL: tuple[type[Template], ...] = (

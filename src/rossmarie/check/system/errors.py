@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template
+from dslkit.diagnostics import Error, Remark, Template
+
+
+class Here(Remark):
+    """The label of the other of two statements."""
+
+    says = "{what} here"
+    what: str
 
 
 class UnknownMessageType(Error, code="ROSS109", name="unknown-message-type"):
@@ -12,6 +19,13 @@ class UnknownMessageType(Error, code="ROSS109", name="unknown-message-type"):
     label = "no definition of this type is known"
     note = "known are the types of the common ROS packages and the .msg files of message folders"
     identifier: str
+
+    class Package(Remark):
+        says = "`{package}` is the package itself: name the folder that it is in"
+        package: str
+
+    class Folder(Remark):
+        says = 'name the folder of its .msg file in a system model: `messages "msg";`'
 
 
 class TopicWithoutType(Error, code="ROSS110", name="topic-without-type"):
@@ -24,6 +38,21 @@ class TopicWithoutType(Error, code="ROSS110", name="topic-without-type"):
         "from a system model"
     )
     topic: str
+
+    class DeclaredTopics(Remark):
+        says = "declared are {known}"
+        known: str
+
+    class Declare(Remark):
+        says = "declare it in the system model: `topic {topic} : PACKAGE/TYPE;`"
+        topic: str
+
+    class NoSystemModel(Remark):
+        says = (
+            "declare it in a file `system.ross` in the same folder: `system robot {{ topic "
+            "{topic} : PACKAGE/TYPE; }}`, or write its type here: `topic {topic} : PACKAGE/TYPE`"
+        )
+        topic: str
 
 
 class TopicTypeConflict(Error, code="ROSS111", name="topic-type-conflict"):

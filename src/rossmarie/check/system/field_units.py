@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from dslkit.diagnostics import Collector, Diagnostic, Label
+from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import Span
 from rossmarie.check.model import CheckedInput
 from rossmarie.check.names.fields import unit_of
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import path_of, root_of
-from rossmarie.check.system.errors import FieldUnitConflict
+from rossmarie.check.system.errors import FieldUnitConflict, Here
 from rossmarie.check.units.quantities import end_of_field, is_same_unit
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import walk
@@ -77,7 +77,7 @@ def _check_read(
             finding = FieldUnitConflict(
                 topic=whole.topic, field=field, found=unit.symbol, expected=expected.symbol
             )
-            label = Label(_place(first), f"{expected.symbol} here")
+            label = Here(what=expected.symbol).at(_place(first))
             context.collector.add(finding.at(node.span, label))
         return
 
@@ -89,7 +89,7 @@ def _conflict(found: CheckedInput, unit: Unit, first: CheckedInput, expected: Un
         found=unit.symbol,
         expected=expected.symbol,
     )
-    return finding.at(_place(found), Label(_place(first), f"{expected.symbol} here"))
+    return finding.at(_place(found), Here(what=expected.symbol).at(_place(first)))
 
 
 def _with_components(path: tuple[str, ...], type_: Type) -> Iterator[tuple[str, ...]]:

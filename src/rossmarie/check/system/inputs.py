@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 
-from dslkit.diagnostics import Collector, Fix, Label, listed
+from dslkit.diagnostics import Collector, DidYouMean, Fix, listed
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.model import CheckedInput
 from rossmarie.check.names.fields import has_no_number, select, unit_of, with_unit
 from rossmarie.check.operations.operands import duration_ns
 from rossmarie.check.scopes.context import Context
-from rossmarie.check.system.errors import FieldUnitConflict, TopicTypeConflict, TopicWithoutType
+from rossmarie.check.system.errors import (
+    FieldUnitConflict,
+    Here,
+    TopicTypeConflict,
+    TopicWithoutType,
+)
 from rossmarie.check.system.field_units import FieldKey, check_one_unit
 from rossmarie.check.system.model import (
     SystemModel,
@@ -94,21 +99,15 @@ def _message(
 def _report_without_type(name: ast.Name, model: SystemModel, collector: Collector) -> None:
     finding = TopicWithoutType(topic=name.text)
     near = model.near_topic(name.text)
-    example = f"`topic {full_name(name.text)} : PACKAGE/TYPE;`"
+    topic = full_name(name.text)
     if near is not None:
-        fix = rename(name, near)
-        collector.add(finding.at(name.span, help=f"did you mean `{near}`?", fix=fix))
+        collector.add(finding.at(name.span, help=DidYouMean(near=near), fix=rename(name, near)))
     elif model.topics:
-        notes = (f"declared are {listed(tuple(model.topics))}",)
-        help = f"declare it in the system model: {example}"
-        collector.add(finding.at(name.span, help=help, notes=notes))
+        declared = finding.DeclaredTopics(known=listed(tuple(model.topics)))
+        help = finding.Declare(topic=topic)
+        collector.add(finding.at(name.span, help=help, notes=(declared,)))
     else:
-        help = (
-            f"declare it in a file `system.ross` in the same folder: `system robot {{ "
-            f"{example.strip('`')} }}`, or write its type here: "
-            f"`topic {full_name(name.text)} : PACKAGE/TYPE`"
-        )
-        collector.add(finding.at(name.span, help=help))
+        collector.add(finding.at(name.span, help=finding.NoSystemModel(topic=topic)))
 
 
 def _selected(type_: Type, message: Message, declaration: ast.Input, collector: Collector) -> Type:
@@ -158,7 +157,7 @@ def _report_other_unit(
     finding = FieldUnitConflict(
         topic=topic.name, field=field, found=unit.symbol, expected=topic.unit.symbol
     )
-    collector.add(finding.at(written.span, Label(declared.span, f"{topic.unit.symbol} here")))
+    collector.add(finding.at(written.span, Here(what=topic.unit.symbol).at(declared.span)))
 
 
 def _rescaled(type_: Type, unit: Unit | None) -> Type:
@@ -166,11 +165,10 @@ def _rescaled(type_: Type, unit: Unit | None) -> Type:
 
 
 def _report_no_number(unit: ast.Unit, type_: Type, field: str, collector: Collector) -> None:
-    advice = f"leave `in {unit.text}` out"
-    if isinstance(type_, Message):
-        advice = f"choose the field that is in {unit.text}, or leave `in {unit.text}` out"
-    finding = MisplacedUnit(reason=f"`{field}` is not a number", advice=advice)
-    collector.add(finding.at(unit.span))
+    finding = MisplacedUnit(reason=f"`{field}` is not a number")
+    is_message = isinstance(type_, Message)
+    kind = finding.ChooseField if is_message else finding.LeaveOut
+    collector.add(finding.at(unit.span, help=kind(unit=unit.text)))
 
 
 def _check_one_type(
@@ -186,5 +184,5 @@ def _check_one_type(
     finding = TopicTypeConflict(
         topic=found.topic, found=type_name(written.text), expected=type_name(first.text)
     )
-    place = Label(first.span, f"{type_name(first.text)} here")
+    place = Here(what=type_name(first.text)).at(first.span)
     collector.add(finding.at(written.span, place))

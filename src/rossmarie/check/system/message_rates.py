@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from dslkit.diagnostics import Label
 from rossmarie.check.expressions.errors import NotPositive
 from rossmarie.check.expressions.frequencies import is_frequency
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.model import Gaps
 from rossmarie.check.scopes.context import Context
-from rossmarie.check.system.errors import RateConflict
+from rossmarie.check.system.errors import Here, RateConflict
 from rossmarie.check.system.model import full_name
 from rossmarie.syntax import ast
 from rossmarie.types import Interval
@@ -31,7 +30,7 @@ def message_gaps(context: Context) -> Mapping[str, Gaps]:
         first, earlier = found.setdefault(topic, (gaps, rate))
         if gaps != first:
             finding = RateConflict(topic=topic, found=rate.span.text, expected=earlier.span.text)
-            place = Label(earlier.span, f"{earlier.span.text} here")
+            place = Here(what=earlier.span.text).at(earlier.span)
             context.collector.add(finding.at(rate.span, place))
     return {topic: gaps for topic, (gaps, _) in found.items()}
 
@@ -56,8 +55,7 @@ def _gaps(rate: ast.Expression, context: Context) -> Gaps | None:
                 what="a rate",
                 bound="at most 1e9 Hz" if is_fast else "at least 1e-9 Hz",
                 found=f"{hertz:g} Hz",
-                advice="write how often messages come",
             )
-            context.collector.add(finding.at(rate.span))
+            context.collector.add(finding.at(rate.span, help=finding.HowOften()))
             return None
     return round(1e9 / numbers[-1]), round(1e9 / numbers[0])

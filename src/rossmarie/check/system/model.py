@@ -11,13 +11,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from dslkit.diagnostics import Collector, Edit, Fix, Label
+from dslkit.diagnostics import Collector, DidYouMean, Edit, Fix, Remark
 from dslkit.source import is_folder
 from rossmarie.check.names.fields import has_no_number, select, unit_of
 from rossmarie.check.scopes.declarations import Declarations
 from rossmarie.check.scopes.errors import DuplicateName
 from rossmarie.check.system.errors import (
     FieldUnitConflict,
+    Here,
     MalformedMessageDefinition,
     MessageFolderMissing,
     TopicTypeConflict,
@@ -150,12 +151,13 @@ def _report_unknown_type(name: ast.Name, model: SystemModel, collector: Collecto
     finding = UnknownMessageType(identifier=name.text)
     package = model.messages.package_of(name.text)
     near = model.near_type(type_name(name.text)) if package is None else None
+    help: Remark
     if package is not None:
-        help = f"`{package}` is the package itself: name the folder that it is in"
+        help = finding.Package(package=str(package))
     elif near is not None:
-        help = f"did you mean `{near}`?"
+        help = DidYouMean(near=near)
     else:
-        help = 'name the folder of its .msg file in a system model: `messages "msg";`'
+        help = finding.Folder()
     fix = rename(name, near) if near is not None else None
     collector.add(finding.at(name.span, help=help, fix=fix))
 
@@ -200,7 +202,7 @@ def _check_unit_declaration(
     if isinstance(type_, Unknown):
         return
     if has_no_number(type_):
-        _report_misplaced(declaration.unit, text, "name a field that holds numbers", collector)
+        _report_misplaced(declaration.unit, text, MisplacedUnit.NameNumber(), collector)
     elif unit is not None:
         _check_declared_once(unit, declaration, (name, path), first, collector)
 
@@ -218,13 +220,13 @@ def _check_declared_once(
         finding = UnitDeclarationConflict(
             field=".".join((name, *path)), found=unit.symbol, expected=expected.symbol
         )
-        place = Label(earlier.unit.span, f"{expected.symbol} here")
+        place = Here(what=expected.symbol).at(earlier.unit.span)
         collector.add(finding.at(declaration.unit.span, place))
 
 
-def _report_misplaced(unit: ast.Unit, text: str, advice: str, collector: Collector) -> None:
-    finding = MisplacedUnit(reason=f"`{text}` is not a number", advice=advice)
-    collector.add(finding.at(unit.span))
+def _report_misplaced(unit: ast.Unit, text: str, help: Remark, collector: Collector) -> None:
+    finding = MisplacedUnit(reason=f"`{text}` is not a number")
+    collector.add(finding.at(unit.span, help=help))
 
 
 def _add_topic(declaration: ast.TopicDeclaration, model: SystemModel, collector: Collector) -> None:
@@ -250,7 +252,7 @@ def _add_topic(declaration: ast.TopicDeclaration, model: SystemModel, collector:
             other=f"topic {other.name}",
             reason="an alias stands for one topic",
         )
-        place = Label(other.declaration.span, "first declared here")
+        place = finding.First().at(other.declaration.span)
         collector.add(finding.at(alias.span, place))
 
 
@@ -267,7 +269,7 @@ def _report_other_unit(
         found=unit.symbol,
         expected=first.unit.symbol,
     )
-    place = Label(earlier.span, f"{first.unit.symbol} here")
+    place = Here(what=first.unit.symbol).at(earlier.span)
     collector.add(finding.at(written.span, place))
 
 
@@ -279,7 +281,7 @@ def report_conflict(written: ast.Name, topic: Topic, collector: Collector) -> No
     if not written.text or not topic.message_type or found == topic.message_type:
         return
     finding = TopicTypeConflict(topic=topic.name, found=found, expected=topic.message_type)
-    place = Label(topic.declaration.message_type.span, f"{topic.message_type} here")
+    place = Here(what=topic.message_type).at(topic.declaration.message_type.span)
     fix = Fix(f"write `{topic.message_type}`", (Edit(written.span, topic.message_type),))
     collector.add(finding.at(written.span, place, fix=fix))
 
@@ -295,10 +297,11 @@ def _topic_unit(
         return unit
     data = std_msgs_data(message)
     if data is None or has_no_number(data):
-        advice = f"leave `in {declaration.unit.text}` out"
+        written = declaration.unit.text
+        help: Remark = MisplacedUnit.LeaveOut(unit=written)
         if data is None:
-            advice = f"name the field: `unit {message.name}.FIELD = {declaration.unit.text};`"
-        _report_misplaced(declaration.unit, message.name, advice, collector)
+            help = MisplacedUnit.NameField(message=message.name, unit=written)
+        _report_misplaced(declaration.unit, message.name, help, collector)
         return None
     contradiction = contradicts(unit_of(data), unit, f"{message.name}.data")
     if contradiction is not None:
@@ -318,7 +321,7 @@ def _check_node(node: ast.NodeDeclaration, model: SystemModel, collector: Collec
     for name in (*node.publishes, *node.subscribes):
         if model.find(name.text) is None and model.is_whole:
             near = model.near_topic(name.text)
-            help = f"did you mean `{near}`?" if near is not None else None
+            help = DidYouMean(near=near) if near is not None else None
             fix = rename(name, near) if near is not None else None
             finding = UndeclaredTopic(topic=full_name(name.text))
             collector.add(finding.at(name.span, help=help, fix=fix))

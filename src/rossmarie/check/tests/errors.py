@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template, Warning
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class UnknownTestInput(Error, code="ROSS126", name="unknown-test-input"):
@@ -19,11 +19,11 @@ class SettingMismatch(Error, code="ROSS127", name="setting-mismatch"):
 
     title = "`{field}` is {expected}"
     label = "this is {found}"
-    help = "{advice}"
+    help = "write it as in `{field} = {example}`"
     field: str
     expected: str
     found: str
-    advice: str
+    example: str
 
 
 class InstantOutOfRange(Error, code="ROSS128", name="instant-out-of-range"):
@@ -41,10 +41,20 @@ class InstantOutOfOrder(Error, code="ROSS129", name="instant-out-of-order"):
     title = "{what} out of order"
     label = "this is before {before}"
     note = "a test is read from top to bottom, as time passes"
-    help = "{advice}"
     what: str
     before: str
-    advice: str
+
+    class Later(Remark):
+        says = "this comes later"
+
+    class Beginning(Remark):
+        says = "the beginning"
+
+    class Ends(Remark):
+        says = "write the earlier instant behind `from`"
+
+    class MoveUp(Remark):
+        says = "move it up; expectations may stand anywhere"
 
 
 class TooManyMessages(Error, code="ROSS130", name="too-many-messages"):
@@ -62,10 +72,23 @@ class NotSettable(Error, code="ROSS131", name="not-settable"):
 
     title = "`{field}` cannot be set as a whole"
     label = "this is {found}"
-    help = "{advice}"
     field: str
     found: str
-    advice: str
+
+    class NoValue(Remark):
+        says = "give it a value, or write `{name}` alone to send it once more"
+        name: str
+
+    class Angle(Remark):
+        says = "set an angle: `{field}.pitch = 5 deg`"
+        field: str
+
+    class Fields(Remark):
+        says = "set one of its fields: {fields}"
+        fields: str
+
+    class NoFields(Remark):
+        says = "leave it out"
 
 
 class NothingExpected(Warning, code="ROSS132", name="nothing-expected"):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, Remark
 from rossmarie.check.actions.whole_numbers import is_whole
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.names.fields import members, select, unit_of
@@ -105,7 +105,7 @@ class _SettingChecker:
             if isinstance(step, ast.Position):
                 if not isinstance(type_, Array):
                     finding = NotAnArray(purpose="an index", found=describe(type_))
-                    self._add(finding.at(step.span, help="leave the index out"))
+                    self._add(finding.at(step.span, help=finding.NoIndex()))
                     return None
                 type_ = type_.element
                 path.append(step.index)
@@ -137,19 +137,19 @@ class _SettingChecker:
     def _without_value(self) -> tuple[Setting, ...] | None:
         first = self._setting.path.steps[0]
         assert isinstance(first, ast.Name)
-        advice = f"give it a value, or write `{first.text}` alone to send it once more"
-        finding = NotSettable(field=self._text, found="a field without a value", advice=advice)
-        self._add(finding.at(self._setting.span))
+        finding = NotSettable(field=self._text, found="a field without a value")
+        self._add(finding.at(self._setting.span, help=finding.NoValue(name=first.text)))
         return None
 
     def _report_whole(self, type_: Type) -> None:
+        finding = NotSettable(field=self._text, found=describe(type_))
+        inside = [f"`{self._text}.{name}`" for name in members(type_)][:8]
+        help: Remark = finding.NoFields()
         if isinstance(type_, Quaternion):
-            advice = f"set an angle: `{self._text}.pitch = 5 deg`"
-        else:
-            inside = [f"`{self._text}.{name}`" for name in members(type_)][:8]
-            advice = f"set one of its fields: {', '.join(inside)}" if inside else "leave it out"
-        finding = NotSettable(field=self._text, found=describe(type_), advice=advice)
-        self._add(finding.at(self._setting.path.span))
+            help = finding.Angle(field=self._text)
+        elif inside:
+            help = finding.Fields(fields=", ".join(inside))
+        self._add(finding.at(self._setting.path.span, help=help))
 
     # --- values ------------------------------------------------------------------------------
 
@@ -205,9 +205,8 @@ class _SettingChecker:
         if around is None:
             return self._held(node, number, type_) if self._fits(node, found, type_) else None
         if not is_plain(found):
-            advice = f"write the unit once, `[...] {around.symbol}`"
-            reason = "this element has a unit, and so has the whole list"
-            self._add(MisplacedUnit(reason=reason, advice=advice).at(node.span))
+            twice = MisplacedUnit(reason="this element has a unit, and so has the whole list")
+            self._add(twice.at(node.span, help=twice.OnceInList(unit=around.symbol)))
             return None
         return self._held(node, around.to_si(number), type_)
 
@@ -243,7 +242,7 @@ class _SettingChecker:
             field=self._text,
             expected=describe(type_),
             found=found,
-            advice=f"write it as in `{self._text} = {example or f'1{symbol}'}`",
+            example=example or f"1{symbol}",
         )
         self._add(finding.at(node.span))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Label
 from rossmarie.check.actions.commands import CommandChecker
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.operations.operands import duration_ns, require_constant
@@ -55,7 +54,7 @@ def _report_second(test: ast.Test, first: ast.Test, context: Context) -> None:
         other="a test",
         reason="two tests of one name could not be told apart in a report",
     )
-    place = Label(first.name.span, "first declared here")
+    place = finding.First().at(first.name.span)
     context.collector.add(finding.at(test.name.span, place))
 
 
@@ -186,10 +185,10 @@ class _TestChecker:
             finding = InstantOutOfOrder(
                 what="the ends of this stretch are",
                 before="the beginning",
-                advice="write the earlier instant behind `from`",
             )
-            place = Label(stretch.first.span, "the beginning")
-            self._context.collector.add(finding.at(stretch.last.span, place))
+            place = finding.Beginning().at(stretch.first.span)
+            help = finding.Ends()
+            self._context.collector.add(finding.at(stretch.last.span, place, help=help))
             return None
         return first, last
 
@@ -220,10 +219,10 @@ class _TestChecker:
         finding = InstantOutOfOrder(
             what="this statement is",
             before="the statement above it",
-            advice="move it up; expectations may stand anywhere",
         )
-        place = Label(_start(before).span, "this comes later")
-        self._context.collector.add(finding.at(_start(statement).span, place))
+        place = finding.Later().at(_start(before).span)
+        help = finding.MoveUp()
+        self._context.collector.add(finding.at(_start(statement).span, place, help=help))
 
 
 def _start(statement: ast.Arrival | ast.OperatorReset) -> ast.Expression:

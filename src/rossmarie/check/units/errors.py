@@ -2,7 +2,35 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Template
+from dslkit.diagnostics import Error, Remark, Template
+
+
+class OfUnknownUnit(Remark):
+    """The label of a number of unknown unit."""
+
+    says = "the unit of this is not known"
+
+
+class PlainNumber(Remark):
+    """The label of a number without a unit."""
+
+    says = "this is a plain number"
+
+
+class InUnit(Remark):
+    """The label of a number with a unit."""
+
+    says = "this is in {unit} ({dimension})"
+    unit: str
+    dimension: str
+
+
+class OfField(Remark):
+    """The label of an input, where a unit comes from its field."""
+
+    says = "`{name}` is {field}"
+    name: str
+    field: str
 
 
 class UnitMismatch(Error, code="ROSS301", name="unit-mismatch"):
@@ -17,6 +45,14 @@ class UnitMismatch(Error, code="ROSS301", name="unit-mismatch"):
     expected: str
     purpose: str
 
+    class NoUnit(Remark):
+        says = "leave the unit out, or choose something that has one for the other side"
+
+    class Gram(Remark):
+        says = "`{gram}` is gram; standard gravity is `{gravity}`"
+        gram: str
+        gravity: str
+
 
 class RateAgainstQuantity(Error, code="ROSS302", name="rate-against-quantity"):
     """A quantity compared with a rate of change of that quantity."""
@@ -29,6 +65,15 @@ class RateAgainstQuantity(Error, code="ROSS302", name="rate-against-quantity"):
     quantity: str
     words: str
     expected: str
+
+    class Unit(Remark):
+        says = "write a value in {unit}"
+        unit: str
+
+    class UnitOrRate(Remark):
+        says = "write a value in {unit}, or compare the rate of change, `rate({text})`"
+        unit: str
+        text: str
 
 
 class MissingUnit(Error, code="ROSS303", name="missing-unit"):
@@ -53,6 +98,15 @@ class FieldWithoutUnit(Error, code="ROSS304", name="field-without-unit"):
     help = "say in which unit it arrives, with `in {other}` after the input"
     other: str
 
+    class KnownUnit(Remark):
+        says = "bring it to a known unit: use inputs that say theirs, `in {unit}`"
+        unit: str
+
+    class InSystemModel(Remark):
+        says = "say its unit in a system model, `unit {field} = {unit};`"
+        field: str
+        unit: str
+
 
 class UnknownUnit(Error, code="ROSS305", name="unknown-unit"):
     """A unit that does not exist."""
@@ -62,15 +116,55 @@ class UnknownUnit(Error, code="ROSS305", name="unknown-unit"):
     text: str
     part: str
 
+    class Factor(Remark):
+        says = "calculate it: {factor}"
+        factor: str
+
+    class Examples(Remark):
+        says = "units look like `m/s^2`, `N*m`, `deg`, `sec`, `%`"
+
 
 class MisplacedUnit(Error, code="ROSS309", name="misplaced-unit"):
     """A unit on something that cannot have one."""
 
     title = "a unit does not belong here"
     label = "{reason}"
-    help = "{advice}"
     reason: str
-    advice: str
+
+    class OfBothEnds(Remark):
+        says = "the unit of both ends"
+
+    class OfParameter(Remark):
+        says = "say which unit the parameter has: `in {unit} to ...`"
+        unit: str
+
+    class Value(Remark):
+        says = "write a value in {unit}"
+        unit: str
+
+    class OnceInList(Remark):
+        says = "write the unit once, `[...] {unit}`"
+        unit: str
+
+    class OnceInRange(Remark):
+        says = "write the unit once, `[low, high] {unit}`"
+        unit: str
+
+    class LeaveOut(Remark):
+        says = "leave `in {unit}` out"
+        unit: str
+
+    class NameField(Remark):
+        says = "name the field: `unit {message}.FIELD = {unit};`"
+        message: str
+        unit: str
+
+    class NameNumber(Remark):
+        says = "name a field that holds numbers"
+
+    class ChooseField(Remark):
+        says = "choose the field that is in {unit}, or leave `in {unit}` out"
+        unit: str
 
 
 class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
@@ -86,6 +180,9 @@ class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
     identifier: str
     operator: str
     corrected: str
+
+    class OnePiece(Remark):
+        says = "write the unit in one piece, such as `10 km/h`"
 
 
 class RatioOutOfRange(Error, code="ROSS314", name="ratio-out-of-range"):

@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from dslkit.diagnostics import Collector, Edit, Fix, Label
+from dslkit.diagnostics import (
+    Collector,
+    DeclaredHere,
+    DidYouMean,
+    Edit,
+    Fix,
+    Label,
+    NamedHere,
+    Remark,
+)
 from dslkit.source import Span
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import (
@@ -17,7 +26,11 @@ from rossmarie.check.scopes.trees import (
 )
 from rossmarie.check.units.errors import (
     FieldWithoutUnit,
+    InUnit,
     MissingUnit,
+    OfField,
+    OfUnknownUnit,
+    PlainNumber,
     RateAgainstQuantity,
     UnitMismatch,
     UnknownUnit,
@@ -66,12 +79,13 @@ def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
         near = next(iter(error.suggestions), None)
         factor = factor_of(error.part)
         finding = UnknownUnit(text=error.text, part=error.part)
+        help: Remark
         if factor is not None:
-            help, fix = f"calculate it: {factor}", None
+            help, fix = finding.Factor(factor=factor), None
         elif near is None:
-            help, fix = "units look like `m/s^2`, `N*m`, `deg`, `sec`, `%`", None
+            help, fix = finding.Examples(), None
         else:
-            help = f"did you mean `{near}`?"
+            help = DidYouMean(near=near)
             fix = Fix(f"write `{near}`", (Edit(unit.span, near),))
         collector.add(finding.at(unit.span, help=help, fix=fix))
         return None
@@ -124,12 +138,10 @@ def _report_mismatch(odd: Operand, other: Operand, purpose: str, context: Contex
         expected=describe_quantity(other.quantity),
         purpose=purpose,
     )
-    help = None
-    if is_plain(other.quantity):
-        help = "leave the unit out, or choose something that has one for the other side"
+    help: Remark | None = finding.NoUnit() if is_plain(other.quantity) else None
     fix = None
     if found == _GRAM and expected.dimension == _GRAVITY.dimension:
-        help = f"`{found.symbol}` is gram; standard gravity is `{_GRAVITY.symbol}`"
+        help = finding.Gram(gram=found.symbol, gravity=_GRAVITY.symbol)
         fix = _unit_fix(odd, _GRAVITY, context)
     context.collector.add(finding.at(odd.node.span, *labels, help=help, fix=fix))
 
@@ -146,10 +158,10 @@ def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], contex
         expected=expected.symbol,
     )
     meant = _meant_unit(found, expected)
-    help = f"write a value in {meant.symbol}"
+    help: Remark = finding.Unit(unit=meant.symbol)
     is_changing = id(quantity.node) not in context.values
     if is_changing and isinstance(context.type_of(quantity.node), Quantity):
-        help += f", or compare the rate of change, `rate({text_of(quantity.node)})`"
+        help = finding.UnitOrRate(unit=meant.symbol, text=text_of(quantity.node))
     fix = _unit_fix(odd, meant, context)
     context.collector.add(finding.at(odd.node.span, *labels, help=help, fix=fix))
 
@@ -200,17 +212,17 @@ def _report_field_without_unit(unknown: Operand, known: Operand, context: Contex
     root = root_of(unknown.node)
     found = context.inputs.get(root.name.text) if root is not None else None
     if found is None:
-        help = f"bring it to a known unit: use inputs that say theirs, `in {unit}`"
-        context.collector.add(finding.at(unknown.node.span, *labels, help=help))
+        known_unit = finding.KnownUnit(unit=unit)
+        context.collector.add(finding.at(unknown.node.span, *labels, help=known_unit))
     elif isinstance(found.type, Quantity | Vector | Array):
         declaration = found.declaration
         place = end_of_field(declaration)
-        labels = (*labels, Label(declaration.name.span, "declared here"))
+        labels = (*labels, DeclaredHere().at(declaration.name.span))
         fix = Fix(f"say that it arrives in {unit}", (Edit(place, f" in {unit}"),))
         context.collector.add(finding.at(unknown.node.span, *labels, fix=fix))
     else:
         field = ".".join((found.message_type, *found.path, *path_of(unknown.node)))
-        help = f"say its unit in a system model, `unit {field} = {unit};`"
+        help = finding.InSystemModel(field=field, unit=unit)
         context.collector.add(finding.at(unknown.node.span, *labels, help=help))
 
 
@@ -246,18 +258,18 @@ def _is_rate_of(rate: Unit, quantity: Unit) -> bool:
 
 def _is_in(operand: Operand) -> Label:
     if operand.quantity.unit is None:
-        return Label(operand.node.span, "the unit of this is not known")
+        return OfUnknownUnit().at(operand.node.span)
     if is_plain(operand.quantity):
-        return Label(operand.node.span, "this is a plain number")
+        return PlainNumber().at(operand.node.span)
     unit = operand.quantity.unit
-    return Label(operand.node.span, f"this is in {unit.symbol} ({unit.dimension})")
+    return InUnit(unit=unit.symbol, dimension=str(unit.dimension)).at(operand.node.span)
 
 
 def _labels(operand: Operand, context: Context) -> tuple[Label, ...]:
     """Where the unit of an operand comes from, if that is another place."""
     constant = constant_of(stripped(operand.node), context.declarations)
     if constant is not None:
-        return (Label(constant.value.span, f"`{constant.name.text}` is declared here"),)
+        return (NamedHere(name=constant.name.text).at(constant.value.span),)
     root = root_of(operand.node)
     found = context.inputs.get(root.name.text) if root is not None else None
     if found is None:
@@ -265,4 +277,4 @@ def _labels(operand: Operand, context: Context) -> tuple[Label, ...]:
     declaration = found.declaration
     place = declaration.topic.span.to(end_of_field(declaration))
     field = ".".join((found.message_type, *found.path))
-    return (Label(place, f"`{declaration.name.text}` is {field}"),)
+    return (OfField(name=declaration.name.text, field=field).at(place),)

@@ -75,7 +75,7 @@ def _report(number: ast.Number, steps: list[_Step], context: Context) -> None:
     )
     help, fix = None, None
     if corrected is None:
-        help = "write the unit in one piece, such as `10 km/h`"
+        help = finding.OnePiece()
     else:
         fix = Fix(f"write `{corrected}`", (Edit(last.whole.span, corrected),))
     context.collector.add(finding.at(last.whole.span, help=help, fix=fix))

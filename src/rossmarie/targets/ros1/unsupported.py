@@ -20,9 +20,9 @@ def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
     for task in machine.reactions.tasks:
         effect = task.effect
         if isinstance(effect, reactions.SetParameter) and "." in effect.parameter:
-            yield UnsupportedEffect(
+            finding = UnsupportedEffect(
                 target="ros1",
                 effect=effect_words(machine, effect),
                 reason="a parameter of dynamic_reconfigure has no dots in its name",
-                way_out="name a parameter that the node has in ROS 1, or do it in a `hook`",
-            ).at(task.span)
+            )
+            yield finding.at(task.span, help=finding.OtherParameter())

@@ -22,12 +22,12 @@ def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
             case reactions.CancelGoal(server=server, interrupted=reactions.Interrupted.RESEND) if (
                 server not in relayed_servers(machine)
             ):
-                yield UnsupportedEffect(
+                finding = UnsupportedEffect(
                     target="ros2",
                     effect=f"{effect_words(machine, task.effect)} then resend",
                     reason="goals of ROS 2 can only be sent again where their type is known",
-                    way_out=f"say it in a system model, `server {server} : PACKAGE/TYPE;`",
-                ).at(task.span)
+                )
+                yield finding.at(task.span, help=finding.StateType(server=server))
             case (
                 reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Call()
                 | reactions.SetParameter() | reactions.SwitchControllers() | reactions.SendGoal()

@@ -1,0 +1,77 @@
+"""What a finding says beside its own texts: at another place, or in one of several cases.
+
+A remark is declared beside the diagnostic that it belongs to, mostly inside of its class:
+
+    class UndeclaredName(Error, code="ROSS101", name="undeclared-name"):
+        title = "`{identifier}` is not declared"
+        help = "declare it"
+        identifier: str
+
+        class Near(Remark):
+            says = "`{near}` is declared here"
+            near: str
+
+It becomes the label of a place, `UndeclaredName.Near(near=name).at(span)`, or is handed to `at` of
+the diagnostic, as its help or as a note.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import ClassVar
+
+from dslkit.diagnostics.fields import Wording
+from dslkit.diagnostics.model import Diagnostic, Label
+from dslkit.source import Span
+
+
+class Remark(Wording):
+    """The base of all remarks."""
+
+    says: ClassVar[str]
+
+    def __str__(self) -> str:
+        return self.says.format(**vars(self))
+
+    def at(self, span: Span) -> Label:
+        """The label of a place."""
+        return Label(span, str(self))
+
+    @classmethod
+    def texts(cls) -> Iterable[str | None]:
+        """What it says."""
+        return (cls.says,)
+
+
+def remarked(found: Diagnostic, *notes: Remark, help: Remark | None = None) -> Diagnostic:
+    """A finding with more notes, and with another help if there is one."""
+    more = (*found.notes, *map(str, notes))
+    return replace(found, notes=more, help=found.help if help is None else str(help))
+
+
+class DidYouMean(Remark):
+    """The help where a name is misspelt."""
+
+    says = "did you mean `{near}`?"
+    near: str
+
+
+class Write(Remark):
+    """The help that is a text to write instead."""
+
+    says = "write `{meant}`"
+    meant: str
+
+
+class DeclaredHere(Remark):
+    """The label of a declaration."""
+
+    says = "declared here"
+
+
+class NamedHere(Remark):
+    """The label of the declaration of one of several names."""
+
+    says = "`{name}` is declared here"
+    name: str

@@ -1,0 +1,101 @@
+"""What is wrong with calls of functions, and with `oscillates`."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Remark, Template
+
+
+class UnknownFunction(Error, code="ROSS107", name="unknown-function"):
+    """A call of something that is not built in."""
+
+    title = "there is no function `{identifier}`"
+    label = "not a built-in function"
+    identifier: str
+
+    class Known(Remark):
+        says = "there are {known}"
+        known: str
+
+
+class WrongArgumentCount(Error, code="ROSS209", name="wrong-argument-count"):
+    """A call with too few or too many arguments."""
+
+    title = "`{function}` takes {expected}"
+    label = "{found} given"
+    help = "write `{usage}`"
+    function: str
+    expected: str
+    found: str
+    usage: str
+
+
+class WrongArgument(Error, code="ROSS210", name="wrong-argument"):
+    """A call of a function on something that it is not defined for."""
+
+    title = "`{function}` needs {expected}"
+    label = "this is {found}"
+    help = "write `{usage}`"
+    function: str
+    expected: str
+    found: str
+    usage: str
+
+    class OfFields(Remark):
+        says = "write {calls}"
+        calls: str
+
+
+class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
+    """An elementwise expression over more than one array and constants."""
+
+    title = "an elementwise expression may use one array and constants"
+    label = "{found}"
+    note = "`{function}` looks at the elements of one array, one by one"
+    help = "compare the least or greatest element with `{text}`: `min(...)` or `max(...)`"
+    found: str
+    function: str
+    text: str
+
+    class Array(Remark):
+        says = "the array"
+
+    class OneTruth(Remark):
+        says = "`{text}` is one truth for all elements: take it out of `{function}`"
+        text: str
+        function: str
+
+    class TakenOut(Remark):
+        says = "`{text}` is one truth for all elements: take it out of `{function}`, `{meant}`"
+        text: str
+        function: str
+        meant: str
+
+
+class AgeMisused(Error, code="ROSS219", name="age-misused"):
+    """`age` other than as one side of a comparison with a constant time."""
+
+    title = "`age` can only be compared with a constant time"
+    label = "{reason}"
+    note = "an age grows by itself; the monitor has to know the instant at which it matters"
+    help = "write `age(INPUT) > 0.5 sec`; with `<`, `<=`, `>` or `>=`"
+    reason: str
+
+
+class OscillationCount(Error, code="ROSS220", name="oscillation-count"):
+    """A number of turning points that cannot be counted."""
+
+    title = "a number of turning points is a whole number from 1 to {most}"
+    label = "this is {found}"
+    help = "write `3 times`"
+    found: str
+    most: int
+
+
+ALL: tuple[type[Template], ...] = (
+    UnknownFunction,
+    WrongArgumentCount,
+    WrongArgument,
+    ElementwiseMixture,
+    AgeMisused,
+    OscillationCount,
+)
