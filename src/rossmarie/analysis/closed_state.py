@@ -14,7 +14,7 @@ import z3
 
 from rossmarie.analysis.encoding import Questioned
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.terms import YES, Number, constant
+from rossmarie.analysis.terms import YES, Number, constant, constants_in
 
 Ends = tuple[float, float]
 """The least and the greatest raw number that a slot of a message may hold; NaN: it holds none."""
@@ -94,7 +94,7 @@ class ClosedState(ArbitraryState):
         the same at all moments; all else is of this one.
         """
         term, shared = z3.And(*self.facts, claim), self._shared
-        constants = {each.decl().name(): each for each in _constants(term)}
+        constants = {each.decl().name(): each for each in constants_in(term)}
         own = [
             (each, z3.Const(f"{name}@{moment}", each.sort()))
             for name, each in constants.items()
@@ -115,21 +115,5 @@ class ClosedState(ArbitraryState):
         names |= {number.known.decl().name() for number in numbers}
         for channel in range(len(self.machine.channels)):
             arrived = self.has_arrived(channel)
-            names |= {each.decl().name() for each in _constants(arrived)}
+            names |= {each.decl().name() for each in constants_in(arrived)}
         return names
-
-
-def _constants(term: z3.ExprRef) -> list[z3.ExprRef]:
-    """All that a term leaves open, each once."""
-    found: dict[int, z3.ExprRef] = {}
-    seen: set[int] = set()
-    waiting = [term]
-    while waiting:
-        each = waiting.pop()
-        if each.get_id() in seen:
-            continue
-        seen.add(each.get_id())
-        if z3.is_const(each) and each.decl().kind() == z3.Z3_OP_UNINTERPRETED:
-            found[each.get_id()] = each
-        waiting += each.children()
-    return list(found.values())

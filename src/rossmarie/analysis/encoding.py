@@ -22,6 +22,7 @@ from rossmarie.analysis.terms import (
     YES,
     Fact,
     Number,
+    compared,
     conjunction,
     constant,
     disjunction,
@@ -343,24 +344,8 @@ def _holds(node: ir.Compare | ir.Between | ir.Flag, numbers: Sequence[Number]) -
     values = [number.value for number in numbers]
     match node:
         case ir.Compare(comparison=comparison):
-            return _compared(comparison, *values)
+            return compared(comparison, *values)
         case ir.Between():
             return z3.And(values[1] <= values[0], values[0] <= values[2])
         case ir.Flag():
             return values[0] != 0
-
-
-def _compared(comparison: ir.Comparison, left: z3.ArithRef, right: z3.ArithRef) -> z3.BoolRef:
-    match comparison:
-        case ir.Comparison.EQUAL:
-            return left == right
-        case ir.Comparison.NOT_EQUAL:
-            return left != right
-        case ir.Comparison.LESS:
-            return left < right
-        case ir.Comparison.LESS_OR_EQUAL:
-            return left <= right
-        case ir.Comparison.GREATER:
-            return left > right
-        case ir.Comparison.GREATER_OR_EQUAL:
-            return left >= right

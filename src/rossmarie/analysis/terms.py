@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import z3
 
-from rossmarie.ir import TruthValue
+from rossmarie.ir import Comparison, TruthValue
 
 YES = z3.BoolVal(True)
 NO = z3.BoolVal(False)
@@ -98,10 +98,56 @@ def constant(value: float) -> z3.ArithRef:
     return z3.RealVal(str(Fraction(value)))
 
 
-def number_of(value: z3.ExprRef) -> float:
-    """The double nearest to a number of a model."""
+def compared(comparison: Comparison, left: z3.ArithRef, right: z3.ArithRef) -> z3.BoolRef:
+    """A comparison of two numbers (S27)."""
+    match comparison:
+        case Comparison.EQUAL:
+            return left == right
+        case Comparison.NOT_EQUAL:
+            return left != right
+        case Comparison.LESS:
+            return left < right
+        case Comparison.LESS_OR_EQUAL:
+            return left <= right
+        case Comparison.GREATER:
+            return left > right
+        case Comparison.GREATER_OR_EQUAL:
+            return left >= right
+
+
+def exact_number(value: z3.ExprRef) -> Fraction:
+    """A number of a model, or one very near it."""
     if z3.is_algebraic_value(value):
         value = value.approx(30)
     if z3.is_int_value(value):
-        return float(value.as_long())
-    return float(value.as_fraction()) if z3.is_rational_value(value) else 0.0
+        return Fraction(value.as_long())
+    return value.as_fraction() if z3.is_rational_value(value) else Fraction(0)
+
+
+def number_of(value: z3.ExprRef) -> float:
+    """The double nearest to a number of a model."""
+    return float(exact_number(value))
+
+
+def extreme(values: Sequence[z3.ArithRef], *, least: bool) -> z3.ArithRef:
+    """The least, or the greatest, of some numbers."""
+    found = values[0]
+    for value in values[1:]:
+        found = z3.If(value < found if least else value > found, value, found)
+    return found
+
+
+def constants_in(term: z3.ExprRef) -> list[z3.ExprRef]:
+    """All that a term leaves open, each once."""
+    found: dict[int, z3.ExprRef] = {}
+    seen: set[int] = set()
+    waiting = [term]
+    while waiting:
+        each = waiting.pop()
+        if each.get_id() in seen:
+            continue
+        seen.add(each.get_id())
+        if z3.is_const(each) and each.decl().kind() == z3.Z3_OP_UNINTERPRETED:
+            found[each.get_id()] = each
+        waiting += each.children()
+    return list(found.values())

@@ -181,6 +181,20 @@ class Comparison(enum.Enum):
     GREATER = ">"
     GREATER_OR_EQUAL = ">="
 
+    @property
+    def mirrored(self) -> Comparison:
+        """The comparison that says the same with its sides exchanged."""
+        return Comparison(_MIRRORED.get(self.value, self.value))
+
+    @property
+    def opposite(self) -> Comparison:
+        """The comparison that holds of known numbers where this one does not."""
+        return Comparison(_OPPOSITES[self.value])
+
+
+_MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
+_OPPOSITES = {"==": "!=", "!=": "==", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
+
 
 @dataclass(frozen=True)
 class Literal:

@@ -27,15 +27,6 @@ _COMPARISONS = {
     ast.BinaryOperator.GREATER_OR_EQUAL: ir.Comparison.GREATER_OR_EQUAL,
 }
 
-_MIRRORED = {
-    ir.Comparison.EQUAL: ir.Comparison.EQUAL,
-    ir.Comparison.NOT_EQUAL: ir.Comparison.NOT_EQUAL,
-    ir.Comparison.LESS: ir.Comparison.GREATER,
-    ir.Comparison.LESS_OR_EQUAL: ir.Comparison.GREATER_OR_EQUAL,
-    ir.Comparison.GREATER: ir.Comparison.LESS,
-    ir.Comparison.GREATER_OR_EQUAL: ir.Comparison.LESS_OR_EQUAL,
-}
-
 
 class Truths:
     """Lowers conditions of one program."""
@@ -122,7 +113,7 @@ class Truths:
         if _is_age(node.left):
             return self._age(node.left, compared, node.right, node)
         if _is_age(node.right):
-            return self._age(node.right, _MIRRORED[compared], node.left, node)
+            return self._age(node.right, compared.mirrored, node.left, node)
         left, right = self._numbers.scalar(node.left), self._numbers.scalar(node.right)
         if id(node.left) in self._program.values and isinstance(
             self._numbers.type_of(node.left), Text

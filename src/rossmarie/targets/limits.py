@@ -30,16 +30,6 @@ class Limited:
     limits: list[Limit]
 
 
-_MIRRORED = {
-    Comparison.EQUAL: Comparison.EQUAL,
-    Comparison.NOT_EQUAL: Comparison.NOT_EQUAL,
-    Comparison.LESS: Comparison.GREATER,
-    Comparison.LESS_OR_EQUAL: Comparison.GREATER_OR_EQUAL,
-    Comparison.GREATER: Comparison.LESS,
-    Comparison.GREATER_OR_EQUAL: Comparison.LESS_OR_EQUAL,
-}
-
-
 def limits_of(machine: ir.Machine, node: ir.TruthNode) -> Limited | None:
     """The limits of a comparison of one signal with constants."""
     match node:
@@ -48,7 +38,7 @@ def limits_of(machine: ir.Machine, node: ir.TruthNode) -> Limited | None:
             if low is None and high is not None:
                 return Limited(left, _compared(comparison, high))
             if low is not None and high is None:
-                return Limited(right, _compared(_MIRRORED[comparison], low))
+                return Limited(right, _compared(comparison.mirrored, low))
         case ir.Between(signal=signal, low=low_signal, high=high_signal):
             low, high = _constant(machine, low_signal), _constant(machine, high_signal)
             if low is not None and high is not None and _constant(machine, signal) is None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import z3
 
@@ -121,7 +120,7 @@ class _Proposer:
             false = self._world.solve([hangs, z3.Not(formula)], true or calm, leaf)
             yield from self._made(leaf, self._text(leaf), calm, [true, false, true])
 
-    def _edge(self, leaf: int, edge: Edge, hangs: Any, calm: Values) -> Iterator[Proposal]:
+    def _edge(self, leaf: int, edge: Edge, hangs: z3.BoolRef, calm: Values) -> Iterator[Proposal]:
         is_array = isinstance(self._machine.truths[leaf].node, ir.Quantified)
         term = self._world.signal(edge.signal, 0 if is_array else None)
         near, found = calm, []
@@ -136,7 +135,7 @@ class _Proposer:
         around = f"{number:.9g} {shown.unit}".strip()
         yield from self._made(leaf, f"{self._text(leaf)}, around {around}", calm, found)
 
-    def _age(self, leaf: int, node: ir.AgeReaches, hangs: Any) -> Iterator[Proposal]:
+    def _age(self, leaf: int, node: ir.AgeReaches, hangs: z3.BoolRef) -> Iterator[Proposal]:
         formula = self._world.formula(leaf)
         old = self._world.solve([hangs, formula])
         young = self._world.solve([hangs, z3.Not(formula)], old)

@@ -3,38 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 import z3
 
 from rossmarie import ir
+from rossmarie.analysis.terms import constant
 from rossmarie.testing.goals import Edge
-from rossmarie.testing.terms import rational
 from rossmarie.units import parse_unit
 
 _BETWEEN = 1e-3  # of a step: what is nearer to a whole number is that number, rounded
 
 
-def beside(machine: ir.Machine, edge: Edge, term: Any, way: int) -> Iterator[Any]:
+def beside(machine: ir.Machine, edge: Edge, term: z3.ArithRef, way: int) -> Iterator[z3.BoolRef]:
     """That a term is at a threshold (`way` is 0), just under it (-1) or just over it (1); the first
     formula that can be satisfied is the best.
     """
-    threshold = rational(edge.threshold)
+    threshold = constant(edge.threshold)
     if way == 0:
         yield term == threshold
         return
     distance = (term - threshold) * way
     if edge.is_whole:
-        yield z3.And(is_apart(edge, distance), distance <= rational(edge.step * (1 + _BETWEEN)))
+        yield z3.And(is_apart(edge, distance), distance <= constant(edge.step * (1 + _BETWEEN)))
         yield is_apart(edge, distance)
     else:
-        yield term == rational(_point(machine, edge, way))
+        yield term == constant(_point(machine, edge, way))
         yield distance > 0
 
 
-def is_apart(edge: Edge, distance: Any) -> Any:
+def is_apart(edge: Edge, distance: z3.ArithRef) -> z3.BoolRef:
     """That a value on one side of a threshold is not the threshold itself."""
-    return distance >= rational(edge.step * _BETWEEN) if edge.is_whole else distance > 0
+    return distance >= constant(edge.step * _BETWEEN) if edge.is_whole else distance > 0
 
 
 def _point(machine: ir.Machine, edge: Edge, steps: int) -> float:

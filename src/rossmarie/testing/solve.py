@@ -12,18 +12,17 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Any
 
 import z3
 
 from rossmarie import ir
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.solver import check
+from rossmarie.analysis.terms import compared, constant, constants_in, exact_number, extreme
 from rossmarie.core import Function, Sampling, defined, rounds, row, sampling_row
 from rossmarie.core.expressions import Operand, Primitive
 from rossmarie.ir import Kind
 from rossmarie.testing.goals import Edge, edges, signals_of
-from rossmarie.testing.terms import compared, extreme, fraction, leaves, rational
 from rossmarie.testing.whole import slot_behind
 from rossmarie.testing.whole_facts import field_facts, ramp_facts
 from rossmarie.units import Unit, parse_unit
@@ -75,10 +74,10 @@ class World:
     truths: Sequence[int]
     is_free: bool = False
     ramp: Ramp | None = None
-    variables: dict[Variable, Any] = field(default_factory=dict)
+    variables: dict[Variable, z3.ArithRef] = field(default_factory=dict)
     units: dict[Variable, Unit] = field(default_factory=dict)
-    _side: list[Any] = field(default_factory=list)
-    _signals: dict[int, Any] = field(default_factory=dict)
+    _side: list[z3.BoolRef] = field(default_factory=list)
+    _signals: dict[int, z3.ArithRef] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.length = self._length()
@@ -103,7 +102,7 @@ class World:
 
     # --- formulas ----------------------------------------------------------------------------
 
-    def formula(self, truth: int, fixed: Mapping[int, bool] | None = None) -> Any:
+    def formula(self, truth: int, fixed: Mapping[int, bool] | None = None) -> z3.BoolRef:
         """A truth as a formula, with some of those below it replaced by what they are."""
         if fixed is not None and truth in fixed:
             return z3.BoolVal(fixed[truth])
@@ -131,7 +130,7 @@ class World:
             case ir.Compare() | ir.Between() | ir.Flag():
                 return self._leaf(truth, None)
 
-    def _leaf(self, truth: int, part: int | None) -> Any:
+    def _leaf(self, truth: int, part: int | None) -> z3.BoolRef:
         match self.machine.truths[truth].node:
             case ir.Compare(comparison=comparison, left=left, right=right):
                 return compared(comparison, self.signal(left, part), self.signal(right, part))
@@ -149,7 +148,7 @@ class World:
             case ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
                 return self.formula(truth)
 
-    def signal(self, index: int, part: int | None = None) -> Any:
+    def signal(self, index: int, part: int | None = None) -> z3.ArithRef:
         """A number as a term; `part` is the element at hand."""
         if part is None and index in self._signals:
             return self._signals[index]
@@ -158,10 +157,10 @@ class World:
             self._signals[index] = term
         return term
 
-    def _term(self, index: int, part: int | None) -> Any:
+    def _term(self, index: int, part: int | None) -> z3.ArithRef:
         match self.machine.signals[index].node:
             case ir.Constant(value=value):
-                return rational(value)
+                return constant(value)
             case ir.Read(slot=slot):
                 return self._slot(slot)
             case ir.Element(array=array):
@@ -187,14 +186,14 @@ class World:
 
     def _applied(
         self, index: int, function: Function, operands: tuple[int, ...], part: int | None
-    ) -> Any:
+    ) -> z3.ArithRef:
         declared = row(function)
         if self.is_free and rounds(function, len(operands)):
             return self._real(Variable("free number", index))
         if function in _ANGLES:
             low, high = (math.trunc(10 * end) / 10 for end in declared.range)
             angle = self._real(Variable("angle", index))
-            self._side += [angle >= rational(low), angle <= rational(high)]
+            self._side += [angle >= constant(low), angle <= constant(high)]
             return angle
         values = [self.signal(operand, part) for operand in operands]
         expression = defined(function, len(operands))
@@ -203,12 +202,12 @@ class World:
             expression = declared.easy(Operand(0))
         return Formulas(values, self._operate).term(expression)
 
-    def _operate(self, primitive: Primitive, values: Sequence[Any]) -> Any:
+    def _operate(self, primitive: Primitive, values: Sequence[z3.ArithRef]) -> z3.ArithRef:
         if primitive is Primitive.DIVIDE:
             self._side.append(values[1] != 0)
         return exactly(primitive, values)
 
-    def _slot(self, slot: int) -> Any:
+    def _slot(self, slot: int) -> z3.ArithRef:
         variable = self._element_of(self.machine.slots[slot]) or Variable("slot", slot)
         term = self._real(variable)
         match self.machine.slots[slot].kind:
@@ -230,14 +229,14 @@ class World:
                 return Variable("element", index, part)
         return None
 
-    def _real(self, variable: Variable) -> Any:
+    def _real(self, variable: Variable) -> z3.ArithRef:
         if variable not in self.variables:
             term = z3.Real(f"v{len(self.variables)}")
             self.variables[variable] = term
             self._side += self._carried(variable, term, f"whole_{term}")
         return self.variables[variable]
 
-    def _carried(self, variable: Variable, term: Any, name: str) -> list[Any]:
+    def _carried(self, variable: Variable, term: z3.ArithRef, name: str) -> list[z3.BoolRef]:
         """What follows for a variable from its field holding only whole numbers."""
         machine = self.machine
         source: ir.Slot | ir.Array | None = None
@@ -252,19 +251,19 @@ class World:
                 return self._ramp(slot, term, name)
         return [] if source is None else field_facts(source, term, name, is_wide=self.is_free)
 
-    def _ramp(self, slot: int, rate: Any, name: str) -> list[Any]:
+    def _ramp(self, slot: int, rate: z3.ArithRef, name: str) -> list[z3.BoolRef]:
         if self.ramp is None:
             return []
-        now, step = self._slot(slot), rate * rational(self.ramp.step_s)
+        now, step = self._slot(slot), rate * constant(self.ramp.step_s)
         return ramp_facts(self.machine.slots[slot], now, step, self.ramp.count, name)
 
-    def _bool(self, variable: Variable) -> Any:
+    def _bool(self, variable: Variable) -> z3.BoolRef:
         return self._real(variable) != 0
 
     # --- answers -----------------------------------------------------------------------------
 
     def solve(
-        self, wanted: Sequence[Any], near: Values | None = None, apart: int | None = None
+        self, wanted: Sequence[z3.BoolRef], near: Values | None = None, apart: int | None = None
     ) -> dict[Variable, float] | None:
         """Values for which all of `wanted` holds, as round as they may be, and as `near` to others
         as they may be. Leaves other than `apart` stay clear of their thresholds where they can.
@@ -278,50 +277,52 @@ class World:
             _prefer(solver, clear)
         for variable, term in self.variables.items():
             if near is not None and variable in near:
-                _prefer(solver, term == rational(near[variable]))
+                _prefer(solver, term == constant(near[variable]))
         return {variable: self._round(solver, variable) for variable in self.variables}
 
-    def is_impossible(self, wanted: Sequence[Any]) -> bool:
+    def is_impossible(self, wanted: Sequence[z3.BoolRef]) -> bool:
         """Whether no values at all, in real arithmetic, make all of `wanted` hold."""
         solver = z3.Solver()
         solver.set("timeout", TIME_LIMIT_MS)
         solver.add(*self._side, *wanted)
         return bool(check(solver) == z3.unsat)
 
-    def _bounds(self) -> Iterator[Any]:
+    def _bounds(self) -> Iterator[z3.BoolRef]:
         for variable, term in self.variables.items():
             if variable.kind in ("aged", "oscillating"):
                 yield z3.Or(term == 0, term == 1)
 
-    def _clear(self, apart: int | None) -> Iterator[Any]:
+    def _clear(self, apart: int | None) -> Iterator[z3.BoolRef]:
         for truth in self.truths:
             if truth == apart:
                 continue
             for edge in edges(self.machine, truth):
                 for part in self._parts(truth):
                     value = self.signal(edge.signal, part)
-                    distance = rational(edge.step * (1 if edge.is_whole else _CLEAR))
-                    threshold = rational(edge.threshold)
+                    distance = constant(edge.step * (1 if edge.is_whole else _CLEAR))
+                    threshold = constant(edge.threshold)
                     yield z3.Or(value >= threshold + distance, value <= threshold - distance)
 
     def _parts(self, truth: int) -> Sequence[int | None]:
         is_array = isinstance(self.machine.truths[truth].node, ir.Quantified)
         return list(range(self.length)) if is_array else [None]
 
-    def _round(self, solver: Any, variable: Variable) -> float:
+    def _round(self, solver: z3.Solver, variable: Variable) -> float:
         """A value that is as short as it may be in the unit in which it is written; it is kept."""
         term, unit = self.variables[variable], self.unit(variable)
         _prefer(solver, term >= 0)
         model = solver.model() if check(solver) == z3.sat else None
-        exact = Fraction(0) if model is None else fraction(model.eval(term, model_completion=True))
+        exact = (
+            Fraction(0) if model is None else exact_number(model.eval(term, model_completion=True))
+        )
         shown = unit.from_si(float(exact))
         candidates = [0.0, 1.0, *(round(shown, digits) for digits in range(7)), shown]
         for candidate in candidates:
             value = unit.to_si(candidate)
-            if _prefer(solver, term == rational(value)):
+            if _prefer(solver, term == constant(value)):
                 return value
         value = float(exact)
-        _prefer(solver, term == rational(value))
+        _prefer(solver, term == constant(value))
         return value
 
     def unit(self, variable: Variable) -> Unit:
@@ -352,7 +353,7 @@ class World:
 
     def _reads(self, edge: Edge, variable: Variable) -> bool:
         term = self.signal(edge.signal, variable.part if variable.kind == "element" else None)
-        return any(z3.eq(each, self.variables[variable]) for each in leaves(term))
+        return any(z3.eq(each, self.variables[variable]) for each in constants_in(term))
 
 
 def rests_on(machine: ir.Machine, truth: int) -> tuple[int, ...]:
@@ -361,7 +362,7 @@ def rests_on(machine: ir.Machine, truth: int) -> tuple[int, ...]:
     return signals_of(machine, node.element if isinstance(node, ir.Quantified) else truth)
 
 
-def _prefer(solver: Any, wish: Any) -> bool:
+def _prefer(solver: z3.Solver, wish: z3.BoolRef) -> bool:
     """Add a wish if it can be had."""
     solver.push()
     solver.add(wish)

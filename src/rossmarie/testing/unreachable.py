@@ -8,15 +8,14 @@ extremes.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Any
 
 import z3
 
 from rossmarie import ir
+from rossmarie.analysis.terms import constant
 from rossmarie.testing.goals import Aspect, Goal, atoms, edges
 from rossmarie.testing.sides import is_apart
 from rossmarie.testing.solve import World
-from rossmarie.testing.terms import rational
 
 NO_VALUES = "no values make the rule hang on it"
 LOST_ONLY = "only a lost input ends it sooner"
@@ -54,7 +53,7 @@ def _ends_late(machine: ir.Machine, truth: int) -> bool:
     return isinstance(inner, ir.Held) and inner.duration_ns >= node.duration_ns
 
 
-def _wanted(world: World, goal: Goal) -> list[Any]:
+def _wanted(world: World, goal: Goal) -> list[z3.BoolRef]:
     true, false = (world.formula(goal.decision, {goal.subject: value}) for value in (True, False))
     wanted = [true != false]
     atom = world.formula(goal.subject)
@@ -71,8 +70,8 @@ def _wanted(world: World, goal: Goal) -> list[Any]:
     is_array = isinstance(world.machine.truths[goal.subject].node, ir.Quantified)
     if found and not is_array and goal.aspect not in (Aspect.TRUE, Aspect.FALSE):
         edge = found[goal.edge]
-        value, threshold = world.signal(edge.signal), rational(edge.threshold)
-        reach = rational(edge.step * 2)
+        value, threshold = world.signal(edge.signal), constant(edge.threshold)
+        reach = constant(edge.step * 2)
         wanted += {
             Aspect.UNDER: [is_apart(edge, threshold - value), value >= threshold - reach],
             Aspect.AT: [value == threshold],

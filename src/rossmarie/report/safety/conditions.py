@@ -24,22 +24,6 @@ _WORDS = {
     ir.Comparison.GREATER: "above",
     ir.Comparison.GREATER_OR_EQUAL: "at least",
 }
-_OPPOSITES = {
-    ir.Comparison.EQUAL: ir.Comparison.NOT_EQUAL,
-    ir.Comparison.NOT_EQUAL: ir.Comparison.EQUAL,
-    ir.Comparison.LESS: ir.Comparison.GREATER_OR_EQUAL,
-    ir.Comparison.LESS_OR_EQUAL: ir.Comparison.GREATER,
-    ir.Comparison.GREATER: ir.Comparison.LESS_OR_EQUAL,
-    ir.Comparison.GREATER_OR_EQUAL: ir.Comparison.LESS,
-}
-_MIRRORED = {
-    ir.Comparison.EQUAL: ir.Comparison.EQUAL,
-    ir.Comparison.NOT_EQUAL: ir.Comparison.NOT_EQUAL,
-    ir.Comparison.LESS: ir.Comparison.GREATER,
-    ir.Comparison.LESS_OR_EQUAL: ir.Comparison.GREATER_OR_EQUAL,
-    ir.Comparison.GREATER: ir.Comparison.LESS,
-    ir.Comparison.GREATER_OR_EQUAL: ir.Comparison.LESS_OR_EQUAL,
-}
 
 
 class Conditions:
@@ -178,8 +162,8 @@ class Conditions:
     def _compare(self, node: ir.Compare, is_so: bool, verb: str) -> str:
         comparison, left, right = node.comparison, node.left, node.right
         if self._is_constant(left) and not self._is_constant(right):
-            comparison, left, right = _MIRRORED[comparison], right, left
-        comparison = comparison if is_so else _OPPOSITES[comparison]
+            comparison, left, right = comparison.mirrored, right, left
+        comparison = comparison if is_so else comparison.opposite
         subject = self.numbers.words(left)
         text = self._text(left, right)
         if text is not None:
