@@ -91,7 +91,7 @@ class _Proposer:
         release = [] if self._rule.release is None else [self._world.formula(self._rule.release)]
         return self._world.solve([over, *release]) or self._world.solve([over])
 
-    def _hangs_on(self, truth: int, decision: int | None = None) -> Any:
+    def _hangs_on(self, truth: int, decision: int | None = None) -> z3.BoolRef:
         """A formula: what a truth is makes the difference to what clears or activates the rule."""
         roots = self._roots if decision is None else [decision]
         ways = []
