@@ -278,6 +278,34 @@ class OneMessageEnough(Warning, code="ROSS715", name="one-message-enough"):
     least: str
 
 
+class UnfitWindow(Warning, code="ROSS719", name="unfit-window"):
+    """A window in which more samples come than it holds, or one only."""
+
+    title = "the window of `{text}` does not fit the rate of {topic}"
+    label = "messages on {topic} come {apart}"
+    text: str
+    topic: str
+    apart: str
+
+    class TooMany(Remark):
+        says = "up to {count} samples come in {window}, and only the last {most} count"
+        count: int
+        window: str
+        most: int
+
+    class Single(Remark):
+        says = "there is never a second sample within {window}, so this is the last one"
+        window: str
+
+    class Shorter(Remark):
+        says = "write a window of at most {longest}"
+        longest: str
+
+    class Longer(Remark):
+        says = "write a window of several times {least}"
+        least: str
+
+
 class LatchReleased(Warning, code="ROSS716", name="latch-released"):
     """A latched rule that the effect `reset` of a rule releases, where no operator looks."""
 
@@ -372,6 +400,7 @@ ALL: tuple[type[Template], ...] = (
     NeverAtRate,
     LostBetweenMessages,
     OneMessageEnough,
+    UnfitWindow,
     LatchReleased,
     LimitHoldsRelease,
     RulesAlternate,

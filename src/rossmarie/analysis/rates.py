@@ -13,13 +13,18 @@ import z3
 from dslkit.diagnostics import Remark
 from rossmarie.analysis.activity import truths_of
 from rossmarie.analysis.course import Course
-from rossmarie.analysis.errors import LostBetweenMessages, NeverAtRate, OneMessageEnough
+from rossmarie.analysis.errors import (
+    LostBetweenMessages,
+    NeverAtRate,
+    OneMessageEnough,
+    UnfitWindow,
+)
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.witness import Sending, View, Witness, views
+from rossmarie.core import MOST_SAMPLES, sampling_row
 from rossmarie.core import View as Found
-from rossmarie.core import sampling_row
 from rossmarie.ir import (
     AgeReaches,
     And,
@@ -56,6 +61,8 @@ def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
     in_rules = {each for root in roots for each in rests_on[root].inputs}
     for index in sorted(in_rules):
         yield from _lost_between(inquiry, index)
+    for signal in sorted({each for root in roots for each in rests_on[root].samples}):
+        yield from _unfit_window(inquiry, signal)
     for truth in used:
         yield from never_at_rate(inquiry, truth) or _one_message(inquiry, truth)
 
@@ -140,6 +147,32 @@ def _is_seen_lost(seen: Sequence[View], rule: int) -> bool:
     was_active = len(seen) < 2 or seen[-2].active[rule]
     condition = seen[-1].truths.values()
     return seen[-1].active[rule] and not was_active and TruthValue.LOST in condition
+
+
+# --- windows of samples ----------------------------------------------------------------------
+
+
+def _unfit_window(inquiry: Inquiry, index: int) -> Iterator[Finding]:
+    """A warning of a window that holds a single sample, or fewer than come in it."""
+    machine, signal = inquiry.machine, inquiry.machine.signals[index]
+    channels = inquiry.asked.supports.signals[index].channels
+    window_ns = inquiry.asked.window_of(index)
+    if not window_ns or len(channels) != 1:
+        return
+    (channel,) = channels
+    least_ns, _ = gaps = _gaps(machine, channel)
+    if least_ns == 0:
+        return
+    topic, window = machine.channels[channel].topic, duration_text(window_ns)
+    finding = UnfitWindow(text=signal.text, topic=topic, apart=_apart(gaps))
+    count = -(-window_ns // least_ns)
+    if count > MOST_SAMPLES:
+        many = finding.TooMany(count=count, window=window, most=MOST_SAMPLES)
+        shorter = finding.Shorter(longest=duration_text(MOST_SAMPLES * least_ns))
+        yield Finding(finding.at(signal.span, notes=(many,), help=shorter))
+    elif count == 1:
+        longer = finding.Longer(least=duration_text(least_ns))
+        yield Finding(finding.at(signal.span, notes=(finding.Single(window=window),), help=longer))
 
 
 # --- parts that are never true ---------------------------------------------------------------
