@@ -97,7 +97,7 @@ class TasksText:
     def _headers(self) -> str:
         """The lines that include headers of the package, those of tasks where they are used."""
         used = ["any_filter.h", "hooks.h", "host.h", "interfaces.h", "messages.h", "task.h"]
-        used += [part.headers[-1] for part in needs.parts(self.machine, self.dialect)]
+        used += [part.header for part in needs.parts(self.machine, self.dialect)]
         used += ["command_task.h"] if self.machine.reactions.commands else []
         return "\n".join(f'#include "{header}"' for header in sorted(used))
 

@@ -22,6 +22,7 @@ from rossmarie.targets.ros import (
     placement,
     reaction_test,
     readme,
+    runtime,
     tables,
 )
 from rossmarie.targets.ros.dialect import Dialect, Interface, Part, message_package
@@ -30,15 +31,13 @@ OWNED_BY_USER = frozenset(("src/hooks.cpp", "config/parameters.yaml"))
 """Files that are written once and then left alone."""
 
 _FIXED = (
-    "src/clock.h", "src/input.h", "src/any_filter.h", "src/task.h", "src/latched_rules.h",
-    "src/host.h", "src/operators.cpp", "src/telling.cpp", "src/settings.h", "src/stamps.h",
-    "src/throttle.h", "src/interfaces.h", "src/middleware.h", "src/need.h",
+    "src/operators.cpp", "src/telling.cpp", "src/interfaces.h", "src/latched_rules.h",
     "msg/Value.msg", "msg/Verdict.msg", "msg/TaskState.msg", "msg/State.msg",
     "srv/Reset.srv", "srv/Why.srv", "srv/Exempt.srv",
 )  # fmt: skip
 
 # Only where commands pass.
-_FILTERS = ("src/filter.h", "src/command_task.h")
+_FILTERS = ("src/filter.h",)
 
 _SHOWN_TEXT = """\
     if (text.kind == ValueText::TEXT)
@@ -54,9 +53,9 @@ class PackageWriter:
         self._dialect = dialect
         self._placed = placed
         self._layout: Layout = lay_out(machine)
-        own, shared = (PackageLoader(each) for each in (dialect.templates, __package__ or ""))
+        targets = (f"rossmarie.targets.{each}" for each in (dialect.folder, "ros"))
         self._templates = Environment(
-            loader=ChoiceLoader([own, shared]),
+            loader=ChoiceLoader([PackageLoader(each) for each in targets]),
             undefined=StrictUndefined,
             autoescape=False,
             keep_trailing_newline=True,
@@ -84,9 +83,9 @@ class PackageWriter:
         used = (
             *_FIXED,
             *(_FILTERS if machine.reactions.commands else ()),
-            *(f"src/{header}" for part in self._parts() for header in part.headers),
         )
-        return {path: self.fill(path) for path in used} | self._source_files() | core
+        copies = runtime.copies(self._dialect.folder)
+        return {path: self.fill(path) for path in used} | self._source_files() | core | copies
 
     def packages(self) -> set[str]:
         """The packages of what the node takes and sends, and of what it tells."""

@@ -13,7 +13,7 @@ from rossmarie.targets.manifest import Placement
 from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros1.dialect import ROS1
 
-_NODE = ("src/main.cpp", "src/parameters.h", "src/worker.h")
+_NODE = ("src/main.cpp",)
 
 # What the node itself uses.
 _ALWAYS = {"roscpp", "std_msgs"}

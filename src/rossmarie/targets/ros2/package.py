@@ -12,7 +12,7 @@ from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros2 import security
 from rossmarie.targets.ros2.dialect import ROS2
 
-_NODE = ("src/node.cpp", "src/parameters.h", "src/subscription.h")
+_NODE = ("src/node.cpp", "src/middleware.h")
 
 # What stands behind the name of an action server: ROS 2 renames topics and services, not actions.
 _OF_ACTIONS = ("send_goal", "cancel_goal", "get_result", "feedback", "status")
