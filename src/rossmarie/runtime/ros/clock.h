@@ -1,8 +1,8 @@
 // Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
 //
-// Instants: nanoseconds of ROS time, in order. ROS time that stands still (nobody publishes /clock any
-// more) is noticed by the steady clock of the system, which takes its place: else nothing would ever
-// be too old.
+// Instants: nanoseconds of ROS time, in order. ROS time that stands still (nobody publishes /clock
+// any more) is noticed by the steady clock of the system, which takes its place: else nothing would
+// ever be too old.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@ public:
     {
     }
 
-    // An instant that is not before one given earlier, and not in the future. It goes back only where
-    // ROS time jumps back (a recording starts over), or goes on after it stood still.
+    // An instant that is not before one given earlier, and not in the future. It goes back only
+    // where ROS time jumps back (a recording starts over), or goes on after it stood still.
     int64_t in_order(int64_t at_ns)
     {
         const int64_t now = look();
@@ -71,16 +71,13 @@ private:
     }
 
     // Of wall time, since ROS time has moved.
-    int64_t elapsed_ns() const
-    {
-        return std::chrono::nanoseconds(Steady::now() - moved_).count();
-    }
+    int64_t elapsed_ns() const { return std::chrono::nanoseconds(Steady::now() - moved_).count(); }
 
     const Middleware &middleware_;
     int64_t patience_ns_;
     int64_t seen_ns_ = 0;
     Steady::time_point moved_ = Steady::now();
-    int64_t ahead_ns_ = 0; // by how much ROS time was faster than the wall clock when it moved at last
+    int64_t ahead_ns_ = 0; // of the wall clock, when ROS time moved at last
     int64_t leap_ns_ = 0;
     int64_t given_ns_ = 0;
     int jumps_ = 0;

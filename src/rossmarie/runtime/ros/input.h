@@ -21,7 +21,9 @@ public:
     const std::string &reason() const { return reason_; }
 
 protected:
-    AnyInput(std::string topic, std::string type) : topic_(std::move(topic)), type_(std::move(type)) {}
+    AnyInput(std::string topic, std::string type) : topic_(std::move(topic)), type_(std::move(type))
+    {
+    }
 
     bool refuse(const std::string &reason)
     {

@@ -16,7 +16,8 @@ struct BadParameter : std::runtime_error {
     }
 };
 
-// A parameter: a number in [low, high], a text, or a list of texts; these two are empty if not given.
+// A parameter: a number in [low, high], a text, or a list of texts; these two are empty if not
+// given.
 struct ParameterText {
     const char *name;
     enum Kind { NUMBER, TEXT, TEXTS } kind;
@@ -42,9 +43,9 @@ struct Settings {
     int64_t command_timeout_ns;
     int64_t filter_period_ns;
     int64_t patience_ns;
-    int64_t grace_ns; // 0: commands never pass without all inputs
+    int64_t grace_ns;         // 0: commands never pass without all inputs
     int64_t clock_timeout_ns; // 0: the shortest timeout of an input
-    std::string state_file; // empty: the usual one
+    std::string state_file;   // empty: the usual one
     std::vector<std::string> header_stamps;
 };
 

@@ -20,7 +20,8 @@ public:
     virtual void give_up() { stop(); }
     virtual void tick(int64_t /*now_ns*/) {}
 
-    // Finds out what others lack that `start` will need. It is told later, in a few words; "" if nothing.
+    // Finds out what others lack that `start` will need. It is told later, in a few words; "" if
+    // nothing.
     virtual void check(std::function<void(const std::string &lacking)> /*tell*/) {}
 
     // When `tick` has something to do next.
@@ -33,7 +34,8 @@ class BoundTask : public Task {};
 // A message, once (period_ns is 0) or again and again.
 template <class Message> class PublishTask : public Task {
 public:
-    PublishTask(Middleware &middleware, const std::string &topic, int64_t period_ns, Message message)
+    PublishTask(Middleware &middleware, const std::string &topic, int64_t period_ns,
+                Message message)
         : publisher_(middleware.advertise<Message>(topic, 10)), period_ns_(period_ns),
           message_(std::move(message))
     {
@@ -107,7 +109,8 @@ private:
 // Anything that is done at the start, at the end, or at both.
 class DoTask : public Task {
 public:
-    explicit DoTask(std::function<void()> begin, std::function<void()> end = [] {})
+    explicit DoTask(
+        std::function<void()> begin, std::function<void()> end = [] {})
         : begin_(std::move(begin)), end_(std::move(end))
     {
     }

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from rossmarie import ir
 from rossmarie.ir import reactions
 from rossmarie.targets.c99 import names
+from rossmarie.targets.c99.layout import Layout
 
 _SHARING = (
     reactions.SetParameter | reactions.SwitchControllers | reactions.SendGoal | reactions.CancelGoal
@@ -20,15 +21,16 @@ def relative(name: str) -> str:
     return names.string(name.removeprefix("/"))
 
 
-def command_members(machine: ir.Machine) -> tuple[str, ...]:
-    """For each command topic what its filter is called: `cmd_vel`."""
-    family = names.Family(taken=("all",))
-    return tuple(family.name(command.topic) for command in machine.reactions.commands)
+def channel_classes(layout: Layout) -> tuple[str, ...]:
+    """For each input topic the struct that describes it: `ImuDataChannel`."""
+    return tuple(f"{_capitalized(name)}Channel" for name in layout.channel_names)
 
 
 def command_classes(machine: ir.Machine) -> tuple[str, ...]:
     """For each command topic the struct that describes it: `CmdVelCommand`."""
-    return tuple(f"{_capitalized(member)}Command" for member in command_members(machine))
+    family = names.Family()
+    topics = (command.topic for command in machine.reactions.commands)
+    return tuple(f"{_capitalized(family.name(topic))}Command" for topic in topics)
 
 
 def hooks(machine: ir.Machine) -> dict[str, str]:

@@ -28,8 +28,8 @@ ROS1 = Dialect(
     primitives={"time": "time", "duration": "duration"},
     parts={
         reactions.CancelGoal: Part("cancel_task.h", _GOAL_PACKAGES),
-        reactions.SendGoal: Part("send_task.h", _GOAL_PACKAGES),
-        reactions.SetParameter: Part("set_task.h", ()),
+        reactions.SendGoal: Part("ros1/send_task.h", _GOAL_PACKAGES),
+        reactions.SetParameter: Part("ros1/set_task.h", ()),
         reactions.SwitchControllers: Part("switch_task.h", ("controller_manager_msgs",)),
     },
     status_topic="/status",

@@ -32,10 +32,10 @@ ROS2 = Dialect(
     primitives={"time": "builtin_interfaces/Time", "duration": "builtin_interfaces/Duration"},
     parts={
         reactions.CancelGoal: Part("cancel_task.h", _GOAL_PACKAGES),
-        reactions.SendGoal: Part("send_task.h", _GOAL_PACKAGES),
-        reactions.SetParameter: Part("set_task.h", ()),
+        reactions.SendGoal: Part("ros2/send_task.h", _GOAL_PACKAGES),
+        reactions.SetParameter: Part("ros2/set_task.h", ()),
         reactions.SwitchControllers: Part("switch_task.h", ("controller_manager_msgs",)),
     },
     status_topic="/_action/status",
-    relay=Part("relay.h", _GOAL_PACKAGES),
+    relay=Part("ros2/relay.h", _GOAL_PACKAGES),
 )

@@ -1,8 +1,8 @@
 // Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
 //
-// The goals of one action server: those of others, which tasks interrupt, and those that tasks send.
-// All that is said between an action server and its clients goes over topics; goals of others are
-// kept as bytes, so that this works for actions of any type.
+// The goals of one action server: those of others, which tasks interrupt, and those that tasks
+// send. All that is said between an action server and its clients goes over topics; goals of others
+// are kept as bytes, so that this works for actions of any type.
 #pragma once
 
 #include <actionlib_msgs/GoalID.h>
@@ -46,16 +46,16 @@ public:
         interrupt();
     }
 
-    // A task has it no longer. When none has it, what the last one said counts: whether the goal that
-    // was interrupted is sent again.
+    // A task has it no longer. When none has it, what the last one said counts: whether the goal
+    // that was interrupted is sent again.
     void release(const Task *task, bool resend)
     {
         if (tasks_.erase(task) > 0 && tasks_.empty() && !resend)
             kept_ = Goal();
     }
 
-    // To be called when all orders of a call have been given, and regularly: what is sent before the
-    // server listens is lost.
+    // To be called when all orders of a call have been given, and regularly: what is sent before
+    // the server listens is lost.
     void tick()
     {
         if (tasks_.empty() && kept_.is_known() && is_connected())
@@ -283,7 +283,7 @@ private:
     ros::Time newest_;
     int sent_ = 0;
     int losses_ = 0;
-    bool has_told_ = false; // since a task took the server
+    bool has_told_ = false;    // since a task took the server
     ros::Publisher publisher_; // of goals
     ros::Publisher cancel_;
     ros::Subscriber goal_;

@@ -124,8 +124,8 @@ public:
     // False from when the check finds a master that was started anew: nobody finds this node then.
     bool is_known_to_master() const { return is_known_; }
 
-    // Finds out what is missing, and who else publishes the topics that this node commands. The master
-    // is asked in another thread.
+    // Finds out what is missing, and who else publishes the topics that this node commands. The
+    // master is asked in another thread.
     void check(const std::vector<Need> &needs, const std::vector<std::string> &commanded,
                std::function<void(const Findings &)> tell)
     {
@@ -204,7 +204,7 @@ private:
             return ros::service::exists(need.name, false) ? "" : "nobody offers " + need.name;
         const auto found = types.find(need.name);
         if (found == types.end())
-            return need.is_optional     ? ""
+            return need.is_optional    ? ""
                    : need.type.empty() ? "nobody publishes " + need.name
                                        : "nobody publishes it";
         if (!need.type.empty() && found->second != need.type)
@@ -213,7 +213,10 @@ private:
     }
 
     ros::NodeHandle &handle(const std::string &name) { return name[0] == '~' ? private_ : node_; }
-    static std::string bare(const std::string &name) { return name[0] == '~' ? name.substr(1) : name; }
+    static std::string bare(const std::string &name)
+    {
+        return name[0] == '~' ? name.substr(1) : name;
+    }
 
     ros::CallbackQueue queue_; // outlives all that is called through it
     ros::NodeHandle node_;

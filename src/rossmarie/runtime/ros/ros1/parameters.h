@@ -73,7 +73,10 @@ public:
     }
 
 private:
-    bool is_given(const std::string &name) const { return given_.valid() && given_.hasMember(name); }
+    bool is_given(const std::string &name) const
+    {
+        return given_.valid() && given_.hasMember(name);
+    }
 
     static std::string text(const std::string &name, const XmlRpc::XmlRpcValue &value)
     {

@@ -1,7 +1,7 @@
 // Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
 //
-// The service dynamic_reconfigure/Reconfigure as it goes over the wire. Not every system that has ROS
-// has the package's headers for C++.
+// The service dynamic_reconfigure/Reconfigure as it goes over the wire. Not every system that has
+// ROS has the package's headers for C++.
 #pragma once
 
 #include <ros/serialization.h>
@@ -49,7 +49,8 @@ template <> struct MD5Sum<reconfigure::Config> {
 namespace serialization {
 
 template <class Value> struct Serializer<reconfigure::Parameter<Value>> {
-    template <class Stream, class Parameter> static void allInOne(Stream &stream, Parameter parameter)
+    template <class Stream, class Parameter>
+    static void allInOne(Stream &stream, Parameter parameter)
     {
         stream.next(parameter.name);
         stream.next(parameter.value);

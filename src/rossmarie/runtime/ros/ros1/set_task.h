@@ -32,11 +32,13 @@ public:
             return refuse("the node does not say that it has it");
         Config wanted = old, answer;
         if (!std::visit([&wanted](const auto &given) { return assign(wanted, given); }, value))
-            return refuse(std::string("of its type, ") + type_of(old) + ", it cannot have this value");
+            return refuse(std::string("of its type, ") + type_of(old) +
+                          ", it cannot have this value");
         kept_ = old;
         if (!client_.call(wanted, answer))
             return refuse("the node does not answer");
-        return are_equal(only_this(answer), wanted) || refuse("the node has given it another value");
+        return are_equal(only_this(answer), wanted) ||
+               refuse("the node has given it another value");
     }
 
     void restore()

@@ -12,8 +12,8 @@
 
 class Task;
 
-// `Thing` has `bool apply(Change)`, and `restore()`, which brings back what was there before the first of
-// these. Both may take long: they run in another thread, one after the other.
+// `Thing` has `bool apply(Change)`, and `restore()`, which brings back what was there before the
+// first of these. Both may take long: they run in another thread, one after the other.
 template <class Thing> class Shared {
 public:
     template <class... Arguments>
@@ -23,7 +23,8 @@ public:
     }
 
     // A task has it from now on.
-    void take(const Task *task, typename Thing::Change change, std::function<void(bool success)> then)
+    void take(const Task *task, typename Thing::Change change,
+              std::function<void(bool success)> then)
     {
         tasks_.insert(task);
         is_changed_ = true;

@@ -1,6 +1,7 @@
 // Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
 //
-// The goals of one action server: those of others, which tasks interrupt, and those that tasks send.
+// The goals of one action server: those of others, which tasks interrupt, and those that tasks
+// send.
 #pragma once
 
 #include <action_msgs/msg/goal_status_array.hpp>
@@ -48,8 +49,8 @@ public:
         cancel_all();
     }
 
-    // A task has it no longer. When none has it, what the last one said counts: whether the goal that
-    // was interrupted is sent again.
+    // A task has it no longer. When none has it, what the last one said counts: whether the goal
+    // that was interrupted is sent again.
     void release(const Task *task, bool resend)
     {
         if (tasks_.erase(task) > 0 && tasks_.empty())
@@ -138,7 +139,8 @@ private:
     // Whether a goal is pursued, or will be, and has not been cancelled.
     static bool is_untouched(const Status &status)
     {
-        return status.status == Status::STATUS_ACCEPTED || status.status == Status::STATUS_EXECUTING;
+        return status.status == Status::STATUS_ACCEPTED ||
+               status.status == Status::STATUS_EXECUTING;
     }
 
     // Cancels all goals.
@@ -208,14 +210,14 @@ private:
     std::string server_;
     Client<CancelGoal> cancel_;
     std::vector<std::function<void()>> watchers_;
-    std::set<const Task *> tasks_;  // that have the server
-    std::optional<bool> is_resent_; // what is to be done when the server is free again
-    std::vector<Status> listed_;    // by the server
-    std::set<GoalName> own_;        // goals of tasks
+    std::set<const Task *> tasks_;   // that have the server
+    std::optional<bool> is_resent_;  // what is to be done when the server is free again
+    std::vector<Status> listed_;     // by the server
+    std::set<GoalName> own_;         // goals of tasks
     std::set<GoalName> interrupted_; // goals of others, since the server was asked last
     bool is_sending_ = false;
-    bool is_cancelling_ = false; // says the server, and the status has not come yet
-    bool has_answered_ = false;  // since a task took the server
+    bool is_cancelling_ = false;     // says the server, and the status has not come yet
+    bool has_answered_ = false;      // since a task took the server
     std::deque<ServerName> servers_; // that have told their status, the newest last
     int losses_ = 0;
     Steady::time_point asked_{};

@@ -19,8 +19,9 @@ public:
     // Throws nothing for values that cannot be meant: `read` does, when the node is configured.
     explicit Parameters(rclcpp_lifecycle::LifecycleNode &node) : node_(node)
     {
-        declare(AUTOSTART, rclcpp::ParameterValue(true),
-                described("Whether the node configures and activates itself; else a manager does."));
+        declare(
+            AUTOSTART, rclcpp::ParameterValue(true),
+            described("Whether the node configures and activates itself; else a manager does."));
         for (const ParameterText &each : PARAMETERS)
             declare(each.name, usual(each), described(each));
         fixed_ = node_.add_on_set_parameters_callback(
@@ -35,8 +36,8 @@ public:
         return found.get<bool>();
     }
 
-    // Throws BadParameter for a setting of the quality of service that nobody would follow. `topics`
-    // are the full names of those that the node listens to.
+    // Throws BadParameter for a setting of the quality of service that nobody would follow.
+    // `topics` are the full names of those that the node listens to.
     void check_quality(const std::vector<std::string> &topics) const
     {
         for (const auto &[name, value] : overrides())
@@ -160,7 +161,8 @@ private:
                 continue;
             }
             result.successful = false;
-            result.reason = each.get_name() + " is fixed while the node is configured; clean it up first";
+            result.reason =
+                each.get_name() + " is fixed while the node is configured; clean it up first";
         }
         return result;
     }
@@ -183,8 +185,8 @@ private:
             known += (known.empty() ? "" : ", ") + topic;
         }
         if (!is_known)
-            throw BadParameter(name, std::string("there is only ") + QUALITY + "TOPIC" + RELIABILITY +
-                                         ", and TOPIC is one of " + known);
+            throw BadParameter(name, std::string("there is only ") + QUALITY + "TOPIC" +
+                                         RELIABILITY + ", and TOPIC is one of " + known);
         const bool is_text = value.get_type() == rclcpp::PARAMETER_STRING;
         const std::string said = is_text ? value.get<std::string>() : "";
         if (said != "reliable" && said != "best_effort")

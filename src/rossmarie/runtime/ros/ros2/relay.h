@@ -17,8 +17,8 @@
 
 template <class Action> class Relay : public Goals {
 public:
-    // `front` is where goals come from. It opens when the server is there, so that those who wait for
-    // a server wait for that one.
+    // `front` is where goals come from. It opens when the server is there, so that those who wait
+    // for a server wait for that one.
     Relay(Middleware &middleware, const std::string &server, const std::string &front)
         : Goals(middleware, server), front_name_(front),
           client_(rclcpp_action::create_client<Action>(&middleware.node(), server))
@@ -163,10 +163,10 @@ private:
         entry.is_away = true;
         entry.attempt += 1;
         typename rclcpp_action::Client<Action>::SendGoalOptions options;
-        options.goal_response_callback = [this, name,
-                                          attempt = entry.attempt](typename There::SharedPtr there) {
-            middleware().run([&] { on_response(name, attempt, there); });
-        };
+        options.goal_response_callback =
+            [this, name, attempt = entry.attempt](typename There::SharedPtr there) {
+                middleware().run([&] { on_response(name, attempt, there); });
+            };
         options.feedback_callback = [this, name](auto, auto feedback) {
             const auto found = entries_.find(name);
             if (found != entries_.end())
@@ -200,8 +200,8 @@ private:
     void on_response(const GoalName &name, int attempt, const typename There::SharedPtr &there)
     {
         const auto found = entries_.find(name);
-        const bool is_awaited = found != entries_.end() && found->second.attempt == attempt &&
-                                found->second.is_away;
+        const bool is_awaited =
+            found != entries_.end() && found->second.attempt == attempt && found->second.is_away;
         if (!is_awaited) {
             if (there)
                 client_->async_cancel_goal(there);

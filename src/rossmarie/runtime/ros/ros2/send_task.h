@@ -21,8 +21,8 @@ public:
     // With `resend` the goal that was interrupted is sent again when the rule is released.
     SendTask(std::shared_ptr<Goals> goals, Goal goal, bool resend, Report report)
         : goals_(std::move(goals)), goal_(std::move(goal)), resend_(resend),
-          report_(std::move(report)),
-          client_(rclcpp_action::create_client<Action>(&goals_->middleware().node(), goals_->server()))
+          report_(std::move(report)), client_(rclcpp_action::create_client<Action>(
+                                          &goals_->middleware().node(), goals_->server()))
     {
         goals_->watch([this] { look(); });
     }
@@ -72,7 +72,8 @@ private:
         options.result_callback = [this, run = run_](const typename Handle::WrappedResult &result) {
             goals_->middleware().run([&] {
                 goals_->forget(result.goal_id);
-                finish(run, result.code == rclcpp_action::ResultCode::SUCCEEDED, "it did not succeed");
+                finish(run, result.code == rclcpp_action::ResultCode::SUCCEEDED,
+                       "it did not succeed");
             });
         };
         client_->async_send_goal(goal_, options);

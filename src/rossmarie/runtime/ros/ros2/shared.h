@@ -13,8 +13,8 @@
 
 class Task;
 
-// `Thing` has `apply(Change, Then)`, and `restore(Then)`, which brings back what was there before the
-// first of these. Both tell `Then` later whether they succeeded. They run one after the other.
+// `Thing` has `apply(Change, Then)`, and `restore(Then)`, which brings back what was there before
+// the first of these. Both tell `Then` later whether they succeeded. They run one after the other.
 template <class Thing> class Shared {
 public:
     using Then = std::function<void(bool success)>;

@@ -1,8 +1,8 @@
 // Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
 //
 // A subscription that no publisher starves: it asks for the reliability and the durability that all
-// publishers offer, unless a parameter (qos_overrides) asks for a reliability; then a publisher that
-// does not offer it is named.
+// publishers offer, unless a parameter (qos_overrides) asks for a reliability; then a publisher
+// that does not offer it is named.
 #pragma once
 
 #include <rclcpp_lifecycle/lifecycle_node.hpp>
@@ -46,7 +46,8 @@ public:
             const auto found = rclcpp::qos_check_compatible(publisher.qos_profile(),
                                                             subscription_->get_actual_qos());
             if (found.compatibility == rclcpp::QoSCompatibility::Error)
-                return "what " + publisher.node_name() + " publishes does not come: " + found.reason;
+                return "what " + publisher.node_name() +
+                       " publishes does not come: " + found.reason;
         }
         return "";
     }
@@ -60,9 +61,8 @@ private:
     rclcpp::QoS offered_by_all(const Publishers &publishers) const
     {
         const auto all = [&publishers](auto is_so) {
-            return std::all_of(publishers.begin(), publishers.end(), [is_so](const auto &each) {
-                return is_so(each.qos_profile());
-            });
+            return std::all_of(publishers.begin(), publishers.end(),
+                               [is_so](const auto &each) { return is_so(each.qos_profile()); });
         };
         const bool is_reliable = all([](const rclcpp::QoS &qos) {
             return qos.reliability() == rclcpp::ReliabilityPolicy::Reliable;
