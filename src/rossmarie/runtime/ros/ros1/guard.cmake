@@ -55,7 +55,7 @@ target_include_directories(${_guard_node} PRIVATE
   ${_guard_folder} ${_guard_folder}/runtime ${_guard_folder}/runtime/ros1 ${_guard_folder}/src)
 target_include_directories(${_guard_node} SYSTEM PRIVATE
   ${CATKIN_DEVEL_PREFIX}/include ${catkin_INCLUDE_DIRS})
-target_compile_options(${_guard_node} PRIVATE -Wall -Wextra)
+target_compile_options(${_guard_node} PRIVATE -Wall -Wextra -Wpedantic)
 set_target_properties(${_guard_node} PROPERTIES
   CXX_STANDARD 17
   CXX_STANDARD_REQUIRED ON

@@ -51,7 +51,7 @@ add_library(${_guard_node}_node SHARED
   ${_guard_folder}/src/component.cpp
   ${_guard_folder}/src/rules.cpp
   ${_guard_hooks})
-target_compile_options(${_guard_node}_node PRIVATE -Wall -Wextra)
+target_compile_options(${_guard_node}_node PRIVATE -Wall -Wextra -Wpedantic)
 set_target_properties(${_guard_node}_node PROPERTIES
   CXX_STANDARD 17
   CXX_STANDARD_REQUIRED ON
