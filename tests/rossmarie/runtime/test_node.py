@@ -51,8 +51,9 @@ def test_a_program_of_checks_passes_with_sanitizers(name: str, package: Path) ->
     texts = [HERE / "programs" / f"{name}.cpp", *(package / each for each in SOURCES[name])]
     whole = package / f"all_of_{name}.cpp"
     whole.write_text("".join(f'#include "{each}"\n' for each in texts), encoding="utf-8")
-    folders = [HERE / "programs", HERE / "stand_ins", package]
-    folders += [package / each for each in ("runtime", "runtime/ros1", "src")]
+    rules = package / "src" if name == "guard" else HERE / "few_rules"
+    folders = [HERE / "programs", HERE / "stand_ins", rules, package]
+    folders += [package / "runtime", package / "runtime" / "ros1"]
     includes = [f"-I{folder}" for folder in folders]
     objects = sorted((package / "src").glob("*.o")) if name == "guard" else []
     program = package / name
@@ -126,7 +127,12 @@ def test_the_settings_file_has_all_parameters_with_their_usual_values(generation
 
 @needs(CLANG_FORMAT)
 def test_the_files_are_formatted() -> None:
-    files = [*RUNTIME.rglob("*.h"), *RUNTIME.rglob("*.cpp"), *(HERE / "programs").iterdir()]
+    files = [
+        *RUNTIME.rglob("*.h"),
+        *RUNTIME.rglob("*.cpp"),
+        *HERE.rglob("*.h"),
+        *HERE.rglob("*.cpp"),
+    ]
     run([CLANG_FORMAT_PROGRAM, "--dry-run", "-Werror", *files])
 
 

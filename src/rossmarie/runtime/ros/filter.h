@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <type_traits>
@@ -13,8 +14,9 @@
 
 #include "any_filter.h"
 #include "clock.h"
-#include "core.h"
 #include "middleware.h"
+#include "parts.h"
+#include "rules.h"
 #include "settings.h"
 #include "stamps.h"
 #include "throttle.h"
@@ -25,9 +27,9 @@ template <class Command> class Filter : public AnyFilter {
 public:
     using Message = typename Command::Message;
 
-    Filter(Middleware &middleware, Clock &clock, const Core &core, const Settings &settings,
-           CatchUp catch_up)
-        : middleware_(middleware), clock_(clock), core_(core), settings_(settings),
+    Filter(Middleware &middleware, Clock &clock, const core::Reactor &reactor,
+           const Settings &settings, CatchUp catch_up)
+        : middleware_(middleware), clock_(clock), reactor_(reactor), settings_(settings),
           catch_up_(std::move(catch_up)), topic_(middleware.resolved(Command::topic)),
           source_(middleware.resolved(Command::source)),
           publisher_(middleware.advertise<Message>(Command::topic, 10))
@@ -94,7 +96,7 @@ public:
         }
         Command::each_number(message, [&](std::size_t field, auto &number) {
             using Number = std::remove_reference_t<decltype(number)>;
-            number = static_cast<Number>(core_.bounded(bounds[field], number));
+            number = static_cast<Number>(core::bounded(bounds[field], number));
         });
         {
             const std::lock_guard<std::mutex> lock(sending_);
@@ -106,7 +108,7 @@ public:
     }
 
 private:
-    using Bounds = std::array<::Bounds, Command::fields>;
+    using Bounds = std::array<core::Bounds, Command::fields>;
 
     void receive(const Message &message)
     {
@@ -136,9 +138,9 @@ private:
     Bounds bounds_at(int64_t now_ns) const
     {
         Bounds bounds;
-        core_.bounds_of(Command::index, now_ns, bounds.data(), bounds.size());
+        core::bounds_of(&reactor_, now_ns, Command::index, bounds.data());
         if (is_bypassed_ || clock_.stands_still())
-            bounds.fill({0.0, 0.0, 0.0});
+            bounds.fill(core::Bounds{0.0, 0.0, 0.0});
         return bounds;
     }
 
@@ -153,7 +155,7 @@ private:
 
     static bool is_zero(const Bounds &bounds)
     {
-        return std::all_of(bounds.begin(), bounds.end(), [](const ::Bounds &b) {
+        return std::all_of(bounds.begin(), bounds.end(), [](const core::Bounds &b) {
             return b.factor == 0.0 || (b.low == 0.0 && b.high == 0.0);
         });
     }
@@ -175,7 +177,7 @@ private:
 
     Middleware &middleware_;
     Clock &clock_;
-    const Core &core_;
+    const core::Reactor &reactor_;
     const Settings &settings_;
     CatchUp catch_up_;
     std::string topic_;
@@ -193,3 +195,15 @@ private:
     bool is_over_ = false;
     int refused_ = 0;
 };
+
+// Begins to let the commands of a topic pass.
+template <class Command>
+Filter<Command> &add_filter(Performers &made, Host &host, const Filtering &filtering)
+{
+    auto filter =
+        std::make_unique<Filter<Command>>(host.middleware(), filtering.clock, filtering.reactor,
+                                          filtering.settings, filtering.catch_up);
+    Filter<Command> &found = *filter;
+    made.filters.push_back(std::move(filter));
+    return found;
+}

@@ -4,6 +4,7 @@
 #include "guard.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "reports.h"
@@ -13,17 +14,33 @@ static const std::chrono::seconds CHECK_PERIOD{1}; // ... at others, and at who 
 
 // --- begin ---------------------------------------------------------------------------------------
 
+// Whoever compiled the core did so with flags that change results, or the process changes them.
+static void must_compute(const char *fault)
+{
+    if (fault)
+        throw std::runtime_error(std::string("the core computes wrongly: ") + fault);
+}
+
 Guard::Guard(Middleware &middleware, const Settings &settings)
     : middleware_(middleware), settings_(settings)
 {
     check(middleware, settings);
-    core_.begin([this](const Event &event) { on_event(event); },
-                [this](int task, Order order, int by_rule) { perform(task, order, by_rule); });
-    latched_.restore(core_);
+    must_compute(core::init(
+        &monitor_,
+        [](void *guard, const core::Event *event) {
+            static_cast<Guard *>(guard)->on_event(*event);
+        },
+        this));
+    must_compute(core::reactor_init(
+        &reactor_,
+        [](void *guard, int task, core::Order order, int by_rule) {
+            static_cast<Guard *>(guard)->perform(task, order, by_rule);
+        },
+        this));
+    latched_.restore(monitor_);
     bypassed_.publish(Bool());
-    filters_ = parts_->make_filters(middleware_, clock_, settings_,
-                                    [this](int64_t now_ns) { catch_up(now_ns); });
-    tasks_ = parts_->make_tasks(*this);
+    performers_ = make_performers(
+        *this, {clock_, reactor_, settings_, [this](int64_t now_ns) { catch_up(now_ns); }});
     subscribe();
     serve();
 }
@@ -36,8 +53,8 @@ void Guard::subscribe()
             return middleware_.resolved(named) == middleware_.resolved(topic);
         });
     };
-    inputs_ = parts_->make_inputs(middleware_, clock_, by_stamp,
-                                  [this](int channel, int64_t at_ns) { take(channel, at_ns); });
+    inputs_ = make_inputs({middleware_, clock_, values_, arrays_, by_stamp,
+                           [this](int channel, int64_t at_ns) { take(channel, at_ns); }});
 }
 
 void Guard::check(const Middleware &middleware, const Settings &settings)
@@ -73,8 +90,8 @@ double Guard::wait()
 // The next instant at which something happens without a message.
 int64_t Guard::next_wake() const
 {
-    int64_t wake_ns = core_.next_wake();
-    for (const auto &task : tasks_)
+    int64_t wake_ns = std::min(core::next_wake(&monitor_), core::reactor_next_wake(&reactor_));
+    for (const auto &task : performers_.tasks)
         wake_ns = std::min(wake_ns, task->next_ns());
     return wake_ns;
 }
@@ -99,19 +116,20 @@ void Guard::catch_up(int64_t at_ns)
 
 void Guard::pass_time(int64_t at_ns)
 {
-    core_.advance(at_ns);
-    for (const auto &task : tasks_)
+    core::advance(&monitor_, at_ns);
+    for (const auto &task : performers_.tasks)
         task->tick(at_ns);
     follow(at_ns);
 }
 
-// A message has come, and the core has been given its fields.
+// A message has come, and its fields are in values_.
 void Guard::take(int channel, int64_t at_ns)
 {
     arrived_ns_[channel] = at_ns;
     if (!begin_when_ready(at_ns))
         return;
-    core_.step(at_ns);
+    core::step(&monitor_, at_ns, &values_);
+    values_ = {};
     follow(at_ns);
 }
 
@@ -133,7 +151,7 @@ bool Guard::begin_when_ready(int64_t at_ns)
     }
     const bool is_over = at_ns != 0 && at_ns - started_ns_ >= settings_.patience_ns;
     if (!is_ready && is_over)
-        core_.drop_messages();
+        values_ = {};
     return has_begun_ = is_ready || is_over;
 }
 
@@ -157,7 +175,7 @@ void Guard::step()
     if (begin_when_ready(at_ns)) {
         pass_time(at_ns);
     } else {
-        for (AnyFilter *filter : filters_)
+        for (const auto &filter : performers_.filters)
             filter->update(at_ns);
         tell(at_ns);
     }
@@ -172,10 +190,10 @@ void Guard::follow(int64_t at_ns)
 {
     end_exemptions(at_ns);
     do {
-        core_.react(exempted_, at_ns);
-    } while (std::exchange(is_reset_wanted_, false) && core_.reset(at_ns, -1));
+        core::react(&reactor_, &monitor_, exempted_.data(), at_ns);
+    } while (std::exchange(is_reset_wanted_, false) && core::reset(&monitor_, at_ns, -1) >= 0);
     open_when_ready(at_ns);
-    for (AnyFilter *filter : filters_)
+    for (const auto &filter : performers_.filters)
         filter->update(at_ns);
     tell(at_ns);
 }
@@ -185,7 +203,7 @@ void Guard::open_when_ready(int64_t at_ns)
 {
     if (is_open_)
         return;
-    const bool is_ready = core_.has_all_inputs();
+    const bool is_ready = core::has_all_inputs(&monitor_);
     const bool is_over = settings_.grace_ns > 0 && at_ns - started_ns_ >= settings_.grace_ns;
     if (!is_ready && !is_over)
         return;
@@ -193,7 +211,7 @@ void Guard::open_when_ready(int64_t at_ns)
         say::warning("the grace period is over: commands pass although inputs have never arrived");
     is_in_grace_ = !is_ready;
     is_open_ = has_changed_ = true;
-    core_.open();
+    core::reactor_open(&reactor_);
 }
 
 void Guard::end_exemptions(int64_t at_ns)
@@ -209,44 +227,44 @@ void Guard::end_exemptions(int64_t at_ns)
 
 void Guard::stop_all()
 {
-    for (AnyFilter *filter : filters_)
+    for (const auto &filter : performers_.filters)
         filter->stop();
 }
 
 // --- what the monitor and the reactor say --------------------------------------------------------
 
-void Guard::on_event(const Event &event)
+void Guard::on_event(const core::Event &event)
 {
     new_verdicts_.push_back(reports::verdict(event));
-    if (event.change == Change::CLEARED)
+    if (event.change == core::CLEARED)
         say::information(reports::line(new_verdicts_.back()));
     else
         say::warning(reports::line(new_verdicts_.back()));
     has_changed_ = true;
-    if (event.change == Change::CLEARED)
+    if (event.change == core::CLEARED)
         causes_.erase(event.rule);
-    else if (event.change != Change::TIME_JUMP)
+    else if (event.change != core::TIME_JUMP)
         causes_[event.rule] = event;
 }
 
-void Guard::perform(int task, Order order, int by_rule)
+void Guard::perform(int task, core::Order order, int by_rule)
 {
     const std::string what = reports::of_task(task);
     has_changed_ = true;
-    if (order == Order::START) {
+    if (order == core::START) {
         in_force_[task] = true;
-        tasks_[task]->start(clock_.now());
+        performers_.tasks[task]->start(clock_.now());
         return;
     }
     const bool was_in_force = std::exchange(in_force_[task], false);
-    if (was_in_force && order == Order::FAILED)
-        tasks_[task]->give_up();
+    if (was_in_force && order == core::FAILED)
+        performers_.tasks[task]->give_up();
     else if (was_in_force)
-        tasks_[task]->stop();
-    if (order == Order::OVERRULED) {
+        performers_.tasks[task]->stop();
+    if (order == core::OVERRULED) {
         overruled_.push_back(what + " by rule " + RULES[by_rule].name);
         say::warning("overruled: " + overruled_.back());
-    } else if (order == Order::FAILED) {
+    } else if (order == core::FAILED) {
         say::error("failed: " + what);
     }
 }
@@ -254,8 +272,8 @@ void Guard::perform(int task, Order order, int by_rule)
 void Guard::report(int task, bool success)
 {
     const int64_t at_ns = clock_.now();
-    core_.advance(at_ns);
-    core_.report(at_ns, task, success);
+    core::advance(&monitor_, at_ns);
+    core::report(&reactor_, &monitor_, at_ns, task, success);
     follow(at_ns);
 }
 

@@ -3,7 +3,7 @@
 // The guard: one thread and one queue of callbacks, so that a verdict and the command that it holds
 // back cannot overtake each other. Each message goes through the monitor (which rules are active?),
 // the reactor (what follows?) and the filters (what may pass?) before the next is looked at.
-// The core, which holds both, decides; the guard performs.
+// These two are the C of the rules (core:: in rules.h). They decide, the guard performs.
 //
 // guard.cpp has its work, operators.cpp what operators can do, telling.cpp what others are told.
 #pragma once
@@ -16,7 +16,6 @@
 
 #include "any_filter.h"
 #include "clock.h"
-#include "core.h"
 #include "descriptions.h"
 #include "host.h"
 #include "input.h"
@@ -24,6 +23,7 @@
 #include "latched_rules.h"
 #include "middleware.h"
 #include "parts.h"
+#include "rules.h"
 #include "settings.h"
 #include "task.h"
 
@@ -77,8 +77,8 @@ private:
     void follow(int64_t at_ns);
     void open_when_ready(int64_t at_ns);
     void end_exemptions(int64_t at_ns);
-    void on_event(const Event &event);
-    void perform(int task, Order order, int by_rule);
+    void on_event(const core::Event &event);
+    void perform(int task, core::Order order, int by_rule);
 
     void reset(const Reset::Request &request, Reset::Response &response);
     void why(Why::Response &response) const;
@@ -98,23 +98,24 @@ private:
     Middleware &middleware_;
     const Settings settings_;
     Clock clock_{middleware_, clock_timeout()};
-    std::unique_ptr<Parts> parts_ = make_parts();
-    Core &core_ = parts_->core();
+    core::Monitor monitor_;
+    core::Values values_{}; // of the messages that the monitor takes next
+    Arrays arrays_;
+    core::Reactor reactor_;
     LatchedRules latched_{settings_.state_file, middleware_.name()};
-    std::vector<std::unique_ptr<AnyInput>> inputs_;
-    std::vector<AnyFilter *> filters_;
-    std::vector<std::unique_ptr<Task>> tasks_;
+    Performers performers_; // they use what stands above
+    Inputs inputs_;
     Publisher<Verdict> verdicts_ = middleware_.advertise<Verdict>("~verdicts", 100);
     Publisher<State> state_ = middleware_.advertise_latched<State>("~state");
     Publisher<Bool> bypassed_ = middleware_.advertise_latched<Bool>("~bypassed");
     Publisher<DiagnosticArray> diagnostics_ =
         middleware_.advertise<DiagnosticArray>("/diagnostics", 10);
 
-    std::map<int, Event> causes_; // of the active rules, as they became so
+    std::map<int, core::Event> causes_; // of the active rules, as they became so
     std::vector<Verdict> new_verdicts_;
     std::vector<std::string> overruled_;
     std::vector<char> in_force_ = std::vector<char>(TASKS.size(), false);
-    std::vector<TaskStatus> task_states_ = std::vector<TaskStatus>(TASKS.size());
+    std::vector<int> task_states_ = std::vector<int>(TASKS.size(), 0);
     std::map<int, DiagnosticStatus> diagnoses_;
     Findings found_;                     // of others, as checked at last
     std::map<int, std::string> lacking_; // what tasks will need and others lack, likewise

@@ -23,9 +23,9 @@
 #include <utility>
 #include <vector>
 
-#include "core.h"
 #include "descriptions.h"
 #include "middleware.h"
+#include "rules.h"
 #include "settings.h"
 
 class LatchedRules {
@@ -56,7 +56,7 @@ public:
     // Latches what the file names. A file that is there and cannot be read, or that names what is
     // no latched rule, latches all: nobody knows what it would have said. So does, where there is
     // no file yet, one that this node has left under other rules.
-    void restore(Core &core)
+    void restore(core::Monitor &monitor)
     {
         if (!has_any())
             return;
@@ -69,18 +69,18 @@ public:
                 stranger = is_empty(relative) ? stranger : relative;
         for (int rule = 0; rule < count(RULES); rule++)
             if (RULES[rule].is_latched && (!stranger.empty() || names.count(RULES[rule].name) > 0))
-                core.latch(rule);
+                core::latch(&monitor, rule);
         if (!stranger.empty())
             say::error(stranger + " is of other rules: all latched rules are active");
     }
 
     // Writes the latched rules that are active, if they are others than at last: either all of the
     // new file is there after a crash, or all of the old.
-    void keep(const Core &core)
+    void keep(const core::Monitor &monitor)
     {
         std::string text;
         for (int rule = 0; rule < count(RULES); rule++)
-            if (RULES[rule].is_latched && core.is_active(rule))
+            if (RULES[rule].is_latched && core::is_active(&monitor, rule))
                 text += std::string(RULES[rule].name) + "\n";
         if (!has_any() || (has_written_ && text == written_))
             return;

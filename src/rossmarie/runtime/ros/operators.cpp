@@ -33,10 +33,11 @@ void Guard::reset(const Reset::Request &request, Reset::Response &response)
         return;
     }
     const int64_t at_ns = clock_.now();
-    core_.advance(at_ns);
-    core_.reset(at_ns, wanted);
+    core::advance(&monitor_, at_ns);
+    core::reset(&monitor_, at_ns, wanted);
     for (int rule = 0; rule < count(RULES); rule++)
-        if ((wanted < 0 || rule == wanted) && RULES[rule].is_latched && core_.is_active(rule))
+        if ((wanted < 0 || rule == wanted) && RULES[rule].is_latched &&
+            core::is_active(&monitor_, rule))
             response.message += "still holds: " + why_active(rule);
     response.success = response.message.empty();
     say::information("reset: " + (response.success ? "done" : response.message));
@@ -58,7 +59,7 @@ std::string Guard::why_active(int rule) const
 void Guard::why(Why::Response &response) const
 {
     for (int rule = 0; rule < count(RULES); rule++)
-        if (core_.is_active(rule))
+        if (core::is_active(&monitor_, rule))
             response.text += why_active(rule);
     if (clock_.stands_still())
         response.text += "no command passes: ROS time stands still\n";

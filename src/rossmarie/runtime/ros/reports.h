@@ -8,10 +8,10 @@
 #include <cstdio>
 #include <string>
 
-#include "core.h"
 #include "descriptions.h"
 #include "interfaces.h"
 #include "middleware.h"
+#include "rules.h"
 
 namespace reports {
 
@@ -28,29 +28,29 @@ inline std::string shown(const ValueText &text, double value)
     return *text.unit ? std::string(buffer) + " " + text.unit : buffer;
 }
 
-inline std::string of_input(int input, InputState state)
+inline std::string of_input(int input, int state)
 {
     const InputText &text = INPUTS[input];
     const std::string what = std::string("input ") + text.name + " (" + text.topic + ") ";
-    return what + (state == InputState::NEVER_RECEIVED ? "has never been received"
-                                                       : "is older than its timeout");
+    return what + (state == core::NEVER_RECEIVED ? "has never been received"
+                                                 : "is older than its timeout");
 }
 
 // The inputs that a rule lacks; if none is silent, what it looked at and its condition.
-inline std::string cause(const Event &event)
+inline std::string cause(const core::Event &event)
 {
     const RuleText &rule = RULES[event.rule];
     std::string lost;
     for (std::size_t i = 0; i < rule.inputs.size(); i++)
-        if (rule.inputs[i].has_timeout && event.inputs[i] != InputState::FRESH)
+        if (rule.inputs[i].has_timeout && event.inputs[i] != core::FRESH)
             lost += (lost.empty() ? "" : "; ") + of_input(rule.inputs[i].input, event.inputs[i]);
-    const bool is_lost = event.change == Change::ACTIVATED_LOST;
+    const bool is_lost = event.change == core::ACTIVATED_LOST;
     if (is_lost && !lost.empty())
         return lost;
     std::string cause = is_lost ? "messages come without a usable value: " : "";
     for (std::size_t i = 0; i < rule.values.size(); i++)
         cause += rule.values[i].name + (" = " + shown(rule.values[i], event.values[i])) + "; ";
-    return cause + (event.change == Change::CLEARED ? "no longer: " : "") + rule.condition;
+    return cause + (event.change == core::CLEARED ? "no longer: " : "") + rule.condition;
 }
 
 inline Verdict time_jump(int64_t at_ns, const char *direction, int64_t far_ns)
@@ -63,9 +63,9 @@ inline Verdict time_jump(int64_t at_ns, const char *direction, int64_t far_ns)
     return verdict;
 }
 
-inline Verdict verdict(const Event &event)
+inline Verdict verdict(const core::Event &event)
 {
-    if (event.change == Change::TIME_JUMP)
+    if (event.change == core::TIME_JUMP)
         return time_jump(event.at_ns, "back", event.from_ns - event.at_ns);
     Verdict verdict;
     verdict.at = Middleware::time(event.at_ns);

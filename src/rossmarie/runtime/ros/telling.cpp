@@ -3,14 +3,13 @@
 // What the node tells: verdicts, its state, and diagnostics.
 #include "guard.h"
 
-#include <cstddef>
 #include <utility>
 
 #include "reports.h"
 
 static const double SLOW = 0.1; // a pause (s) from which on the node counts as too slow
 
-// By TaskStatus.
+// By the states of tasks in the C.
 static const char *const STATES[] = {"idle", "running", "holding", "waiting",
                                      "done", "failed",  "overdue"};
 
@@ -22,13 +21,13 @@ void Guard::tell(int64_t at_ns)
     }
     overruled_.clear();
     for (int task = 0; task < count(TASKS); task++) {
-        const TaskStatus state = core_.task_state(task);
+        const int state = core::task_state(&reactor_, task);
         has_changed_ = has_changed_ || state != task_states_[task];
         task_states_[task] = state;
     }
     if (!std::exchange(has_changed_, false))
         return;
-    latched_.keep(core_);
+    latched_.keep(monitor_);
     publish_state(at_ns);
     publish_diagnostics();
 }
@@ -39,22 +38,22 @@ void Guard::publish_state(int64_t at_ns)
     state.at = Middleware::time(at_ns);
     state.open = is_open_;
     for (int rule = 0; rule < count(RULES); rule++) {
-        if (core_.is_active(rule))
+        if (core::is_active(&monitor_, rule))
             state.active.push_back(RULES[rule].name);
         if (exempted_[rule])
             state.exempted.push_back(RULES[rule].name);
     }
-    for (AnyFilter *filter : filters_)
+    for (const auto &filter : performers_.filters)
         if (filter->is_blocked())
             state.blocked.push_back(filter->topic());
     for (int task = 0; task < count(TASKS); task++) {
-        if (task_states_[task] == TaskStatus::IDLE)
+        if (task_states_[task] == core::TASK_IDLE)
             continue;
         TaskState told;
         told.rule = RULES[TASKS[task].rule].name;
         told.action = TASKS[task].action;
         told.effect = TASKS[task].effect;
-        told.state = STATES[static_cast<std::size_t>(task_states_[task])];
+        told.state = STATES[task_states_[task]];
         state.tasks.push_back(told);
     }
     state_.publish(state);
@@ -92,11 +91,11 @@ std::vector<DiagnosticStatus> Guard::statuses() const
     add_node_status(found);
     add_input_statuses(found);
     add_rule_statuses(found);
-    for (AnyFilter *filter : filters_)
+    for (const auto &filter : performers_.filters)
         if (filter->listeners() == 0)
             found.push_back(status("listeners of " + filter->topic(), DiagnosticStatus::ERROR,
                                    "nobody: the robot is not behind the filter"));
-    for (AnyFilter *filter : filters_)
+    for (const auto &filter : performers_.filters)
         if (filter->refused() > 0)
             found.push_back(status("commands on " + filter->topic(), DiagnosticStatus::WARN,
                                    std::to_string(filter->refused()) + " were not finite"));
@@ -130,8 +129,8 @@ void Guard::add_node_status(std::vector<DiagnosticStatus> &found) const
 void Guard::add_input_statuses(std::vector<DiagnosticStatus> &found) const
 {
     for (int input = 0; input < count(INPUTS); input++) {
-        const InputState state = core_.input_state(input);
-        const bool is_fresh = state == InputState::FRESH;
+        const int state = core::input_state(&monitor_, input);
+        const bool is_fresh = state == core::FRESH;
         found.push_back(status(std::string("input ") + INPUTS[input].name,
                                is_fresh ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
                                is_fresh ? "messages come" : reports::of_input(input, state)));
@@ -152,7 +151,7 @@ void Guard::add_rule_statuses(std::vector<DiagnosticStatus> &found) const
 {
     for (int rule = 0; rule < count(RULES); rule++) {
         const std::string name = std::string("rule ") + RULES[rule].name;
-        if (core_.is_active(rule))
+        if (core::is_active(&monitor_, rule))
             found.push_back(status(name, DiagnosticStatus::WARN, "active: " + why_active(rule)));
         if (exempted_[rule])
             found.push_back(
@@ -160,9 +159,9 @@ void Guard::add_rule_statuses(std::vector<DiagnosticStatus> &found) const
     }
     for (int task = 0; task < count(TASKS); task++) {
         const std::string name = "action " + reports::of_task(task);
-        if (task_states_[task] == TaskStatus::FAILED)
+        if (task_states_[task] == core::TASK_FAILED)
             found.push_back(status(name, DiagnosticStatus::ERROR, "failed"));
-        else if (task_states_[task] == TaskStatus::OVERDUE)
+        else if (task_states_[task] == core::TASK_OVERDUE)
             found.push_back(status(name, DiagnosticStatus::ERROR, "overruled for too long"));
     }
     for (const auto &[task, lacking] : lacking_)
@@ -190,7 +189,7 @@ void Guard::take_findings(const Findings &found)
     is_bypassed.data = !found.bypassed.empty();
     bypassed_.publish(is_bypassed);
     has_changed_ = true;
-    for (AnyFilter *filter : filters_) {
+    for (const auto &filter : performers_.filters) {
         filter->bar(found.bypassed.count(filter->topic()) > 0);
         filter->update(clock_.now());
     }
@@ -203,18 +202,18 @@ void Guard::check_others()
     is_checking_ = true;
     std::vector<Need> needs;
     std::vector<std::string> commanded;
-    for (AnyFilter *filter : filters_)
+    for (const auto &filter : performers_.filters)
         commanded.push_back(filter->topic());
     for (const auto &input : inputs_)
         needs.push_back({"topic " + input->topic(), input->topic(), input->type()});
-    for (AnyFilter *filter : filters_)
+    for (const auto &filter : performers_.filters)
         needs.push_back(
             {"commands on " + filter->source(), filter->source(), filter->type(), false, true});
     for (const OtherText &other : OTHERS)
         needs.push_back({other.title, middleware_.resolved(other.name), "", other.is_service});
     middleware_.check(needs, commanded, [this](const Findings &found) { take_findings(found); });
     for (int task = 0; task < count(TASKS); task++)
-        tasks_[task]->check([this, task](const std::string &lacking) {
+        performers_.tasks[task]->check([this, task](const std::string &lacking) {
             lacking_.erase(task);
             if (!lacking.empty())
                 lacking_[task] = lacking;

@@ -22,7 +22,7 @@ _SAY = {
     reactions.Level.WARNING: "warning",
     reactions.Level.ERROR: "error",
 }
-_WIDTH = 88
+_WIDTH = 92
 _STATUS_LEVELS = {
     reactions.Level.INFORMATION: "OK",
     reactions.Level.WARNING: "WARN",
@@ -65,9 +65,15 @@ class TasksText:
         tasks = range(len(machine.reactions.tasks))
         return {
             "messages": "".join(self._maker(task) for task in self._makers()),
-            "shared": block((line for each in self._shared_objects() for line in each), 2),
-            "tasks": block((line for index in tasks for line in self._task(index)), 2),
+            "filters": block(self._filters()),
+            "shared": block(line for each in self._shared_objects() for line in each),
+            "tasks": block(line for index in tasks for line in self._task(index)),
         }
+
+    def _filters(self) -> Iterator[str]:
+        pairs = (names.command_members(self.machine), names.command_classes(self.machine))
+        for member, word in zip(*pairs, strict=True):
+            yield (f"[[maybe_unused]] auto &{member} = add_filter<{word}>(made, host, filtering);")
 
     def _shared_objects(self) -> Iterator[list[str]]:
         for shared in needs.shared_objects(self.machine, self.dialect):
@@ -145,9 +151,9 @@ class TasksText:
                 where = [needs.MIDDLEWARE, names.relative(effect.topic)]
                 return f"PublishTask<{kind}>", [*where, _period(effect), message]
             case reactions.Publish(command=int(command)):
+                member = names.command_members(self.machine)[command]
                 word = names.command_classes(self.machine)[command]
-                filtered = f"filters.of<{word}>()"
-                return f"CommandTask<{word}>", [filtered, _period(effect), message]
+                return f"CommandTask<{word}>", [member, _period(effect), message]
             case reactions.Call(service=service):
                 arguments = [needs.MIDDLEWARE, names.relative(service), message, _report(index)]
                 return f"CallTask<{kind}>", arguments

@@ -91,6 +91,12 @@ def commands(machine: ir.Machine, dialect: Dialect) -> str:
     return "".join(_command(machine, dialect, index, word) for index, word in enumerate(classes))
 
 
+def sources(machine: ir.Machine) -> str:
+    """A row for each topic that commands come from."""
+    topics = (unfiltered(command.topic) for command in machine.reactions.commands)
+    return block(f"{names.relative(topic)}," for topic in topics)
+
+
 def _command(machine: ir.Machine, dialect: Dialect, index: int, word: str) -> str:
     command = machine.reactions.commands[index]
     kind = dialect.cpp_type(command.message_type, Interface.MESSAGE)

@@ -29,10 +29,18 @@ OWNED_BY_USER = frozenset(("src/hooks.cpp", "config/parameters.yaml"))
 """Files that are written once and then left alone."""
 
 _FIXED = (
-    "src/rules.h", "config/parameters.yaml",
+    "config/parameters.yaml",
     "msg/Value.msg", "msg/Verdict.msg", "msg/TaskState.msg", "msg/State.msg",
     "srv/Reset.srv", "srv/Why.srv", "srv/Exempt.srv",
 )  # fmt: skip
+
+# What the node calls of the C; the last two are there where commands are bounded.
+_FUNCTIONS = (
+    "init", "latch", "step", "advance", "reset", "next_wake", "is_active", "input_state",
+    "has_all_inputs", "reactor_init", "reactor_open", "react", "report", "reactor_next_wake",
+    "task_state",
+)  # fmt: skip
+_BOUNDING = ("bounds_of", "bounded")
 
 
 class PackageWriter:
@@ -108,6 +116,7 @@ class PackageWriter:
         """The sources that differ from machine to machine."""
         machine, hooks = self._machine, names.hooks(self._machine).values()
         blanks: dict[str, dict[str, object]] = {
+            "src/rules.h": self._core(),
             "src/rules.cpp": self._rules(),
             "test/test_reactions.c": reaction_test.blanks(machine, self._layout.name),
             "src/hooks.h": {
@@ -123,13 +132,21 @@ class PackageWriter:
         return {
             "includes": "\n".join(f"#include <{header}>" for header in self._message_headers()),
             "headers": "\n".join(f'#include "{header}"' for header in self._headers()),
-            "arrays": messages.arrays(self._layout),
             "channels": messages.channels(self._layout, dialect),
             "channel_types": ", ".join(names.channel_classes(self._layout)),
             "commands": messages.commands(machine, dialect),
-            "command_types": ", ".join(names.command_classes(machine)),
+            "sources": messages.sources(machine),
             **actions.TasksText(machine, dialect).blanks(),
             **tables.blanks(machine, dialect, self._layout.name),
+        }
+
+    def _core(self) -> dict[str, object]:
+        """What the template of `rules.h` leaves open."""
+        has_commands = bool(self._machine.reactions.commands)
+        return {
+            "arrays": messages.arrays(self._layout),
+            "has_commands": has_commands,
+            "functions": (*_FUNCTIONS, *(_BOUNDING if has_commands else ())),
         }
 
     def _message_headers(self) -> list[str]:
@@ -140,10 +157,10 @@ class PackageWriter:
 
     def _headers(self) -> list[str]:
         """The headers of the package, those of tasks where they are used."""
-        parts = [f"{runtime.FOLDER}/{part.header}" for part in self._parts()]
-        own = f"{runtime.FOLDER}/{self._dialect.folder}/interfaces.h"
-        constant = (f"{runtime.FOLDER}/{each}.h" for each in ("messages", "parts_of", "task"))
-        return sorted(["hooks.h", f"{self._layout.name}_reactor.h", own, *constant, *parts])
+        used = ["messages.h", "parts.h", "task.h", f"{self._dialect.folder}/interfaces.h"]
+        used += ["command_task.h"] if self._machine.reactions.commands else []
+        used += [part.header for part in self._parts()]
+        return sorted(["hooks.h", *(f"{runtime.FOLDER}/{header}" for header in used)])
 
 
 def _hook_definition(hook: str) -> str:

@@ -10,6 +10,7 @@
 
 #include "check.h"
 #include "descriptions.h"
+#include "rules.h"
 
 const std::vector<RuleText> RULES = {
     {"fallen", "", "", true, {}, {}},
@@ -17,29 +18,6 @@ const std::vector<RuleText> RULES = {
     {"touched", "", "", true, {}, {}},
 };
 const char *const LATCHED_RULES_KEY = "0123abcd";
-
-// Only what the file is about.
-class Rules : public Core {
-public:
-    std::set<int> active;
-
-    void begin(OnEvent, Perform) override {}
-    void latch(int rule) override { active.insert(rule); }
-    void step(int64_t) override {}
-    void drop_messages() override {}
-    void advance(int64_t) override {}
-    bool reset(int64_t, int) override { return true; }
-    int64_t next_wake() const override { return INT64_MAX; }
-    bool is_active(int rule) const override { return active.count(rule) > 0; }
-    InputState input_state(int) const override { return InputState::FRESH; }
-    bool has_all_inputs() const override { return true; }
-    void open() override {}
-    void react(const std::vector<unsigned char> &, int64_t) override {}
-    void report(int64_t, int, bool) override {}
-    TaskStatus task_state(int) const override { return TaskStatus::IDLE; }
-    void bounds_of(int, int64_t, Bounds *, std::size_t) const override {}
-    double bounded(const Bounds &, double) const override { return 0.0; }
-};
 
 static std::string text_of(const std::filesystem::path &path)
 {
@@ -50,7 +28,7 @@ static std::string text_of(const std::filesystem::path &path)
 
 static std::set<int> restored(const std::string &path, const std::string &node = "/robot/guard")
 {
-    Rules rules;
+    core::Monitor rules;
     LatchedRules(path, node).restore(rules);
     return rules.active;
 }
@@ -71,7 +49,7 @@ static void check_file(const std::filesystem::path &folder)
     CHECK(restored(path).empty());
     {
         LatchedRules file(path, "/robot/guard");
-        Rules rules;
+        core::Monitor rules;
         rules.active = {0, 1};
         file.keep(rules);
         CHECK(file.is_kept());
@@ -93,7 +71,7 @@ static void check_disk_that_is_gone(const std::filesystem::path &folder)
     std::filesystem::create_directory(lost);
     LatchedRules file(lost / "latched", "/robot/guard");
     std::filesystem::remove_all(lost);
-    Rules rules;
+    core::Monitor rules;
     rules.active = {0};
     file.keep(rules);
     CHECK(!file.is_kept());
@@ -105,7 +83,7 @@ static void check_usual_file(const std::filesystem::path &folder)
     setenv("ROS_HOME", folder.c_str(), 1);
     {
         LatchedRules file("", "/robot/guard");
-        Rules rules;
+        core::Monitor rules;
         file.keep(rules);
     }
     CHECK(std::filesystem::exists(folder / "robot.guard.0123abcd.latched"));
