@@ -61,13 +61,14 @@ void Guard::publish_state(int64_t at_ns)
 
 // --- diagnostics ---------------------------------------------------------------------------------
 
-static DiagnosticStatus status(const std::string &name, int level, const std::string &message)
+static void add(std::vector<DiagnosticStatus> &found, const std::string &name, int level,
+                const std::string &message)
 {
     DiagnosticStatus status;
     status.level = static_cast<decltype(status.level)>(level);
     status.name = name;
     status.message = message;
-    return status;
+    found.push_back(status);
 }
 
 void Guard::publish_diagnostics()
@@ -93,12 +94,12 @@ std::vector<DiagnosticStatus> Guard::statuses() const
     add_rule_statuses(found);
     for (const auto &filter : performers_.filters)
         if (filter->listeners() == 0)
-            found.push_back(status("listeners of " + filter->topic(), DiagnosticStatus::ERROR,
-                                   "nobody: the robot is not behind the filter"));
+            add(found, "listeners of " + filter->topic(), DiagnosticStatus::ERROR,
+                "nobody: the robot is not behind the filter");
     for (const auto &filter : performers_.filters)
         if (filter->refused() > 0)
-            found.push_back(status("commands on " + filter->topic(), DiagnosticStatus::WARN,
-                                   std::to_string(filter->refused()) + " were not finite"));
+            add(found, "commands on " + filter->topic(), DiagnosticStatus::WARN,
+                std::to_string(filter->refused()) + " were not finite");
     for (const auto &diagnosis : diagnoses_)
         found.push_back(diagnosis.second);
     return found;
@@ -107,23 +108,20 @@ std::vector<DiagnosticStatus> Guard::statuses() const
 void Guard::add_node_status(std::vector<DiagnosticStatus> &found) const
 {
     if (longest_pause_ > SLOW)
-        found.push_back(status("node", DiagnosticStatus::WARN,
-                               "looked at nothing for " + std::to_string(longest_pause_) + " s"));
+        add(found, "node", DiagnosticStatus::WARN,
+            "looked at nothing for " + std::to_string(longest_pause_) + " s");
     else if (!latched_.is_kept())
-        found.push_back(status("node", DiagnosticStatus::ERROR, "latched rules cannot be kept"));
+        add(found, "node", DiagnosticStatus::ERROR, "latched rules cannot be kept");
     else if (clock_.stands_still())
-        found.push_back(
-            status("node", DiagnosticStatus::ERROR, "ROS time stands still; no command passes"));
+        add(found, "node", DiagnosticStatus::ERROR, "ROS time stands still; no command passes");
     else if (clock_.latest() == 0)
-        found.push_back(
-            status("node", DiagnosticStatus::WARN, "waits for simulated time; no command passes"));
+        add(found, "node", DiagnosticStatus::WARN, "waits for simulated time; no command passes");
     else if (!is_open_)
-        found.push_back(
-            status("node", DiagnosticStatus::WARN, "waits for inputs; no command passes"));
+        add(found, "node", DiagnosticStatus::WARN, "waits for inputs; no command passes");
     else if (is_in_grace_)
-        found.push_back(status("node", DiagnosticStatus::WARN, "opened by the grace period"));
+        add(found, "node", DiagnosticStatus::WARN, "opened by the grace period");
     else
-        found.push_back(status("node", DiagnosticStatus::OK, "runs"));
+        add(found, "node", DiagnosticStatus::OK, "runs");
 }
 
 void Guard::add_input_statuses(std::vector<DiagnosticStatus> &found) const
@@ -131,20 +129,20 @@ void Guard::add_input_statuses(std::vector<DiagnosticStatus> &found) const
     for (int input = 0; input < count(INPUTS); input++) {
         const int state = core::input_state(&monitor_, input);
         const bool is_fresh = state == core::FRESH;
-        found.push_back(status(std::string("input ") + INPUTS[input].name,
-                               is_fresh ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
-                               is_fresh ? "messages come" : reports::of_input(input, state)));
+        add(found, std::string("input ") + INPUTS[input].name,
+            is_fresh ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
+            is_fresh ? "messages come" : reports::of_input(input, state));
     }
     for (const auto &input : inputs_)
         if (input->refused() > 0)
-            found.push_back(status("messages on " + input->topic(), DiagnosticStatus::WARN,
-                                   std::to_string(input->refused()) +
-                                       " were refused, the last because " + input->reason()));
+            add(found, "messages on " + input->topic(), DiagnosticStatus::WARN,
+                std::to_string(input->refused()) + " were refused, the last because " +
+                    input->reason());
     for (const auto &problem : found_.problems)
-        found.push_back(status(problem.first, DiagnosticStatus::ERROR, problem.second));
+        add(found, problem.first, DiagnosticStatus::ERROR, problem.second);
     for (const auto &[topic, by] : found_.bypassed)
-        found.push_back(status("commands on " + topic, DiagnosticStatus::ERROR,
-                               by + " publishes it, too, past the filter; only 0 passes"));
+        add(found, "commands on " + topic, DiagnosticStatus::ERROR,
+            by + " publishes it, too, past the filter; only 0 passes");
 }
 
 void Guard::add_rule_statuses(std::vector<DiagnosticStatus> &found) const
@@ -152,21 +150,19 @@ void Guard::add_rule_statuses(std::vector<DiagnosticStatus> &found) const
     for (int rule = 0; rule < count(RULES); rule++) {
         const std::string name = std::string("rule ") + RULES[rule].name;
         if (core::is_active(&monitor_, rule))
-            found.push_back(status(name, DiagnosticStatus::WARN, "active: " + why_active(rule)));
+            add(found, name, DiagnosticStatus::WARN, "active: " + why_active(rule));
         if (exempted_[rule])
-            found.push_back(
-                status(name, DiagnosticStatus::WARN, "exempted: " + exemptions_[rule].reason));
+            add(found, name, DiagnosticStatus::WARN, "exempted: " + exemptions_[rule].reason);
     }
     for (int task = 0; task < count(TASKS); task++) {
         const std::string name = "action " + reports::of_task(task);
         if (task_states_[task] == core::TASK_FAILED)
-            found.push_back(status(name, DiagnosticStatus::ERROR, "failed"));
+            add(found, name, DiagnosticStatus::ERROR, "failed");
         else if (task_states_[task] == core::TASK_OVERDUE)
-            found.push_back(status(name, DiagnosticStatus::ERROR, "overruled for too long"));
+            add(found, name, DiagnosticStatus::ERROR, "overruled for too long");
     }
     for (const auto &[task, lacking] : lacking_)
-        found.push_back(
-            status("action " + reports::of_task(task), DiagnosticStatus::ERROR, lacking));
+        add(found, "action " + reports::of_task(task), DiagnosticStatus::ERROR, lacking);
 }
 
 // Whoever commands the robot past the filter cannot be held back: the node does not add to it,

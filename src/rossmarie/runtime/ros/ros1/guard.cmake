@@ -1,18 +1,8 @@
 # Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
 #
 # Builds and installs the node of needs.cmake as a part of the package that includes this file, before
-# catkin_package(). Two files may be the user's: those that ROSSMARIE_HOOKS and ROSSMARIE_PARAMETERS
-# name.
-get_filename_component(_guard_folder ${CMAKE_CURRENT_LIST_DIR}/../.. ABSOLUTE)
-include(${_guard_folder}/needs.cmake)
-set(_guard_hooks ${_guard_folder}/src/hooks.cpp)
-set(_guard_parameters ${_guard_folder}/config/parameters.yaml)
-if(ROSSMARIE_HOOKS)
-  set(_guard_hooks ${ROSSMARIE_HOOKS})
-endif()
-if(ROSSMARIE_PARAMETERS)
-  set(_guard_parameters ${ROSSMARIE_PARAMETERS})
-endif()
+# catkin_package().
+include(${CMAKE_CURRENT_LIST_DIR}/../core.cmake)
 
 find_package(catkin REQUIRED COMPONENTS message_generation ${_guard_uses})
 find_package(Threads REQUIRED)
@@ -34,25 +24,13 @@ if(NOT _guard_has_messages)
   generate_messages(DEPENDENCIES std_msgs)
 endif()
 
-# Numbers must come out as written: see the head of the monitor.
-add_library(${_guard_node}_core STATIC
-  ${_guard_folder}/src/${_guard_code}_monitor.c
-  ${_guard_folder}/src/${_guard_code}_reactor.c)
-target_compile_options(${_guard_node}_core PRIVATE -ffp-contract=off -Wall -Wextra)
-set_target_properties(${_guard_node}_core PROPERTIES C_STANDARD 99)
-
 # The system's headers are no concern of -Wall.
 add_executable(${_guard_node}
   ${_guard_folder}/runtime/ros1/main.cpp
-  ${_guard_folder}/runtime/guard.cpp
-  ${_guard_folder}/runtime/operators.cpp
-  ${_guard_folder}/runtime/telling.cpp
-  ${_guard_folder}/runtime/settings.cpp
-  ${_guard_folder}/src/rules.cpp
-  ${_guard_hooks})
+  ${_guard_sources})
 add_dependencies(${_guard_node} ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
 target_include_directories(${_guard_node} PRIVATE
-  ${_guard_folder} ${_guard_folder}/runtime ${_guard_folder}/runtime/ros1 ${_guard_folder}/src)
+  ${_guard_folder}/runtime/ros1 ${_guard_includes})
 target_include_directories(${_guard_node} SYSTEM PRIVATE
   ${CATKIN_DEVEL_PREFIX}/include ${catkin_INCLUDE_DIRS})
 target_compile_options(${_guard_node} PRIVATE -Wall -Wextra -Wpedantic)
@@ -65,14 +43,7 @@ target_link_libraries(${_guard_node} ${_guard_node}_core ${catkin_LIBRARIES} Thr
 # ctest --test-dir build/PACKAGE
 if(CATKIN_ENABLE_TESTING)
   enable_testing()
-  add_executable(${_guard_node}_test_reactions
-    ${_guard_folder}/test/test_reactions.c
-    ${_guard_folder}/src/${_guard_code}_reactor.c)
-  target_include_directories(${_guard_node}_test_reactions PRIVATE ${_guard_folder}/src)
-  target_compile_options(${_guard_node}_test_reactions PRIVATE -ffp-contract=off -Wall -Wextra)
-  set_target_properties(${_guard_node}_test_reactions PROPERTIES C_STANDARD 99)
-  target_link_libraries(${_guard_node}_test_reactions m)
-  add_test(NAME ${_guard_node}_reactions COMMAND ${_guard_node}_test_reactions)
+  _guard_add_test()
 endif()
 
 install(TARGETS ${_guard_node} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
