@@ -89,7 +89,7 @@ class PackageWriter:
 
     def needs(self, used: set[str]) -> dict[str, str]:
         """The settings of how the node is built, in its own package or in another."""
-        hooks = " ".join(names.hooks(self._machine).values())
+        hooks = "".join(f" {hook}" for hook in names.hooks(self._machine).values())
         components = "\n  ".join(sorted(used))
         return {"needs.cmake": self.fill("needs.cmake", hooks=hooks, components=components)}
 
