@@ -25,7 +25,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "reference" / "deep-tests.md"
 PROVED = ROOT / "benchmarks" / "proved_examples.py"
-SOURCES = ("interpreter", "ir", "lowering", "native", "targets", "verification")
+SOURCES = ("interpreter", "ir", "lowering", "native", "runtime", "targets", "verification")
 """The generator, the semantics and the nodes, in `src/rossmarie`."""
 
 KEPT = 24

@@ -209,6 +209,9 @@ C_COMPILER = Part("a C compiler", _c_compiler, "make compiler")
 GCC = Part("gcc", partial(_program, "gcc"), "apt-get install gcc")
 GXX = Part("g++", partial(_program, "g++"), "apt-get install g++")
 CLANG = Part("clang", partial(_program, "clang", "clang++"), "apt-get install clang")
+SHA256SUM = Part("sha256sum", partial(_program, "sha256sum"), "apt-get install coreutils")
+CLANG_FORMAT_PROGRAM = Path(sys.executable).with_name("clang-format")
+CLANG_FORMAT = Part("clang-format", partial(_file, CLANG_FORMAT_PROGRAM), "tools/setup.sh")
 NM = Part("nm", partial(_program, "nm"), "apt-get install binutils")
 SECCOMP = Part("libseccomp", _seccomp, "apt-get install libseccomp2")
 PROVER = Part("CBMC 6", _prover, "make prover")
@@ -248,7 +251,22 @@ PROC = Part("/proc", partial(_file, Path("/proc/self/task")), "run the tests on 
 FULL_DEVICE = Part("/dev/full", partial(_file, Path("/dev/full")), "run the tests on Linux")
 
 PARTS = (
-    *(C_COMPILER, GCC, GXX, CLANG, NM, SECCOMP, PROVER, ROS1, ROS2, AMENT_LINT, NAV2, SROS2),
+    *(
+        C_COMPILER,
+        GCC,
+        GXX,
+        CLANG,
+        CLANG_FORMAT,
+        SHA256SUM,
+        NM,
+        SECCOMP,
+        PROVER,
+        ROS1,
+        ROS2,
+        AMENT_LINT,
+        NAV2,
+        SROS2,
+    ),
     *(CHROMIUM, DISPLAY, EGL),
     *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP, PEERS),
     *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, X86, PROC, FULL_DEVICE),

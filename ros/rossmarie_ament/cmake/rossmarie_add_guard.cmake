@@ -24,5 +24,5 @@ macro(rossmarie_add_guard name rules)
     exec_depend:rosidl_default_runtime
     exec_depend:launch_ros
     member_of_group:rosidl_interface_packages)
-  include(${ROSSMARIE_FOLDER}/guard.cmake)
+  include(${ROSSMARIE_FOLDER}/runtime/ros2/guard.cmake)
 endmacro()

@@ -101,9 +101,9 @@ def test_a_part_of_a_package_is_what_its_build_includes(
     done = run(*command, "--name", "slow")
     assert done.returncode == 0
     written = tree(out)
-    assert {"guard.cmake", "needs.cmake", "src/slow_monitor.c", "msg/State.msg"} <= set(written)
+    assert {"needs.cmake", "src/slow_monitor.c", "msg/State.msg"} <= set(written)
     assert not {"package.xml", "CMakeLists.txt", "README.md"} & set(written)
-    assert "<robot/" in written["src/interfaces.h"].decode()
+    assert "<robot/" in written["src/rules.h"].decode()
     assert "set(_guard_hook_functions flash)" in written["needs.cmake"].decode()
     launches = [text.decode() for name, text in written.items() if name.startswith("launch/")]
     for text in ("slow_safety", "robot", "slow_safety.yaml"):

@@ -13,6 +13,11 @@ def indented(lines: Iterable[str], levels: int = 1) -> str:
     return "\n".join("    " * levels + line for line in lines)
 
 
+def block(lines: Iterable[str], levels: int = 1) -> str:
+    """Lines, each moved to the right and ended; nothing if there are none."""
+    return "".join("    " * levels + line + "\n" for line in lines)
+
+
 def table(kind: str, name: str, entries: Sequence[object]) -> str:
     """A constant table; C has no empty ones, so that one gets an entry nobody reads."""
     listed = ", ".join(map(str, entries)) or "0"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from rossmarie import ir
@@ -10,7 +10,7 @@ from rossmarie.ir import reactions
 from rossmarie.naming import effect_words
 from rossmarie.targets import comments
 from rossmarie.targets.c99.names import place, string
-from rossmarie.targets.c99.text import indented
+from rossmarie.targets.c99.text import block, indented
 from rossmarie.targets.c99.types import duration
 from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.dialect import Dialect, Interface
@@ -54,7 +54,7 @@ def sent_types(machine: ir.Machine) -> list[Sent]:
 
 @dataclass(frozen=True)
 class TasksText:
-    """The text of `actions.h` for one machine in one dialect."""
+    """The text of the tasks for one machine in one dialect."""
 
     machine: ir.Machine
     dialect: Dialect
@@ -62,44 +62,23 @@ class TasksText:
     def blanks(self) -> dict[str, object]:
         """What the template leaves open."""
         machine = self.machine
-        members = names.command_members(machine)
-        pairs = tuple(zip(names.command_classes(machine), members, strict=True))
-        filters = [f"std::unique_ptr<Filter<{word}>> {name};" for word, name in pairs]
-        made = [
-            f"{name} = std::make_unique<Filter<{word}>>"
-            "(middleware, clock, reactor, settings, catch_up);"
-            for word, name in pairs
-        ]
-        unused = ["(void)middleware, (void)clock, (void)reactor, (void)settings, (void)catch_up;"]
         tasks = range(len(machine.reactions.tasks))
         return {
-            "includes": "\n".join([*map(self._include, sent_types(machine)), ""]),
-            "headers": self._headers(),
-            "members": indented(filters) + "\n",
-            "initializers": indented(made or unused, 2),
-            "handing_over": indented((f"all.push_back(std::move({name}));" for name in members), 2),
-            "messages": "\n".join(self._maker(task) for task in self._makers()),
-            "shared": indented(
-                line
-                for shared in needs.shared_objects(machine, self.dialect)
-                for line in _call(
-                    f"const auto {shared.name} = std::make_shared<{shared.kind}>(",
-                    shared.arguments,
-                    ");",
-                )
-            ),
-            "tasks": indented(line for index in tasks for line in self._task(index)),
+            "messages": "".join(self._maker(task) for task in self._makers()),
+            "filters": block(self._filters()),
+            "shared": block(line for each in self._shared_objects() for line in each),
+            "tasks": block(line for index in tasks for line in self._task(index)),
         }
 
-    def _include(self, sent: Sent) -> str:
-        return f"#include <{self.dialect.header(*sent)}>"
+    def _filters(self) -> Iterator[str]:
+        pairs = (names.command_members(self.machine), names.command_classes(self.machine))
+        for member, word in zip(*pairs, strict=True):
+            yield (f"[[maybe_unused]] auto &{member} = add_filter<{word}>(made, host, filtering);")
 
-    def _headers(self) -> str:
-        """The lines that include headers of the package, those of tasks where they are used."""
-        used = ["any_filter.h", "hooks.h", "host.h", "interfaces.h", "messages.h", "task.h"]
-        used += [part.headers[-1] for part in needs.parts(self.machine, self.dialect)]
-        used += ["command_task.h"] if self.machine.reactions.commands else []
-        return "\n".join(f'#include "{header}"' for header in sorted(used))
+    def _shared_objects(self) -> Iterator[list[str]]:
+        for shared in needs.shared_objects(self.machine, self.dialect):
+            head = f"const auto {shared.name} = std::make_shared<{shared.kind}>("
+            yield _call(head, shared.arguments, ");")
 
     def _makers(self) -> dict[int, str]:
         """For each task that sends something the function that makes it."""
@@ -126,7 +105,7 @@ class TasksText:
         lines = map(_assignment, task.effect.assignments)
         body = indented([f"{kind} message;", *lines, "return message;"])
         words = comments.in_c(f"{place(task.span)}  {effect_words(self.machine, task.effect)}")
-        return f"// {words}\ninline {kind} {self._makers()[index]}()\n{{\n{body}\n}}\n"
+        return f"// {words}\n{kind} {self._makers()[index]}()\n{{\n{body}\n}}\n\n"
 
     def _task(self, index: int) -> list[str]:
         """The lines that make the object of a task."""
@@ -174,7 +153,7 @@ class TasksText:
             case reactions.Publish(command=int(command)):
                 member = names.command_members(self.machine)[command]
                 word = names.command_classes(self.machine)[command]
-                return f"CommandTask<{word}>", [f"*filters.{member}", _period(effect), message]
+                return f"CommandTask<{word}>", [member, _period(effect), message]
             case reactions.Call(service=service):
                 arguments = [needs.MIDDLEWARE, names.relative(service), message, _report(index)]
                 return f"CallTask<{kind}>", arguments

@@ -19,9 +19,9 @@ class Interface(Enum):
 
 
 class Part(NamedTuple):
-    """Headers of the generated package, that of the task last, and packages that these use."""
+    """A header of the runtime with the class of a task, and packages that it uses."""
 
-    headers: tuple[str, ...]
+    header: str
     packages: tuple[str, ...]
 
 
@@ -29,16 +29,15 @@ class Part(NamedTuple):
 class Dialect:
     """One generation of ROS.
 
-    `generation` is what people call it, `templates` is the package with the templates that only
-    this generation has, `cpp_type` gives the C++ type of `sensor_msgs/Imu` and `header` the file
-    that declares it. `primitives` are the types of instants and durations in .msg files. `parts`
-    are what some effects need, and `relay` is what sending goals again needs where goals cannot be
-    overheard. An action server publishes the status of its goals on its name with `status_topic`
-    behind it.
+    `generation` is the name that people use, `folder` that of its folders. `cpp_type` gives the C++
+    type of `sensor_msgs/Imu` and `header` the file that declares it. `primitives` are the types of
+    instants and durations in .msg files. `parts` are for effects that need more than a task, and
+    `relay` is for goals that are sent again, where goals cannot be overheard. An action server
+    publishes the status of its goals on its name with `status_topic` behind it.
     """
 
     generation: str
-    templates: str
+    folder: str
     cpp_type: Callable[[str, Interface], str]
     header: Callable[[str, Interface], str]
     primitives: Mapping[str, str]

@@ -9,20 +9,9 @@ from rossmarie.ir import reactions
 from rossmarie.naming import unfiltered
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.layout import Layout
-from rossmarie.targets.c99.text import indented
+from rossmarie.targets.c99.text import block, indented
 from rossmarie.targets.ros import names
 from rossmarie.targets.ros.dialect import Dialect, Interface
-
-_TEXT_INDEX = """
-// The index of a text among those that the rules know, -1 for any other.
-inline double text_index(const std::string &text)
-{{
-    for (int index = 0; index < {count}; index++)
-        if (text == {name}_texts[index])
-            return index;
-    return -1.0;
-}}
-"""
 
 
 def types_of(machine: ir.Machine) -> list[str]:
@@ -31,23 +20,10 @@ def types_of(machine: ir.Machine) -> list[str]:
     return sorted(used | {command.message_type for command in machine.reactions.commands})
 
 
-def includes(machine: ir.Machine, dialect: Dialect) -> str:
-    """The headers of these messages."""
-    headers = (dialect.header(each, Interface.MESSAGE) for each in types_of(machine))
-    return "\n".join([*(f"#include <{header}>" for header in headers), ""])
-
-
-def text_index(layout: Layout) -> str:
-    """The function that looks texts up, if rules compare texts."""
-    count = len(layout.machine.texts)
-    return _TEXT_INDEX.format(count=count, name=layout.name) if count else ""
-
-
-def fills(layout: Layout, dialect: Dialect) -> str:
-    """A function for each input topic that takes the fields of a message over."""
-    return "\n".join(
-        _fill(layout, dialect, channel) for channel in range(len(layout.channel_names))
-    )
+def channels(layout: Layout, dialect: Dialect) -> str:
+    """A struct for each input topic, with a function that takes the fields of a message over."""
+    classes = enumerate(names.channel_classes(layout))
+    return "".join(_channel(layout, dialect, channel, word) for channel, word in classes)
 
 
 def arrays(layout: Layout) -> str:
@@ -59,26 +35,32 @@ def arrays(layout: Layout) -> str:
         for field in types.fields_of(machine, channel)
         if field.array is not None
     )
-    return indented(kept)
+    return block(kept)
 
 
-def _fill(layout: Layout, dialect: Dialect, channel: int) -> str:
+def _channel(layout: Layout, dialect: Dialect, channel: int, word: str) -> str:
     topic, name = layout.machine.channels[channel], layout.channel_names[channel]
     fields = types.fields_of(layout.machine, channel)
     lines = [line for field in fields for line in _field(layout, name, field)]
     has_array = any(field.array is not None for field in fields)
-    head = f"inline void fill_{name}("
-    kind = dialect.cpp_type(topic.message_type, Interface.MESSAGE)
-    parameters = [
-        f"{layout.name}_values &values",
-        "Arrays &arrays" if has_array else "Arrays &",
-        f"const {kind} &{'message' if fields else ''}",
-    ]
+    message = f"const Message &{'message' if fields else ''}"
+    timeout = types.duration(_timeout(layout, channel))
+    arrays = "Arrays &arrays" if has_array else "Arrays &"
     return (
         f"// {topic.topic}: {topic.message_type}\n"
-        f"{head}{(',' + chr(10) + ' ' * len(head)).join(parameters)})\n{{\n"
-        f"{indented([f'values.has_{name} = true;', *lines])}\n}}\n"
+        f"struct {word} {{\n"
+        f"    using Message = {dialect.cpp_type(topic.message_type, Interface.MESSAGE)};\n"
+        f"    static constexpr const char *topic = {names.relative(topic.topic)};\n"
+        f"    static constexpr int64_t timeout_ns = {timeout};\n\n"
+        f"    static void fill({layout.name}_values &values, {arrays}, {message})\n"
+        f"    {{\n{indented([f'values.has_{name} = true;', *lines], 2)}\n    }}\n}};\n\n"
     )
+
+
+def _timeout(layout: Layout, channel: int) -> int:
+    """The least timeout of the inputs of a channel in ns, 0 if none has one."""
+    timeouts = (used.timeout_ns for used in layout.machine.inputs if used.channel == channel)
+    return min((timeout for timeout in timeouts if timeout is not None), default=0)
 
 
 def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
@@ -106,13 +88,19 @@ def _scalar(slot: ir.Slot) -> str:
 def commands(machine: ir.Machine, dialect: Dialect) -> str:
     """A struct for each command topic."""
     classes = names.command_classes(machine)
-    return "\n".join(_command(machine, dialect, index, word) for index, word in enumerate(classes))
+    return "".join(_command(machine, dialect, index, word) for index, word in enumerate(classes))
+
+
+def sources(machine: ir.Machine) -> str:
+    """A row for each topic that commands come from."""
+    topics = (unfiltered(command.topic) for command in machine.reactions.commands)
+    return block(f"{names.relative(topic)}," for topic in topics)
 
 
 def _command(machine: ir.Machine, dialect: Dialect, index: int, word: str) -> str:
     command = machine.reactions.commands[index]
     kind = dialect.cpp_type(command.message_type, Interface.MESSAGE)
-    left, entered = (names.relative(topic) for topic in (command.topic, unfiltered(command.topic)))
+    source = names.relative(unfiltered(command.topic))
     visits = [line for place, field in enumerate(command.fields) for line in _visit(place, field)]
     return (
         f"// {command.topic}: {command.message_type}\n"
@@ -120,10 +108,10 @@ def _command(machine: ir.Machine, dialect: Dialect, index: int, word: str) -> st
         f"    using Message = {kind};\n"
         f"    static constexpr int index = {index};\n"
         f"    static constexpr std::size_t fields = {len(command.fields)};\n"
-        f"    static const char *filtered() {{ return {left}; }}\n"
-        f"    static const char *unfiltered() {{ return {entered}; }}\n\n"
+        f"    static constexpr const char *topic = {names.relative(command.topic)};\n"
+        f"    static constexpr const char *source = {source};\n\n"
         f"    template <class Visit> static void each_number(Message &message, Visit visit)\n"
-        f"    {{\n{indented(visits, 2)}\n    }}\n}};\n"
+        f"    {{\n{indented(visits, 2)}\n    }}\n}};\n\n"
     )
 
 

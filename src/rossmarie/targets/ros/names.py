@@ -7,7 +7,9 @@ from collections.abc import Sequence
 from rossmarie import ir
 from rossmarie.ir import reactions
 from rossmarie.targets.c99 import names
+from rossmarie.targets.c99.layout import Layout
 
+_VARIABLES = ("host", "filtering", "made", "tasks")
 _SHARING = (
     reactions.SetParameter | reactions.SwitchControllers | reactions.SendGoal | reactions.CancelGoal
 )
@@ -20,9 +22,14 @@ def relative(name: str) -> str:
     return names.string(name.removeprefix("/"))
 
 
+def channel_classes(layout: Layout) -> tuple[str, ...]:
+    """For each input topic the struct that describes it: `ImuDataChannel`."""
+    return tuple(f"{_capitalized(name)}Channel" for name in layout.channel_names)
+
+
 def command_members(machine: ir.Machine) -> tuple[str, ...]:
-    """For each command topic what its filter is called: `cmd_vel`."""
-    family = names.Family(taken=("all",))
+    """For each command topic the variable of its filter: `cmd_vel`."""
+    family = names.Family(taken=_VARIABLES)
     return tuple(family.name(command.topic) for command in machine.reactions.commands)
 
 
@@ -50,7 +57,7 @@ def message_makers(machine: ir.Machine, tasks: Sequence[int]) -> dict[int, str]:
 
 def shared(machine: ir.Machine) -> dict[int, str]:
     """For each task that shares an object with the others of its target, that object."""
-    family = names.Family(taken=("host", "filters", "tasks"))
+    family = names.Family(taken=(*_VARIABLES, *command_members(machine)))
     targets = [reactions.target_of(task.effect) for task in machine.reactions.tasks]
     objects = {target: family.name(str(target)) for target in dict.fromkeys(targets) if target}
     return {

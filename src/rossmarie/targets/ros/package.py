@@ -8,8 +8,7 @@ from __future__ import annotations
 from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
-from rossmarie.ir.reactions import CommandTopic
-from rossmarie.naming import node_name, unfiltered
+from rossmarie.naming import node_name
 from rossmarie.targets import c99, comments
 from rossmarie.targets.c99.layout import Layout, lay_out
 from rossmarie.targets.manifest import Placement
@@ -18,10 +17,10 @@ from rossmarie.targets.ros import (
     messages,
     names,
     needs,
-    parameters,
     placement,
     reaction_test,
     readme,
+    runtime,
     tables,
 )
 from rossmarie.targets.ros.dialect import Dialect, Interface, Part, message_package
@@ -30,20 +29,18 @@ OWNED_BY_USER = frozenset(("src/hooks.cpp", "config/parameters.yaml"))
 """Files that are written once and then left alone."""
 
 _FIXED = (
-    "src/clock.h", "src/input.h", "src/any_filter.h", "src/task.h", "src/latched_rules.h",
-    "src/host.h", "src/operators.cpp", "src/telling.cpp", "src/settings.h", "src/stamps.h",
-    "src/throttle.h", "src/interfaces.h", "src/middleware.h", "src/need.h",
+    "config/parameters.yaml",
     "msg/Value.msg", "msg/Verdict.msg", "msg/TaskState.msg", "msg/State.msg",
     "srv/Reset.srv", "srv/Why.srv", "srv/Exempt.srv",
 )  # fmt: skip
 
-# Only where commands pass.
-_FILTERS = ("src/filter.h", "src/command_task.h")
-
-_SHOWN_TEXT = """\
-    if (text.kind == ValueText::TEXT)
-        return value < 0.0 ? "another text" : {name}_texts[static_cast<int>(value)];
-"""
+# What the node calls of the C; the last two are there where commands are bounded.
+_FUNCTIONS = (
+    "init", "latch", "step", "advance", "reset", "next_wake", "is_active", "input_state",
+    "has_all_inputs", "reactor_init", "reactor_open", "react", "report", "reactor_next_wake",
+    "task_state",
+)  # fmt: skip
+_BOUNDING = ("bounds_of", "bounded")
 
 
 class PackageWriter:
@@ -54,9 +51,9 @@ class PackageWriter:
         self._dialect = dialect
         self._placed = placed
         self._layout: Layout = lay_out(machine)
-        own, shared = (PackageLoader(each) for each in (dialect.templates, __package__ or ""))
+        targets = (f"rossmarie.targets.{each}" for each in (dialect.folder, "ros"))
         self._templates = Environment(
-            loader=ChoiceLoader([own, shared]),
+            loader=ChoiceLoader([PackageLoader(each) for each in targets]),
             undefined=StrictUndefined,
             autoescape=False,
             keep_trailing_newline=True,
@@ -78,15 +75,10 @@ class PackageWriter:
         return self._templates.get_template(f"{template}.j2").render(**known, **blanks)
 
     def shared_files(self) -> dict[str, str]:
-        """All files but those that say how to build and to start, and what is the node itself."""
-        machine = self._machine
-        core = {f"src/{name}": text for name, text in c99.generate(machine).items()}
-        used = (
-            *_FIXED,
-            *(_FILTERS if machine.reactions.commands else ()),
-            *(f"src/{header}" for part in self._parts() for header in part.headers),
-        )
-        return {path: self.fill(path) for path in used} | self._source_files() | core
+        """All files but those that say how to build and to start the node."""
+        core = {f"src/{name}": text for name, text in c99.generate(self._machine).items()}
+        fixed = {path: self.fill(path) for path in _FIXED}
+        return fixed | self._source_files() | core | runtime.copies(self._dialect.folder)
 
     def packages(self) -> set[str]:
         """The packages of what the node takes and sends, and of what it tells."""
@@ -95,14 +87,11 @@ class PackageWriter:
         found = {message_package(each) for each in used} | {"diagnostic_msgs"}
         return found.union(*(part.packages for part in self._parts()))
 
-    def guard(self, used: set[str]) -> dict[str, str]:
-        """How the node is built, in its own package or in another."""
-        hooks = " ".join(names.hooks(self._machine).values())
+    def needs(self, used: set[str]) -> dict[str, str]:
+        """The settings of how the node is built, in its own package or in another."""
+        hooks = "".join(f" {hook}" for hook in names.hooks(self._machine).values())
         components = "\n  ".join(sorted(used))
-        return {
-            "needs.cmake": self.fill("needs.cmake", hooks=hooks, components=components),
-            "guard.cmake": self.fill("guard.cmake"),
-        }
+        return {"needs.cmake": self.fill("needs.cmake", hooks=hooks, components=components)}
 
     def own_package(self, used: set[str], **blanks: object) -> dict[str, str]:
         """The files that only a package of its own has: they say how to build it. `used` are the
@@ -124,33 +113,11 @@ class PackageWriter:
         return needs.parts(self._machine, self._dialect)
 
     def _source_files(self) -> dict[str, str]:
-        """The sources, as far as they differ from machine to machine."""
-        machine, dialect, package = self._machine, self._dialect, node_name(self._machine)
-        hooks = names.hooks(machine).values()
-        channels = range(len(self._layout.channel_names))
-        texts = _SHOWN_TEXT.format(name=self._layout.name) if machine.texts else ""
+        """The sources that differ from machine to machine."""
+        machine, hooks = self._machine, names.hooks(self._machine).values()
         blanks: dict[str, dict[str, object]] = {
-            "src/guard.h": {
-                "rule_rows": max(1, len(machine.rules)),
-                "channel_rows": max(1, len(machine.channels)),
-            },
-            "src/guard.cpp": {
-                "subscriptions": "\n".join(map(self._subscription, channels)),
-                "channels": "\n".join(map(self._channel, channels)) or "    {},",
-                "sources": "\n".join(map(self._source, machine.reactions.commands)),
-            },
-            "src/settings.cpp": {"parameters": parameters.table(package)},
-            "config/parameters.yaml": {"parameters": parameters.yaml(package)},
-            "src/messages.h": {
-                "includes": messages.includes(machine, dialect),
-                "text_index": messages.text_index(self._layout),
-                "arrays": messages.arrays(self._layout),
-                "fills": messages.fills(self._layout, dialect),
-                "commands": messages.commands(machine, dialect),
-            },
-            "src/actions.h": actions.TasksText(machine, dialect).blanks(),
-            "src/descriptions.h": tables.blanks(machine, dialect),
-            "src/reports.h": {"shown_text": texts},
+            "src/rules.h": self._core(),
+            "src/rules.cpp": self._rules(),
             "test/test_reactions.c": reaction_test.blanks(machine, self._layout.name),
             "src/hooks.h": {
                 "declarations": "".join(f"void {hook}(Moment moment);\n" for hook in hooks)
@@ -159,30 +126,41 @@ class PackageWriter:
         }
         return {path: self.fill(path, **each) for path, each in blanks.items()}
 
-    def _channel(self, channel: int) -> str:
-        """An input topic, and whether its messages have a stamp."""
-        topic = self._machine.channels[channel]
-        kind = self._dialect.cpp_type(topic.message_type, Interface.MESSAGE)
-        return f"    {{{names.relative(topic.topic)}, has_stamp<{kind}>()}},"
+    def _rules(self) -> dict[str, object]:
+        """What the template of `rules.cpp` leaves open."""
+        machine, dialect = self._machine, self._dialect
+        return {
+            "includes": "\n".join(f"#include <{header}>" for header in self._message_headers()),
+            "headers": "\n".join(f'#include "{header}"' for header in self._headers()),
+            "channels": messages.channels(self._layout, dialect),
+            "channel_types": ", ".join(names.channel_classes(self._layout)),
+            "commands": messages.commands(machine, dialect),
+            "sources": messages.sources(machine),
+            **actions.TasksText(machine, dialect).blanks(),
+            **tables.blanks(machine, dialect, self._layout.name),
+        }
 
-    def _source(self, command: CommandTopic) -> str:
-        """Where commands come from."""
-        return f"    topics.push_back({names.relative(unfiltered(command.topic))});"
+    def _core(self) -> dict[str, object]:
+        """What the template of `rules.h` leaves open."""
+        has_commands = bool(self._machine.reactions.commands)
+        return {
+            "arrays": messages.arrays(self._layout),
+            "has_commands": has_commands,
+            "functions": (*_FUNCTIONS, *(_BOUNDING if has_commands else ())),
+        }
 
-    def _subscription(self, channel: int) -> str:
-        """The lines that subscribe to an input topic."""
-        topic, name = self._machine.channels[channel], self._layout.channel_names[channel]
-        kind = self._dialect.cpp_type(topic.message_type, Interface.MESSAGE)
-        literal = names.relative(topic.topic)
-        return (
-            f"    inputs_.push_back(std::make_unique<Input<{kind}>>(\n"
-            f"        middleware_, clock_, {literal}, channel_timeouts_ns[{channel}], "
-            f"by_stamp({literal}),\n"
-            f"        [this](const {kind} &message, int64_t at_ns) {{\n"
-            f"            fill_{name}(values_, arrays_, message);\n"
-            f"            take({channel}, at_ns);\n"
-            f"        }}));"
-        )
+    def _message_headers(self) -> list[str]:
+        """The headers of all that the node takes and sends."""
+        taken = ((each, Interface.MESSAGE) for each in messages.types_of(self._machine))
+        used = {*taken, *actions.sent_types(self._machine)}
+        return sorted(self._dialect.header(*each) for each in used)
+
+    def _headers(self) -> list[str]:
+        """The headers of the package, those of tasks where they are used."""
+        used = ["messages.h", "parts.h", "task.h", f"{self._dialect.folder}/interfaces.h"]
+        used += ["command_task.h"] if self._machine.reactions.commands else []
+        used += [part.header for part in self._parts()]
+        return sorted(["hooks.h", *(f"{runtime.FOLDER}/{header}" for header in used)])
 
 
 def _hook_definition(hook: str) -> str:

@@ -1,14 +1,14 @@
-"""The tables of `descriptions.h`: what rules, values, inputs and tasks are called."""
+"""The tables of `rules.cpp`: what rules, values, inputs and tasks are called."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from hashlib import sha256
 
 from rossmarie import ir
 from rossmarie.naming import effect_words
 from rossmarie.targets.c99.names import place, string
-from rossmarie.targets.c99.types import duration, number
+from rossmarie.targets.c99.text import block
+from rossmarie.targets.c99.types import number
 from rossmarie.targets.ros import names, needs
 from rossmarie.targets.ros.dialect import Dialect
 
@@ -19,19 +19,15 @@ _KINDS = {
 }
 
 
-def blanks(machine: ir.Machine, dialect: Dialect) -> dict[str, object]:
-    """What the template leaves open; C++ has no empty tables, so each has a row at least."""
+def blanks(machine: ir.Machine, dialect: Dialect, name: str) -> dict[str, object]:
+    """What the template leaves open; `name` is that of the C."""
+    rules = range(len(machine.rules))
     return {
-        "values": "\n\n".join(_details(machine, index) for index in range(len(machine.rules))),
-        "rules": _rows([_rule(index, rule) for index, rule in enumerate(machine.rules)]),
-        "inputs": _rows([_input(machine, used) for used in machine.inputs]),
-        "input_count": len(machine.inputs),
-        "timeouts": _rows([duration(_timeout(machine, c)) for c in range(len(machine.channels))]),
-        "channel_count": len(machine.channels),
-        "tasks": _rows([_task(machine, index) for index in range(len(machine.reactions.tasks))]),
-        "task_count": len(machine.reactions.tasks),
-        "others": _rows([_other(other) for other in needs.others(machine, dialect)]),
-        "other_count": len(needs.others(machine, dialect)),
+        "texts": block(f"{name}_texts[{index}]," for index in range(len(machine.texts))),
+        "rules": block(line for index in rules for line in _rule(machine, index, name)),
+        "inputs": block(_input(machine, used) for used in machine.inputs),
+        "task_texts": block(_task(machine, task) for task in range(len(machine.reactions.tasks))),
+        "others": block(map(_other, needs.others(machine, dialect))),
         "latched_rules_key": _latched_rules_key(machine),
     }
 
@@ -48,31 +44,6 @@ def _latched_rules_key(machine: ir.Machine) -> str:
     return sha256("\n".join(latched).encode()).hexdigest()[:8]
 
 
-def _timeout(machine: ir.Machine, channel: int) -> int:
-    """The least timeout of the inputs of a channel in ns, 0 if none has one."""
-    timeouts = (used.timeout_ns for used in machine.inputs if used.channel == channel)
-    return min((timeout for timeout in timeouts if timeout is not None), default=0)
-
-
-def _rows(rows: Sequence[str]) -> str:
-    return "\n".join(f"    {row}," for row in rows or ["{}"])
-
-
-def _details(machine: ir.Machine, index: int) -> str:
-    rule = machine.rules[index]
-    values = _rows([_value(machine, signal) for signal in rule.signals])
-    inputs = _rows(
-        [
-            f"{{{used}, {str(machine.inputs[used].timeout_ns is not None).lower()}}}"
-            for used in rule.inputs
-        ]
-    )
-    return (
-        f"static const ValueText values_{index}[] = {{ // of rule {rule.name}\n{values}\n}};\n"
-        f"static const RuleInput inputs_{index}[] = {{\n{inputs}\n}};"
-    )
-
-
 def _value(machine: ir.Machine, index: int) -> str:
     signal = machine.signals[index]
     is_read = isinstance(signal.node, ir.Read)
@@ -81,12 +52,26 @@ def _value(machine: ir.Machine, index: int) -> str:
     return f"{{{word}, {string(signal.unit)}, {number(signal.scale)}, {number(signal.offset)}}}"
 
 
-def _rule(index: int, rule: ir.Rule) -> str:
-    return f"{{{str(rule.release is None).lower()}, values_{index}, inputs_{index}}}"
+def _rule(machine: ir.Machine, index: int, name: str) -> list[str]:
+    rule = machine.rules[index]
+    values = [_value(machine, signal) for signal in rule.signals]
+    inputs = [_rule_input(machine, used) for used in rule.inputs]
+    is_latched = str(rule.release is None).lower()
+    return [
+        f"rule_text({name}_rules[{index}], {is_latched}, // {rule.name}",
+        *(
+            f"          {part}"
+            for part in (f"{{{', '.join(values)}}},", f"{{{', '.join(inputs)}}}),")
+        ),
+    ]
+
+
+def _rule_input(machine: ir.Machine, index: int) -> str:
+    return f"{{{index}, {str(machine.inputs[index].timeout_ns is not None).lower()}}}"
 
 
 def _input(machine: ir.Machine, used: ir.Input) -> str:
-    return f"{{{string(used.name)}, {string(machine.channels[used.channel].topic)}}}"
+    return f"{{{string(used.name)}, {string(machine.channels[used.channel].topic)}}},"
 
 
 def _task(machine: ir.Machine, index: int) -> str:
@@ -96,9 +81,9 @@ def _task(machine: ir.Machine, index: int) -> str:
         effect_words(machine, task.effect),
         place(task.span),
     )
-    return f"{{{rule_of_task(machine)[index]}, {', '.join(map(string, words))}}}"
+    return f"{{{rule_of_task(machine)[index]}, {', '.join(map(string, words))}}},"
 
 
 def _other(other: needs.Other) -> str:
     is_service = str(other.is_service).lower()
-    return f"{{{string(other.title)}, {names.relative(other.name)}, {is_service}}}"
+    return f"{{{string(other.title)}, {names.relative(other.name)}, {is_service}}},"

@@ -22,20 +22,15 @@ _GOAL_PACKAGES = ("actionlib_msgs", "topic_tools")
 
 ROS1 = Dialect(
     generation="ROS 1",
-    templates="rossmarie.targets.ros1",
+    folder="ros1",
     cpp_type=_cpp_type,
     header=_header,
     primitives={"time": "time", "duration": "duration"},
     parts={
-        reactions.CancelGoal: Part(("goals.h", "cancel_task.h"), _GOAL_PACKAGES),
-        reactions.SendGoal: Part(("goals.h", "send_task.h"), _GOAL_PACKAGES),
-        reactions.SetParameter: Part(
-            ("shared.h", "change_task.h", "reconfigure.h", "set_task.h"), ()
-        ),
-        reactions.SwitchControllers: Part(
-            ("shared.h", "change_task.h", "controllers.h", "switch_task.h"),
-            ("controller_manager_msgs",),
-        ),
+        reactions.CancelGoal: Part("cancel_task.h", _GOAL_PACKAGES),
+        reactions.SendGoal: Part("ros1/send_task.h", _GOAL_PACKAGES),
+        reactions.SetParameter: Part("ros1/set_task.h", ()),
+        reactions.SwitchControllers: Part("switch_task.h", ("controller_manager_msgs",)),
     },
     status_topic="/status",
 )

@@ -13,8 +13,6 @@ from rossmarie.targets.manifest import Placement
 from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros1.dialect import ROS1
 
-_NODE = ("src/main.cpp", "src/parameters.h", "src/worker.h")
-
 # What the node itself uses.
 _ALWAYS = {"roscpp", "std_msgs"}
 
@@ -34,12 +32,11 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     remaps = [line for topic in topics for line in _remaps(topic)]
     return {
         **writer.own_package(used, components=components),
-        **writer.guard(used),
+        **writer.needs(used),
         f"launch/{package}.launch": writer.fill("launch/safety.launch"),
         f"launch/{package}_robot.launch": writer.fill(
             "launch/robot.launch", remaps="\n".join(remaps)
         ),
-        **{path: writer.fill(path) for path in _NODE},
         **writer.shared_files(),
     }
 

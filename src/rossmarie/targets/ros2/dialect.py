@@ -26,19 +26,16 @@ _GOAL_PACKAGES = ("action_msgs", "rclcpp_action")
 
 ROS2 = Dialect(
     generation="ROS 2",
-    templates="rossmarie.targets.ros2",
+    folder="ros2",
     cpp_type=_cpp_type,
     header=_header,
     primitives={"time": "builtin_interfaces/Time", "duration": "builtin_interfaces/Duration"},
     parts={
-        reactions.CancelGoal: Part(("goals.h", "cancel_task.h"), _GOAL_PACKAGES),
-        reactions.SendGoal: Part(("goals.h", "send_task.h"), _GOAL_PACKAGES),
-        reactions.SetParameter: Part(("shared.h", "change_task.h", "set_task.h"), ()),
-        reactions.SwitchControllers: Part(
-            ("shared.h", "change_task.h", "controllers.h", "switch_task.h"),
-            ("controller_manager_msgs",),
-        ),
+        reactions.CancelGoal: Part("cancel_task.h", _GOAL_PACKAGES),
+        reactions.SendGoal: Part("ros2/send_task.h", _GOAL_PACKAGES),
+        reactions.SetParameter: Part("ros2/set_task.h", ()),
+        reactions.SwitchControllers: Part("switch_task.h", ("controller_manager_msgs",)),
     },
     status_topic="/_action/status",
-    relay=Part(("relay.h",), _GOAL_PACKAGES),
+    relay=Part("ros2/relay.h", _GOAL_PACKAGES),
 )

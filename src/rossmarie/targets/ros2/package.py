@@ -12,8 +12,6 @@ from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros2 import security
 from rossmarie.targets.ros2.dialect import ROS2
 
-_NODE = ("src/node.cpp", "src/parameters.h", "src/subscription.h")
-
 # What stands behind the name of an action server: ROS 2 renames topics and services, not actions.
 _OF_ACTIONS = ("send_goal", "cancel_goal", "get_result", "feedback", "status")
 
@@ -38,12 +36,12 @@ def generate(machine: ir.Machine, placement: Placement) -> dict[str, str]:
     remaps = [f"    '{source}': '{front}'," for source, front in _remappings(machine).items()]
     return {
         **writer.own_package(used),
-        **writer.guard(used),
+        **writer.needs(used),
         f"launch/{package}.launch.py": writer.fill(
             "launch/safety.launch.py", remaps="\n".join(remaps)
         ),
         "security/policy.xml": security.policy(machine),
-        **{path: writer.fill(path) for path in _NODE},
+        "src/component.cpp": writer.fill("src/component.cpp"),
         **writer.shared_files(),
     }
 

@@ -55,17 +55,17 @@ def test_what_the_node_cannot_do_is_refused() -> None:
 
 
 EFFECTS = {
-    "cancel /arm within 1 sec": ({"goals.h", "cancel_task.h"}, {"actionlib_msgs", "topic_tools"}),
+    "cancel /arm within 1 sec": ({"cancel_task.h"}, {"actionlib_msgs", "topic_tools"}),
     "send actionlib/Test { goal = 1; } to /arm within 1 sec": (
-        {"goals.h", "send_task.h"},
+        {"ros1/send_task.h"},
         {"actionlib", "actionlib_msgs", "topic_tools"},
     ),
     "set /planner.speed to 1": (
-        {"shared.h", "change_task.h", "reconfigure.h", "set_task.h"},
+        {"ros1/set_task.h"},
         set(),
     ),
     "switch /manager { start a; }": (
-        {"shared.h", "change_task.h", "controllers.h", "switch_task.h"},
+        {"switch_task.h"},
         {"controller_manager_msgs"},
     ),
     'log info "x"': (set(), set()),
@@ -77,7 +77,8 @@ def test_what_only_some_effects_need_is_there_for_these_only(effect: str) -> Non
     files = generate(acting(effect), "ros1")
     headers, packages = EFFECTS[effect]
     every = set().union(*(each for each, _ in EFFECTS.values()))
-    assert {name for name in every if f"src/{name}" in files} == headers
+    text = files["src/rules.cpp"]
+    assert {name for name in every if f'#include "runtime/{name}"' in text} == headers
     depends = {each.text for each in ET.fromstring(files["package.xml"]).iter("depend")}
     assert depends == {"diagnostic_msgs", "geometry_msgs", "roscpp", "std_msgs"} | packages
 
@@ -85,6 +86,6 @@ def test_what_only_some_effects_need_is_there_for_these_only(effect: str) -> Non
 def test_what_other_nodes_have_to_offer_is_listed() -> None:
     effects = "call /lamp : std_srvs/Trigger {}; cancel /arm within 1 sec; set /planner.x to 1"
     files = generate(acting(effects), "ros1")
-    assert '{"action server /arm", "arm/status", false},' in files["src/descriptions.h"]
-    assert '{"service /lamp", "lamp", true},' in files["src/descriptions.h"]
+    assert '{"action server /arm", "arm/status", false},' in files["src/rules.cpp"]
+    assert '{"service /lamp", "lamp", true},' in files["src/rules.cpp"]
     assert "- parameter /planner.x: service `/planner/set_parameters`" in files["README.md"]

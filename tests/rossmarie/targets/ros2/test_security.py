@@ -71,5 +71,6 @@ def test_it_is_installed() -> None:
     files = generate(vehicle("ros2"), "ros2")
     assert "security/policy.xml" in files
     assert (
-        "security/policy.xml\n  DESTINATION share/${PROJECT_NAME}/security" in files["guard.cmake"]
+        "security/policy.xml\n  DESTINATION share/${PROJECT_NAME}/security"
+        in files["runtime/ros2/guard.cmake"]
     )

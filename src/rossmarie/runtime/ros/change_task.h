@@ -1,0 +1,44 @@
+// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+//
+// Changes something outside by service calls, and changes it back when no task has it any more.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "shared.h"
+#include "task.h"
+
+template <class Thing> class ChangeTask : public Task {
+public:
+    using Report = std::function<void(bool success)>;
+
+    ChangeTask(std::shared_ptr<Shared<Thing>> shared, typename Thing::Change change, Report report)
+        : shared_(std::move(shared)), change_(std::move(change)), report_(std::move(report))
+    {
+    }
+
+    void start(int64_t /*now_ns*/) override
+    {
+        const int run = ++run_;
+        shared_->take(this, change_, [this, run](bool success) {
+            if (run == run_)
+                report_(success);
+        });
+    }
+
+    void stop() override
+    {
+        ++run_;
+        shared_->release(this);
+    }
+
+    void tick(int64_t /*now_ns*/) override { shared_->tick(); }
+
+private:
+    std::shared_ptr<Shared<Thing>> shared_;
+    typename Thing::Change change_;
+    Report report_;
+    int run_ = 0;
+};

@@ -1,0 +1,93 @@
+// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+//
+// Tables of the generated rules.cpp: what the rules, their inputs, their tasks are called, and what
+// they need.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+// How a value of a verdict is shown: value * scale + offset in `unit`.
+struct ValueText {
+    enum Kind { NUMBER, FLAG, TEXT } kind;
+    const char *unit;
+    double scale;
+    double offset;
+    const char *name = "";
+};
+
+struct RuleInput {
+    int input;
+    bool has_timeout;
+};
+
+// What a rule says, in the words of its author, and what its verdicts rest on.
+struct RuleText {
+    const char *name;
+    const char *condition;
+    const char *contract;
+    bool is_latched;
+    std::vector<ValueText> values;
+    std::vector<RuleInput> inputs;
+};
+extern const std::vector<RuleText> RULES;
+
+// Texts that the rules know; a text of a message is the index of one of them.
+extern const std::vector<std::string> TEXTS;
+
+// An input of the rules, and the topic that it comes from.
+struct InputText {
+    const char *name;
+    const char *topic;
+};
+extern const std::vector<InputText> INPUTS;
+
+// A topic that the node listens to. Its messages are too old at an age of `timeout_ns`; 0: never.
+struct ChannelText {
+    const char *topic;
+    int64_t timeout_ns;
+    bool has_stamp;
+};
+extern const std::vector<ChannelText> CHANNELS;
+
+// Where commands come from.
+extern const std::vector<std::string> SOURCES;
+
+struct TaskText {
+    int rule;
+    const char *action;
+    const char *effect;
+    const char *place;
+};
+extern const std::vector<TaskText> TASKS;
+
+// What another node has to offer: a service, or a topic that says that it is there.
+struct OtherText {
+    const char *title;
+    const char *name;
+    bool is_service;
+};
+extern const std::vector<OtherText> OTHERS;
+
+// Of the names of the latched rules: another set of them has another key.
+extern const char *const LATCHED_RULES_KEY;
+
+// How many rows a table has; they are told by index.
+template <class Row> int count(const std::vector<Row> &table)
+{
+    return static_cast<int>(table.size());
+}
+
+// The row of a rule that the C describes.
+template <class Description>
+RuleText rule_text(const Description &rule, bool is_latched, std::vector<ValueText> values,
+                   std::vector<RuleInput> inputs)
+{
+    for (std::size_t value = 0; value < values.size(); value++)
+        values[value].name = rule.values[value];
+    return {rule.name,  rule.condition,    rule.contract,
+            is_latched, std::move(values), std::move(inputs)};
+}

@@ -1,0 +1,14 @@
+// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+//
+// What this node tells and is asked: its own messages and services, and diagnostics.
+#pragma once
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <diagnostic_msgs/DiagnosticStatus.h>
+#include <std_msgs/Bool.h>
+
+#include "rules.h"
+
+using diagnostic_msgs::DiagnosticArray;
+using diagnostic_msgs::DiagnosticStatus;
+using std_msgs::Bool;

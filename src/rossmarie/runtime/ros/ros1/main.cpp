@@ -1,0 +1,48 @@
+// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+//
+// The node: lets the guard work.
+#include <ros/ros.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include "guard.h"
+#include "middleware.h"
+#include "parameters.h"
+#include "rules.h"
+#include "settings.h"
+
+static const double SENDING_S = 0.1; // until what was published last has been sent
+static volatile std::sig_atomic_t is_ended = 0;
+
+int main(int argc, char **argv)
+{
+    // Whoever ends the node does not leave the robot with the last command: 0 is sent before.
+    ros::init(argc, argv, NODE, ros::init_options::NoSigintHandler);
+    std::signal(SIGINT, [](int) { is_ended = 1; });
+    std::signal(SIGTERM, [](int) { is_ended = 1; });
+    const ros::NodeHandle alive; // ROS ends with its last handle, and the log with it
+    try {
+        const Parameters parameters;
+        const Settings given = settings(parameters);
+        Middleware middleware;
+        Guard guard(middleware, given);
+        say::information("the node is active");
+        while (ros::ok() && !is_ended && middleware.is_known_to_master()) {
+            middleware.queue().callAvailable(ros::WallDuration(guard.wait()));
+            guard.step();
+        }
+        guard.stop_all();
+        ros::WallDuration(SENDING_S).sleep();
+        if (!middleware.is_known_to_master()) {
+            // roscpp does not register again; the launch file starts the node again, which does.
+            ROS_FATAL("the master was started anew and does not know this node, which ends");
+            parameters.give_to_master();
+            return EXIT_FAILURE;
+        }
+    } catch (const std::runtime_error &problem) { // BadParameter is one
+        ROS_FATAL("%s; no command passes", problem.what());
+        return EXIT_FAILURE;
+    }
+    return EXIT_SUCCESS;
+}

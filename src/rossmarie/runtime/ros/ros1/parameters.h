@@ -1,0 +1,90 @@
+// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+//
+// The parameters of the node, as they were on the parameter server when it started.
+#pragma once
+
+#include <ros/ros.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "settings.h"
+
+class Parameters : public ParameterSource {
+public:
+    Parameters() : node_(ros::this_node::getName())
+    {
+        ros::param::get(node_, given_);
+        if (given_.getType() != XmlRpc::XmlRpcValue::TypeStruct)
+            given_ = XmlRpc::XmlRpcValue();
+    }
+
+    // A master that was started anew has none; whoever starts the node again finds them there.
+    void give_to_master() const
+    {
+        if (given_.valid())
+            ros::param::set(node_, given_);
+    }
+
+    std::vector<std::string> names() const override
+    {
+        std::vector<std::string> names;
+        if (given_.valid())
+            for (const auto &given : given_)
+                names.push_back(given.first);
+        return names;
+    }
+
+    bool read(const std::string &name, double &value) const override
+    {
+        if (!is_given(name))
+            return false;
+        const XmlRpc::XmlRpcValue &given = given_[name];
+        if (given.getType() == XmlRpc::XmlRpcValue::TypeInt)
+            value = static_cast<const int &>(given);
+        else if (given.getType() == XmlRpc::XmlRpcValue::TypeDouble)
+            value = static_cast<const double &>(given);
+        else
+            throw BadParameter(name, "it must be a number");
+        return true;
+    }
+
+    bool read(const std::string &name, std::string &value) const override
+    {
+        if (!is_given(name))
+            return false;
+        value = text(name, given_[name]);
+        return true;
+    }
+
+    bool read(const std::string &name, std::vector<std::string> &value) const override
+    {
+        if (!is_given(name))
+            return false;
+        const XmlRpc::XmlRpcValue &given = given_[name];
+        if (given.getType() != XmlRpc::XmlRpcValue::TypeArray)
+            throw BadParameter(name, "it must be a list of texts");
+        value.clear();
+        for (int i = 0; i < given.size(); i++)
+            value.push_back(text(name, given[i]));
+        return true;
+    }
+
+private:
+    bool is_given(const std::string &name) const
+    {
+        return given_.valid() && given_.hasMember(name);
+    }
+
+    static std::string text(const std::string &name, const XmlRpc::XmlRpcValue &value)
+    {
+        if (value.getType() != XmlRpc::XmlRpcValue::TypeString)
+            throw BadParameter(name, "it must be text");
+        return static_cast<const std::string &>(value);
+    }
+
+    std::string node_;
+    XmlRpc::XmlRpcValue given_;
+};

@@ -1,0 +1,57 @@
+// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+//
+// What several tasks change by service calls; it is changed back when none of them has it any more.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <utility>
+
+#include "middleware.h"
+#include "worker.h"
+
+class Task;
+
+// `Thing` has `bool apply(Change)`, and `restore()`, which brings back what was there before the
+// first of these. Both may take long: they run in another thread, one after the other.
+template <class Thing> class Shared {
+public:
+    template <class... Arguments>
+    explicit Shared(Middleware &middleware, Arguments &&...arguments)
+        : thing_(middleware, std::forward<Arguments>(arguments)...), worker_(middleware.queue())
+    {
+    }
+
+    // A task has it from now on.
+    void take(const Task *task, typename Thing::Change change,
+              std::function<void(bool success)> then)
+    {
+        tasks_.insert(task);
+        is_changed_ = true;
+        worker_.begin([this, change, then]() -> Worker::Then {
+            const bool success = thing_.apply(change);
+            return [then, success] { then(success); };
+        });
+    }
+
+    // A task has it no longer.
+    void release(const Task *task) { tasks_.erase(task); }
+
+    // To be called when all orders of a call have been given.
+    void tick()
+    {
+        if (!is_changed_ || !tasks_.empty())
+            return;
+        is_changed_ = false;
+        worker_.begin([this]() -> Worker::Then {
+            thing_.restore();
+            return [] {};
+        });
+    }
+
+private:
+    Thing thing_;                  // for the thread of the worker alone
+    std::set<const Task *> tasks_; // that have it
+    bool is_changed_ = false;
+    Worker worker_; // last: it uses what stands above
+};

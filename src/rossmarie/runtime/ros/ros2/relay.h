@@ -1,0 +1,254 @@
+// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+//
+// An action server that stands before another one: goals pass through it, so that it can send one
+// again that was interrupted. Who sent the goal sees one goal, which goes on all the while.
+#pragma once
+
+#include <rclcpp_action/rclcpp_action.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "goals.h"
+
+template <class Action> class Relay : public Goals {
+public:
+    // `front` is where goals come from. It opens when the server is there, so that those who wait
+    // for a server wait for that one.
+    Relay(Middleware &middleware, const std::string &server, const std::string &front)
+        : Goals(middleware, server), front_name_(front),
+          client_(rclcpp_action::create_client<Action>(&middleware.node(), server))
+    {
+    }
+
+    // Nobody would hold them when a rule asks for it.
+    ~Relay() override
+    {
+        for (const auto &[name, entry] : entries_)
+            cancel_there(entry);
+    }
+
+    void tick() override
+    {
+        Goals::tick();
+        const auto now = Steady::now();
+        if (front_ || now - looked_ < PERIOD)
+            return;
+        looked_ = now; // it takes long to look
+        if (client_->action_server_is_ready())
+            open();
+    }
+
+protected:
+    void hold() override
+    {
+        for (auto &[name, entry] : entries_)
+            entry.is_held = true;
+    }
+
+    // The last goal is sent again; those before it are over.
+    void let_go(bool resend) override
+    {
+        resent_ = 0;
+        for (const auto &[name, entry] : entries_)
+            if (resend && entry.is_held)
+                resent_ = std::max(resent_, entry.number);
+        for (const auto &[name, entry] : std::map<GoalName, Entry>(entries_))
+            if (entry.is_held)
+                settle(name);
+    }
+
+    void lose() override
+    {
+        for (const auto &[name, entry] : std::map<GoalName, Entry>(entries_))
+            if (entry.is_away && !entry.there)
+                send_elsewhere(name);
+            else if (entry.is_away && !this->is_listed(entry.there->get_goal_id()))
+                forsake(name);
+    }
+
+private:
+    using Goal = typename Action::Goal;
+    using Result = typename Action::Result;
+    using Feedback = typename Action::Feedback;
+    using Handle = std::shared_ptr<rclcpp_action::ServerGoalHandle<Action>>;
+    using There = rclcpp_action::ClientGoalHandle<Action>;
+    using Code = rclcpp_action::ResultCode;
+    using Steady = std::chrono::steady_clock;
+    using GoalResponse = rclcpp_action::GoalResponse;
+    using CancelResponse = rclcpp_action::CancelResponse;
+
+    static constexpr std::chrono::milliseconds PERIOD{100};
+
+    struct Entry {
+        Handle here;                     // for whoever sent the goal
+        int number = 0;                  // in the order in which goals came
+        int attempt = 0;                 // how often it has been sent to the server
+        typename There::SharedPtr there; // at the server, while it is known there
+        bool is_away = false;            // sent to the server, which has not said how it ended
+        bool is_held = false;            // for the sake of a rule
+        bool is_cancelled = false;       // by whoever sent it
+    };
+
+    void open()
+    {
+        front_ = rclcpp_action::create_server<Action>(
+            &middleware().node(), front_name_,
+            [this](const GoalName &, std::shared_ptr<const Goal>) { return judge(); },
+            [this](const Handle &handle) {
+                middleware().run([&] { on_cancel(handle->get_goal_id()); });
+                return CancelResponse::ACCEPT;
+            },
+            [this](const Handle &handle) { middleware().run([&] { on_goal(handle); }); });
+    }
+
+    GoalResponse judge() const
+    {
+        if (client_->action_server_is_ready())
+            return GoalResponse::ACCEPT_AND_EXECUTE;
+        say::warning("a goal for " + this->server() + " is rejected: the server has gone");
+        return GoalResponse::REJECT;
+    }
+
+    void on_goal(const Handle &handle)
+    {
+        const GoalName name = handle->get_goal_id();
+        Entry &entry = entries_[name];
+        entry.here = handle;
+        entry.number = ++count_;
+        entry.is_held = is_held();
+        if (is_held())
+            say::warning("a goal for " + this->server() + " waits: a rule keeps the server free");
+        else
+            forward(name);
+    }
+
+    void on_cancel(const GoalName &name)
+    {
+        const auto found = entries_.find(name);
+        if (found == entries_.end())
+            return;
+        found->second.is_cancelled = true;
+        cancel_there(found->second);
+        if (!found->second.is_away) // only when this has returned it can be over
+            middleware().later(
+                [this, name] { end(name, Code::CANCELED, std::make_shared<Result>()); });
+    }
+
+    void cancel_there(const Entry &entry)
+    {
+        if (entry.there)
+            client_->async_cancel_goal(entry.there);
+    }
+
+    // What becomes of a goal that had to wait.
+    void settle(const GoalName &name)
+    {
+        if (is_held() || entries_[name].is_away)
+            return;
+        if (entries_[name].number == resent_)
+            forward(name);
+        else
+            end(name, Code::ABORTED, std::make_shared<Result>());
+    }
+
+    void forward(const GoalName &name)
+    {
+        Entry &entry = entries_[name];
+        entry.is_held = false;
+        entry.is_away = true;
+        entry.attempt += 1;
+        typename rclcpp_action::Client<Action>::SendGoalOptions options;
+        options.goal_response_callback =
+            [this, name, attempt = entry.attempt](typename There::SharedPtr there) {
+                middleware().run([&] { on_response(name, attempt, there); });
+            };
+        options.feedback_callback = [this, name](auto, auto feedback) {
+            const auto found = entries_.find(name);
+            if (found != entries_.end())
+                found->second.here->publish_feedback(std::make_shared<Feedback>(*feedback));
+        };
+        options.result_callback = [this, name, attempt = entry.attempt](const auto &wrapped) {
+            middleware().run([&] { on_result(name, attempt, wrapped.code, wrapped.result); });
+        };
+        client_->async_send_goal(*entry.here->get_goal(), options);
+    }
+
+    // The server that has gone may never have seen the goal; another one may be there.
+    void send_elsewhere(const GoalName &name)
+    {
+        const Entry &entry = entries_[name];
+        if (entry.is_held || entry.is_cancelled || !client_->action_server_is_ready())
+            on_result(name, entry.attempt, Code::ABORTED, std::make_shared<Result>());
+        else
+            forward(name);
+    }
+
+    // The goal has gone with its server, unless that is one that has not told yet.
+    void forsake(const GoalName &name)
+    {
+        const Entry &entry = entries_[name];
+        cancel_there(entry);
+        on_result(name, entry.attempt, Code::ABORTED, std::make_shared<Result>());
+    }
+
+    // What `attempt` has come to, if it still matters.
+    void on_response(const GoalName &name, int attempt, const typename There::SharedPtr &there)
+    {
+        const auto found = entries_.find(name);
+        const bool is_awaited =
+            found != entries_.end() && found->second.attempt == attempt && found->second.is_away;
+        if (!is_awaited) {
+            if (there)
+                client_->async_cancel_goal(there);
+            return;
+        }
+        if (!there)
+            return on_result(name, attempt, Code::ABORTED, std::make_shared<Result>());
+        found->second.there = there;
+        if (found->second.is_cancelled || found->second.is_held)
+            cancel_there(found->second);
+    }
+
+    void on_result(const GoalName &name, int attempt, Code code,
+                   const std::shared_ptr<Result> &result)
+    {
+        const auto found = entries_.find(name);
+        if (found == entries_.end() || found->second.attempt != attempt || !found->second.is_away)
+            return;
+        found->second.there = nullptr;
+        found->second.is_away = false;
+        const bool was_interrupted = found->second.is_held && !found->second.is_cancelled;
+        if (was_interrupted && code != Code::SUCCEEDED)
+            settle(name);
+        else
+            end(name, code, result);
+    }
+
+    void end(const GoalName &name, Code code, const std::shared_ptr<Result> &result)
+    {
+        const auto found = entries_.find(name);
+        if (found == entries_.end())
+            return;
+        const Handle handle = found->second.here;
+        entries_.erase(found);
+        if (code == Code::SUCCEEDED)
+            handle->succeed(result);
+        else if (code == Code::CANCELED && handle->is_canceling())
+            handle->canceled(result);
+        else
+            handle->abort(result);
+    }
+
+    std::string front_name_;
+    typename rclcpp_action::Client<Action>::SharedPtr client_;
+    typename rclcpp_action::Server<Action>::SharedPtr front_;
+    std::map<GoalName, Entry> entries_; // goals that are not over
+    Steady::time_point looked_{};       // for the server
+    int count_ = 0;                     // of goals that have come
+    int resent_ = 0;                    // the goal that is to be sent again
+};

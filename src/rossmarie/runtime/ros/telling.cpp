@@ -1,0 +1,217 @@
+// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+//
+// What the node tells: verdicts, its state, and diagnostics.
+#include "guard.h"
+
+#include <utility>
+
+#include "reports.h"
+
+static const double SLOW = 0.1; // a pause (s) from which on the node counts as too slow
+
+// By the states of tasks in the C.
+static const char *const STATES[] = {"idle", "running", "holding", "waiting",
+                                     "done", "failed",  "overdue"};
+
+void Guard::tell(int64_t at_ns)
+{
+    for (Verdict &verdict : std::exchange(new_verdicts_, {})) {
+        verdict.overruled = overruled_;
+        verdicts_.publish(verdict);
+    }
+    overruled_.clear();
+    for (int task = 0; task < count(TASKS); task++) {
+        const int state = core::task_state(&reactor_, task);
+        has_changed_ = has_changed_ || state != task_states_[task];
+        task_states_[task] = state;
+    }
+    if (!std::exchange(has_changed_, false))
+        return;
+    latched_.keep(monitor_);
+    publish_state(at_ns);
+    publish_diagnostics();
+}
+
+void Guard::publish_state(int64_t at_ns)
+{
+    State state;
+    state.at = Middleware::time(at_ns);
+    state.open = is_open_;
+    for (int rule = 0; rule < count(RULES); rule++) {
+        if (core::is_active(&monitor_, rule))
+            state.active.push_back(RULES[rule].name);
+        if (exempted_[rule])
+            state.exempted.push_back(RULES[rule].name);
+    }
+    for (const auto &filter : performers_.filters)
+        if (filter->is_blocked())
+            state.blocked.push_back(filter->topic());
+    for (int task = 0; task < count(TASKS); task++) {
+        if (task_states_[task] == core::TASK_IDLE)
+            continue;
+        TaskState told;
+        told.rule = RULES[TASKS[task].rule].name;
+        told.action = TASKS[task].action;
+        told.effect = TASKS[task].effect;
+        told.state = STATES[task_states_[task]];
+        state.tasks.push_back(told);
+    }
+    state_.publish(state);
+}
+
+// --- diagnostics ---------------------------------------------------------------------------------
+
+static void add(std::vector<DiagnosticStatus> &found, const std::string &name, int level,
+                const std::string &message)
+{
+    DiagnosticStatus status;
+    status.level = static_cast<decltype(status.level)>(level);
+    status.name = name;
+    status.message = message;
+    found.push_back(status);
+}
+
+void Guard::publish_diagnostics()
+{
+    DiagnosticArray array;
+    array.header.stamp = Middleware::time(middleware_.now_ns());
+    array.status = statuses();
+    const std::string node = middleware_.name().substr(1); // of several robots each has its own
+    for (DiagnosticStatus &each : array.status) {
+        each.name = node + ": " + each.name;
+        each.hardware_id = node;
+    }
+    diagnostics_.publish(array);
+    diagnosed_ = Wall::now();
+    longest_pause_ = 0.0;
+}
+
+std::vector<DiagnosticStatus> Guard::statuses() const
+{
+    std::vector<DiagnosticStatus> found;
+    add_node_status(found);
+    add_input_statuses(found);
+    add_rule_statuses(found);
+    for (const auto &filter : performers_.filters)
+        if (filter->listeners() == 0)
+            add(found, "listeners of " + filter->topic(), DiagnosticStatus::ERROR,
+                "nobody: the robot is not behind the filter");
+    for (const auto &filter : performers_.filters)
+        if (filter->refused() > 0)
+            add(found, "commands on " + filter->topic(), DiagnosticStatus::WARN,
+                std::to_string(filter->refused()) + " were not finite");
+    for (const auto &diagnosis : diagnoses_)
+        found.push_back(diagnosis.second);
+    return found;
+}
+
+void Guard::add_node_status(std::vector<DiagnosticStatus> &found) const
+{
+    if (longest_pause_ > SLOW)
+        add(found, "node", DiagnosticStatus::WARN,
+            "looked at nothing for " + std::to_string(longest_pause_) + " s");
+    else if (!latched_.is_kept())
+        add(found, "node", DiagnosticStatus::ERROR, "latched rules cannot be kept");
+    else if (clock_.stands_still())
+        add(found, "node", DiagnosticStatus::ERROR, "ROS time stands still; no command passes");
+    else if (clock_.latest() == 0)
+        add(found, "node", DiagnosticStatus::WARN, "waits for simulated time; no command passes");
+    else if (!is_open_)
+        add(found, "node", DiagnosticStatus::WARN, "waits for inputs; no command passes");
+    else if (is_in_grace_)
+        add(found, "node", DiagnosticStatus::WARN, "opened by the grace period");
+    else
+        add(found, "node", DiagnosticStatus::OK, "runs");
+}
+
+void Guard::add_input_statuses(std::vector<DiagnosticStatus> &found) const
+{
+    for (int input = 0; input < count(INPUTS); input++) {
+        const int state = core::input_state(&monitor_, input);
+        const bool is_fresh = state == core::FRESH;
+        add(found, std::string("input ") + INPUTS[input].name,
+            is_fresh ? DiagnosticStatus::OK : DiagnosticStatus::WARN,
+            is_fresh ? "messages come" : reports::of_input(input, state));
+    }
+    for (const auto &input : inputs_)
+        if (input->refused() > 0)
+            add(found, "messages on " + input->topic(), DiagnosticStatus::WARN,
+                std::to_string(input->refused()) + " were refused, the last because " +
+                    input->reason());
+    for (const auto &problem : found_.problems)
+        add(found, problem.first, DiagnosticStatus::ERROR, problem.second);
+    for (const auto &[topic, by] : found_.bypassed)
+        add(found, "commands on " + topic, DiagnosticStatus::ERROR,
+            by + " publishes it, too, past the filter; only 0 passes");
+}
+
+void Guard::add_rule_statuses(std::vector<DiagnosticStatus> &found) const
+{
+    for (int rule = 0; rule < count(RULES); rule++) {
+        const std::string name = std::string("rule ") + RULES[rule].name;
+        if (core::is_active(&monitor_, rule))
+            add(found, name, DiagnosticStatus::WARN, "active: " + why_active(rule));
+        if (exempted_[rule])
+            add(found, name, DiagnosticStatus::WARN, "exempted: " + exemptions_[rule].reason);
+    }
+    for (int task = 0; task < count(TASKS); task++) {
+        const std::string name = "action " + reports::of_task(task);
+        if (task_states_[task] == core::TASK_FAILED)
+            add(found, name, DiagnosticStatus::ERROR, "failed");
+        else if (task_states_[task] == core::TASK_OVERDUE)
+            add(found, name, DiagnosticStatus::ERROR, "overruled for too long");
+    }
+    for (const auto &[task, lacking] : lacking_)
+        add(found, "action " + reports::of_task(task), DiagnosticStatus::ERROR, lacking);
+}
+
+// Whoever commands the robot past the filter cannot be held back: the node does not add to it,
+// sends 0 itself, and says so.
+void Guard::take_findings(const Findings &found)
+{
+    for (const auto &[topic, by] : found.bypassed)
+        if (found_.bypassed.count(topic) == 0)
+            say::error(by + " publishes " + topic + " past the filter; only 0 passes");
+    for (const auto &[topic, by] : found_.bypassed)
+        if (found.bypassed.count(topic) == 0)
+            say::information("nobody else publishes " + topic + " any more");
+    const bool has_changed = found.bypassed != found_.bypassed;
+    found_ = found;
+    checked_ = Wall::now();
+    is_checking_ = false;
+    if (!has_changed)
+        return;
+    Bool is_bypassed;
+    is_bypassed.data = !found.bypassed.empty();
+    bypassed_.publish(is_bypassed);
+    has_changed_ = true;
+    for (const auto &filter : performers_.filters) {
+        filter->bar(found.bypassed.count(filter->topic()) > 0);
+        filter->update(clock_.now());
+    }
+}
+
+// Finds out, without waiting, whether what the node needs is there: topics with the types that are
+// expected, services, action servers, controllers.
+void Guard::check_others()
+{
+    is_checking_ = true;
+    std::vector<Need> needs;
+    std::vector<std::string> commanded;
+    for (const auto &filter : performers_.filters)
+        commanded.push_back(filter->topic());
+    for (const auto &input : inputs_)
+        needs.push_back({"topic " + input->topic(), input->topic(), input->type()});
+    for (const auto &filter : performers_.filters)
+        needs.push_back(
+            {"commands on " + filter->source(), filter->source(), filter->type(), false, true});
+    for (const OtherText &other : OTHERS)
+        needs.push_back({other.title, middleware_.resolved(other.name), "", other.is_service});
+    middleware_.check(needs, commanded, [this](const Findings &found) { take_findings(found); });
+    for (int task = 0; task < count(TASKS); task++)
+        performers_.tasks[task]->check([this, task](const std::string &lacking) {
+            lacking_.erase(task);
+            if (!lacking.empty())
+                lacking_[task] = lacking;
+        });
+}

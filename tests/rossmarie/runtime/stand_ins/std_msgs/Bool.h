@@ -1,0 +1,6 @@
+#pragma once
+namespace std_msgs {
+struct Bool {
+    bool data = false;
+};
+} // namespace std_msgs

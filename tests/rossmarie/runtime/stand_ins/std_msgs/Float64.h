@@ -1,0 +1,6 @@
+#pragma once
+namespace std_msgs {
+struct Float64 {
+    double data = 0.0;
+};
+} // namespace std_msgs
