@@ -87,6 +87,7 @@ CODE: Mapping[str, Callable[[str], object]] = {
     **dict.fromkeys((".launch", ".xml"), of_xml),
     ".md": of_markdown,
     ".py": of_python,
+    "": str,  # SHA256SUMS
 }
 
 

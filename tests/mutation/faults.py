@@ -248,8 +248,8 @@ _NUMBERS = (
     ),
     Fault(
         "a maximum for a minimum",
-        "a < b ? a : b; }\n\nstatic double pitch",
-        "a > b ? a : b; }\n\nstatic double pitch",
+        "NAN : a < b ? a : b;",
+        "NAN : a > b ? a : b;",
     ),
     Fault(
         "all of no elements is true",
@@ -264,7 +264,7 @@ _NUMBERS = (
         "return !is_unknown && value ? TRUE : FALSE",
     ),
     Fault("a pitch is turned round", "w * y - z * x", "z * x - w * y"),
-    Fault("a sine beyond 1 by rounding", "sine > 1.0 ? 1.0 : sine", "sine"),
+    Fault("a sine beyond 1 by rounding", "1.0 < sine ? 1.0 : sine", "sine"),
     Fault("a rate over samples of one instant", "if (m->latest_ns[k] != t_ns) {", "{"),
     Fault("a rate in milliseconds", "m->before_ns[k]) / 1e9", "m->before_ns[k]) / 1e6"),
     Fault("no absolute value", "fabs(m->value[VALUE_SPEED]);\n}", "m->value[VALUE_SPEED];\n}"),

@@ -13,14 +13,14 @@ import z3
 from dslkit.diagnostics import Remark
 from rossmarie.analysis.activity import truths_of
 from rossmarie.analysis.course import Course
-from rossmarie.analysis.errors import (
+from rossmarie.analysis.finding import Finding, witness_note
+from rossmarie.analysis.inquiry import Asked, Inquiry
+from rossmarie.analysis.rate_errors import (
     LostBetweenMessages,
     NeverAtRate,
     OneMessageEnough,
     UnfitWindow,
 )
-from rossmarie.analysis.finding import Finding, witness_note
-from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.witness import Sending, View, Witness, views
 from rossmarie.core import MOST_SAMPLES, sampling_row

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dslkit.catalog import Catalog
 from dslkit.diagnostics import Template
 from rossmarie.analysis import errors as analysis_errors
+from rossmarie.analysis import rate_errors
 from rossmarie.catalog import errors as catalog_errors
 from rossmarie.check import errors as check_errors
 from rossmarie.driver import errors as driver_errors
@@ -22,6 +23,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *recordings_errors.ALL,
     *testing_errors.ALL,
     *analysis_errors.ALL,
+    *rate_errors.ALL,
     *safety_errors.ALL,
     *verification_errors.ALL,
     *driver_errors.ALL,
