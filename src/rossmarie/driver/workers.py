@@ -62,6 +62,8 @@ def _give_up_writing(pool: ProcessPoolExecutor) -> None:
     """A long question may be half written to a worker that has ended. Without a reader the writer
     ends, too. Python closes the reader itself from 3.11.5 on (gh-94777), and waits for ever before.
     """
+    if sys.version_info >= (3, 11, 5):
+        return  # a second one to close it would get in the way of the first
     reader = getattr(getattr(pool, "_call_queue", None), "_reader", None)
     if reader is not None:
         reader.close()
