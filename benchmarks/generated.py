@@ -91,7 +91,9 @@ def machine(folder: Path, copies: int) -> Machine:
 def opaque_steps(compiled: Machine, folder: Path, flags: list[str], columns: Columns) -> Round:
     """The generated update, one opaque call a sample."""
     for file, text in generate(compiled).items():
-        (folder / file).write_text(text, encoding="utf-8")
+        path = folder / file
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
     # The fields of the message, in the order in which the generated function takes them.
     fields = [str(slot.path[0]) for slot in compiled.slots]
     harness = folder / f"{compiled.name}_steps.c"

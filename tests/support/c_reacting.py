@@ -30,7 +30,7 @@ PROGRAM = """\
 
 static unsigned char active[NAME_RULES];
 static unsigned char exempted[NAME_RULES];
-static unsigned char watched[WATCHES + 1];
+static unsigned char watched[WATCHED_COUNT + 1];
 
 bool NAME_is_active(const NAME_monitor *m, int rule) { (void)m; return active[rule] != 0; }
 
@@ -75,7 +75,7 @@ int main(void)
         const bool success = read_integer() != 0;
         read_into(active, sizeof active);
         read_into(exempted, sizeof exempted);
-        read_into(watched, WATCHES);
+        read_into(watched, WATCHED_COUNT);
         if (opens)
             NAME_reactor_open(r);
         /* Out of range: nothing happens. */
@@ -138,7 +138,7 @@ def program(machine: ir.Machine) -> str:
     most = max((len(command.fields) for command in found.commands), default=0)
     bounds = _BOUNDS.replace("MOST_FIELDS", str(most)).replace("FIELDS", fields)
     text = text.replace("BOUNDS", bounds if found.commands else "")
-    text = text.replace("WATCHES", str(len(machine.watches)))
+    text = text.replace("WATCHED_COUNT", str(len(machine.watches)))
     text = text.replace("WATCH", _WATCH if machine.watches else "", 1)
     return text.replace("NAME", machine.name)
 

@@ -92,14 +92,14 @@ static void print_state(const NAME_monitor *m)
     printf("\\nknown %d", NAME_has_all_inputs(m));
     for (int i = 0; i < NAME_INPUTS; i++)
         printf(" %d", NAME_input_state(m, i));
-    for (int i = 0; i < WATCHES; i++)
+    for (int i = 0; i < WATCHED_COUNT; i++)
         printf(" %d", LOOK);
     printf("\\n");
 }
 
 static void run_table(void)
 {
-    enum { COLUMNS = COLUMN_COUNT, ARRAYS = ARRAY_COUNT, CHANNELS = CHANNEL_COUNT };
+    enum { COLUMNS = COLUMN_COUNT, ARRAYS = ARRAY_COUNT, ARRIVING = CHANNEL_COUNT };
     host *h = host_new();
     const size_t rows = (size_t)read_integer();
     int64_t *times = (int64_t *)read_column(rows * sizeof *times);
@@ -111,7 +111,7 @@ static void run_table(void)
         columns[i] = read_column((size_t)read_integer());
     for (int i = 0; i < ARRAYS; i++)
         widths[i] = (size_t)read_integer();
-    arriving = (unsigned char *)read_column(CHANNELS);
+    arriving = (unsigned char *)read_column(ARRIVING);
     table.times = times;
     table.columns = (const void *const *)columns;
     table.widths = widths;
@@ -199,7 +199,7 @@ def program(machine: ir.Machine) -> str:
     text = _PROGRAM.replace("READ", "\n".join(read)).replace("FREE", "\n".join(release))
     text = text.replace("TAKE", "\n".join(take))
     text = text.replace("LOOK", "(int)NAME_watch(m, i)" if machine.watches else "0")
-    text = text.replace("WATCHES", str(len(machine.watches)))
+    text = text.replace("WATCHED_COUNT", str(len(machine.watches)))
     text = text.replace("COLUMN_COUNT", str(len(machine.slots) + len(machine.arrays)))
     text = text.replace("ARRAY_COUNT", str(len(machine.arrays)))
     text = text.replace("CHANNEL_COUNT", str(max(1, len(machine.channels))))

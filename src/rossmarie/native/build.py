@@ -75,7 +75,9 @@ def _digest(files: Mapping[str, str], main: str, command: Sequence[str]) -> str:
 def _compiled(files: Mapping[str, str], main: str, command: Sequence[str]) -> bytes:
     with tempfile.TemporaryDirectory(prefix="rossmarie_") as folder:
         for name, text in files.items():
-            (Path(folder) / name).write_text(text, encoding="utf-8")
+            path = Path(folder) / name
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text, encoding="utf-8")
         built = Path(folder) / "built.so"
         call = [*command, "-o", str(built), str(Path(folder) / main), "-lm"]
         result = subprocess.run(call, capture_output=True, check=False)

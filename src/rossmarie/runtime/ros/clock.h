@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // Instants: nanoseconds of ROS time, in order. ROS time that stands still (nobody publishes /clock
 // any more) is noticed by the steady clock of the system, which takes its place: else nothing would

@@ -1,4 +1,4 @@
-# Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+# Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 #
 # What a node is built of in either generation of ROS: guard.cmake of a generation includes this. Two
 # files may be the user's: those that ROSSMARIE_HOOKS and ROSSMARIE_PARAMETERS name.

@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // Tables of the generated rules.cpp: what the rules, their inputs, their tasks are called, and what
 // they need.

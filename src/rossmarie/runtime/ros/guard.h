@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // The guard: one thread and one queue of callbacks, so that a verdict and the command that it holds
 // back cannot overtake each other. Each message goes through the monitor (which rules are active?),

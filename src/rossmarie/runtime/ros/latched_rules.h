@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // The file that keeps latched rules over a restart: one name on each line. It belongs to one node:
 // a lock beside it keeps others away, and its usual name has those of the node and of its latched

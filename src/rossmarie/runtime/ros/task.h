@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // What the actions of rules do. The reactor says when: `start` when a task comes into force, `stop`
 // when its rule is released or another rule has what it needs, `give_up` when it has failed.

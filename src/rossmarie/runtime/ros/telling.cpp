@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // What the node tells: verdicts, its state, and diagnostics.
 #include "guard.h"

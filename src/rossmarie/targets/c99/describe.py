@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.layout import Layout
+from rossmarie.targets.c99.text import indented
 
 
 def most(counts: Iterable[int]) -> int:
@@ -46,22 +47,27 @@ def descriptions(layout: Layout) -> str:
     terms = [[truths[index] for index in rule.terms] for rule in machine.rules]
     values = [[machine.signals[index].text for index in rule.signals] for rule in machine.rules]
     inputs = [[machine.inputs[index].name for index in rule.inputs] for rule in machine.rules]
+    named = [rule.name for rule in machine.rules]
     parts = [
-        _texts("static const char *const term_texts", terms),
-        _texts("static const char *const value_texts", values),
-        _texts("static const char *const input_texts", inputs),
+        _texts("static const char *const term_texts", named, terms),
+        _texts("static const char *const value_texts", named, values),
+        _texts("static const char *const input_texts", named, inputs),
         _rules(layout),
     ]
     if machine.texts:
-        parts.append(_texts(f"const char *const {layout.name}_texts", [machine.texts]))
+        parts.append(_texts(f"const char *const {layout.name}_texts", ["texts"], [machine.texts]))
     return "\n\n".join(parts)
 
 
-def _texts(declared: str, rows: Sequence[Sequence[str]]) -> str:
+def _texts(declared: str, named: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """A table of texts; those of rule i stand one after another, as its numbers do elsewhere."""
-    quoted = [names.string(text) for row in rows for text in row] or ['""']
-    listed = ",\n    ".join(quoted)
-    return f"{declared}[{len(quoted)}] = {{\n    {listed}}};"
+    quoted = [
+        f"/* {comments.in_c(name)} */ {', '.join(map(names.string, row))},"
+        for name, row in zip(named, rows, strict=True)
+        if row
+    ] or ['""']
+    count = max(1, sum(map(len, rows)))
+    return f"{declared}[{count}] = {{\n{indented(quoted)}\n}};"
 
 
 def _rules(layout: Layout) -> str:
@@ -74,17 +80,19 @@ def _rules(layout: Layout) -> str:
             " ".join(rule.actions),
             names.place(rule.span),
         )
-        quoted = ",\n     ".join(names.string(text) for text in texts)
+        quoted = [names.string(text) for text in texts]
         tables = zip(("term", "value", "input"), starts, strict=True)
         behind = ", ".join(f"{kind}_texts + {start}" for kind, start in tables)
         counts = [len(rule.terms), len(rule.signals), len(rule.inputs)]
         starts = [start + count for start, count in zip(starts, counts, strict=True)]
         listed = ", ".join(map(str, counts))
-        rows.append(f"    {{{quoted},\n     {behind},\n     {listed}}},")
+        rows.append(f"    {{{quoted[0]}, {quoted[1]},")
+        rows.append(f"     {quoted[2]},")
+        rows.append(f"     {quoted[3]}, {quoted[4]}, {behind}, {listed}}},")
     empty = '    {"", "", "", "", "", term_texts, value_texts, input_texts, 0, 0, 0},'
     body = "\n".join(rows) or empty
     declared = f"const {layout.name}_description {layout.name}_rules"
-    return f"{declared}[{max(1, len(rows))}] = {{\n{body}\n}};"
+    return f"{declared}[{max(1, len(layout.machine.rules))}] = {{\n{body}\n}};"
 
 
 def _remark(layout: Layout, index: int) -> str:

@@ -83,7 +83,6 @@ class Elements:
 
     def _counted(self, loop: _Loop, part: str, element: int, pointer: str) -> None:
         """Count for how many elements a truth holds and is unknown."""
-        self._expressions.parts.add(part)
         if element in loop.counted:
             return
         loop.counted.add(element)
@@ -129,7 +128,6 @@ class Elements:
             case ir.Literal(value=value):
                 return "TRUE" if value else "FALSE"
             case ir.Not(operand=operand):
-                self._expressions.parts.add("opposite")
                 return f"opposite({self._truth(loop, operand, pointer)})"
             case ir.And(operands=operands):
                 return self._joined("both", loop, operands, pointer)
@@ -139,13 +137,11 @@ class Elements:
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
                 | ir.Quantified() | ir.Held()
             ) as node:  # fmt: skip
-                self._expressions.parts.add("element")
                 write = lambda signal: self._signal(loop, signal, pointer)  # noqa: E731
                 is_unknown, holds = self._expressions.comparison(node, write)
                 return f"element_truth({is_unknown}, {holds})"
 
     def _joined(self, word: str, loop: _Loop, operands: tuple[int, ...], pointer: str) -> str:
-        self._expressions.parts.add(word)
         text = self._truth(loop, operands[0], pointer)
         for operand in operands[1:]:
             text = f"{word}({text}, {self._truth(loop, operand, pointer)})"

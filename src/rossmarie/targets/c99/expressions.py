@@ -26,14 +26,13 @@ class Piece:
 
 
 class Expressions:
-    """Writes the signals of one machine. `parts` collects the C functions of the engine that they
-    call, and `functions` the names of those of the core.
+    """Writes the signals of one machine. `functions` collects the names of the functions of the core
+    that they call.
     """
 
     def __init__(self, layout: Layout) -> None:
         self._layout = layout
         self._machine = layout.machine
-        self.parts: set[str] = set()
         self.functions: set[str] = set()
         self._infinite: list[bool] = []
         for signal in self._machine.signals:
@@ -56,7 +55,6 @@ class Expressions:
         text = converted(raw, declared.scale, declared.offset)
         if not is_raw:
             text = f"known({text})"
-        self.parts.add("known")
         return f"{self.kept(self._layout.value_of_slot[slot])} = {text};"
 
     def signals(self) -> Iterator[Piece]:
@@ -81,7 +79,6 @@ class Expressions:
         for truth, value in self._layout.value_of_test.items():
             node = self._machine.truths[truth].node
             if not isinstance(node, ir.Quantified):
-                self.parts.add("test")
                 outcome = f"outcome({', '.join(self.comparison(node, self.operand))})"
                 channels = self._layout.supports.truths[truth].channels
                 yield Piece(channels, (f"{self.kept(value)} = {outcome};",))
@@ -117,7 +114,6 @@ class Expressions:
                 text = self._call(definition_of_samples(function), views)
                 if declared.keeps_infinities:
                     return text
-                self.parts.add("known")
                 return f"known({text})"
             case ir.Constant() | ir.Read() | ir.Element() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
@@ -129,7 +125,6 @@ class Expressions:
             case View.BEFORE:
                 return f"m->before[{self._layout.sampled.index(node.signal)}]"
             case View.SECONDS:
-                self.parts.add("seconds")
                 return f"seconds_between(m, {self._layout.sampled.index(node.signal)})"
             case View.LOWER:
                 return f"window_middle(m, {self._window(node)}, 0)"
@@ -142,7 +137,6 @@ class Expressions:
         is_infinite = any(self._infinite[operand] for operand in node.operands)
         if not may_be_infinite(node.function, len(node.operands), of_infinite=is_infinite):
             return text
-        self.parts.add("known")
         return f"known({text})"
 
     def called(self, function: Function, operands: list[str]) -> str:

@@ -8,12 +8,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 
+from rossmarie.targets import comments
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.coverage import covered_values, is_seen_by_guards
 from rossmarie.targets.c99.elements import Elements
 from rossmarie.targets.c99.expressions import Expressions, Piece
 from rossmarie.targets.c99.layout import Layout
-from rossmarie.targets.c99.text import call, indented
+from rossmarie.targets.c99.text import block, call, indented
 
 
 class Messages:
@@ -69,22 +70,31 @@ class Messages:
 
     def functions(self) -> str:
         """The functions of all channels, and the one for several at once."""
-        parts = []
+        parts = [self._constants(), self._compute()]
         for channel, name in enumerate(self._layout.channel_names):
             parts += [
                 self._receive(channel, name),
-                self._settle(channel, name),
-                self._late(channel, name),
                 self._take(channel, name),
                 self._update(channel, name),
             ]
         parts.append(self._step())
         return "\n".join(parts)
 
-    def constants(self) -> list[str]:
+    def _constants(self) -> str:
         """What is computed from constants only, once."""
         pieces = (*self.expressions.signals(), *self.expressions.tests())
-        return [line for piece in pieces if not piece.channels for line in piece.lines]
+        lines = [line for piece in pieces if not piece.channels for line in piece.lines]
+        return f"static void set_constants(monitor *m)\n{{\n{indented(lines or ['(void)m;'])}\n}}\n"
+
+    def _compute(self) -> str:
+        """What is computed from the numbers of messages, once all of them are stored."""
+        lines = list(self._guarded(self._computed()))
+        unused = [] if lines else ["    (void)arrived;\n"]
+        return (
+            "/* Numbers that rest on messages which arrived. */\n"
+            "INLINE void compute(monitor *m, const bool arrived[], int64_t t_ns)\n{\n"
+            f"    m->now_ns = t_ns;\n{''.join(unused)}{block(lines)}}}\n"
+        )
 
     def _head(self, kind: str, channel: int) -> str:
         """A function that takes in one message of a channel."""
@@ -93,75 +103,50 @@ class Messages:
             parameters += types.plain_parameters(field)
         return call(kind, parameters)
 
-    def _call(self, function: str, channel: int) -> str:
+    def _call(self, function: str, channel: int, prefix: str = "") -> str:
         """A call of such a function."""
         arguments = ["m", "t_ns"]
         for field in self.fields[channel]:
-            arguments += types.arguments(field)
+            arguments += types.arguments(field, prefix)
         return call(function, arguments)
 
     def _receive(self, channel: int, name: str) -> str:
-        """Store and compute, without looking at what changes by it."""
-        pieces = [*self._stamps(), *self._computed({channel: ""}, raw=self._covered)]
-        lines = [line for piece in pieces if channel in piece.channels for line in piece.lines]
+        """Store what a message brings."""
+        lines = [*self._stamps(channel)]
+        for field in self.fields[channel]:
+            lines += self._received(field)
+        unused = [] if any("t_ns" in line for line in lines) else ["(void)t_ns;"]
+        unused += [] if any("m->" in line for line in lines) else ["(void)m;"]
+        topic = self._machine.channels[channel]
+        remark = comments.in_c(f"{topic.topic} ({topic.message_type})")
         return (
-            f"{self._head(f'INLINE void receive_{name}', channel)}\n{{\n"
-            f"    m->now_ns = t_ns;\n{indented(lines)}\n}}\n"
-        )
-
-    def _settle(self, channel: int, name: str) -> str:
-        """A number left its guard, maybe others too: the first is known, so that the processor
-        guesses right about the rest.
-        """
-        if not self._layout.guards_of(channel):
-            return ""
-        lines = [line for piece in self._guards() if channel in piece.channels
-                 for line in piece.lines]  # fmt: skip
-        return (
-            f"RARE int settle_{name}(monitor *m, int64_t t_ns, unsigned first)\n{{\n"
-            f"    if (!m->quiet[{channel}])\n"
-            f"        arrive(m, {channel}, t_ns);\n"
-            f"    if (first != GUARDS)\n"
-            f"        cross(m, first, m->value[guard_value[first]], t_ns);\n"
-            f"{indented(lines)}\n"
-            f"    return evaluate(m, t_ns);\n}}\n"
-        )
-
-    def _late(self, channel: int, name: str) -> str:
-        """A timer may be due, or time begins, or goes backwards."""
-        guards = self._layout.guards_of(channel)
-        settle = f"settle_{name}(m, t_ns, GUARDS)" if guards else "evaluate(m, t_ns)"
-        return (
-            f"{self._head(f'RARE int late_{name}', channel)}\n{{\n"
-            f"    int events = catch_up(m, t_ns);\n"
-            f"    if (events < 0)\n"
-            f"        return events;\n"
-            f"    arrive(m, {channel}, t_ns);\n"
-            f"    tick(m, t_ns);\n"
-            f"    {self._call(f'receive_{name}', channel)};\n"
-            f"    events += {settle};\n"
-            f"    set_wake(m);\n"
-            f"    return events;\n}}\n"
+            f"/* {remark} */\n{self._head(f'INLINE void receive_{name}', channel)}\n{{\n"
+            f"{indented([*lines, *unused])}\n}}\n"
         )
 
     def _take(self, channel: int, name: str) -> str:
         calm = "is_calm(m, t_ns)"
         if not is_seen_by_guards(self._layout, channel):
-            calm = f"({calm} && m->quiet[{channel}])"
-        checks = []
+            calm += f" && m->quiet[{channel}]"
+        arrived = ", ".join(_truth(each == channel) for each in range(len(self.fields)))
+        unchanged = ["before == CALM"]
         for guard in self._layout.guards_of(channel):
             value = self.expressions.kept(guard.value)
-            checks.append(f"if (UNLIKELY(!is_inside(m, {guard.name}, {value})))")
-            checks.append(f"    return settle_{name}(m, t_ns, {guard.name});")
+            unchanged.append(f"is_inside(m, {guard.name}, {value})")
         if any(channel in piece.channels for piece in self._followed()):
-            checks += ["if (is_pending(m))", "    return evaluate(m, t_ns);"]
-        return (
-            f"{self._head(f'INLINE int take_{name}', channel)}\n{{\n"
-            f"    if (UNLIKELY(!{calm}))\n"
-            f"        return {self._call(f'late_{name}', channel)};\n"
-            f"    {self._call(f'receive_{name}', channel)};\n"
-            f"{indented([*checks, 'return 0;'])}\n}}\n"
-        )
+            unchanged.append("!is_pending(m)")
+        lines = [
+            f"static const bool arrived[CHANNELS] = {{{arrived}}};",
+            f"const int before = UNLIKELY(!({calm})) ? begin(m, arrived, t_ns) : (int)CALM;",
+            "if (UNLIKELY(before == REFUSED))",
+            "    return REFUSED;",
+            f"{self._call(f'receive_{name}', channel)};",
+            "compute(m, arrived, t_ns);",
+            f"if ({' && '.join(unchanged)})",
+            "    return 0;",
+            "return settle(m, arrived, t_ns, before);",
+        ]
+        return f"{self._head(f'INLINE int take_{name}', channel)}\n{{\n{indented(lines)}\n}}\n"
 
     def _update(self, channel: int, name: str) -> str:
         return (
@@ -171,82 +156,78 @@ class Messages:
 
     def _step(self) -> str:
         monitor, names = self._layout.name, self._layout.channel_names
-        calm = ["is_calm(m, t_ns)"] if names else ["t_ns >= m->now_ns && t_ns < m->wake_ns"]
-        calm += [f"(!v->has_{name} || m->quiet[{c}])" for c, name in enumerate(names)]
-        arrivals = []
+        arrived = ", ".join(f"v->has_{name}" for name in names) or "v->has_nothing"
+        received = []
         for channel, name in enumerate(names):
-            arrivals += [f"if (v->has_{name})", f"    arrive(m, {channel}, t_ns);"]
-        prefixes = {c: f"v->{name}." for c, name in enumerate(names)}
-        pieces = [*self._stamps(), *self._computed(prefixes), *self._guards()]
-        unused = [] if names else ["(void)v;"]
-        separator = " && "
+            received += [
+                f"if (v->has_{name})",
+                f"    {self._call(f'receive_{name}', channel, f'v->{name}.')};",
+            ]
+        lines = [
+            f"const bool arrived[] = {{{arrived}}};",
+            "const int before = are_calm(m, arrived, t_ns) ? (int)CALM : begin(m, arrived, t_ns);",
+            "if (before == REFUSED)",
+            "    return REFUSED;",
+            *received,
+            "compute(m, arrived, t_ns);",
+            f"if ({' && '.join(self._unchanged())})",
+            "    return 0;",
+            "return settle(m, arrived, t_ns, before);",
+        ]
         return (
             f"int {monitor}_step({monitor}_monitor *m, int64_t t_ns, const {monitor}_values *v)\n"
-            f"{{\n    int events = 0;\n{indented(unused)}"
-            f"    const bool calm = {separator.join(calm)};\n"
-            f"    if (!calm) {{\n"
-            f"        events = catch_up(m, t_ns);\n"
-            f"        if (events < 0)\n"
-            f"            return events;\n"
-            f"{indented(arrivals, 2)}\n"
-            f"        tick(m, t_ns);\n"
-            f"    }}\n"
-            f"    m->now_ns = t_ns;\n"
-            f"{indented(self._guarded(pieces))}\n"
-            f"    if (is_pending(m))\n"
-            f"        events += evaluate(m, t_ns);\n"
-            f"    if (!calm)\n"
-            f"        set_wake(m);\n"
-            f"    return events;\n}}\n"
+            f"{{\n{indented(lines)}\n}}\n"
         )
+
+    def _unchanged(self) -> Iterator[str]:
+        """What says of messages on several channels that they change no truth."""
+        yield "before == CALM"
+        if self._layout.oscillations:
+            yield "!is_pending(m)"
+        for guard in self._layout.guards:
+            channels = sorted(self._layout.values[guard.value].support.channels)
+            if not channels:
+                continue  # it looks at a constant
+            arrived = " || ".join(f"arrived[{channel}]" for channel in channels)
+            inside = f"is_inside(m, {guard.name}, {self.expressions.kept(guard.value)})"
+            yield f"(!({arrived}) || {inside})"
 
     def _guarded(self, pieces: Iterable[Piece]) -> Iterator[str]:
         """The pieces, each under the condition that one of its channels has a message."""
         relevant = (piece for piece in pieces if piece.channels)
         for channels, group in groupby(relevant, key=lambda piece: piece.channels):
-            names = [f"v->has_{self._layout.channel_names[c]}" for c in sorted(channels)]
+            names = [f"arrived[{channel}]" for channel in sorted(channels)]
             yield f"if ({' || '.join(names)}) {{"
             yield from (f"    {line}" for piece in group for line in piece.lines)
             yield "}"
 
     # --- pieces ------------------------------------------------------------------------------
 
-    def _stamps(self) -> Iterator[Piece]:
+    def _stamps(self, channel: int) -> Iterator[str]:
         for index, used in enumerate(self._machine.inputs):
-            if used.timeout_ns is not None or index in self._layout.aged_inputs():
-                line = f"m->stamp_ns[{self._layout.input_names[index]}] = t_ns;"
-                yield Piece(frozenset({used.channel}), (line,))
+            is_timed = used.timeout_ns is not None or index in self._layout.aged_inputs()
+            if is_timed and used.channel == channel:
+                yield f"m->stamp_ns[{self._layout.input_names[index]}] = t_ns;"
 
-    def _computed(
-        self, prefixes: dict[int, str], raw: frozenset[int] = frozenset()
-    ) -> Iterator[Piece]:
-        """All numbers, in order; a field of channel c is found at `prefixes[c]` plus its name.
-        The values in `raw` are left as they arrive.
-        """
-        for channel, prefix in prefixes.items():
-            for field in self.fields[channel]:
-                yield Piece(frozenset({channel}), tuple(self._received(field, prefix, raw)))
+    def _received(self, field: types.Field) -> list[str]:
+        """A field where the monitor keeps it; numbers that are watched are left as they arrive."""
+        if field.slot is not None:
+            is_raw = self._layout.value_of_slot[field.slot] in self._covered
+            return [self.expressions.arrival(field.slot, field.name, is_raw=is_raw)]
+        assert field.array is not None, "a field is a slot or an array"
+        unused = [f"(void){field.name};", f"(void){field.name}_count;"]
+        return self._elements.loop(field.array, field.name, f"{field.name}_count") or unused
+
+    def _computed(self) -> Iterator[Piece]:
         yield from self.expressions.signals()
         yield from self.expressions.tests()
         yield from self._followed()
-
-    def _received(self, field: types.Field, prefix: str, raw: frozenset[int]) -> list[str]:
-        name = f"{prefix}{field.name}"
-        if field.slot is not None:
-            is_raw = self._layout.value_of_slot[field.slot] in raw
-            return [self.expressions.arrival(field.slot, name, is_raw=is_raw)]
-        assert field.array is not None, "a field is a slot or an array"
-        unused = [f"(void){name};", f"(void){name}_count;"]
-        return self._elements.loop(field.array, name, f"{name}_count") or unused
 
     def _followed(self) -> Iterator[Piece]:
         for number, truth in enumerate(self._layout.oscillations):
             channels = self._layout.supports.truths[truth].channels
             yield Piece(channels, (f"follow(m, {number}, t_ns);",))
 
-    def _guards(self) -> Iterator[Piece]:
-        for guard in self._layout.guards:
-            channels = self._layout.values[guard.value].support.channels
-            value = self.expressions.kept(guard.value)
-            check = f"if (!is_inside(m, {guard.name}, {value}))"
-            yield Piece(channels, (check, f"    cross(m, {guard.name}, {value}, t_ns);"))
+
+def _truth(value: bool) -> str:
+    return "true" if value else "false"

@@ -13,33 +13,32 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
 from rossmarie.targets import comments
-from rossmarie.targets.c99 import describe, functions, host, reactor, state, tables
+from rossmarie.targets.c99 import describe, engine, functions, host, reactor, state, tables
 from rossmarie.targets.c99.layout import lay_out
 from rossmarie.targets.c99.messages import Messages
 from rossmarie.targets.c99.nodes import derive
 from rossmarie.targets.c99.text import indented
 from rossmarie.targets.formulas import definitions
 
-# The functions that a monitor may need, each after those that it calls.
-_PARTS = (
-    "known", "test", "both", "either", "opposite", "element", "any", "all", "count", "earlier",
-    "wake_by", "samples", "seconds", "windows", "as_is", "covered", "unknown_kind",
-    "guards", "held", "oscillations", "follow", "ages",
-)  # fmt: skip
-
-
 def generate(machine: ir.Machine) -> dict[str, str]:
     """The files of a machine, by name: NAME_monitor.h and NAME_monitor.c and, if its rules do
-    anything, NAME_reactor.h and NAME_reactor.c.
+    anything, NAME_reactor.h and NAME_reactor.c; and those of the engine.
     """
+    return {**own_files(machine), **engine.files()}
+
+
+def own_files(machine: ir.Machine) -> dict[str, str]:
+    """The same without the engine: the rules' own part."""
     writer = _Writer(machine)
     return {**writer.monitor_files(), **writer.reactor_files()}
 
 
 def generate_loadable(machine: ir.Machine) -> dict[str, str]:
-    """The files of a monitor, and host.c, which includes them and is compiled instead of them."""
+    """The files of a monitor and of the engine, and host.c, which includes them and is compiled
+    instead of them.
+    """
     writer = _Writer(machine)
-    return {**writer.monitor_files(), "host.c": writer.host_file()}
+    return {**writer.monitor_files(), **engine.files(), "host.c": writer.host_file()}
 
 
 class _Writer:
@@ -76,11 +75,9 @@ class _Writer:
         known = {
             "name": self._layout.name,
             "files": comments.in_c(comments.rules_files(self._layout.machine)),
+            "version": engine.version(),
         }
         return self._templates.get_template(template).render(**known, **blanks)
-
-    def _part(self, name: str) -> str:
-        return self._fill(f"parts/{name}.c")
 
     def _defined(self) -> Iterator[str]:
         """The functions of the core that the monitor calls, in the order of the core."""
@@ -111,30 +108,9 @@ class _Writer:
     def _source(self) -> str:
         layout = self._layout
         messages = self._messages.functions()
-        constants = self._messages.constants()
-        derived, logic = derive(layout)
-        value = "derive(m, node, t_ns)" if derived else "UNKNOWN"
-        size = "few" if state.is_small(layout) else "many"
-        engine = self._fill(
-            "engine.c.j2",
-            derive=derived,
-            evaluate=self._fill(f"evaluate_{size}.c.j2", value=value),
-            wake=indented(state.wake(layout)),
-            tick=indented(state.tick(layout)),
-            restart=indented(state.restart(layout)),
-            calm=self._part("calm") if layout.channel_names else "",
-            channels=messages,
-            init=indented([*state.begin(layout), *constants]),
-            has_all_inputs=indented(state.has_all_inputs(layout)),
-            watch=self._part("watch") if layout.machine.watches else "",
-            descriptions=describe.descriptions(layout),
-        )
-        expire = state.expire(layout)
-        needed = self._messages.expressions.parts | logic | state.parts(layout)
-        parts = [f"core_{size}", *(part for part in _PARTS if part in needed)]
         return self._fill(
             "monitor.c.j2",
-            enums=tables.enumerations(layout),
             tables=tables.tables(layout),
-            functions="\n".join([*map(self._part, parts), *self._defined(), expire, engine]),
+            functions="\n".join([*self._defined(), derive(layout), messages]),
+            descriptions=describe.descriptions(layout),
         )

@@ -8,21 +8,18 @@ from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.layout import Layout
 
 
-def derive(layout: Layout) -> tuple[str, set[str]]:
-    """The function that evaluates one derived truth, and the parts that it calls."""
+def derive(layout: Layout) -> str:
+    """The function that evaluates one derived truth."""
     marked = (*layout.oscillations, *layout.derived)
-    if not marked:
-        return "", set()
-    parts: set[str] = set()
     cases = []
     for index in marked:
         truth = layout.machine.truths[index]
         remark = comments.in_c(f"{names.place(truth.span)}  {truth.text}")
         cases.append(f"    case {layout.truth_names[index]}: /* {remark} */")
-        cases.append(f"        return {_expression(layout, index, truth.node, parts)};")
-    unused = [] if layout.held or layout.oscillations else ["    (void)t_ns;"]
+        cases.append(f"        return {_expression(layout, index, truth.node)};")
+    unused = [] if marked else ["    (void)m;"]
+    unused += [] if layout.held or layout.oscillations else ["    (void)t_ns;"]
     lines = [
-        "/* The value of a truth that was marked. */",
         "static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)",
         "{",
         *unused,
@@ -33,18 +30,17 @@ def derive(layout: Layout) -> tuple[str, set[str]]:
         "    }",
         "}\n",
     ]
-    return "\n".join(lines), parts
+    return "\n".join(lines)
 
 
-def _expression(layout: Layout, index: int, node: ir.TruthNode, parts: set[str]) -> str:
+def _expression(layout: Layout, index: int, node: ir.TruthNode) -> str:
     match node:
         case ir.Not(operand=operand):
-            parts.add("opposite")
             return f"opposite({_truth(layout, operand)})"
         case ir.And(operands=operands):
-            return _joined(layout, "both", operands, parts)
+            return _joined(layout, "both", operands)
         case ir.Or(operands=operands):
-            return _joined(layout, "either", operands, parts)
+            return _joined(layout, "either", operands)
         case ir.Oscillates():
             return f"swings_or_gap(m, {layout.oscillations.index(index)}, t_ns)"
         case ir.Held(operand=operand):
@@ -57,8 +53,7 @@ def _expression(layout: Layout, index: int, node: ir.TruthNode, parts: set[str])
             raise AssertionError(f"{type(node).__name__} is a leaf")
 
 
-def _joined(layout: Layout, word: str, operands: tuple[int, ...], parts: set[str]) -> str:
-    parts.add(word)
+def _joined(layout: Layout, word: str, operands: tuple[int, ...]) -> str:
     text = _truth(layout, operands[0])
     for operand in operands[1:]:
         text = f"{word}({text}, {_truth(layout, operand)})"

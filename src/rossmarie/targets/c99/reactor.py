@@ -5,31 +5,40 @@ Takes a layout; gives C text. Every entry that a user's words stand behind carri
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 
 from rossmarie.ir import overruled, reactions
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.layout import Layout
-from rossmarie.targets.c99.text import lists, remarked_table, table
+from rossmarie.targets.c99.text import lists, remarked_table, sizes, table
 from rossmarie.targets.c99.types import duration, number
 
 
 def blanks(layout: Layout) -> dict[str, object]:
     """What both templates leave open."""
     found = layout.machine.reactions
-    is_confirmed = any(reactions.confirmation(task.effect) is not None for task in found.tasks)
     return {
         "guard": f"{layout.name.upper()}_REACTOR_H",
         "upper": layout.name.upper(),
         "sizes": _sizes(layout),
+        "counts": sizes(_counts(found)),
         "tasks": len(found.tasks),
         "rules": len(found.plans),
         "commands": len(found.commands),
-        "confirmed": is_confirmed,
-        "yielding": _is_yielding(found),
-        "tables": "\n\n".join(_tables(found, is_confirmed=is_confirmed)),
+        "tables": "\n\n".join(_tables(found)),
     }
+
+
+def _counts(found: reactions.Reactions) -> dict[str, int]:
+    """How many there are of what a reactor has; of what is not named here it has none."""
+    used = {
+        "COMMANDS": len(found.commands),
+        "CONFIRMED": sum(1 for each in found.tasks if reactions.confirmation(each.effect) is not None),
+        "YIELDING": sum(1 for each in found.plans if each.unless),
+    }
+    counts = {"TASKS": len(found.tasks), "RULES": len(found.plans)}
+    return {**counts, **{name: count for name, count in used.items() if count}}
 
 
 def _sizes(layout: Layout) -> str:
@@ -43,11 +52,8 @@ def _sizes(layout: Layout) -> str:
     return "\n".join(lines)
 
 
-def _tables(found: reactions.Reactions, *, is_confirmed: bool) -> list[str]:
+def _tables(found: reactions.Reactions) -> list[str]:
     parts = [_task_tables(found), _plan_tables(found), _resource_tables(found)]
-    if is_confirmed:
-        watches = [reactions.confirmation(task.effect) for task in found.tasks]
-        parts.append(table("index_t", "task_watch", _or_none(watches)))
     if found.commands:
         parts.append(_command_tables(found))
     return parts
@@ -57,47 +63,39 @@ def _tables(found: reactions.Reactions, *, is_confirmed: bool) -> list[str]:
 
 
 def _task_tables(found: reactions.Reactions) -> str:
-    """How long the end of each is awaited, 0 if it is not; where it is then; how it waits."""
-    rows = [
-        (duration(reactions.timeout_ns(task.effect) or 0), _remark(found, index))
-        for index, task in enumerate(found.tasks)
-    ]
+    """A row for each task, and what starts when each fails."""
     rules = {task: rule for rule, plan in enumerate(found.plans) for task in plan.tasks}
-    effects = [task.effect for task in found.tasks]
-    ends = ["HOLDING" if reactions.is_lasting(effect) else "DONE" for effect in effects]
-    waiting = [_truth(reactions.waits(effect)) for effect in effects]
-    numbers = _numbers_of_deeds(found)
-    deeds = [numbers.get(overruled.deed(effect)) for effect in effects]
-    answers = [
-        None
-        if task.resource is None
-        else numbers.get(overruled.only_deed(found, rules[index], task.resource))
-        for index, task in enumerate(found.tasks)
-    ]
-    failing = [_truth(overruled.fails_at_once(task)) for task in found.tasks]
+    rows = [(_task_row(found, index, rules[index]), _remark(found, index)) for index in rules]
+    otherwise = [task.otherwise for task in found.tasks]
     return "\n".join(
         [
-            "/* Tasks: how long their end is awaited (0: it is not), what they are then, whether",
-            " * they wait while another rule has what they need, whether they fail at once then,",
-            " * what they do to that (a number), the same if their rule does nothing else to it,",
-            " * and what starts when they fail.",
+            "/* Tasks: rule, awaited for, state at the end, waits, fails at once, needs, does, answers,",
+            " * confirmed by; and what starts when they fail.",
             " */",
-            remarked_table("int64_t", "task_timeouts", rows),
-            table("unsigned char", "task_end", ends),
-            table("bool", "task_waits", waiting),
-            table("bool", "task_fails_at_once", failing),
-            table("index_t", "task_deed", _or_none(deeds)),
-            table("index_t", "task_answer", _or_none(answers)),
-            table("index_t", "task_rule", [rules[index] for index in range(len(effects))]),
-            table("index_t", "task_resource", _or_none(task.resource for task in found.tasks)),
-            lists(
-                "index_t",
-                "task_escalations",
-                "escalations",
-                [task.otherwise for task in found.tasks],
-            ),
+            remarked_table("plan", "tasks", rows),
+            lists("task_escalations", "escalations", _named("task", otherwise)),
         ]
     )
+
+
+def _task_row(found: reactions.Reactions, index: int, rule: int) -> str:
+    """A task as `plan` of the engine has it."""
+    task = found.tasks[index]
+    numbers = _numbers_of_deeds(found)
+    needed = task.resource
+    answer = None if needed is None else numbers.get(overruled.only_deed(found, rule, needed))
+    fields = [
+        str(rule),
+        duration(reactions.timeout_ns(task.effect) or 0),
+        "HOLDING" if reactions.is_lasting(task.effect) else "DONE",
+        _truth(reactions.waits(task.effect)),
+        _truth(overruled.fails_at_once(task)),
+        _or_none(task.resource),
+        _or_none(numbers.get(overruled.deed(task.effect))),
+        _or_none(answer),
+        _or_none(reactions.confirmation(task.effect)),
+    ]
+    return f"{{{', '.join(fields)}}}"
 
 
 def _numbers_of_deeds(found: reactions.Reactions) -> dict[overruled.Deed | None, int]:
@@ -118,6 +116,7 @@ def _plan_tables(found: reactions.Reactions) -> str:
     places = [0]
     for plan in found.plans:
         places.append(places[-1] + len(plan.stages))
+    planned = [plan.tasks for plan in found.plans]
     return "\n".join(
         [
             "/* Rules: from the first to the last that gets what several need; their stages; the",
@@ -125,8 +124,8 @@ def _plan_tables(found: reactions.Reactions) -> str:
             " */",
             table("index_t", "rule_order", found.order),
             table("index_t", "rule_stages", places),
-            lists("index_t", "stage_tasks", "staged_tasks", stages),
-            lists("index_t", "rule_tasks", "planned_tasks", [plan.tasks for plan in found.plans]),
+            lists("stage_tasks", "staged_tasks", _named("stage", stages)),
+            lists("rule_tasks", "planned_tasks", _named("rule", planned)),
             *_unless_table(found),
         ]
     )
@@ -135,7 +134,7 @@ def _plan_tables(found: reactions.Reactions) -> str:
 def _unless_table(found: reactions.Reactions) -> list[str]:
     """The rules while one of which is active another one is not carried out, if any are."""
     others = [plan.unless for plan in found.plans]
-    return [lists("index_t", "rule_unless", "others", others)] if _is_yielding(found) else []
+    return [lists("rule_unless", "others", _named("rule", others))] if _is_yielding(found) else []
 
 
 def _is_yielding(found: reactions.Reactions) -> bool:
@@ -167,18 +166,23 @@ def _resource_tables(found: reactions.Reactions) -> str:
             " * what these do to it if that is one thing only:",
             *(listed or [" *   nothing"]),
             " */",
-            lists("index_t", "resource_rules", "claiming_rules", claims),
-            table("index_t", "claiming_deed", _or_none(deeds)),
+            lists("resource_rules", "claiming_rules", list(zip(found.resources, claims, strict=True))),
+            table("index_t", "claiming_deed", list(map(_or_none, deeds))),
         ]
     )
+
+
+def _named(kind: str, rows: Sequence[Sequence[int]]) -> list[tuple[str, Sequence[int]]]:
+    """Lists with a name for each."""
+    return [(f"{kind} {index}", row) for index, row in enumerate(rows)]
 
 
 def _truth(value: bool) -> str:
     return "true" if value else "false"
 
 
-def _or_none(indexes: Iterable[int | None]) -> list[str]:
-    return ["NONE" if index is None else str(index) for index in indexes]
+def _or_none(index: int | None) -> str:
+    return "NONE" if index is None else str(index)
 
 
 # --- commands --------------------------------------------------------------------------------
@@ -205,32 +209,54 @@ def _command_tables(found: reactions.Reactions) -> str:
         for command in commands
     ]
     fields = table("index_t", "command_fields", [len(each.fields) for each in found.commands])
-    return "\n".join([_COMMAND_REMARK, fields, *_limit_tables(limits), *_scale_tables(scales)])
+    return "\n".join(
+        [
+            "/* Commands: how many fields they have, and what tasks do to them. */",
+            fields,
+            *_limit_tables(found, limits),
+            *_scale_tables(found, scales),
+        ]
+    )
 
 
-_COMMAND_REMARK = """\
-/* Commands: their fields; what tasks do to them while they are in force, and by how much that fades
- * in a second when they are not (0: at once).
- */"""
-
-
-def _limit_tables(rows: list[list[tuple[int, reactions.Bound]]]) -> list[str]:
-    bounds = [bound for row in rows for _, bound in row]
-    tasks = [[task for task, _ in row] for row in rows]
+def _limit_tables(
+    found: reactions.Reactions, rows: list[list[tuple[int, reactions.Bound]]]
+) -> list[str]:
+    """The bounds of each command: those of command c stand in [command_limits[c], ...[c + 1])."""
+    listed = [
+        (
+            f"{{{task}, {bound.field}, {number(bound.low)}, {number(bound.high)}, "
+            f"{number(bound.ramp or 0.0)}}}",
+            _remark(found, task),
+        )
+        for row in rows
+        for task, bound in row
+    ]
     return [
-        lists("index_t", "command_limits", "limit_task", tasks),
-        table("index_t", "limit_field", [bound.field for bound in bounds]),
-        table("double", "limit_low", [number(bound.low) for bound in bounds]),
-        table("double", "limit_high", [number(bound.high) for bound in bounds]),
-        table("double", "limit_ramp", [number(bound.ramp or 0.0) for bound in bounds]),
+        table("index_t", "command_limits", _starts(rows)),
+        remarked_table("bound", "bounding", listed or [("{0, 0, 0.0, 0.0, 0.0}", "none")]),
     ]
 
 
-def _scale_tables(rows: list[list[tuple[int, reactions.Scale]]]) -> list[str]:
-    scales = [scale for row in rows for _, scale in row]
-    tasks = [[task for task, _ in row] for row in rows]
-    return [
-        lists("index_t", "command_scales", "scale_task", tasks),
-        table("double", "scale_factor", [number(scale.factor) for scale in scales]),
-        table("double", "scale_ramp", [number(scale.ramp or 0.0) for scale in scales]),
+def _scale_tables(
+    found: reactions.Reactions, rows: list[list[tuple[int, reactions.Scale]]]
+) -> list[str]:
+    listed = [
+        (
+            f"{{{task}, {number(scale.factor)}, {number(scale.ramp or 0.0)}}}",
+            _remark(found, task),
+        )
+        for row in rows
+        for task, scale in row
     ]
+    return [
+        table("index_t", "command_scales", _starts(rows)),
+        remarked_table("scale", "scales", listed or [("{0, 1.0, 0.0}", "none")]),
+    ]
+
+
+def _starts(rows: Sequence[Sequence[object]]) -> list[int]:
+    places = [0]
+    for row in rows:
+        places.append(places[-1] + len(row))
+    return places

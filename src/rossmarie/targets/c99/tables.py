@@ -1,4 +1,4 @@
-"""The constant tables and the enumerations of a monitor.
+"""The sizes, the names and the constant tables of a monitor.
 
 Takes a layout; gives C text. Every entry that a user's words stand behind carries them.
 """
@@ -6,108 +6,63 @@ Takes a layout; gives C text. Every entry that a user's words stand behind carri
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.core import MOST_SAMPLES
+from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Guard, Layout
-from rossmarie.targets.c99.state import has_timeouts, is_small, turns
-from rossmarie.targets.c99.text import enumeration, lists, remarked_table, table
+from rossmarie.targets.c99.state import is_small, turns
+from rossmarie.targets.c99.text import enumeration, lists, remarked_table, sizes, table
 from rossmarie.targets.c99.types import duration, number
 from rossmarie.targets.limits import true_below, twins
 
-_CONSTANTS = """\
-#define EARLIEST (-(INT64_C(1) << 60) * 2)
-#define LATEST (INT64_C(1) << 62)
-#define LONGEST (INT64_C(1) << 61)
-#define NEVER INT64_MAX
 
-enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };
-enum { NEVER_RECEIVED, FRESH, EXPIRED };
-"""
+def tables(layout: Layout) -> str:
+    """All that the engine is told of a machine."""
+    parts = [
+        sizes(_sizes(layout)),
+        _value_names_listed(layout),
+        _input_tables(layout),
+        _truth_names_listed(layout),
+        _node_tables(layout),
+        _guard_tables(layout) if layout.guards else "",
+        _blame_tables(layout) if layout.guards or layout.oscillations else "",
+        _timer_tables(layout),
+        _sample_tables(layout),
+        _rule_tables(layout),
+    ]
+    return "\n".join(part for part in parts if part)
 
-_GUARD_REMARK = """\
-/* Guards: guard g watches a value. It owns the truths from guard_leaves[g] up to, but without,
- * guard_leaves[g + 1], and the limits between the ends guard_limits[g] and guard_limits[g + 1] - 1,
- * from low to high. A number above limits[i] gives the truth limit_leaf[i] the value
- * limit_above[i]; limit_twin[i] is the other limit of the same truth, if it has two.
- */"""
 
-
-def enumerations(layout: Layout) -> str:
-    """Names for all indexes."""
+def _sizes(layout: Layout) -> dict[str, int]:
+    """How many there are of what a monitor has; of what is not named here it has none."""
     machine = layout.machine
-    inputs = [
-        (name, f"{names.place(used.span)}  {machine.channels[used.channel].topic}")
-        for name, used in zip(layout.input_names, machine.inputs, strict=True)
-    ]
-    values = [(value.name, value.remark) for value in layout.values]
-    guards = [(guard.name, layout.values[guard.value].remark) for guard in layout.guards]
-    truths = [
-        (layout.truth_names[index], _remark(layout, index)) for index in layout.truths_in_order()
-    ]
-    sizes = {
-        "LEAVES": layout.leaf_count,
-        "RULES": len(machine.rules),
+    always = {
+        "INPUTS": len(machine.inputs),
         "CHANNELS": len(machine.channels),
+        "VALUES": len(layout.values),
+        "LEAVES": layout.leaf_count,
+        "TRUTHS": layout.truth_count,
+        "RULES": len(machine.rules),
+        "NODES": layout.truth_count + len(machine.rules),
+    }
+    used = {
+        "TIMEOUTS": sum(1 for used in machine.inputs if used.timeout_ns is not None),
+        "GUARDS": len(layout.guards),
+        "COVERED": len(covered_values(layout)),
+        "LITERALS": len(layout.literals),
         "HELD": len(layout.held),
         "AGES": len(layout.ages),
         "OSCILLATIONS": len(layout.oscillations),
         "SAMPLED": len(layout.sampled),
         "SAMPLED_VALUES": len(_sampled_values(layout)),
-        "COVERED": len(covered_values(layout)),
-        "LATCHED": 0xFFFF,
-        "NO_TWIN": 0xFFFF,
+        "WINDOWS": len(layout.windows),
+        "MOST_SAMPLES": MOST_SAMPLES if layout.windows else 0,
+        "WATCHES": len(machine.watches),
     }
-    if layout.windows:
-        sizes |= {"WINDOWS": len(layout.windows), "MOST_SAMPLES": MOST_SAMPLES}
-    if machine.watches:
-        sizes["WATCHES"] = len(machine.watches)
-    if not is_small(layout):
-        sizes["WORDS"] = (layout.truth_count + len(machine.rules) + 63) // 64
-    counts = "\n".join(f"    {name} = {size}," for name, size in sizes.items()).rstrip(",")
-    return "\n".join(
-        [
-            _CONSTANTS,
-            "/* Inputs. */",
-            enumeration(inputs, "INPUTS"),
-            "\n/* The numbers that a monitor keeps. */",
-            enumeration(values, "VALUES"),
-            "\n/* The numbers that are watched. */",
-            enumeration(guards, "GUARDS"),
-            "\n/* Truths: first those that look at numbers or ages, then those made of others. */",
-            enumeration(truths, "TRUTHS"),
-            f"\nenum {{\n{counts}\n}};\n",
-        ]
-    )
-
-
-def tables(layout: Layout) -> str:
-    """All tables that the machine needs."""
-    parts = [_input_tables(layout), _node_tables(layout), _rule_tables(layout)]
-    if layout.guards:
-        parts.append(_guard_tables(layout))
-    if layout.guards or layout.oscillations:
-        parts.append(_blame_tables(layout))
-    if has_timeouts(layout):
-        parts.append(_expiry_tables(layout))
-    if layout.held:
-        parts.append(_held_tables(layout))
-    if layout.ages:
-        parts.append(_age_tables(layout))
-    if layout.oscillations:
-        parts.append(_turn_tables(layout))
-    if layout.sampled or layout.windows:
-        parts.append(table("index_t", "sampled_values", _sampled_values(layout)))
-    if layout.windows:
-        lengths = [duration(window.length_ns) for window in layout.windows]
-        parts.append(table("int64_t", "window_lengths", lengths))
-    if layout.machine.watches:
-        watched = [layout.truth_names[truth] for truth in layout.machine.watches]
-        parts.append(table("index_t", "watched_truths", watched))
-    return "\n\n".join(parts) + "\n"
+    return {**always, **{name: size for name, size in used.items() if size}}
 
 
 def _remark(layout: Layout, truth: int) -> str:
@@ -115,23 +70,41 @@ def _remark(layout: Layout, truth: int) -> str:
     return f"{names.place(declared.span)}  {declared.text}"
 
 
+def _section(title: str, parts: Sequence[str]) -> str:
+    """Parts under a title; nothing if there are none."""
+    found = [part.rstrip() for part in parts if part]
+    return "\n".join([f"/* {title} */", *found, ""]) if found else ""
+
+
 # --- inputs ----------------------------------------------------------------------------------
 
 
 def _input_tables(layout: Layout) -> str:
-    inputs = layout.machine.inputs
-    if not inputs:
+    """Their names, how long each is fresh (0: always), and what one that expires takes with it."""
+    machine = layout.machine
+    if not machine.inputs:
         return ""
-    parts = [table("index_t", "input_channel", [used.channel for used in inputs])]
-    rows = [(duration(used.timeout_ns or 0), used.name) for used in inputs]
-    return "\n".join([*parts, remarked_table("int64_t", "input_timeouts", rows)])
+    remarks = [
+        f"{names.place(used.span)}  {machine.channels[used.channel].topic}"
+        for used in machine.inputs
+    ]
+    timeouts = [duration(used.timeout_ns or 0) for used in machine.inputs]
+    parts = [
+        enumeration(list(zip(layout.input_names, remarks, strict=True))),
+        table("index_t", "input_channel", [used.channel for used in machine.inputs]),
+        remarked_table(
+            "int64_t", "input_timeouts", list(zip(timeouts, layout.input_names, strict=True))
+        ),
+    ]
+    if any(used.timeout_ns is not None for used in machine.inputs):
+        parts += _expiry_tables(layout)
+    return _section("Inputs: how long each is fresh, and what is forgotten then.", parts)
 
 
-def _expiry_tables(layout: Layout) -> str:
-    """What an input that expires takes with it."""
-    values: list[list[str]] = []
-    samples: list[list[int]] = []
-    windows: list[list[int]] = []
+def _expiry_tables(layout: Layout) -> list[str]:
+    values: list[Sequence[object]] = []
+    samples: list[Sequence[object]] = []
+    windows: list[Sequence[object]] = []
     for used in range(len(layout.machine.inputs)):
         lost = layout.has_timeout(used)
         values.append(
@@ -139,12 +112,18 @@ def _expiry_tables(layout: Layout) -> str:
         )
         samples.append(_resting(layout, layout.sampled, used))
         windows.append(_resting(layout, [window.signal for window in layout.windows], used))
-    parts = [lists("index_t", "input_values", "lost_values", values)]
+    listed = [lists("input_values", "lost_values", _of_inputs(layout, values))]
     if layout.sampled:
-        parts.append(lists("index_t", "input_samples", "lost_samples", samples))
+        listed.append(lists("input_samples", "lost_samples", _of_inputs(layout, samples)))
     if layout.windows:
-        parts.append(lists("index_t", "input_windows", "lost_windows", windows))
-    return "\n".join(parts)
+        listed.append(lists("input_windows", "lost_windows", _of_inputs(layout, windows)))
+    return listed
+
+
+def _of_inputs(
+    layout: Layout, rows: list[Sequence[object]]
+) -> list[tuple[str, Sequence[object]]]:
+    return list(zip(layout.input_names, rows, strict=True))
 
 
 def _resting(layout: Layout, signals: Sequence[int], used: int) -> list[int]:
@@ -177,6 +156,27 @@ def _rests_on(layout: Layout, signal: int | None, test: int | None, rests: set[i
 # --- truths ----------------------------------------------------------------------------------
 
 
+def _value_names_listed(layout: Layout) -> str:
+    rows = [(value.name, value.remark) for value in layout.values]
+    return _section("The numbers that a monitor keeps, in SI units.", [enumeration(rows)])
+
+
+def _truth_names_listed(layout: Layout) -> str:
+    truths = [
+        (layout.truth_names[index], _remark(layout, index)) for index in layout.truths_in_order()
+    ]
+    rules = [
+        (_rule_node(layout, index), f"{names.place(rule.span)}  {rule.name}")
+        for index, rule in enumerate(layout.machine.rules)
+    ]
+    title = "Nodes: truths that look at numbers or ages, those made of others, and rules."
+    return _section(title, [enumeration([*truths, *rules])])
+
+
+def _rule_node(layout: Layout, rule: int) -> str:
+    return layout.rule_names[rule].upper()
+
+
 def _node_tables(layout: Layout) -> str:
     """Which nodes depend on each truth, rules included."""
     users: list[set[int]] = [set() for _ in range(layout.truth_count)]
@@ -187,11 +187,15 @@ def _node_tables(layout: Layout) -> str:
         users[layout.node_of_truth[rule.condition]].add(layout.truth_count + number_)
         if rule.release is not None:
             users[layout.node_of_truth[rule.release]].add(layout.truth_count + number_)
-    remark = "/* What depends on each truth; rules stand behind all truths. */\n"
-    if is_small(layout):
-        masks = [f"UINT64_C({sum(1 << user for user in found):#x})" for found in users]
-        return remark + table("uint64_t", "node_users", masks)
-    return remark + lists("index_t", "node_users", "users", [sorted(found) for found in users])
+    nodes = [layout.truth_names[index] for index in layout.truths_in_order()]
+    nodes += [_rule_node(layout, rule) for rule in range(len(layout.machine.rules))]
+    found = [[nodes[user] for user in sorted(each)] for each in users]
+    named = list(zip(nodes[: layout.truth_count], found, strict=True))
+    title = "The nodes that depend on each truth."
+    if not is_small(layout):
+        return _section(title, [lists("node_users", "users", named)])
+    rows = [(" | ".join(f"BIT({user})" for user in row) or "NOBODY", name) for name, row in named]
+    return _section(title, [remarked_table("uint64_t", "node_users", rows)])
 
 
 def _rule_tables(layout: Layout) -> str:
@@ -207,18 +211,24 @@ def _rule_tables(layout: Layout) -> str:
         for rule in rules
     ]
     inputs = [[layout.input_names[used] for used in rule.inputs] for rule in rules]
-    return "\n".join(
+    watched = [layout.truth_names[truth] for truth in layout.machine.watches]
+    return _section(
+        "Rules: the condition, what must hold for them to clear, what a verdict carries.",
         [
-            "/* Rules: the condition, what must hold for them to clear, what a verdict carries. */",
             remarked_table(
                 "index_t", "rule_condition", list(zip(conditions, remarks, strict=True))
             ),
             table("index_t", "rule_release", releases),
-            lists("index_t", "rule_terms", "terms", terms),
-            lists("index_t", "rule_values", "shown_values", values),
-            lists("index_t", "rule_inputs", "shown_inputs", inputs),
-        ]
+            lists("rule_terms", "terms", _of_rules(layout, terms)),
+            lists("rule_values", "shown_values", _of_rules(layout, values)),
+            lists("rule_inputs", "shown_inputs", _of_rules(layout, inputs)),
+            table("index_t", "watched_truths", watched) if watched else "",
+        ],
     )
+
+
+def _of_rules(layout: Layout, rows: list[list[str]]) -> list[tuple[str, list[str]]]:
+    return list(zip([rule.name for rule in layout.machine.rules], rows, strict=True))
 
 
 # --- guards ----------------------------------------------------------------------------------
@@ -226,52 +236,47 @@ def _rule_tables(layout: Layout) -> str:
 
 def _guard_tables(layout: Layout) -> str:
     leaves, starts, below = [0], [0], []
-    rows: list[_LimitRow] = []
+    rows: list[str] = []
     for guard in layout.guards:
-        rows += _limit_rows(layout, guard, len(rows))
+        rows += _limit_rows(layout, guard)
         leaves.append(leaves[-1] + len(guard.leaves))
         starts.append(len(rows))
         holds = true_below(guard.limits)
         below += ["TRUE" if leaf in holds else "FALSE" for leaf in guard.leaves]
+    named = [(guard.name, layout.values[guard.value].remark) for guard in layout.guards]
     values = [layout.values[guard.value].name for guard in layout.guards]
     covered = [layout.values[value].name for value in sorted(covered_values(layout))]
-    return "\n".join(
+    listed = "\n".join(f"    {row}" for row in rows)
+    watching = [
+        (name, [guard.name for guard in layout.guards_of(channel)])
+        for channel, name in enumerate(layout.channel_names)
+    ]
+    return _section(
+        "Numbers that are watched, and their limits from low to high.",
         [
-            _GUARD_REMARK,
+            enumeration(named),
             table("index_t", "guard_value", values),
-            *([table("index_t", "covered_values", covered)] if covered else []),
+            table("index_t", "covered_values", covered) if covered else "",
+            lists("channel_guards", "watching", watching),
             table("index_t", "guard_leaves", leaves),
             table("index_t", "guard_limits", starts),
-            remarked_table("double", "limits", [(row.at, row.remark) for row in rows]),
-            table("index_t", "limit_leaf", [row.leaf for row in rows]),
-            table("index_t", "limit_twin", [row.twin for row in rows]),
-            table("unsigned char", "limit_above", [row.above for row in rows]),
+            f"static const limit limits[{len(rows)}] = {{\n{listed}\n}};",
             table("unsigned char", "leaf_below", below),
-        ]
+        ],
     )
 
 
-@dataclass(frozen=True)
-class _LimitRow:
-    """An entry of the tables of limits; the default is one that is no limit but an end."""
-
-    at: str
-    remark: str
-    leaf: str = "0"
-    twin: str = "NO_TWIN"
-    above: str = "FALSE"
-
-
-def _limit_rows(layout: Layout, guard: Guard, start: int) -> list[_LimitRow]:
+def _limit_rows(layout: Layout, guard: Guard) -> list[str]:
     """The limits of a guard between two ends."""
-    name = layout.values[guard.value].name.removeprefix("VALUE_")
-    rows = [_LimitRow("-INFINITY", f"below all limits of {name}")]
-    for limit, other in zip(guard.limits, twins(guard.limits), strict=True):
+    rows = [f"BELOW_ALL, /* {comments.in_c(layout.values[guard.value].remark)} */"]
+    pairs = enumerate(zip(guard.limits, twins(guard.limits), strict=True))
+    for place, (limit, other) in pairs:
         above = "TRUE" if limit.rises else "FALSE"
-        twin = "NO_TWIN" if other is None else str(start + 1 + other)
+        away = 0 if other is None else other - place
         leaf = layout.truth_names[limit.leaf]
-        rows.append(_LimitRow(number(limit.at), _remark(layout, limit.leaf), leaf, twin, above))
-    return [*rows, _LimitRow("DBL_MAX", f"above all limits of {name}")]
+        remark = comments.in_c(_remark(layout, limit.leaf))
+        rows.append(f"{{{number(limit.at)}, {leaf}, {above}, {away}}}, /* {remark} */")
+    return [*rows, "ABOVE_ALL,"]
 
 
 def _blame_tables(layout: Layout) -> str:
@@ -283,35 +288,92 @@ def _blame_tables(layout: Layout) -> str:
     blames = [layout.guard_blames(guard) for guard in layout.guards]
     blames += [layout.blamed(support) for support in swings]
     excuses = [layout.excuses(support) for support in supports]
-    return "\n".join(
+    return _section(
+        "The numbers whose lack makes a truth lost, and those whose lack leaves it unknown.",
         [
-            "/* Whose lack makes a truth lost, and whose leaves it unknown. */",
-            lists("index_t", "row_blames", "blames", _value_names(layout, blames)),
-            lists("index_t", "row_excuses", "excuses", _value_names(layout, excuses)),
-        ]
+            lists("row_blames", "blames", _rows_of_values(layout, blames)),
+            lists("row_excuses", "excuses", _rows_of_values(layout, excuses)),
+        ],
     )
 
 
-def _value_names(layout: Layout, rows: list[list[int]]) -> list[list[str]]:
-    return [[layout.values[value].name for value in row] for row in rows]
+def _rows_of_values(layout: Layout, rows: list[list[int]]) -> list[tuple[str, list[str]]]:
+    owners = [guard.name for guard in layout.guards]
+    owners += [layout.truth_names[index] for index in layout.oscillations]
+    found = [[layout.values[value].name for value in row] for row in rows]
+    return list(zip(owners, found, strict=True))
 
 
-# --- timers ----------------------------------------------------------------------------------
+# --- timers and samples ----------------------------------------------------------------------
 
 
-def _held_tables(layout: Layout) -> str:
+def _timer_tables(layout: Layout) -> str:
+    parts = [
+        *(_held_tables(layout) if layout.held else ()),
+        *(_age_tables(layout) if layout.ages else ()),
+        *(_turn_tables(layout) if layout.oscillations else ()),
+        *(_literal_tables(layout) if layout.literals else ()),
+    ]
+    return _section("Durations, ages, turning points, and truths that never change.", parts)
+
+
+def _literal_tables(layout: Layout) -> list[str]:
+    truths = layout.machine.truths
+    values = [_value(truths[index].node == ir.Literal(True)) for index in layout.literals]
+    named = [layout.truth_names[index] for index in layout.literals]
+    return [
+        table("index_t", "literals", named),
+        table("unsigned char", "literal_values", values),
+    ]
+
+
+def _value(holds: bool) -> str:
+    return "TRUE" if holds else "FALSE"
+
+
+def _sample_tables(layout: Layout) -> str:
+    if not layout.sampled and not layout.windows:
+        return ""
+    parts = [table("index_t", "sampled_values", _sampled_values(layout))]
+    if layout.windows:
+        lengths = [duration(window.length_ns) for window in layout.windows]
+        parts.append(table("int64_t", "window_lengths", lengths))
+    return _section("Numbers that rest on samples.", parts)
+
+
+def _sampled_values(layout: Layout) -> list[str]:
+    """The values that rest on samples, which a jump in time takes away."""
+    rests: set[int] = set()
+    for index, signal in enumerate(layout.machine.signals):
+        operands = ir.signal_operands(signal.node)
+        if isinstance(signal.node, ir.Sampled) or rests.intersection(operands):
+            rests.add(index)
+    return [
+        value.name for value in layout.values if _rests_on(layout, value.signal, value.test, rests)
+    ]
+
+
+def _rests_on(layout: Layout, signal: int | None, test: int | None, rests: set[int]) -> bool:
+    if test is not None:
+        compared = ir.compared_signals(layout.machine.truths[test].node)
+        return bool(rests.intersection(compared))
+    return signal in rests
+
+
+def _held_tables(layout: Layout) -> list[str]:
     rows = []
     for index in layout.held:
         node = layout.machine.truths[index].node
         assert isinstance(node, ir.Held), "the layout lists durations"
         rows.append((duration(node.duration_ns), _remark(layout, index)))
     nodes = [layout.truth_names[index] for index in layout.held]
-    return "\n".join(
-        [remarked_table("int64_t", "held_durations", rows), table("index_t", "held_nodes", nodes)]
-    )
+    return [
+        remarked_table("int64_t", "held_durations", rows),
+        table("index_t", "held_nodes", nodes),
+    ]
 
 
-def _age_tables(layout: Layout) -> str:
+def _age_tables(layout: Layout) -> list[str]:
     limits, inputs, unknown = [], [], []
     for index in layout.ages:
         node = layout.machine.truths[index].node
@@ -320,17 +382,15 @@ def _age_tables(layout: Layout) -> str:
         inputs.append(layout.input_names[node.input])
         unknown.append("LOST" if layout.has_timeout(node.input) else "UNKNOWN")
     leaves = [layout.truth_names[index] for index in layout.ages]
-    return "\n".join(
-        [
+    return [
             remarked_table("int64_t", "age_limits", limits),
             table("index_t", "age_input", inputs),
             table("unsigned char", "age_unknown", unknown),
             table("index_t", "age_leaf", leaves),
-        ]
-    )
+    ]
 
 
-def _turn_tables(layout: Layout) -> str:
+def _turn_tables(layout: Layout) -> list[str]:
     windows, swings, values = [], [], []
     for index in layout.oscillations:
         node = layout.machine.truths[index].node
@@ -342,12 +402,10 @@ def _turn_tables(layout: Layout) -> str:
     for count in turns(layout):
         starts.append(starts[-1] + count)
     leaves = [layout.truth_names[index] for index in layout.oscillations]
-    return "\n".join(
-        [
+    return [
             remarked_table("int64_t", "turn_windows", windows),
             table("double", "turn_swings", swings),
             table("index_t", "turn_value", values),
             table("index_t", "turn_first", starts),
             table("index_t", "turn_leaf", leaves),
-        ]
-    )
+    ]

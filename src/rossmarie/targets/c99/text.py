@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from rossmarie.targets import comments
 
@@ -36,19 +36,37 @@ def remarked_table(kind: str, name: str, rows: Sequence[tuple[str, str]]) -> str
     return f"static const {kind} {name}[{len(rows)}] = {{\n{lines}\n}};"
 
 
-def enumeration(rows: Sequence[tuple[str, str]], count: str) -> str:
-    """Names for 0, 1, 2 ... with a remark on each, and one for how many there are."""
+def sizes(rows: Mapping[str, int]) -> str:
+    """Names for numbers that parts of the engine are chosen by."""
+    return "".join(f"#define {name} {size}\n" for name, size in rows.items())
+
+
+def enumeration(rows: Sequence[tuple[str, str]]) -> str:
+    """Names for 0, 1, 2 ... with a remark on each; nothing if there are none."""
     listed = [f"{name}, /* {comments.in_c(remark)} */" for name, remark in rows]
-    return f"enum {{\n{indented([*listed, count])}\n}};"
+    return f"enum {{\n{indented(listed)}\n}};\n" if listed else ""
 
 
-def lists(entry_kind: str, starts: str, entries: str, rows: Sequence[Sequence[object]]) -> str:
-    """Lists of different lengths: the entries of row i stand in [starts[i], starts[i + 1])."""
+def lists(starts: str, entries: str, rows: Sequence[tuple[str, Sequence[object]]]) -> str:
+    """Lists of indexes of different lengths, each with its name: the entries of list i stand in
+    [starts[i], starts[i + 1]).
+    """
     places = [0]
-    for row in rows:
+    for _, row in rows:
         places.append(places[-1] + len(row))
-    flat = [entry for row in rows for entry in row]
-    return f"{table('index_t', starts, places)}\n{table(entry_kind, entries, flat)}"
+    filled = [_listed(name, row) for name, row in rows if row]
+    if not filled:
+        return f"{table('index_t', starts, places)}\n{table('index_t', entries, ())}"
+    opening = f"static const index_t {entries}[{places[-1]}] = {{"
+    return "\n".join([table("index_t", starts, places), opening, *filled, "};"])
+
+
+def _listed(name: str, row: Sequence[object]) -> str:
+    text = f"/* {comments.in_c(name)} */ {', '.join(map(str, row))},"
+    return textwrap.fill(
+        text, 96, initial_indent="    ", subsequent_indent="        ",
+        break_long_words=False, break_on_hyphens=False,
+    )  # fmt: skip
 
 
 def call(head: str, arguments: Sequence[str]) -> str:

@@ -78,7 +78,7 @@ class PackageWriter:
         """All files but those that say how to build and to start the node."""
         core = {f"src/{name}": text for name, text in c99.generate(self._machine).items()}
         fixed = {path: self.fill(path) for path in _FIXED}
-        return fixed | self._source_files() | core | runtime.copies(self._dialect.folder)
+        return fixed | self._source_files() | core | runtime.files(self._dialect.folder)
 
     def packages(self) -> set[str]:
         """The packages of what the node takes and sends, and of what it tells."""

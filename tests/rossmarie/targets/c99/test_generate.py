@@ -12,7 +12,8 @@ import pytest
 from rossmarie import ir
 from rossmarie.ir.reactions import CancelGoal, Plan
 from rossmarie.targets import c99
-from rossmarie.targets.c99 import generate, generate_loadable
+from rossmarie.targets.c99 import engine, generate, generate_loadable
+from rossmarie.targets.c99.monitor import own_files
 from support.c99_cases import CASES
 from support.c_compiler import (
     C_COMPILERS,
@@ -32,7 +33,7 @@ GOLDEN = Path(__file__).parents[3] / "golden" / "c99"
 
 @pytest.mark.parametrize("case", sorted(CASES))
 def test_looks_as_when_somebody_last_looked(case: str, bless: bool) -> None:
-    files = generate(CASES[case]())
+    files = own_files(CASES[case]())
     # Of rules that do something only the reactor: the others show what a monitor looks like.
     reactor = {name: text for name, text in files.items() if "_reactor." in name}
     for name, text in (reactor or files).items():
@@ -133,9 +134,8 @@ def renamed(machine: ir.Machine, name: str, path: str) -> ir.Machine:
 
 
 def invented_functions() -> set[str]:
-    """The names of all functions in the templates."""
-    templates = Path(c99.__file__).parent / "templates"
-    texts = [path.read_text(encoding="utf-8") for path in templates.glob("**/*.c*")]
+    """The names of all functions of the engine."""
+    texts = engine.files().values()
     declared = re.compile(r"^(?:static|INLINE|RARE)[^=;{]*?(\w+)\(", re.MULTILINE)
     return {name for text in texts for name in declared.findall(text)}
 
@@ -150,7 +150,8 @@ def test_names_of_users_cannot_break_the_code(case: str, tmp_path: Path) -> None
         machine = replace(renamed(CASES[case](), NASTY, field), name=f"{case}_{number}")
         files = generate(machine)
         write(files, tmp_path)
-        sources += [f'#include "{header}"\n' for header in files if header.endswith(".h")]
+        headers = [header for header in own_files(machine) if header.endswith(".h")]
+        sources += [f'#include "{header}"\n' for header in headers]
     (tmp_path / "headers.c").write_text("".join(sources), encoding="utf-8")
     quick = ["-std=c99", "-fsyntax-only", *STRICT]
     run([C_COMPILERS[0], *quick, *sorted(tmp_path.glob("*.c"))])
@@ -163,11 +164,11 @@ def test_texts_are_told_to_whoever_gives_them() -> None:
 
 
 def test_there_is_a_reactor_only_if_there_are_tasks() -> None:
-    assert sorted(generate(CASES["thresholds"]())) == [
+    assert sorted(own_files(CASES["thresholds"]())) == [
         "thresholds_monitor.c",
         "thresholds_monitor.h",
     ]
-    assert sorted(generate(CASES["reacting"]()))[2:] == ["reacting_reactor.c", "reacting_reactor.h"]
+    assert sorted(own_files(CASES["reacting"]()))[2:] == ["reacting_reactor.c", "reacting_reactor.h"]
 
 
 def test_a_reactor_carries_the_place_and_the_words_of_the_user() -> None:
@@ -184,6 +185,6 @@ def test_a_reactor_has_only_what_it_needs() -> None:
     cancel = replace(cancel, confirmation=None)
     tasks = (replace(found.tasks[3], effect=cancel, otherwise=()),)
     plain = replace(found, commands=(), tasks=tasks, plans=(Plan(((0,),), (0,)), Plan((), ())))
-    files = generate(replace(machine, reactions=plain, watches=()))
+    files = own_files(replace(machine, reactions=plain, watches=()))
     assert "math.h>" not in files["reacting_reactor.c"]
     assert not re.search("_bounds|_watch", "".join(files.values()))

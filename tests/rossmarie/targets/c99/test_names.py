@@ -10,13 +10,14 @@ import pytest
 
 from rossmarie.naming import public_prefix
 from rossmarie.targets import c99
-from rossmarie.targets.c99 import generate_loadable
+from rossmarie.targets.c99 import engine, generate_loadable
 from support.c99_cases import CASES
 from support.c_compiler import C_COMPILERS, STRICT, needs_c, run, write
 
 _IGNORED = re.compile(r'/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\])*"', re.DOTALL)
 _NAME = re.compile(r"(?<!\w)[A-Za-z]\w*")
 _BLANK = re.compile(r"\w*\{\{.*?\}\}\w*")
+_PUBLIC = re.compile(r"NAMED\(\w+\)")
 _OWN = "zzz"
 TEMPLATES = Path(c99.__file__).with_name("templates")
 
@@ -27,12 +28,13 @@ def generated(case: str) -> str:
 
 
 def templates() -> str:
-    files = sorted(path for path in TEMPLATES.rglob("*.*") if path.suffix in (".c", ".j2"))
-    return "\n".join(_BLANK.sub("", path.read_text(encoding="utf-8")) for path in files)
+    files = sorted(TEMPLATES.glob("*.j2"))
+    texts = [path.read_text(encoding="utf-8") for path in files]
+    return "\n".join(_BLANK.sub("", text) for text in [*texts, *engine.files().values()])
 
 
 def private_names(text: str) -> set[str]:
-    found = _NAME.findall(_IGNORED.sub("", text))
+    found = _NAME.findall(_PUBLIC.sub("", _IGNORED.sub("", text)))
     return {name for name in found if "_" in name and not name.lower().startswith(_OWN)}
 
 

@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // The goals of one action server: those of others, which tasks interrupt, and those that tasks
 // send. All that is said between an action server and its clients goes over topics; goals of others

@@ -1,4 +1,4 @@
-# Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+# Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 #
 # Builds and installs the node of needs.cmake as a part of the package that includes this file, before
 # catkin_package().

@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // The service dynamic_reconfigure/Reconfigure as it goes over the wire. Not every system that has
 // ROS has the package's headers for C++.

@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // An action server that stands before another one: goals pass through it, so that it can send one
 // again that was interrupted. Who sent the goal sees one goal, which goes on all the while.

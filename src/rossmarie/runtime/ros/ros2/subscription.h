@@ -1,4 +1,4 @@
-// Part of ROSSMARie, the same in each package: SHA256SUMS lists it. Change nothing here.
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // A subscription that no publisher starves: it asks for the reliability and the durability that all
 // publishers offer, unless a parameter (qos_overrides) asks for a reliability; then a publisher

@@ -1,3 +1,36 @@
+/* Part of ROSSMARie, the same for all rules. */
+
+/* Samples: the last two of a number, or all within a window. */
+
+#if SAMPLED
+
+static void forget_samples(monitor *m, unsigned k)
+{
+    m->latest[k] = NAN;
+    m->before[k] = NAN;
+}
+
+/* A sample of a number; at an equal instant it replaces the last one. */
+static void sample(monitor *m, unsigned k, double x, int64_t t_ns)
+{
+    if (m->latest_ns[k] != t_ns) {
+        m->before[k] = m->latest[k];
+        m->before_ns[k] = m->latest_ns[k];
+    }
+    m->latest[k] = x;
+    m->latest_ns[k] = t_ns;
+}
+
+/* The time between the last two samples. */
+static inline double seconds_between(const monitor *m, unsigned k)
+{
+    return (double)(m->latest_ns[k] - m->before_ns[k]) / 1e9;
+}
+
+#endif
+
+#if WINDOWS
+
 /* Sample i of a window, the oldest first. */
 static unsigned window_place(const monitor *m, unsigned k, unsigned i)
 {
@@ -56,3 +89,5 @@ static double window_middle(const monitor *m, unsigned k, unsigned is_upper)
     }
     return found;
 }
+
+#endif

@@ -1,10 +1,33 @@
+/* Part of ROSSMARie, the same for all rules. */
+
+/* Numbers are IEEE 754 binary64, evaluated as written: what compilers and processors do otherwise
+ * is refused here, or told by arithmetic_fault.
+ */
+#ifndef ROSSMARIE_BINARY64_H
+#define ROSSMARIE_BINARY64_H
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+
+#if FLT_EVAL_METHOD != 0
+#error "needs IEEE 754 binary64 without excess precision, as with -msse2 -mfpmath=sse"
+#endif
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__) ||           \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || defined(__NO_SIGNED_ZEROS__)
+#error "needs IEEE 754 semantics: compile without -ffast-math, and without any part of it"
+#endif
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
 /* Volatile, so that no compiler knows these numbers. */
 static volatile const double given[] = {
     NAN, INFINITY, 1.0, 3.0, -0.0, 1.0 + 0x1p-27, 1.0 + 0x1p-26, DBL_EPSILON / 4.0, DBL_MIN,
 };
 
-/* Why numbers are not those of IEEE 754 here, NULL if they are. Flags of compilers that no macro tells
- * show in results, as do the modes of the processor in this thread.
+/* Why numbers are not those of IEEE 754 here, NULL if they are. Flags of compilers that no macro
+ * tells show in results, as do the modes of the processor in this thread.
  */
 static const char *arithmetic_fault(void)
 {
@@ -20,10 +43,12 @@ static const char *arithmetic_fault(void)
                ? "infinity counts as a number (-ffinite-math-only, -fno-honor-infinities)"
            : (one + 0x1p53) - 0x1p53 != 0.0 ? "sums are regrouped (-fassociative-math)"
            : three / 10.0 != 0.3            ? "divisions are multiplications (-freciprocal-math)"
-           : 1.0 / (zero + 0.0) < 0.0 ? "zeros have no sign (-fno-signed-zeros)"
+           : 1.0 / (zero + 0.0) < 0.0       ? "zeros have no sign (-fno-signed-zeros)"
            : factor * factor - square != 0.0
                ? "products and sums are contracted: compile with -ffp-contract=off"
            : least / 2.0 == 0.0 || least / 2.0 * 2.0 != least
                ? "subnormal numbers count as 0 (-ffast-math of any library, -mdaz-ftz)"
                : NULL;
 }
+
+#endif

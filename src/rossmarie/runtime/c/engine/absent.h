@@ -1,0 +1,36 @@
+/* Part of ROSSMARie, the same for all rules. */
+
+/* Parts that these rules do not use: their file tells the sizes of those that they use. */
+#ifndef TIMEOUTS
+#define TIMEOUTS 0
+#endif
+#ifndef GUARDS
+#define GUARDS 0
+#endif
+#ifndef COVERED
+#define COVERED 0
+#endif
+#ifndef LITERALS
+#define LITERALS 0
+#endif
+#ifndef HELD
+#define HELD 0
+#endif
+#ifndef AGES
+#define AGES 0
+#endif
+#ifndef OSCILLATIONS
+#define OSCILLATIONS 0
+#endif
+#ifndef SAMPLED
+#define SAMPLED 0
+#endif
+#ifndef SAMPLED_VALUES
+#define SAMPLED_VALUES 0
+#endif
+#ifndef WINDOWS
+#define WINDOWS 0
+#endif
+#ifndef WATCHES
+#define WATCHES 0
+#endif

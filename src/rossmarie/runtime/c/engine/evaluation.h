@@ -1,0 +1,240 @@
+/* Part of ROSSMARie, the same for all rules. */
+
+/* Evaluation: what is marked is evaluated in order, at the instants at which timers fall due and at
+ * those of messages.
+ */
+
+/* The value of a truth that was marked: the rules' own part of a monitor. */
+static unsigned char derive(monitor *m, unsigned node, int64_t t_ns);
+
+/* The next that is marked: a truth gets its value, a rule is judged. */
+static int visit(monitor *m, unsigned node, int64_t t_ns)
+{
+    if (node >= TRUTHS)
+        return judge(m, node - TRUTHS, t_ns);
+    set_truth(m, node, derive(m, node, t_ns), t_ns);
+    return 0;
+}
+
+/* Everything that is marked, in order: what depends on a truth stands behind it. */
+static int evaluate(monitor *m, int64_t t_ns)
+{
+    int events = 0;
+    m->now_ns = t_ns;
+#if NODES <= 64
+    while (m->dirty != 0) {
+        const unsigned node = lowest(m->dirty);
+        m->dirty &= m->dirty - 1;
+        events += visit(m, node, t_ns);
+    }
+#else
+    for (unsigned word = 0; word != WORDS; word++) {
+        while (m->dirty[word] != 0) {
+            const unsigned node = 64 * word + lowest(m->dirty[word]);
+            m->dirty[word] &= m->dirty[word] - 1;
+            events += visit(m, node, t_ns);
+        }
+    }
+    m->pending = false;
+#endif
+    return events;
+}
+
+static int64_t earliest_timer(const monitor *m)
+{
+    int64_t wake_ns = NEVER;
+#if TIMEOUTS
+    for (unsigned i = 0; i != INPUTS; i++)
+        if (m->state[i] == FRESH && input_timeouts[i] != 0)
+            wake_ns = earlier(wake_ns, m->stamp_ns[i] + input_timeouts[i]);
+#endif
+#if AGES
+    for (unsigned k = 0; k != AGES; k++)
+        if (m->truth[age_leaf[k]] == FALSE)
+            wake_ns = earlier(wake_ns, m->stamp_ns[age_input[k]] + age_limits[k]);
+#endif
+#if OSCILLATIONS
+    for (unsigned k = 0; k != OSCILLATIONS; k++)
+        if (m->truth[turn_leaf[k]] == TRUE)
+            wake_ns = earlier(wake_ns, oldest_turn(m, k) + turn_windows[k]);
+        else if (m->truth[turn_leaf[k]] != FALSE && m->gap_end_ns[k] != NEVER)
+            wake_ns = earlier(wake_ns, m->gap_end_ns[k] + turn_windows[k]);
+#endif
+#if HELD
+    for (unsigned k = 0; k != HELD; k++)
+        if (m->held_due_ns[k] > m->now_ns)
+            wake_ns = earlier(wake_ns, m->held_due_ns[k]);
+#endif
+    (void)m;
+    return wake_ns;
+}
+
+#if TIMEOUTS
+
+/* An input reached its timeout: what it brought is forgotten. */
+static void expire(monitor *m, unsigned input)
+{
+    m->state[input] = EXPIRED;
+    m->quiet[input_channel[input]] = false;
+    for (unsigned i = input_values[input]; i != input_values[input + 1]; i++)
+        m->value[lost_values[i]] = NAN;
+#if SAMPLED
+    for (unsigned i = input_samples[input]; i != input_samples[input + 1]; i++)
+        forget_samples(m, lost_samples[i]);
+#endif
+#if WINDOWS
+    for (unsigned i = input_windows[input]; i != input_windows[input + 1]; i++)
+        forget_window(m, lost_windows[i]);
+#endif
+}
+
+/* The inputs that reach their timeouts at an instant. */
+static void expire_due(monitor *m, int64_t t_ns)
+{
+    bool has_expired = false;
+    for (unsigned i = 0; i != INPUTS; i++) {
+        if (m->state[i] == FRESH && input_timeouts[i] != 0 &&
+            t_ns - m->stamp_ns[i] >= input_timeouts[i]) {
+            expire(m, i);
+            has_expired = true;
+        }
+    }
+#if GUARDS
+    if (has_expired)
+        review(m, t_ns);
+#else
+    (void)has_expired;
+#endif
+}
+
+#endif
+
+/* Mark what is due at an instant. */
+static void tick(monitor *m, int64_t t_ns)
+{
+#if TIMEOUTS
+    expire_due(m, t_ns);
+#endif
+#if AGES
+    for (unsigned k = 0; k != AGES; k++)
+        look_at_age(m, k, t_ns);
+#endif
+#if OSCILLATIONS
+    for (unsigned k = 0; k != OSCILLATIONS; k++)
+        look_at_swings(m, k, t_ns);
+#endif
+#if HELD
+    for (unsigned k = 0; k != HELD; k++)
+        if (m->held_due_ns[k] <= t_ns && m->truth[held_nodes[k]] != TRUE)
+            mark(m, held_nodes[k]);
+#endif
+    (void)m;
+    (void)t_ns;
+}
+
+/* What is measured against a clock is forgotten. */
+static void forget_times(monitor *m, int64_t t_ns)
+{
+#if HELD
+    for (unsigned k = 0; k != HELD; k++) {
+        m->held_due_ns[k] = NEVER;
+        m->held_before[k] = m->started ? UNKNOWN : FALSE;
+    }
+#endif
+#if SAMPLED
+    for (unsigned k = 0; k != SAMPLED; k++)
+        forget_samples(m, k);
+#endif
+#if WINDOWS
+    for (unsigned k = 0; k != WINDOWS; k++)
+        forget_window(m, k);
+#endif
+#if SAMPLED || WINDOWS
+    for (unsigned i = 0; i != SAMPLED_VALUES; i++)
+        m->value[sampled_values[i]] = NAN;
+#endif
+#if OSCILLATIONS
+    for (unsigned k = 0; k != OSCILLATIONS; k++) {
+        forget_turns(m, k);
+        m->gap[k] = m->started ? UNKNOWN : FALSE;
+        m->gap_end_ns[k] = t_ns;
+    }
+#endif
+    (void)m;
+    (void)t_ns;
+}
+
+/* Begin, or begin again after time went backwards: of inputs no more than their ages is known. */
+static void restart(monitor *m, int64_t t_ns)
+{
+    for (unsigned node = 0; node != TRUTHS; node++)
+        m->truth[node] = UNSET;
+    for (unsigned node = LEAVES; node != NODES; node++)
+        mark(m, node);
+#if INPUTS
+    for (unsigned i = 0; i != INPUTS; i++) {
+        const int64_t age_ns = m->now_ns - m->stamp_ns[i];
+        m->stamp_ns[i] = t_ns - (age_ns < LONGEST ? age_ns : LONGEST);
+    }
+    for (unsigned i = 0; i != CHANNELS; i++)
+        m->quiet[i] = false;
+#endif
+    forget_times(m, t_ns);
+#if LITERALS
+    for (unsigned i = 0; i != LITERALS; i++)
+        set_truth(m, literals[i], literal_values[i], t_ns);
+#endif
+#if GUARDS
+    for (unsigned g = 0; g != GUARDS; g++) {
+        m->place[g] = -(int)UNSET;
+        m->low[g] = INFINITY;
+        m->high[g] = -INFINITY;
+    }
+    review(m, t_ns);
+#endif
+    m->started = true;
+    m->now_ns = t_ns;
+    m->wake_ns = t_ns;
+}
+
+static void report_jump(const monitor *m, int64_t t_ns)
+{
+    NAMED(event) event;
+    memset(&event, 0, sizeof event);
+    event.at_ns = t_ns;
+    event.from_ns = m->now_ns;
+    event.change = NAMED(TIME_JUMP);
+    m->on_event(m->user, &event);
+}
+
+static void set_wake(monitor *m)
+{
+    const int64_t wake_ns = earliest_timer(m);
+    m->wake_ns = wake_ns < LATEST ? wake_ns : LATEST;
+}
+
+/* Run the timers due before an instant, one instant after the other. */
+static int catch_up(monitor *m, int64_t t_ns)
+{
+    int events = 0;
+    if (t_ns <= EARLIEST || t_ns >= LATEST)
+        return -1;
+    if (!m->started) {
+        restart(m, t_ns);
+        return 0;
+    }
+    if (t_ns < m->now_ns) {
+        if (m->on_event)
+            report_jump(m, t_ns);
+        restart(m, t_ns);
+        return 1;
+    }
+    for (;;) {
+        const int64_t wake_ns = earliest_timer(m);
+        if (wake_ns >= t_ns)
+            break;
+        tick(m, wake_ns);
+        events += evaluate(m, wake_ns);
+    }
+    return events;
+}

@@ -1,0 +1,117 @@
+/* Part of ROSSMARie, the same for all rules. */
+
+/* The engine of a monitor. The file that includes it has the rules' own part: before this line the
+ * sizes and the tables, in the words of tables.h, and behind it the functions that evaluate the
+ * conditions and store the numbers of messages. So the functions here are compiled for these
+ * tables, once for each monitor: a file includes the engine of one monitor only.
+ *
+ * How it works: every number that conditions look at has a guard, the range around its present
+ * value in which none of its comparisons changes. A message whose numbers stay inside their guards
+ * costs no more than looking at them. A number that leaves its guard crosses one or more limits;
+ * that flips the truths at these limits, and only what depends on them is evaluated, in order.
+ */
+#ifdef ROSSMARIE_MONITOR
+#error "a file includes the engine of one monitor only"
+#endif
+#define ROSSMARIE_MONITOR
+
+#include "absent.h"
+
+#include "truths.h"
+
+#include "numbers.h"
+
+#include "timers.h"
+
+#include "limits.h"
+
+#include "samples.h"
+
+#include "oscillations.h"
+
+#include "rules.h"
+
+#include "evaluation.h"
+
+#include "messages.h"
+
+/* What is computed from constants alone: the rules' own part of a monitor. */
+static void set_constants(monitor *m);
+
+const char *NAMED(init)(monitor *m, NAMED(callback) on_event, void *user)
+{
+    memset(m, 0, sizeof *m);
+    m->on_event = on_event;
+    m->user = user;
+    m->wake_ns = INT64_MIN;
+    for (unsigned i = 0; i != VALUES; i++)
+        m->value[i] = NAN;
+    set_constants(m);
+    return arithmetic_fault();
+}
+
+/* Time passes without a message. */
+int NAMED(advance)(monitor *m, int64_t t_ns)
+{
+    int events = catch_up(m, t_ns);
+    if (events < 0)
+        return events;
+    tick(m, t_ns);
+    if (is_pending(m))
+        events += evaluate(m, t_ns);
+    m->now_ns = t_ns;
+    set_wake(m);
+    return events;
+}
+
+int NAMED(reset)(monitor *m, int64_t t_ns, int rule)
+{
+    int events = NAMED(advance)(m, t_ns);
+    if (events < 0)
+        return events;
+    for (unsigned i = 0; i != RULES; i++)
+        if ((rule < 0 || (unsigned)rule == i) && rule_release[i] == LATCHED && is_active(m, i) &&
+            m->truth[rule_condition[i]] == FALSE)
+            events += change_rule(m, i, NAMED(CLEARED), t_ns);
+    return events;
+}
+
+int64_t NAMED(next_wake)(const monitor *m) { return m->started ? earliest_timer(m) : NEVER; }
+
+bool NAMED(is_active)(const monitor *m, int rule)
+{
+    return rule >= 0 && rule < (int)RULES && is_active(m, (unsigned)rule);
+}
+
+void NAMED(latch)(monitor *m, int rule)
+{
+    if (!m->started && rule >= 0 && rule < (int)RULES && rule_release[rule] == LATCHED)
+        m->active[rule / 8] = (unsigned char)(m->active[rule / 8] | 1u << (rule % 8));
+}
+
+int NAMED(input_state)(const monitor *m, int input)
+{
+    return input >= 0 && input < (int)INPUTS ? m->state[input] : (int)NEVER_RECEIVED;
+}
+
+bool NAMED(has_all_inputs)(const monitor *m)
+{
+#if TIMEOUTS
+    for (unsigned i = 0; i != INPUTS; i++)
+        if (m->state[i] == NEVER_RECEIVED && input_timeouts[i] != 0)
+            return false;
+#endif
+    (void)m;
+    return true;
+}
+
+#if WATCHES
+
+enum NAMED(truth) NAMED(watch)(const monitor *m, int watch)
+{
+    if (!m->started || watch < 0 || watch >= (int)WATCHES)
+        return NAMED(UNKNOWN);
+    return (enum NAMED(truth))m->truth[watched_truths[watch]];
+}
+
+#endif

@@ -1,0 +1,37 @@
+/* Part of ROSSMARie, the same for all rules. */
+
+/* Numbers that are not finite are unknown, which is NaN; and what is asked of the elements of
+ * arrays. */
+
+/* Not finite is unknown: x - (x - x) is x, to the bit, if x is finite, and NaN if it is not. */
+static inline double known(double x) { return x - (x - x); }
+
+/* The outcome of a comparison as a number: 0 or 1, or NaN if an operand is. */
+static inline double outcome(bool is_unknown, bool value)
+{
+    return is_unknown ? NAN : value ? 1.0 : 0.0;
+}
+
+/* A truth about one element of an array. */
+static inline unsigned char element_truth(bool is_unknown, bool value)
+{
+    return is_unknown ? UNKNOWN : value ? TRUE : FALSE;
+}
+
+/* Some of the elements, given how many are true, are unknown, and are. */
+static inline double some(size_t truths, size_t unknowns, size_t count)
+{
+    return truths != 0 ? 1.0 : unknowns != 0 || count == 0 ? NAN : 0.0;
+}
+
+/* All of the elements, given how many are true, are unknown, and are. */
+static inline double every(size_t truths, size_t unknowns, size_t count)
+{
+    return truths + unknowns != count ? 0.0 : unknowns != 0 || count == 0 ? NAN : 1.0;
+}
+
+/* How many elements a truth holds for, given how many are true, are unknown, and are. */
+static inline double how_many(size_t truths, size_t unknowns, size_t count)
+{
+    return unknowns != 0 || count == 0 ? NAN : (double)truths;
+}

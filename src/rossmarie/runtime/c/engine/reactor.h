@@ -1,0 +1,378 @@
+/* Part of ROSSMARie, the same for all rules. */
+
+/* The engine of a reactor: it turns the activity of rules into orders to start and to stop tasks.
+ * The file that includes it has the rules' own part before this line: what tasks need, and what
+ * follows them, as tables in the words of plans.h.
+ */
+#ifdef ROSSMARIE_REACTOR
+#error "a file includes the engine of one reactor only"
+#endif
+#define ROSSMARIE_REACTOR
+
+/* --- orders -------------------------------------------------------------------------------- */
+
+/* No task gets more than two orders in one call: overruled and failed. */
+static void decide(reactor *r, unsigned task, unsigned order, int32_t by_rule)
+{
+    NAMED(decision) *made = &r->decisions[r->decided];
+    made->task = (index_t)task;
+    made->order = (index_t)order;
+    made->by_rule = by_rule;
+    r->decided++;
+}
+
+/* Give the orders of a call. */
+static void give_orders(reactor *r)
+{
+    for (unsigned i = 0; i != r->decided; i++) {
+        const NAMED(decision) *made = &r->decisions[i];
+        r->perform(r->user, made->task, (enum NAMED(order))made->order, made->by_rule);
+    }
+    r->decided = 0;
+}
+
+/* --- time ---------------------------------------------------------------------------------- */
+
+/* Whether the instant is in range. When the clock is set back, what was a old stays a old. */
+static bool set_clock(reactor *r, int64_t t_ns)
+{
+    if (t_ns <= EARLIEST || t_ns >= LATEST)
+        return false;
+    for (unsigned task = 0; task != TASKS && t_ns < r->now_ns; task++) {
+        if (r->since_ns[task] != NEVER) {
+            const int64_t age_ns = r->now_ns - r->since_ns[task];
+            r->since_ns[task] = t_ns - (age_ns < LONGEST ? age_ns : LONGEST);
+        }
+    }
+    r->now_ns = t_ns;
+    return true;
+}
+
+/* When a task that runs or waits runs out of time. */
+static int64_t due(const reactor *r, unsigned task)
+{
+    const bool is_open = r->state[task] == RUNNING || r->state[task] == WAITING;
+    return is_open && tasks[task].timeout_ns != 0 ? r->since_ns[task] + tasks[task].timeout_ns
+                                                  : NEVER;
+}
+
+/* --- tasks --------------------------------------------------------------------------------- */
+
+static bool is_in_force(const reactor *r, unsigned task)
+{
+    return r->state[task] == RUNNING || r->state[task] == HOLDING;
+}
+
+/* The engaged rule that has what a task needs, -1 if that is the rule of the task, or publishes the
+ * same. Only what is published is done without being awaited.
+ */
+static int32_t overruler(const reactor *r, unsigned task)
+{
+    const unsigned resource = tasks[task].resource;
+    if (resource == NONE)
+        return -1;
+    for (unsigned i = resource_rules[resource]; i != resource_rules[resource + 1]; i++) {
+        const unsigned rule = claiming_rules[i];
+        const bool is_same = tasks[task].deed != NONE && claiming_deed[i] == tasks[task].deed;
+        if (r->engaged[rule]) {
+            const bool is_shared = is_same && tasks[task].timeout_ns == 0;
+            return rule == tasks[task].rule || is_shared ? -1 : (int32_t)rule;
+        }
+    }
+    return -1;
+}
+
+/* A task is the last of its rule that started. */
+static void append_started(reactor *r, unsigned task)
+{
+    const unsigned rule = tasks[task].rule;
+    index_t *started = &r->started[rule_tasks[rule]];
+    unsigned count = 0;
+    for (unsigned i = 0; i != r->started_count[rule]; i++)
+        if (started[i] != task)
+            started[count++] = started[i];
+    started[count] = (index_t)task;
+    r->started_count[rule] = (index_t)(count + 1);
+}
+
+static void begin(reactor *r, unsigned task)
+{
+    append_started(r, task);
+    if (tasks[task].timeout_ns != 0)
+        r->state[task] = RUNNING;
+    else
+        r->state[task] = tasks[task].end;
+    r->since_ns[task] = r->now_ns;
+    r->reported[task] = false;
+    decide(r, task, NAMED(START), -1);
+}
+
+static void fail(reactor *r, unsigned task, unsigned char state)
+{
+    r->state[task] = state;
+    r->failed[r->failed_count] = (index_t)task;
+    r->failed_count++;
+}
+
+/* Another rule has what a task needs. Of a task that runs the time goes on. */
+static void give_way(reactor *r, unsigned task)
+{
+    if (r->state[task] != RUNNING)
+        r->since_ns[task] = r->now_ns;
+    r->state[task] = WAITING;
+    if (tasks[task].fails_at_once)
+        fail(r, task, OVERDUE);
+}
+
+/* Tasks begin, but for those whose resource another rule has, and those that have begun before. */
+static void start(reactor *r, const index_t *first, const index_t *end)
+{
+    for (const index_t *task = first; task != end; task++) {
+        const int32_t by_rule = overruler(r, *task);
+        if (r->state[*task] != IDLE)
+            continue;
+        if (by_rule < 0) {
+            begin(r, *task);
+            continue;
+        }
+        decide(r, *task, NAMED(OVERRULED), by_rule);
+        if (tasks[*task].waits)
+            give_way(r, *task);
+        else
+            fail(r, *task, FAILED);
+    }
+}
+
+/* What follows from failures, those that follow from these included. */
+static void escalate(reactor *r)
+{
+    for (unsigned i = 0; i != r->failed_count; i++) {
+        const unsigned task = r->failed[i];
+        decide(r, task, NAMED(FAILED), -1);
+        start(r, &escalations[task_escalations[task]], &escalations[task_escalations[task + 1]]);
+    }
+    r->failed_count = 0;
+}
+
+/* --- rules --------------------------------------------------------------------------------- */
+
+/* What is in force is undone, last started first, and all is forgotten. */
+static void release(reactor *r, unsigned rule)
+{
+    const index_t *started = &r->started[rule_tasks[rule]];
+    for (unsigned i = r->started_count[rule]; i != 0; i--) {
+        const unsigned task = started[i - 1];
+        if (is_in_force(r, task)) {
+            decide(r, task, NAMED(STOP), -1);
+            r->since_ns[task] = r->now_ns;
+        }
+    }
+    for (unsigned i = rule_tasks[rule]; i != rule_tasks[rule + 1]; i++)
+        r->state[planned_tasks[i]] = IDLE;
+    r->started_count[rule] = 0;
+    r->engaged[rule] = false;
+}
+
+static void give_up(reactor *r, unsigned task)
+{
+    if (tasks[task].waits)
+        give_way(r, task);
+    else if (r->state[task] == RUNNING)
+        fail(r, task, FAILED);
+    else
+        r->state[task] = DONE;
+}
+
+/* First all that is given up, then what follows from that, then what begins again. */
+static void pass_resources_on(reactor *r)
+{
+    for (unsigned task = 0; task != TASKS; task++) {
+        const int32_t by_rule = is_in_force(r, task) ? overruler(r, task) : -1;
+        if (by_rule >= 0) {
+            decide(r, task, NAMED(OVERRULED), by_rule);
+            give_up(r, task);
+        }
+    }
+    escalate(r);
+    for (unsigned task = 0; task != TASKS; task++)
+        if ((r->state[task] == WAITING || r->state[task] == OVERDUE) && overruler(r, task) < 0)
+            begin(r, task);
+}
+
+/* The stage that a rule is at, if it is not at the end. */
+static void start_stage(reactor *r, unsigned rule)
+{
+    const unsigned stage = rule_stages[rule] + r->stage[rule];
+    if (stage != rule_stages[rule + 1]) {
+        start(r, &staged_tasks[stage_tasks[stage]], &staged_tasks[stage_tasks[stage + 1]]);
+        escalate(r);
+    }
+}
+
+static bool is_stage_over(const reactor *r, unsigned rule)
+{
+    const unsigned stage = rule_stages[rule] + r->stage[rule];
+    if (!r->engaged[rule] || stage == rule_stages[rule + 1])
+        return false;
+    for (unsigned i = stage_tasks[stage]; i != stage_tasks[stage + 1]; i++) {
+        const unsigned state = r->state[staged_tasks[i]];
+        if (state != HOLDING && state != WAITING && state != OVERDUE && state != DONE)
+            return false;
+    }
+    return true;
+}
+
+/* Whether the condition that confirms the end of a task holds, if it has one. */
+static bool is_confirmed(const NAMED(monitor) * m, unsigned task)
+{
+#if CONFIRMED
+    if (tasks[task].watch != NONE)
+        return NAMED(watch)(m, tasks[task].watch) == NAMED(TRUE);
+#endif
+    (void)m;
+    (void)task;
+    return true;
+}
+
+/* Whether what a waiting task is there for is so without it. */
+static bool is_answered(const reactor *r, const NAMED(monitor) * m, unsigned task)
+{
+    const int32_t owner = overruler(r, task);
+    if (tasks[task].watch != NONE)
+        return is_confirmed(m, task);
+    if (owner < 0 || tasks[task].deed == NONE)
+        return false;
+    for (unsigned i = rule_tasks[owner]; i != rule_tasks[owner + 1]; i++) {
+        const unsigned other = planned_tasks[i];
+        if (r->state[other] == HOLDING && tasks[other].answer == tasks[task].deed)
+            return true;
+    }
+    return false;
+}
+
+/* What waits when its time is over fails, unless it is answered for. */
+static void settle_waits(reactor *r, const NAMED(monitor) * m)
+{
+    for (unsigned task = 0; task != TASKS; task++) {
+        const bool is_late = r->state[task] == WAITING && r->now_ns >= due(r, task);
+        if (is_late && !is_answered(r, m, task))
+            fail(r, task, OVERDUE);
+    }
+}
+
+/* Ends of tasks, then the stages that follow. */
+static void settle(reactor *r, const NAMED(monitor) * m)
+{
+    for (unsigned task = 0; task != TASKS; task++) {
+        const int64_t due_ns = due(r, task);
+        if (r->state[task] != RUNNING)
+            continue;
+        if (r->now_ns <= due_ns && r->reported[task] && is_confirmed(m, task))
+            r->state[task] = tasks[task].end;
+        else if (r->now_ns >= due_ns)
+            fail(r, task, FAILED);
+    }
+    settle_waits(r, m);
+    escalate(r);
+    for (unsigned i = 0; i != RULES; i++) {
+        while (is_stage_over(r, rule_order[i])) {
+            r->stage[rule_order[i]]++;
+            start_stage(r, rule_order[i]);
+        }
+    }
+    give_orders(r);
+}
+
+#include "commands.h"
+
+/* --- the rest of the interface ------------------------------------------------------------- */
+
+const char *NAMED(reactor_init)(reactor *r, NAMED(perform) perform, void *user)
+{
+    memset(r, 0, sizeof *r);
+    for (unsigned task = 0; task != TASKS; task++)
+        r->since_ns[task] = NEVER;
+    r->now_ns = EARLIEST;
+    r->perform = perform;
+    r->user = user;
+#if COMMANDS
+    return arithmetic_fault();
+#else
+    return NULL;
+#endif
+}
+
+void NAMED(reactor_open)(reactor *r) { r->opened = true; }
+
+/* Whether a rule is to be carried out. */
+static bool engages(const NAMED(monitor) * m, const unsigned char *exempted, unsigned rule)
+{
+    return NAMED(is_active)(m, (int)rule) && !(exempted && exempted[rule]);
+}
+
+/* Whether another rule is, while which this one is not. */
+static bool yields(const NAMED(monitor) * m, const unsigned char *exempted, unsigned rule)
+{
+#if YIELDING
+    for (unsigned i = rule_unless[rule]; i != rule_unless[rule + 1]; i++)
+        if (engages(m, exempted, others[i]))
+            return true;
+#endif
+    (void)m;
+    (void)exempted;
+    (void)rule;
+    return false;
+}
+
+void NAMED(react)(reactor *r, const NAMED(monitor) * m, const unsigned char *exempted, int64_t t_ns)
+{
+    bool starts[RULES];
+    if (!set_clock(r, t_ns))
+        return;
+    for (unsigned rule = 0; rule != RULES; rule++) {
+        const bool goes_on = engages(m, exempted, rule) && !yields(m, exempted, rule);
+        starts[rule] = goes_on && !r->engaged[rule];
+        if (r->engaged[rule] && !goes_on)
+            release(r, rule);
+    }
+    for (unsigned rule = 0; rule != RULES; rule++) {
+        if (starts[rule]) {
+            r->engaged[rule] = true;
+            r->stage[rule] = 0;
+        }
+    }
+    pass_resources_on(r);
+    for (unsigned i = 0; i != RULES; i++)
+        if (starts[rule_order[i]])
+            start_stage(r, rule_order[i]);
+    settle(r, m);
+}
+
+void NAMED(report)(reactor *r, const NAMED(monitor) * m, int64_t t_ns, int task, bool success)
+{
+    if (task < 0 || task >= (int)TASKS || !set_clock(r, t_ns))
+        return;
+    if (r->state[task] == RUNNING) {
+        if (success)
+            r->reported[task] = true;
+        else
+            fail(r, (unsigned)task, FAILED);
+    }
+    settle(r, m);
+}
+
+int64_t NAMED(reactor_next_wake)(const reactor *r)
+{
+    int64_t wake_ns = NEVER;
+    for (unsigned task = 0; task != TASKS; task++) {
+        const int64_t due_ns = due(r, task);
+        if (due_ns > r->now_ns)
+            wake_ns = due_ns < wake_ns ? due_ns : wake_ns;
+    }
+    return wake_ns;
+}
+
+int NAMED(task_state)(const reactor *r, int task)
+{
+    return task >= 0 && task < (int)TASKS ? r->state[task] : (int)IDLE;
+}

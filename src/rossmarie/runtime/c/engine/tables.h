@@ -1,0 +1,49 @@
+/* Part of ROSSMARie, the same for all rules. */
+
+/* The words in which the tables of a monitor are written. */
+#ifndef ROSSMARIE_TABLES_H
+#define ROSSMARIE_TABLES_H
+
+#include <stdbool.h>
+#include <string.h>
+
+#include "binary64.h"
+#include "instants.h"
+
+#if defined(__GNUC__)
+#define UNLIKELY(condition) __builtin_expect(!!(condition), 0)
+#define INLINE static inline __attribute__((always_inline))
+#define RARE static __attribute__((noinline))
+#else
+#define UNLIKELY(condition) (condition)
+#define INLINE static inline
+#define RARE static
+#endif
+
+/* Truths: unknown for lack of an input with a timeout is lost; unset is not evaluated yet. */
+enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };
+
+enum { NEVER_RECEIVED, FRESH, EXPIRED };
+
+/* A rule that clears only if an operator resets it: the truth that it waits for. */
+enum { LATCHED = NONE };
+
+/* A limit of a number: above it, the truth has this value, and up to it the opposite. If the truth
+ * has another limit, that one is so many limits on, or back if negative; 0 if it has none.
+ */
+typedef struct limit {
+    double at;
+    index_t truth;
+    unsigned char above;
+    int16_t other;
+} limit;
+
+/* The ends of the limits of a number. */
+#define BELOW_ALL {-INFINITY, 0, FALSE, 0}
+#define ABOVE_ALL {DBL_MAX, 0, FALSE, 0}
+
+/* Where there are few truths and rules: a set of them. */
+#define BIT(node) ((uint64_t)1 << (node))
+#define NOBODY ((uint64_t)0)
+
+#endif
