@@ -106,7 +106,7 @@ bench: $(READY) compiler ros1 prover
 
 fmt: $(READY)
 	$(RUN)/ruff format
-	$(RUN)/clang-format -i $$(find src/rossmarie/runtime tests/rossmarie/runtime -name "*.h" -o -name "*.cpp")
+	$(RUN)/clang-format -i $$(find src/rossmarie/runtime tests/rossmarie/runtime -name "*.h" -o -name "*.cpp" -o -name "*.c")
 	$(RUN)/ruff check --fix
 	$(RUN)/rossmarie fmt $(filter-out %_as_printed.ross,$(wildcard examples/*/*.ross src/heron/rules/*.ross))
 

@@ -22,6 +22,7 @@ from rossmarie.interpreter import Interpreter
 from rossmarie.targets import c99
 from support import c_reacting, c_replay
 from support.c_compiler import write
+from support.damage import damaged, sources
 from support.machines import Observation, observe
 
 RULES = Path(__file__).with_name("rules.ross")
@@ -62,9 +63,9 @@ class Bench:
 
     def damaged(self, fault: Fault) -> dict[str, str]:
         """The generated files with a fault, which is made at one place."""
-        name = f"{self.machine.name}_{fault.part}.c"
-        assert self.sources[name].count(fault.old) == 1, (fault.name, fault.old)
-        return {**self.sources, name: self.sources[name].replace(fault.old, fault.new)}
+        texts = sources(self.sources, fault.part).values()
+        assert sum(text.count(fault.old) for text in texts) == 1, (fault.name, fault.old)
+        return damaged(self.sources, fault.part, fault.old, fault.new)
 
     @cached_property
     def _monitor(self) -> Seen:

@@ -32,16 +32,16 @@ _LIMITS = (
     ),
     Fault(
         "a limit that is reached counts as passed, when a number becomes known",
-        "guard_limits[g + 1] && x > limits[place + 1]; place++",
-        "guard_limits[g + 1] && x >= limits[place + 1]; place++",
+        "guard_limits[g + 1] && x > limits[place + 1].at; place++",
+        "guard_limits[g + 1] && x >= limits[place + 1].at; place++",
     ),
     Fault(
         "a limit that is reached counts as passed, when a number falls far",
         "place != guard_limits[g] && x <= limits[place]",
         "place != guard_limits[g] && x < limits[place]",
     ),
-    Fault("a limit of another number", "1.0, /* rules.ross", "1.5, /* rules.ross"),
-    Fault("`<` is taken for `<=`", "0.39999999999999997, /*", "0.4, /*"),
+    Fault("a limit of another number", "{1.0, TRUTH_SPEED_IN", "{1.5, TRUTH_SPEED_IN"),
+    Fault("`<` is taken for `<=`", "{0.39999999999999997, ", "{0.4, "),
     Fault(
         "a comparison is turned round below its limit",
         "leaf_below[11] = {\n    FALSE, FALSE, FALSE, FALSE, TRUE,",
@@ -49,15 +49,15 @@ _LIMITS = (
     ),
     Fault(
         "both ends of an interval are crossed and the truth flips once",
-        "NO_TWIN, 5, 4, NO_TWIN",
-        "NO_TWIN, NO_TWIN, NO_TWIN, NO_TWIN",
+        "TRUTH_SPEED_IN_0_5_1_M_S, TRUE, 1}",
+        "TRUTH_SPEED_IN_0_5_1_M_S, TRUE, 0}",
     ),
     Fault(
         "a crossed limit sets the opposite",
-        "limit_above[limit] ^ is_rising ^ 1u",
-        "limit_above[limit] ^ is_rising",
+        "limits[crossed].above ^ is_rising ^ 1u",
+        "limits[crossed].above ^ is_rising",
     ),
-    Fault("a guard is open above", "m->high[g] = limits[place + 1];", "m->high[g] = DBL_MAX;"),
+    Fault("a guard is open above", "m->high[g] = limits[place + 1].at;", "m->high[g] = DBL_MAX;"),
     Fault("degrees are taken for radians", "= data * 0.017453292519943295 + 0.0;", "= data;"),
 )
 
@@ -156,8 +156,8 @@ _INPUTS = (
     ),
     Fault(
         "a timeout of another input",
-        "INT64_C(200000000), /* orientation */",
-        "INT64_C(500000000), /* orientation */",
+        "INT64_C(200000000), /* INPUT_ORIENTATION */",
+        "INT64_C(500000000), /* INPUT_ORIENTATION */",
     ),
     Fault(
         "a lost input is merely unknown",
@@ -197,7 +197,11 @@ _TRUTHS = (
     ),
     Fault("`and` of the wrong operand", "both(m->truth[TRUTH_AGE_FIX_2_5_SEC], ", "both(TRUE, "),
     Fault("who depends on a truth is not marked", "    m->dirty |= node_users[node];\n", ""),
-    Fault("one who depends on a truth is not marked", "UINT64_C(0x4040000)", "UINT64_C(0x4000000)"),
+    Fault(
+        "one who depends on a truth is not marked",
+        "BIT(TRUTH_NOT_SPEED_NOT_IN_0_5_1_M_S) | BIT(RULE_FAST)",
+        "BIT(RULE_FAST)",
+    ),
     Fault("marks are cleared together", "m->dirty &= m->dirty - 1;", "m->dirty = 0;"),
 )
 
@@ -236,8 +240,8 @@ _RULES = (
     Fault("a reset clears another rule", "(unsigned)rule == i", "(unsigned)rule == i + 1"),
     Fault(
         "a verdict tells another number",
-        "VALUE_SPEED, VALUE_MIN_RANGES, VALUE_RATE",
-        "VALUE_MIN_RANGES, VALUE_SPEED, VALUE_RATE",
+        "/* fast */ VALUE_SPEED,",
+        "/* fast */ VALUE_SLOPE,",
     ),
 )
 
@@ -267,7 +271,7 @@ _NUMBERS = (
     Fault("a sine beyond 1 by rounding", "1.0 < sine ? 1.0 : sine", "sine"),
     Fault("a rate over samples of one instant", "if (m->latest_ns[k] != t_ns) {", "{"),
     Fault("a rate in milliseconds", "m->before_ns[k]) / 1e9", "m->before_ns[k]) / 1e6"),
-    Fault("no absolute value", "fabs(m->value[VALUE_SPEED]);\n}", "m->value[VALUE_SPEED];\n}"),
+    Fault("no absolute value", "fabs(m->value[VALUE_SPEED]);", "m->value[VALUE_SPEED];"),
 )
 
 _OSCILLATION = (
@@ -314,7 +318,7 @@ MONITOR = (
 
 EQUIVALENT = (
     Equivalent(
-        Fault("a guard keeps its upper end", "    m->high[g] = limits[place + 1];", ""),
+        Fault("a guard keeps its upper end", "    m->high[g] = limits[place + 1].at;", ""),
         "what is not inside a guard is compared with all limits",
     ),
     Equivalent(

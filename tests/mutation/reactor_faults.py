@@ -12,21 +12,21 @@ def _reactor(name: str, old: str, new: str) -> Fault:
 REACTOR = (
     _reactor("the greater is the lesser", "return b < a ? b : a;", "return b > a ? b : a;"),
     _reactor("low ends combine to the least", "b->low = greater(", "b->low = lesser("),
-    _reactor("a released limit closes in", "limit_high[i] + gone", "limit_high[i] - gone"),
+    _reactor("a released limit closes in", "bounding[i].high + gone", "bounding[i].high - gone"),
     _reactor("a ramp of milliseconds", "(t_ns - since_ns) / 1e9", "(t_ns - since_ns) / 1e6"),
     _reactor(
         "a limit fades while it is in force",
         "if (r->state[task] == HOLDING)\n        return 0.0;",
         "",
     ),
-    _reactor("a limit of another action", "limit_high[6] = {0.4,", "limit_high[6] = {0.5,"),
+    _reactor("a limit of another action", "{0, 0, (-0.2), 0.4, 0.3}", "{0, 0, (-0.2), 0.5, 0.3}"),
     _reactor("factors multiply bounds", "value * b.factor, b.low", "value, b.low * b.factor"),
     _reactor("what is not finite passes", "isfinite(value) ?", "!isnan(value) ?"),
     _reactor("commands pass before all is known", "= r->opened && t_ns", "= t_ns"),
     _reactor(
         "the lower rule gets what both need",
-        "claiming_rules[8] = {1, 0,",
-        "claiming_rules[8] = {0, 1,",
+        "/* parameter /planner.speed */ 1, 0,",
+        "/* parameter /planner.speed */ 0, 1,",
     ),
     _reactor("rules begin in the wrong order", "rule_order[7] = {1, 0,", "rule_order[7] = {0, 1,"),
     _reactor("an overruled task is not given up", "            give_up(r, task);\n", ""),
@@ -62,16 +62,16 @@ REACTOR = (
         "",
     ),
     _reactor(
-        "nothing but a confirmation answers", "task_answer[other] == task_deed[task]", "false"
+        "nothing but a confirmation answers", "tasks[other].answer == tasks[task].deed", "false"
     ),
     _reactor(
         "what is not done yet answers",
-        "if (r->state[other] == HOLDING && task_answer",
-        "if (task_answer",
+        "if (r->state[other] == HOLDING && tasks[other].answer",
+        "if (tasks[other].answer",
     ),
     _reactor("a confirmation does not answer", "return is_confirmed(m, task);", "return false;"),
     _reactor(
-        "what nobody awaits waits, whatever follows", "if (task_fails_at_once[task])", "if (false)"
+        "what nobody awaits waits, whatever follows", "if (tasks[task].fails_at_once)", "if (false)"
     ),
     _reactor(
         "what is overdue never begins again",
@@ -83,17 +83,17 @@ REACTOR = (
         "        if (r->state[*task] != IDLE)\n            continue;\n",
         "",
     ),
-    _reactor("the same message is overruled", "task_rule[task] || is_shared", "task_rule[task]"),
-    _reactor("what is done is shared", "is_same && task_timeouts[task] == 0", "is_same"),
+    _reactor("the same message is overruled", "tasks[task].rule || is_shared", "tasks[task].rule"),
+    _reactor("what is done is shared", "is_same && tasks[task].timeout_ns == 0", "is_same"),
     _reactor("what is answered for wakes for ever", "        if (due_ns > r->now_ns)\n", ""),
-    _reactor("an unknown confirmation will do", "== rules_TRUE", "!= rules_FALSE"),
+    _reactor("an unknown confirmation will do", "== NAMED(TRUE)", "!= NAMED(FALSE)"),
     _reactor("a report is remembered from the last time", "    r->reported[task] = false;\n", ""),
     _reactor(
         "what started first is stopped first",
         "const unsigned task = started[i - 1];",
         "const unsigned task = started[r->started_count[rule] - i];",
     ),
-    _reactor("a release undoes nothing", "            decide(r, task, rules_STOP, -1);\n", ""),
+    _reactor("a release undoes nothing", "            decide(r, task, NAMED(STOP), -1);\n", ""),
     _reactor("`unless` is overlooked", "if (engages(m, exempted, others[i]))", "if (false)"),
     _reactor("an exempted rule acts", "&& !(exempted && exempted[rule])", ""),
     _reactor("a rule begins where it left off", "            r->stage[rule] = 0;\n", ""),

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from dslkit.writing import write_texts
 from rossmarie import ir
 from rossmarie.driver.build import generate, write_generated
 from rossmarie.driver.pipeline import Compiled, compile_file
@@ -76,8 +77,7 @@ def prove(
     """
     checks = [(program, check) for program in questions.programs for check in program.checks]
     with prover.workshop() as folder:
-        for name, text in questions.files.items():
-            (folder / name).write_text(text, encoding="utf-8")
+        write_texts(folder, questions.files)
         for program in questions.programs:
             prover.compile(folder, program)
         ask = partial(_outcome, prover, folder, seconds)

@@ -25,10 +25,10 @@ _LANGUAGE = """
 
 # What the generated functions call and name themselves, where a field of a message is a parameter.
 _GENERATED = """
-    arrive arrived asin atan2 before begin both catch_up compute cross either element_truth events every evaluate fabs first
-    follow how_many i index_t is_calm is_inside is_pending isfinite isnan known m mark monitor
-    opposite outcome sample sample_window seconds_between set_wake settle some sqrt t_ns tick visit
-    window_middle
+    arrive arrived asin atan2 before begin both catch_up compute cross either element_truth events
+    every evaluate fabs first follow how_many i index_t is_calm is_inside is_pending isfinite isnan
+    known m mark monitor opposite outcome sample sample_window seconds_between set_wake settle some
+    sqrt t_ns tick visit window_middle
 """
 
 # What the names that the generated C keeps to itself begin with, up to the first underscore; a test

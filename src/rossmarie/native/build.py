@@ -15,6 +15,7 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from dslkit.writing import write_texts
 from rossmarie.cache import kept
 
 OPTIONS = ("-std=c99", "-O2", "-ffp-contract=off", "-fPIC", "-shared")
@@ -74,10 +75,7 @@ def _digest(files: Mapping[str, str], main: str, command: Sequence[str]) -> str:
 
 def _compiled(files: Mapping[str, str], main: str, command: Sequence[str]) -> bytes:
     with tempfile.TemporaryDirectory(prefix="rossmarie_") as folder:
-        for name, text in files.items():
-            path = Path(folder) / name
-            path.parent.mkdir(exist_ok=True)
-            path.write_text(text, encoding="utf-8")
+        write_texts(Path(folder), files)
         built = Path(folder) / "built.so"
         call = [*command, "-o", str(built), str(Path(folder) / main), "-lm"]
         result = subprocess.run(call, capture_output=True, check=False)

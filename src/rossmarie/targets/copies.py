@@ -1,5 +1,5 @@
-"""Files that are the same for all rules: they are copied beside what is generated, with their hashes,
-so that a reviewer reads them once.
+"""Files that are the same for all rules: they are copied beside generated ones, with their
+hashes, so that a reviewer reads them once.
 """
 
 from __future__ import annotations

@@ -136,8 +136,8 @@ class GuardChecks:
             ]
         )
         known = (
-            f"{place} >= {first} && {place} <= {last} && {low} == limits[{place}] && "
-            f"{high} == limits[{place} + 1] && is_kept_{number}(m, t_ns)"
+            f"{place} >= {first} && {place} <= {last} && {low} == limits[{place}].at && "
+            f"{high} == limits[{place} + 1].at && is_kept_{number}(m, t_ns)"
         )
         return Sentence("a guard and its truths fit a number", f"{place} < 0 ? {unknown} : {known}")
 

@@ -174,8 +174,8 @@ class Invariants:
             above = f"({above} || ({x} == -INFINITY && {place} == {first}))"
             below = f"({below} || ({x} == INFINITY && {place} == {last}))"
         around = (
-            f"({place} >= {first} && {place} <= {last} && {low} == limits[{place}] && "
-            f"{high} == limits[{place} + 1] && {above} && {below})"
+            f"({place} >= {first} && {place} <= {last} && {low} == limits[{place}].at && "
+            f"{high} == limits[{place} + 1].at && {above} && {below})"
         )
         about = remark_of(self._layout.values[guard.value])
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")

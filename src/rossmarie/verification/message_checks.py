@@ -56,7 +56,8 @@ class MessageChecks:
         kept = [layout.machine.signals[signal].node for signal in layout.value_of_signal]
         self._opaque = opaque.functions_of(kept)
         follow: Parts = (("follow", "ignore_follow"),) if layout.oscillations else ()
-        self._idle: Parts = (*follow, *opaque.parts_of_samples(self._machine))
+        compute = ("compute", "ignore_compute")
+        self._idle: Parts = (*follow, compute, *opaque.parts_of_samples(self._machine))
         self._windows: Parts = opaque.WINDOW_PARTS if layout.windows else ()
         names = (opaque.name(*each) for each in self._opaque)
         self._parts = (*parts, *self._windows, *((name, f"any_{name}") for name in names))
@@ -66,7 +67,7 @@ class MessageChecks:
         received = map(self._received, range(len(self._layout.channel_names)))
         contracts = [opaque.contract(*each) for each in self._opaque]
         contracts += opaque.contracts_of_samples(self._layout)
-        return "\n".join([*contracts, *received])
+        return "\n".join([*contracts, *received, _COMPUTED])
 
     def written(self) -> Iterator[Written]:
         """All of them."""
@@ -82,7 +83,10 @@ class MessageChecks:
             lines, arguments = self._message(channel)
             lines += [*self._given(channel), f"    is_told[{channel}] = true;"]
             call = f"{self._layout.name}_update_{name}({arguments})"
-            received: Parts = ((f"receive_{name}", f"received_{name}"),)
+            received: Parts = (
+                (f"receive_{name}", f"received_{name}"),
+                ("compute", "ignore_compute"),
+            )
             about = f"a message on {topic} is handed on as it is"
             handed = Check(f"handed_{name}", about, (*self._nothing_else, *received))
             yield Written(handed, self._handed(channel, lines, call))
@@ -219,7 +223,11 @@ class MessageChecks:
         lines, arguments = self._message(channel)
         names = [f"field_{number}" for number in range(len(self._fields(channel)))]
         counts = [name.replace("field", "count") for name in names]
-        call = f"receive_{name}({arguments})"
+        arrived = ", ".join(
+            str(int(each == channel)) for each in range(len(self._layout.channel_names))
+        )
+        lines.append(f"    const bool arrived[CHANNELS] = {{{arrived}}};")
+        call = f"receive_{name}({arguments});\n    compute(m, arrived, t_ns)"
         claims = [*self._meant(channel, names, counts), self._frames.received(channel)]
         return self._called(lines, call, claims)
 
@@ -341,6 +349,15 @@ void received_{name}({parameters})
     received_{channel}++;
 }}
 """
+
+_COMPUTED = """\
+void ignore_compute(monitor *m, const bool arrived[], int64_t t_ns)
+{
+    (void)arrived;
+    m->now_ns = t_ns;
+}
+"""
+"""What is computed from messages does not matter."""
 
 _HANDED = """\
     received_{channel} = 0;

@@ -56,7 +56,6 @@ class OrderChecks:
         self._found = found
         self._name = name
         self._names = [rule.name for rule in machine.rules]
-        self._is_confirmed = bool(machine.watches)
         self._orders = OrderInvariants(found)
         self._invariants = ReactorInvariants(found)
 
@@ -66,9 +65,6 @@ class OrderChecks:
         """Predicates and contracts."""
         orders = self._orders
         within = [*self._invariants.always(), *orders.told()]
-        monitor = f", const {self._name}_monitor *m" if self._is_confirmed else ""
-        unused = "    (void)m;\n" if self._is_confirmed else ""
-        argument = ", m" if self._is_confirmed else ""
         return "\n".join(
             [
                 TOLD.format(name=self._name),
@@ -93,12 +89,7 @@ class OrderChecks:
                 *_both("in_time", _REACTOR, self._invariants.in_time()),
                 *_both("ended", "const reactor *r, const reactor *old", orders.ended()),
                 stages(self._found),
-                CONTRACTS.format(
-                    monitor=monitor,
-                    unused=unused,
-                    argument=argument,
-                    releases=releases(self._found),
-                ),
+                CONTRACTS.format(name=self._name, releases=releases(self._found)),
             ]
         )
 
@@ -128,8 +119,7 @@ class OrderChecks:
         yield self._check("report", about, (_CLOCK, settle), _REPORT.format(name=self._name))
 
     def _settle(self) -> Iterator[Written]:
-        call = "settle(&s, NULL);" if self._is_confirmed else "settle(&s);"
-        body = f"{_SETTLE}\n    {call}"
+        body = f"{_SETTLE}\n    settle(&s, NULL);"
         ends = (_DECIDE, ("escalate", "end_at_escalate"))
         yield self._check("settle_ends", "tasks end, until others follow", ends, body)
         for rule, name in enumerate(self._names):

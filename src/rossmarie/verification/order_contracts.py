@@ -229,9 +229,10 @@ void start_looked_at(reactor *r, unsigned rule)
     __CPROVER_assume(false);
 }}
 
-void end_at_settle(reactor *r{monitor})
+void end_at_settle(reactor *r, const {name}_monitor *m)
 {{
-{unused}    must_be_within(r);
+    (void)m;
+    must_be_within(r);
     must_be_listed(r);
     must_be_owned(r);
     __CPROVER_assert(!is_awaited || !is_fresh(r, looked_at), "what is engaged has started (R3)");
@@ -243,7 +244,7 @@ void end_at_settle(reactor *r{monitor})
 static int told_of;
 static bool is_success;
 
-void end_at_judging(reactor *r{monitor})
+void end_at_judging(reactor *r, const {name}_monitor *m)
 {{
     for (int i = 0; i != TASKS; i++) {{
         const bool runs = i == told_of && before.state[i] == RUNNING;
@@ -252,7 +253,7 @@ void end_at_judging(reactor *r{monitor})
         __CPROVER_assert(r->reported[i] == (before.reported[i] || (runs && is_success)),
             "a reported success is kept until ends are judged (R4)");
     }}
-    end_at_settle(r{argument});
+    end_at_settle(r, m);
 }}
 
 /* --- of `settle` --- */

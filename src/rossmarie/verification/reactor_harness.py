@@ -33,7 +33,6 @@ class _Writer:
         self._name = lay_out(machine).name
         self._invariants = ReactorInvariants(machine.reactions)
         self._orders = OrderChecks(machine, self._name)
-        self._is_confirmed = bool(machine.watches)
 
     def harness(self) -> Harness:
         fit = [*self._invariants.always(), *self._invariants.at_rest()]
@@ -107,9 +106,7 @@ class _Writer:
         return _MEMORY.format(name=self._name, watches=watched, is_watched="".join(lines))
 
     def _contracts(self) -> str:
-        monitor = f", const {self._name}_monitor *m" if self._is_confirmed else ""
-        unused = "    (void)m;\n" if self._is_confirmed else ""
-        return _CONTRACTS.format(monitor=monitor, unused=unused)
+        return _CONTRACTS.format(name=self._name)
 
     def _set_clock(self) -> str:
         times = self._invariants.clock()
@@ -225,10 +222,11 @@ void ignore_stage(reactor *r, unsigned rule)
     (void)rule;
 }}
 
-void ignore_settle(reactor *r{monitor})
+void ignore_settle(reactor *r, const {name}_monitor *m)
 {{
     (void)r;
-{unused}}}
+    (void)m;
+}}
 """
 
 _REACT = """\

@@ -10,6 +10,7 @@ from dslkit.source import Span
 from rossmarie.driver.verifying import Questions, prove, questions_of
 from rossmarie.report.proofs import Proofs, refutations
 from rossmarie.verification.prover import Prover
+from support.damage import damaged
 from support.provers import real_prover
 
 SECONDS = 120
@@ -38,9 +39,7 @@ def judged(tmp_path_factory: pytest.TempPathFactory) -> Questions:
 
 def changed(questions: Questions, old: str, new: str) -> Questions:
     """As if the generator had written something else."""
-    source = questions.files["fast_monitor.c"]
-    assert old in source
-    return replace(questions, files={**questions.files, "fast_monitor.c": source.replace(old, new)})
+    return replace(questions, files=damaged(questions.files, "monitor", old, new))
 
 
 def shown(proofs: Proofs, questions: Questions) -> list[tuple[str, str]]:

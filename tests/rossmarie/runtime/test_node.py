@@ -128,10 +128,11 @@ def test_the_settings_file_has_all_parameters_with_their_usual_values(generation
 @needs(CLANG_FORMAT)
 def test_the_files_are_formatted() -> None:
     files = [
-        *RUNTIME.rglob("*.h"),
-        *RUNTIME.rglob("*.cpp"),
+        *RUNTIME.parent.rglob("*.h"),
+        *RUNTIME.parent.rglob("*.cpp"),
         *HERE.rglob("*.h"),
         *HERE.rglob("*.cpp"),
+        *HERE.rglob("*.c"),
     ]
     run([CLANG_FORMAT_PROGRAM, "--dry-run", "-Werror", *files])
 

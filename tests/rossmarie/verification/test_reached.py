@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import pytest
 
+from dslkit.writing import write_texts
 from rossmarie.driver.verifying import questions_of
 from rossmarie.verification.prover import Prover, _unwound
 from support.provers import real_prover
@@ -71,8 +72,7 @@ def looked_at(prover: Prover, folder: Path, rules: str, part: str) -> tuple[set[
     found = {Line(function, "") for function in _FUNCTION.findall(questions.files[name])}
     reached: set[Line] = set()
     with prover.workshop() as workshop:
-        for file, text in questions.texts().items():
-            (workshop / file).write_text(text)
+        write_texts(workshop, questions.texts())
         prover.compile(workshop, program)
         for check in program.checks:
             command = ["cbmc", prover._compile(program, check, workshop), "--json-ui"]

@@ -9,13 +9,13 @@ import pytest
 from rossmarie.driver.verifying import Questions, prove, questions_of
 from rossmarie.report.proofs import Proofs
 from rossmarie.verification.prover import Prover, Verdict
+from support.damage import damaged
 from support.depth import deep
 from support.provers import real_prover
 from support.small_rules import AT_ONCE, BOUNDED, LATE, OVERRULED
 
 SECONDS = 120
-
-FILE = "small_reactor.c"
+NO_CHANGE = ("", "")
 
 
 @pytest.fixture(scope="module")
@@ -56,9 +56,7 @@ def prover() -> Prover:
 
 def proofs(prover: Prover, questions: Questions, old: str, new: str, *names: str) -> Proofs:
     """What comes of some checks of the reactor after a change of the generated C."""
-    source = questions.files[FILE]
-    assert old in source
-    files = {**questions.files, FILE: source.replace(old, new)}
+    files = questions.files if not old else damaged(questions.files, "reactor", old, new)
     program = questions.programs[1]
     checks = tuple(check for check in program.checks if check.name.startswith(names))
     assert checks
@@ -76,7 +74,7 @@ def proofs(prover: Prover, questions: Questions, old: str, new: str, *names: str
 def test_the_reactor_is_what_reactions_mean(
     prover: Prover, questions: Questions, name: str
 ) -> None:
-    found = proofs(prover, questions, "Generated", "Generated", f"reactor_{name}")
+    found = proofs(prover, questions, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
@@ -85,7 +83,7 @@ def test_the_reactor_is_what_reactions_mean(
     ["next_wake", *deep(["set_clock", "stage_over", "start", "escalate", "pass_on", "settle"])],
 )
 def test_what_waits_is_what_reactions_mean(prover: Prover, waiting: Questions, name: str) -> None:
-    found = proofs(prover, waiting, "Generated", "Generated", f"reactor_{name}")
+    found = proofs(prover, waiting, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
@@ -93,7 +91,7 @@ def test_what_waits_is_what_reactions_mean(prover: Prover, waiting: Questions, n
 def test_what_fails_at_once_is_what_reactions_mean(
     prover: Prover, failing: Questions, name: str
 ) -> None:
-    found = proofs(prover, failing, "Generated", "Generated", f"reactor_{name}")
+    found = proofs(prover, failing, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
@@ -137,8 +135,8 @@ FAULTS = (
         "nothing else changes",
     ),
     ("r->decided++;", "", "decide", "it is one more"),
-    ("decide(r, task, small_STOP, -1);", "", "release_0", "its tasks are forgotten"),
-    ("decide(r, task, small_START, -1);", "", "start_0_0", "was told to start"),
+    ("decide(r, task, NAMED(STOP), -1);", "", "release_0", "its tasks are forgotten"),
+    ("decide(r, task, NAMED(START), -1);", "", "start_0_0", "was told to start"),
     ("append_started(r, task);", "", "start_1_0", "what is in force has started"),
     ("started[count] = (index_t)task;", "", "append_started", "what starts is the last"),
     ("if (started[i] != task)", "", "append_started", "a task that started is noted once"),
@@ -149,8 +147,8 @@ FAULTS = (
         "append_started",
         "nothing else changes",
     ),
-    ("decide(r, task, small_FAILED, -1);", "", "escalate", "no longer in force was told so"),
-    ("task_rule[task] || is_shared", "task_rule[task]", "pass_on", "the rule that overrules"),
+    ("decide(r, task, NAMED(FAILED), -1);", "", "escalate", "no longer in force was told so"),
+    ("tasks[task].rule || is_shared", "tasks[task].rule", "pass_on", "the rule that overrules"),
     ("r->failed_count++;", "", "settle_ends", "no longer in force was told so"),
     ("now_ns >= due_ns)", "now_ns > due_ns)", "settle_ends", "fails when its time is up (R4)"),
     ("HOLDING && state != WAITING", "HOLDING", "stage_over", "a stage is over if all of it"),
@@ -181,7 +179,12 @@ FAULTS_OF_WAITING = (
 FAULTS_OF_WHAT_IS_LATE = (
     ("give_up(r, task);", "", "pass_on", "what is in force was told to start"),
     ("|| r->state[task] == OVERDUE)", ")", "pass_on", "what waits waits for another rule (R8)"),
-    ("is_same && task_timeouts[task] == 0", "is_same", "pass_on", "what is in force has what it"),
+    (
+        "is_same && tasks[task].timeout_ns == 0",
+        "is_same",
+        "pass_on",
+        "what is in force has what it",
+    ),
     (
         "        if (r->state[*task] != IDLE)\n            continue;\n",
         "",
@@ -206,7 +209,7 @@ def test_a_seeded_fault_of_waiting_is_refuted(
 def test_a_seeded_fault_of_what_fails_at_once_is_refuted(
     prover: Prover, failing: Questions
 ) -> None:
-    fault = "if (task_fails_at_once[task])"
+    fault = "if (tasks[task].fails_at_once)"
     found = proofs(prover, failing, fault, "if (false)", "reactor_start_2_0")
     reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
     assert any("a task is in a state" in reason for reason in reasons), found.outcomes

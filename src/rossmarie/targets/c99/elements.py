@@ -47,7 +47,7 @@ class Elements:
                 case ir.Fold(element=element) if self._layout.elements.signals[element] == array:
                     self._fold(loop, index, signal.node, pointer, count)
                 case ir.Count(element=element) if self._layout.elements.truths[element] == array:
-                    self._counted(loop, "count", element, pointer)
+                    self._counted(loop, element, pointer)
                     self._finish(loop, self._layout.value_of_signal[index], "how_many", element,
                                  count)  # fmt: skip
                 case (
@@ -56,9 +56,8 @@ class Elements:
                 ):  # fmt: skip
                     pass
         for index, node in self._quantified(array):
-            part = node.quantifier.value
             call = _CALLS[node.quantifier]
-            self._counted(loop, part, node.element, pointer)
+            self._counted(loop, node.element, pointer)
             self._finish(loop, self._layout.value_of_test[index], call, node.element, count)
         return _written(loop, count)
 
@@ -81,7 +80,7 @@ class Elements:
         target = self._expressions.kept(self._layout.value_of_signal[index])
         loop.after.append(f"{target} = {count} != 0 ? {name} : NAN;")
 
-    def _counted(self, loop: _Loop, part: str, element: int, pointer: str) -> None:
+    def _counted(self, loop: _Loop, element: int, pointer: str) -> None:
         """Count for how many elements a truth holds and is unknown."""
         if element in loop.counted:
             return

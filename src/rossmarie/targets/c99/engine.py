@@ -1,7 +1,7 @@
 """The part of monitors and reactors that is the same for all rules: C files that are copied.
 
-Files that are generated name the version of the engine that they need, so that none is compiled with
-another one that a later build put in its place.
+Generated files name the version of the engine that they need, so that none is compiled with another
+one that a later build put in its place.
 """
 
 from __future__ import annotations

@@ -26,8 +26,8 @@ class Piece:
 
 
 class Expressions:
-    """Writes the signals of one machine. `functions` collects the names of the functions of the core
-    that they call.
+    """Writes the signals of one machine. `functions` collects the names of those functions of the
+    core that they call.
     """
 
     def __init__(self, layout: Layout) -> None:

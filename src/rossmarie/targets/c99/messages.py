@@ -84,7 +84,9 @@ class Messages:
         """What is computed from constants only, once."""
         pieces = (*self.expressions.signals(), *self.expressions.tests())
         lines = [line for piece in pieces if not piece.channels for line in piece.lines]
-        return f"static void set_constants(monitor *m)\n{{\n{indented(lines or ['(void)m;'])}\n}}\n"
+        if not lines:
+            return "static void set_constants(monitor *m) { (void)m; }\n"
+        return f"static void set_constants(monitor *m)\n{{\n{indented(lines)}\n}}\n"
 
     def _compute(self) -> str:
         """What is computed from the numbers of messages, once all of them are stored."""

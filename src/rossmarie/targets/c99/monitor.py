@@ -20,6 +20,7 @@ from rossmarie.targets.c99.nodes import derive
 from rossmarie.targets.c99.text import indented
 from rossmarie.targets.formulas import definitions
 
+
 def generate(machine: ir.Machine) -> dict[str, str]:
     """The files of a machine, by name: NAME_monitor.h and NAME_monitor.c and, if its rules do
     anything, NAME_reactor.h and NAME_reactor.c; and those of the engine.

@@ -34,7 +34,9 @@ def _counts(found: reactions.Reactions) -> dict[str, int]:
     """How many there are of what a reactor has; of what is not named here it has none."""
     used = {
         "COMMANDS": len(found.commands),
-        "CONFIRMED": sum(1 for each in found.tasks if reactions.confirmation(each.effect) is not None),
+        "CONFIRMED": sum(
+            1 for each in found.tasks if reactions.confirmation(each.effect) is not None
+        ),
         "YIELDING": sum(1 for each in found.plans if each.unless),
     }
     counts = {"TASKS": len(found.tasks), "RULES": len(found.plans)}
@@ -69,8 +71,8 @@ def _task_tables(found: reactions.Reactions) -> str:
     otherwise = [task.otherwise for task in found.tasks]
     return "\n".join(
         [
-            "/* Tasks: rule, awaited for, state at the end, waits, fails at once, needs, does, answers,",
-            " * confirmed by; and what starts when they fail.",
+            "/* Tasks: rule, awaited for, state at the end, waits, fails at once, needs, does,",
+            " * answers, confirmed by; and what starts when they fail.",
             " */",
             remarked_table("plan", "tasks", rows),
             lists("task_escalations", "escalations", _named("task", otherwise)),
@@ -166,7 +168,9 @@ def _resource_tables(found: reactions.Reactions) -> str:
             " * what these do to it if that is one thing only:",
             *(listed or [" *   nothing"]),
             " */",
-            lists("resource_rules", "claiming_rules", list(zip(found.resources, claims, strict=True))),
+            lists(
+                "resource_rules", "claiming_rules", list(zip(found.resources, claims, strict=True))
+            ),
             table("index_t", "claiming_deed", list(map(_or_none, deeds))),
         ]
     )

@@ -120,9 +120,7 @@ def _expiry_tables(layout: Layout) -> list[str]:
     return listed
 
 
-def _of_inputs(
-    layout: Layout, rows: list[Sequence[object]]
-) -> list[tuple[str, Sequence[object]]]:
+def _of_inputs(layout: Layout, rows: list[Sequence[object]]) -> list[tuple[str, Sequence[object]]]:
     return list(zip(layout.input_names, rows, strict=True))
 
 
@@ -132,25 +130,6 @@ def _resting(layout: Layout, signals: Sequence[int], used: int) -> list[int]:
         return []
     supports = layout.supports.signals
     return [place for place, signal in enumerate(signals) if used in supports[signal].inputs]
-
-
-def _sampled_values(layout: Layout) -> list[str]:
-    """The values that rest on samples, which a jump in time takes away."""
-    rests: set[int] = set()
-    for index, signal in enumerate(layout.machine.signals):
-        operands = ir.signal_operands(signal.node)
-        if isinstance(signal.node, ir.Sampled) or rests.intersection(operands):
-            rests.add(index)
-    return [
-        value.name for value in layout.values if _rests_on(layout, value.signal, value.test, rests)
-    ]
-
-
-def _rests_on(layout: Layout, signal: int | None, test: int | None, rests: set[int]) -> bool:
-    if test is not None:
-        compared = ir.compared_signals(layout.machine.truths[test].node)
-        return bool(rests.intersection(compared))
-    return signal in rests
 
 
 # --- truths ----------------------------------------------------------------------------------
@@ -383,10 +362,10 @@ def _age_tables(layout: Layout) -> list[str]:
         unknown.append("LOST" if layout.has_timeout(node.input) else "UNKNOWN")
     leaves = [layout.truth_names[index] for index in layout.ages]
     return [
-            remarked_table("int64_t", "age_limits", limits),
-            table("index_t", "age_input", inputs),
-            table("unsigned char", "age_unknown", unknown),
-            table("index_t", "age_leaf", leaves),
+        remarked_table("int64_t", "age_limits", limits),
+        table("index_t", "age_input", inputs),
+        table("unsigned char", "age_unknown", unknown),
+        table("index_t", "age_leaf", leaves),
     ]
 
 
@@ -403,9 +382,9 @@ def _turn_tables(layout: Layout) -> list[str]:
         starts.append(starts[-1] + count)
     leaves = [layout.truth_names[index] for index in layout.oscillations]
     return [
-            remarked_table("int64_t", "turn_windows", windows),
-            table("double", "turn_swings", swings),
-            table("index_t", "turn_value", values),
-            table("index_t", "turn_first", starts),
-            table("index_t", "turn_leaf", leaves),
+        remarked_table("int64_t", "turn_windows", windows),
+        table("double", "turn_swings", swings),
+        table("index_t", "turn_value", values),
+        table("index_t", "turn_first", starts),
+        table("index_t", "turn_leaf", leaves),
     ]

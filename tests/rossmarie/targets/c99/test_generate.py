@@ -11,7 +11,6 @@ import pytest
 
 from rossmarie import ir
 from rossmarie.ir.reactions import CancelGoal, Plan
-from rossmarie.targets import c99
 from rossmarie.targets.c99 import engine, generate, generate_loadable
 from rossmarie.targets.c99.monitor import own_files
 from support.c99_cases import CASES
@@ -168,7 +167,10 @@ def test_there_is_a_reactor_only_if_there_are_tasks() -> None:
         "thresholds_monitor.c",
         "thresholds_monitor.h",
     ]
-    assert sorted(own_files(CASES["reacting"]()))[2:] == ["reacting_reactor.c", "reacting_reactor.h"]
+    assert sorted(own_files(CASES["reacting"]()))[2:] == [
+        "reacting_reactor.c",
+        "reacting_reactor.h",
+    ]
 
 
 def test_a_reactor_carries_the_place_and_the_words_of_the_user() -> None:

@@ -17,7 +17,7 @@ INLINE bool is_calm(const monitor *m, int64_t t_ns)
 #if CHANNELS
 
 /* The same of messages on several channels, which have to be known to be fresh. */
-static bool are_calm(const monitor *m, const bool arrived[], int64_t t_ns)
+static inline bool are_calm(const monitor *m, const bool arrived[], int64_t t_ns)
 {
     for (unsigned channel = 0; channel != CHANNELS; channel++)
         if (arrived[channel] && !m->quiet[channel])
@@ -41,7 +41,7 @@ static void arrive(monitor *m, unsigned channel, int64_t t_ns)
 
 #else
 
-static bool are_calm(const monitor *m, const bool arrived[], int64_t t_ns)
+static inline bool are_calm(const monitor *m, const bool arrived[], int64_t t_ns)
 {
     (void)arrived;
     return is_calm(m, t_ns);
