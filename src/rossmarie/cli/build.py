@@ -10,12 +10,13 @@ import typer
 
 from dslkit.command_line import Format
 from dslkit.writing import reason
-from rossmarie.cli.output import output
+from rossmarie.cli.output import lines_of_written, output
 from rossmarie.driver import RulesError
 from rossmarie.driver.build import TARGETS, Built, build_files
 from rossmarie.driver.manifest import Described, describe
 from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.package_xml import BadPackageXmlError
+from rossmarie.report.review import render_review
 from rossmarie.targets.manifest import OWN_PACKAGE, Person, Placement
 
 
@@ -44,16 +45,19 @@ def run_build(
     package: PackageOptions,
     name: str | None,
     sources: Path | None,
+    review: Path | None,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
     """Write the files of a target into `out`, and say what comes next."""
     output.try_folder(out)
-    if sources is not None:
-        if sources.parent.is_dir():
-            output.try_file(sources)
-        else:
-            output.try_folder(sources.parent)  # which the build may make
+    for path in (sources, review):
+        if path is not None and path.parent.is_dir():
+            output.try_file(path)
+        elif path is not None:
+            output.try_folder(path.parent)  # which the build may make
+    if review is not None and target == "python":
+        output.fail("--review is for targets in C: c99, ros1 and ros2", exit_code=2)
     described, placement = _placement(rules, target, package)
     try:
         with output.writing_to(out):
@@ -73,6 +77,9 @@ def run_build(
     if sources is not None:
         output.save(sources, "".join(f"{Path(each.path).absolute()}\n" for each in built.sources))
     _tell(built, described)
+    if review is not None:
+        output.save(review, render_review(built.sources, built.own_code))
+        typer.echo(f"wrote {review}")
 
 
 def _placement(
@@ -101,8 +108,8 @@ def _placement(
 def _tell(built: Built, described: Described | None) -> None:
     """The warnings, what was written, what its package lacks, and what comes next."""
     output.print_diagnostics(built.warnings, Format.TEXT, file_count=1)
-    for path in built.written:
-        typer.echo(f"wrote {path}")
+    for line in lines_of_written(built.written):
+        typer.echo(line)
     if described is not None and described.missing:
         options = " and ".join(f"--{field}" for field in described.missing)
         typer.echo(

@@ -170,6 +170,14 @@ def build(
             parser=written,
         ),
     ] = None,
+    review: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Also write a page of the rules beside their C.",
+            parser=written,
+        ),
+    ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
@@ -177,7 +185,9 @@ def build(
     from rossmarie.cli.build import PackageOptions, run_build
 
     package = PackageOptions(tuple(license or ()), tuple(maintainer or ()), part_of)
-    run_build(rules, out, target.value, package, name, sources, system or (), messages or ())
+    run_build(
+        rules, out, target.value, package, name, sources, review, system or (), messages or ()
+    )
 
 
 @app.command()

@@ -11,7 +11,7 @@ import typer
 
 from dslkit.diagnostics import Template
 from dslkit.source import Span
-from rossmarie.cli.output import output
+from rossmarie.cli.output import lines_of_written, output
 from rossmarie.cli.replay import told_progress
 from rossmarie.cli.saving import refuse_report
 from rossmarie.driver import RulesError
@@ -74,8 +74,8 @@ def _keep(questions: Questions, folder: Path, rules: Path) -> None:
             paths = keep(questions, folder, rules)
     except ForeignFileError as error:
         output.fail(f"{error}; remove it, or choose another --keep", exit_code=2)
-    for path in paths:
-        typer.echo(f"wrote {path}")
+    for line in lines_of_written(paths):
+        typer.echo(line)
 
 
 def _proofs(questions: Questions, seconds: int) -> Proofs:

@@ -16,6 +16,7 @@ from rossmarie.driver.pipeline import RulesError, check_file, compile_checked, c
 from rossmarie.ir import Machine
 from rossmarie.targets import c99, python, ros1, ros2
 from rossmarie.targets.base import Target
+from rossmarie.targets.copies import MARK
 from rossmarie.targets.manifest import OWN_PACKAGE, Placement
 
 TARGETS: Mapping[str, Target] = {
@@ -49,14 +50,15 @@ def generate(
 
 
 class Built(NamedTuple):
-    """The paths of what was generated, the warnings, what comes next, if anything, and the files
-    that all of it rests on.
+    """The paths of what was generated, the warnings, what comes next, if anything, the files that
+    all of it rests on, and the texts of the rules' own part of the code in C and C++, by name.
     """
 
     written: Sequence[Path]
     warnings: tuple[Diagnostic, ...]
     next_step: str | None
     sources: Sequence[SourceFile]
+    own_code: Mapping[str, str]
 
 
 def build_files(
@@ -88,7 +90,15 @@ def build_files(
     # In a part of a package the files of the user lie elsewhere, and these are only examples.
     written = write_generated(files, folder, rules, unnamed=of_user)
     next_step = TARGETS[target].next_step(machine) if placement.part_of is None else None
-    return Built(written, compiled.warnings, next_step, compiled.sources)
+    return Built(written, compiled.warnings, next_step, compiled.sources, _own_code(files))
+
+
+def _own_code(files: Mapping[str, str]) -> dict[str, str]:
+    return {
+        name: text
+        for name, text in files.items()
+        if name.endswith((".h", ".c", ".cpp")) and MARK not in text.partition("\n")[0]
+    }
 
 
 def write_generated(

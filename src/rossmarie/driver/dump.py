@@ -57,7 +57,8 @@ def dump(
         case Stage.LOWER:
             return machine_to_json(machine) if as_json else dump_text(machine)
         case Stage.GENERATE:
-            return "\n".join(generate(machine, "c99").values())
+            files = generate(machine, "c99")
+            return "\n".join(text for name, text in files.items() if not name.startswith("engine/"))
 
 
 def _symbols(program: CheckedProgram) -> Iterator[str]:

@@ -1,0 +1,80 @@
+"""Rules beside the C that was made of them: one HTML page, for the review of generated code.
+
+Takes the texts that the rules rest on and the generated ones. Generated lines name the line of the
+rules that they come from in a comment, and the page goes by these comments alone, so that it shows
+no more than a reviewer could find.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import PurePath
+
+import jinja2
+from markupsafe import Markup
+
+from dslkit.source import SourceFile
+
+
+@dataclass(frozen=True)
+class Made:
+    """Generated lines that belong together: where they stand, and their text without the comment
+    that names a line of rules.
+    """
+
+    file: str
+    line: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of rules, and what was made of it."""
+
+    line: int
+    text: str
+    made: tuple[Made, ...]
+
+
+def render_review(sources: Iterable[SourceFile], generated: Mapping[str, str]) -> str:
+    """The text of the page. `generated` are the rules' own files in C, by their names."""
+    environment = jinja2.Environment(
+        undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
+    )
+    pairs = [(PurePath(each.path).name, side_by_side(each, generated)) for each in sources]
+    tables = [(name, rows) for name, rows in pairs if any(row.made for row in rows)]
+    return environment.from_string(_asset("review.html.j2")).render(
+        tables=tables,
+        files=[(name, text.count("\n")) for name, text in generated.items()],
+        style=Markup(_asset("palette.css") + _asset("review.css")),  # noqa: S704
+    )
+
+
+def side_by_side(source: SourceFile, generated: Mapping[str, str]) -> Sequence[Row]:
+    """The lines of a rules file, each with what was made of it."""
+    made: dict[int, list[Made]] = {}
+    for file, text in generated.items():
+        for place, found in _marked(PurePath(source.path).name, text):
+            made.setdefault(place, []).append(Made(file, *found))
+    return [
+        Row(number, line, tuple(made.get(number, ())))
+        for number, line in enumerate(source.text.splitlines(), start=1)
+    ]
+
+
+def _marked(name: str, text: str) -> Iterator[tuple[int, tuple[int, str]]]:
+    """The lines that name a line of a rules file, with that; a case has the line behind it, too."""
+    mark = re.compile(rf"\s*/\* {re.escape(name)}:(\d+)\b.*?\*/")
+    lines = text.splitlines()
+    for number, line in enumerate(lines):
+        if found := mark.search(line):
+            own = f"{line[: found.start()]}{line[found.end() :]}".strip()
+            behind = f" {lines[number + 1].strip()}" if own.startswith("case ") else ""
+            yield int(found[1]), (number + 1, own + behind)
+
+
+def _asset(name: str) -> str:
+    return (files("rossmarie.report") / "assets" / name).read_text(encoding="utf-8")
