@@ -17,9 +17,11 @@ from dslkit.parameters import Group
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
     Licenses,
+    ListOfSources,
     Maintainers,
     MessageFolders,
     Recordings,
+    ReviewPage,
     Rules,
     RulesFiles,
     Systems,
@@ -162,22 +164,8 @@ def build(
             metavar="NAME", help="Call the monitor so, not like the file.", parser=ros_name
         ),
     ] = None,
-    sources: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="Also write a list of all files that the rules rest on.",
-            parser=written,
-        ),
-    ] = None,
-    review: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE",
-            help="Also write a page of the rules beside their C.",
-            parser=written,
-        ),
-    ] = None,
+    sources: ListOfSources = None,
+    review: ReviewPage = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:

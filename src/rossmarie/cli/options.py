@@ -93,6 +93,24 @@ Maintainers = Annotated[
         parser=_maintainer,
     ),
 ]
+ListOfSources = Annotated[
+    Path | None,
+    typer.Option(
+        "--sources",
+        metavar="FILE",
+        help="Also write a list of all files that the rules rest on.",
+        parser=written,
+    ),
+]
+ReviewPage = Annotated[
+    Path | None,
+    typer.Option(
+        "--review",
+        metavar="FILE",
+        help="Also write a page of the rules beside their C.",
+        parser=written,
+    ),
+]
 
 TopicMap = Annotated[
     list[str] | None,

@@ -90,10 +90,11 @@ def build_files(
     # In a part of a package the files of the user lie elsewhere, and these are only examples.
     written = write_generated(files, folder, rules, unnamed=of_user)
     next_step = TARGETS[target].next_step(machine) if placement.part_of is None else None
-    return Built(written, compiled.warnings, next_step, compiled.sources, _own_code(files))
+    return Built(written, compiled.warnings, next_step, compiled.sources, own_code(files))
 
 
-def _own_code(files: Mapping[str, str]) -> dict[str, str]:
+def own_code(files: Mapping[str, str]) -> dict[str, str]:
+    """Of generated files the rules' own part of the code in C and C++."""
     return {
         name: text
         for name, text in files.items()

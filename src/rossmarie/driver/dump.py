@@ -10,7 +10,7 @@ from pathlib import Path
 
 from dslkit.source import SourceFile, Span
 from rossmarie.check import CheckedProgram
-from rossmarie.driver.build import generate
+from rossmarie.driver.build import generate, own_code
 from rossmarie.driver.pipeline import RulesError, check_file, compile_checked
 from rossmarie.ir import dump_text, machine_to_json
 
@@ -57,8 +57,7 @@ def dump(
         case Stage.LOWER:
             return machine_to_json(machine) if as_json else dump_text(machine)
         case Stage.GENERATE:
-            files = generate(machine, "c99")
-            return "\n".join(text for name, text in files.items() if not name.startswith("engine/"))
+            return "\n".join(own_code(generate(machine, "c99")).values())
 
 
 def _symbols(program: CheckedProgram) -> Iterator[str]:

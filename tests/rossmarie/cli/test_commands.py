@@ -156,12 +156,23 @@ def test_dump_of_rules_with_errors(wrong: Path) -> None:
 def test_build_writes_what_compiles_and_leaves_it_alone(rules: Path, tmp_path: Path) -> None:
     out = tmp_path / "generated"
     assert run("build", rules, "--out", out).returncode == 0
-    written = {path: path.stat().st_mtime_ns for path in out.iterdir()}
-    assert {path.suffix for path in written} == {".c", ".h"}
+    files = [path for path in out.rglob("*") if path.is_file()]
+    written = {path: path.stat().st_mtime_ns for path in files}
     source = next(path for path in written if path.suffix == ".c")
     subprocess.run(["cc", "-std=c99", "-c", source, "-o", tmp_path / "monitor.o"], check=True)
     run("build", rules, "--out", out)
-    assert {path: path.stat().st_mtime_ns for path in out.iterdir()} == written
+    assert {path: path.stat().st_mtime_ns for path in files} == written
+
+
+def test_build_writes_the_rules_beside_their_c(rules: Path, tmp_path: Path) -> None:
+    page = tmp_path / "review.html"
+    done = run("build", rules, "--out", tmp_path / "generated", "--review", page)
+    assert done.stdout.endswith(f"wrote {page}\n")
+    assert "rules_monitor.c:" in page.read_text(encoding="utf-8")
+    done = run("build", rules, "--target", "python", "--out", tmp_path / "other", "--review", page)
+    assert done.returncode == 2
+    assert "--review is for targets in C" in done.stderr
+    assert not (tmp_path / "other").exists()
 
 
 def test_build_of_a_module_that_runs_by_itself(rules: Path, tmp_path: Path) -> None:

@@ -165,7 +165,7 @@ QUICK_FAULTS = (
     (("        events += visit(m, node, t_ns);", "        ;"), "evaluate",
      "what is marked is visited once, and nothing else"),
     ((" && !UNLIKELY(x > m->high[g])", ""), "inside_0", "it is inside"),
-    (("    for (unsigned i = channel_guards[channel];", "    for (unsigned i = GUARDS;"),
+    (("            look(m, channel, t_ns);", "            ;"),
      "update_tilt_late_between", "the guard of `abs(tilt)`"),
 )  # fmt: skip
 FAULTS = (
