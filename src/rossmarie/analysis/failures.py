@@ -1,4 +1,4 @@
-"""What happens when an input is lost: which rules become active."""
+"""The loss of an input, and the rules that become active by it."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ USAGES: Mapping[Operator, str] = {
     Operator.MEDIAN: "median(x, 0.2 sec)",
     Operator.AGE: "age(input) > 0.5 sec",
 }
-"""How each function is written; its keys are the functions there are."""
+"""The notation of each function; its keys are the functions there are."""
 
 _FUNCTIONS: Mapping[str, Operator] = {operator.value: operator for operator in USAGES}
 _NEEDS: Mapping[Operator, str] = {
@@ -171,7 +171,9 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
 
 
 def _result_of_fold(node: ast.Call, operator: Operator, type_: Type, context: Context) -> Type:
-    """What comes out whatever is wrong with the argument; of `any(x) < 1`, one finding will do."""
+    """The type of the result whatever is wrong with the argument; of `any(x) < 1`, one finding will
+    do.
+    """
     around = context.parents.get(id(node))
     is_compared = isinstance(around, ast.Binary) and around.operator not in ast.JUNCTIONS
     if isinstance(type_, Unknown) and is_compared:
