@@ -173,7 +173,7 @@ class Moment(Encoding):
         if operand not in self._elapsed:
             begun = z3.IntVal(0)
             if self._is_end:
-                # What became true on the way did so after all below it had settled.
+                # A truth that changed on the way did so after all below it had settled.
                 begun = self.leg.length_ns - self._times.settling(operand)
                 begun = begun - z3.If(self.leg.is_silent, self._times.silence_ns, 0)
             if self._before is not None:

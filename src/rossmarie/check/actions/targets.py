@@ -124,7 +124,7 @@ class Targets:
             return None
         if _contradicts(target, written):
             return None
-        # What is wrong with a type is reported once, however many effects go by it.
+        # A mistake in a type is reported once, however many effects go by it.
         message = find_message(written, self.model, self._collector)
         return None if message is None else Sent(name, type_name(written.text), message)
 

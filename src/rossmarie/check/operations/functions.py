@@ -123,7 +123,7 @@ def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
     count = len(node.arguments)
     if count >= signature.least and (signature.most is None or count <= signature.most):
         return True
-    # What stands before the dot is not counted: the user sees no argument there.
+    # The operand before the dot is not counted: the user sees no argument there.
     before_dot = 1 if node.is_method else 0
     least, given = signature.least - before_dot, count - before_dot
     expected = {0: "no argument here", 1: "one argument"}.get(least, f"{least} arguments")
