@@ -90,7 +90,7 @@ class Judge:
     def _found_entailed(
         self, facts: Said, ors: tuple[AnyOf, ...], bound: frozenset[str], said: Statement
     ) -> bool:
-        """Say whether it follows; `ors` are those of the facts that are taken apart for it."""
+        """Say whether a statement follows; `ors` are the facts that are taken apart for it."""
         if said in facts:
             return True
         match said:
@@ -126,8 +126,8 @@ class Judge:
     def _follows_from_each(
         self, facts: Said, ors: tuple[AnyOf, ...], bound: frozenset[str], said: Statement
     ) -> bool:
-        """Say whether it follows from each alternative of an `or` that holds. Of several only those
-        further on are taken apart then: so each selection of them is looked at once.
+        """Say whether a statement follows from each alternative of an `or` that holds. Of several
+        only those further on are taken apart then: so each selection of them is looked at once.
         """
         for index, one in enumerate(ors):
             rest = [each for each in facts if each != one]
@@ -169,7 +169,7 @@ class Judge:
         return World(self._declared, self.model, said)
 
     def _is_certain(self, clash: Clash) -> bool:
-        """Say whether it stays one if two names stand for one thing."""
+        """Say whether a clash stays one if two names stand for one thing."""
         return not any(True for _ in self._ways_out(clash))
 
     def _ways_out(self, clash: Clash) -> Iterator[tuple[str, str]]:

@@ -120,7 +120,7 @@ class Touching:
         return is_counted or declared.is_asymmetric or declared.is_irreflexive
 
     def _is_chained(self, said: Relation) -> bool:
-        """Say whether it may follow from several others."""
+        """Say whether a relation may follow from several others."""
         return any(
             self._model.relations[each.relation].is_transitive for each in self._supports(said)
         )

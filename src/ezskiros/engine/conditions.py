@@ -41,7 +41,7 @@ def holds(statement: Statement, bound: Bound, world: World) -> bool:
 
 
 def _is_so(statement: Statement, bound: Bound, world: World) -> bool:
-    """Say whether it holds without its `~`."""
+    """Say whether a condition holds without its `~`."""
     if isinstance(statement, AnyOf):
         return any(holds(part, bound, world) for part in statement.parts)
     subject = bound.get(statement.subject)

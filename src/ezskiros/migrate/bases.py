@@ -78,7 +78,7 @@ class Bases:
     # --- questions --------------------------------------------------------------------------------
 
     def is_mixin(self, found: ClassId) -> bool:
-        """Say whether it is a base of skills that loses SkiROS2's own."""
+        """Say whether a class is a base of skills that loses SkiROS2's own."""
         return found in self._mixins
 
     def below(self, name: str, path: str) -> tuple[Root, str]:
@@ -182,5 +182,5 @@ class Bases:
 
 
 def _may_be(found: BuiltClass) -> bool:
-    """Say whether it describes nothing, and can become a mixin."""
+    """Say whether a class describes nothing, and can become a mixin."""
     return not found.is_described

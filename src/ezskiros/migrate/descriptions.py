@@ -78,7 +78,7 @@ class Descriptions:
         return Description(node, function) if is_one else None
 
     def _is_base(self, argument: cst.Arg) -> bool:
-        """Say whether it is SkiROS2's own class of descriptions."""
+        """Say whether a base is SkiROS2's own class of descriptions."""
         name = last_name(argument.value)
         return name == "SkillDescription" or name in self._aliases
 

@@ -70,7 +70,7 @@ _SHARED = implementation_errors.SharedName
 
 
 def _is_open(template: Template) -> bool:
-    """Say whether it is an undeclared key that a description may get as a parameter."""
+    """Say whether a finding is of an undeclared key that a description may get as a parameter."""
     return isinstance(template, _SHARED) and not template.why
 
 

@@ -215,7 +215,7 @@ class TreeUses(ParameterUses):
 
 
 def _is_group(call: cst.Call) -> bool:
-    """Say whether it is `self.skill(Serial())(...)`."""
+    """Say whether a call is `self.skill(Serial())(...)`."""
     inner = call.func
     if not isinstance(inner, cst.Call) or method(inner) != "skill" or len(inner.args) != 1:
         return False

@@ -74,7 +74,7 @@ Clause = tuple[Literal, ...]
 
 
 def is_so(literal: Literal, world: World) -> bool:
-    """Say whether it is so in a world."""
+    """Say whether a fact is so in a world."""
     fluent, subject = literal.fluent, literal.arguments[0]
     match fluent.about:
         case About.RELATION:

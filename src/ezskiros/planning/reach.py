@@ -55,7 +55,7 @@ class Reach:
                         self._new.update(dict.fromkeys(self._grounded(effect.bound(bound))))
 
     def is_possible(self, literal: Literal) -> bool:
-        """Say whether it is so at some time."""
+        """Say whether a fact is so at some time."""
         return literal in self._new or self._is_initially(literal)
 
     def missing(self, goal: Literal, seen: frozenset[Literal] = frozenset()) -> Missing:

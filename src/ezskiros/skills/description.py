@@ -68,7 +68,7 @@ class Conditions:
 
 
 def _is_told(condition: object, span: Span) -> bool:
-    """Say whether it came of `not condition`, which has been reported."""
+    """Say whether something came of `not condition`, which has been reported."""
     return isinstance(condition, bool) and session.has_reported(span)
 
 

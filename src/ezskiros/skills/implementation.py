@@ -233,14 +233,14 @@ _LIMITS: Mapping[Decoration, tuple[type, ...]] = {
 
 
 def _can_limit(limit: object, kinds: tuple[type, ...]) -> bool:
-    """Say whether it is a number above 0 that ends, or can be one when the skill runs."""
+    """Say whether a limit is a number above 0 that ends, or can be one when the skill runs."""
     if isinstance(limit, SymbolicValue):
         return limit.__may_be__(kinds)
     return type(limit) in kinds and 0 < limit < math.inf  # type: ignore[operator]
 
 
 def _is_node(child: object) -> bool:
-    """Say whether it can be part of a tree; if not that is told."""
+    """Say whether something can be part of a tree; if not, report it."""
     if isinstance(child, Node):
         return True
     if not isinstance(child, Unknown):

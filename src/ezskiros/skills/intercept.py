@@ -121,7 +121,7 @@ def _is_ours(function: object) -> bool:
 
 
 def _comes_from_ours(problem: BaseException) -> bool:
-    """Say whether it went through our code; symbols raise where they cannot be a value."""
+    """Say whether an exception went through our code, other than that of symbols."""
     frames = (frame.f_code.co_filename for frame, _ in walk_tb(problem.__traceback__))
     return any(path.startswith(session.OURS) and path not in _OF_SYMBOLS for path in frames)
 

@@ -47,7 +47,7 @@ class Parameter:
 
     @property
     def is_thing(self) -> bool:
-        """Say whether it stands for something in the world."""
+        """Say whether the parameter stands for something in the world."""
         return isinstance(self.type, ThingClass)
 
     @property

@@ -175,7 +175,7 @@ class SymbolicValue(Symbol):
         return f"the parameter `{self._name}`, of type {self._kind.__name__}"
 
     def __may_be__(self, kinds: tuple[type, ...]) -> bool:
-        """Say whether it can be of one of these types."""
+        """Say whether the value can be of one of these types."""
         return self._kind is None or self._kind in kinds
 
     def __example__(self) -> object:

@@ -50,7 +50,7 @@ def _listed_type(values: list[str]) -> str:
 
 
 def _is_fraction(text: str) -> bool:
-    """Say whether it is a number that is no literal type."""
+    """Say whether a text is a number that is no literal type."""
     try:
         float(text)
     except ValueError:

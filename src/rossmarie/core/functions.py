@@ -70,7 +70,7 @@ class Row:
     easy: Callable[[Expression], Expression] | None = None
 
     def takes(self, count: int) -> bool:
-        """Say whether it can have that many operands."""
+        """Say whether the function can have that many operands."""
         return self.least <= count and (self.most is None or count <= self.most)
 
     def worded(self, operands: Sequence[str], vector: str | None = None) -> str:
