@@ -9,8 +9,8 @@ from typing import Any
 
 import cffi
 import numpy as np
-from in_process import Columns, Round, compile_shared, python_rows
-from workload import PERIOD_NS, REALS, rossmarie_rules
+from in_process import Round, compile_shared, python_rows
+from workload import PERIOD_NS, REALS, Columns, rossmarie_rules
 
 from rossmarie.driver import compile_file
 from rossmarie.driver.monitor import Monitor, start_engine
@@ -88,8 +88,38 @@ def machine(folder: Path, copies: int) -> Machine:
     return compile_file(rules, message_folders=messages).machine
 
 
-def opaque_steps(compiled: Machine, folder: Path, flags: list[str], columns: Columns) -> Round:
-    """The generated update, one opaque call a sample."""
+class Generated:
+    """The generated update, compiled with `flags` and called once a sample, opaquely."""
+
+    def __init__(self, compiled: Machine, folder: Path, flags: list[str]) -> None:
+        output = folder / f"{compiled.name}{''.join(flags)}.so"
+        sources = [_write_harness(compiled, folder), folder / f"{compiled.name}_monitor.c"]
+        compile_shared(sources, output, flags)
+        self.ffi = cffi.FFI()
+        self.ffi.cdef(DECLARATIONS)
+        self.library: Any = self.ffi.dlopen(str(output))
+
+    def over_columns(self, columns: Columns) -> Round:
+        """The counts are those of `activity`, which is not timed."""
+        from_buffer = self.ffi.from_buffer
+        pointers = [from_buffer("int64_t[]", columns["t_ns"])]
+        pointers += [from_buffer("double[]", columns[name]) for name in REALS]
+        pointers.append(from_buffer("uint8_t[]", columns["contact"]))
+        samples = len(columns["t_ns"])
+        active = self.ffi.new("uint8_t[]", samples)
+        counts = self.ffi.new("uint64_t[3]")
+        self.library.activity(samples, *pointers, active, counts)
+        found = list(counts)
+
+        def run() -> tuple[float, list[int]]:
+            start = time.process_time()
+            self.library.steps(samples, *pointers, active, counts)
+            return time.process_time() - start, found
+
+        return run
+
+
+def _write_harness(compiled: Machine, folder: Path) -> Path:
     for file, text in generate(compiled).items():
         path = folder / file
         path.parent.mkdir(exist_ok=True)
@@ -105,26 +135,7 @@ def opaque_steps(compiled: Machine, folder: Path, flags: list[str], columns: Col
         ),
         encoding="utf-8",
     )
-    output = folder / f"{compiled.name}{''.join(flags)}.so"
-    compile_shared([harness, folder / f"{compiled.name}_monitor.c"], output, flags)
-    ffi = cffi.FFI()
-    ffi.cdef(DECLARATIONS)
-    library: Any = ffi.dlopen(str(output))
-    pointers = [ffi.from_buffer("int64_t[]", columns["t_ns"])]
-    pointers += [ffi.from_buffer("double[]", columns[name]) for name in REALS]
-    pointers.append(ffi.from_buffer("uint8_t[]", columns["contact"]))
-    samples = len(columns["t_ns"])
-    active = ffi.new("uint8_t[]", samples)
-    counts = ffi.new("uint64_t[3]")
-    library.activity(samples, *pointers, active, counts)
-    found = list(counts)
-
-    def run() -> tuple[float, list[int]]:
-        start = time.process_time()
-        library.steps(samples, *pointers, active, counts)
-        return time.process_time() - start, found
-
-    return run
+    return harness
 
 
 def from_python_columns(compiled: Machine, columns: Columns, chunk: int) -> Round:
@@ -144,22 +155,22 @@ def from_python_columns(compiled: Machine, columns: Columns, chunk: int) -> Roun
     return run
 
 
-def from_python_steps(compiled: Machine, columns: Columns, samples: int) -> Round:
+def from_python_steps(compiled: Machine, columns: Columns) -> Round:
     """One call a sample with Python numbers; activity is counted from the events."""
-    return _steps(compiled, columns, samples, lambda: start_engine(compiled).engine)
+    return _steps(compiled, columns, lambda: start_engine(compiled).engine)
 
 
-def python_steps(compiled: Machine, columns: Columns, samples: int) -> Round:
+def python_steps(compiled: Machine, columns: Columns) -> Round:
     """The same with the generated Python, which runs where there is no C compiler."""
     text = source(compiled)
-    return _steps(compiled, columns, samples, lambda: PythonMonitor(compiled, text))
+    return _steps(compiled, columns, lambda: PythonMonitor(compiled, text))
 
 
-def _steps(compiled: Machine, columns: Columns, samples: int, start: Callable[[], Engine]) -> Round:
+def _steps(compiled: Machine, columns: Columns, start: Callable[[], Engine]) -> Round:
     names = ("t_ns", *REALS, "contact")
     order = [0, *(names.index(str(slot.path[0])) for slot in compiled.slots)]
-    rows = [tuple(row[index] for index in order) for row in python_rows(columns, samples)]
-    end_ns = samples * PERIOD_NS
+    rows = [tuple(row[index] for index in order) for row in python_rows(columns)]
+    end_ns = len(rows) * PERIOD_NS
 
     def run() -> tuple[float, list[int]]:
         monitor = start()

@@ -15,9 +15,8 @@ from typing import Any
 import cffi
 import numpy as np
 from numpy.typing import NDArray
-from workload import REALS, constants
+from workload import REALS, Columns, constants
 
-Columns = dict[str, NDArray[Any]]
 Round = Callable[[], tuple[float, list[int]]]
 
 DECLARATIONS = """
@@ -152,15 +151,15 @@ def hand_closure() -> Step:
     return step
 
 
-def python_rows(columns: Columns, samples: int) -> list[tuple[Any, ...]]:
-    """The first samples as Python numbers: t, speed, pitch, distance, force_z, contact."""
+def python_rows(columns: Columns) -> list[tuple[Any, ...]]:
+    """The samples as Python numbers: t, speed, pitch, distance, force_z, contact."""
     names = ("t_ns", *REALS, "contact")
-    return list(zip(*(columns[name][:samples].tolist() for name in names), strict=True))
+    return list(zip(*(columns[name].tolist() for name in names), strict=True))
 
 
-def closure_steps(columns: Columns, samples: int) -> Round:
+def closure_steps(columns: Columns) -> Round:
     """The hand-written closure, one call a sample."""
-    rows = python_rows(columns, samples)
+    rows = python_rows(columns)
 
     def run() -> tuple[float, list[int]]:
         step = hand_closure()

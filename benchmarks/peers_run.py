@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+import shutil
 import subprocess
+import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 
 from workload import c2po_rules, lola_rules
@@ -15,71 +18,148 @@ TIME_LIMIT_S = 600
 
 
 @dataclass(frozen=True)
+class Workload:
+    """The rules in that many copies, on the first samples of the trace in a folder.
+
+    `bench` is the folder in which the peers are installed.
+    """
+
+    bench: Path
+    trace: Path
+    samples: int
+    copies: int
+    rounds: int
+
+
+@dataclass(frozen=True)
 class Measured:
     """Nanoseconds of CPU a sample, and the active samples of each of the three rules."""
 
     nanoseconds: float
     counts: list[int]
+    note: str = ""
 
 
-def reelay(bench: Path, samples: int, copies: int, rounds: int) -> Measured | None:
+@dataclass(frozen=True)
+class LeftOut:
+    """A peer without figures, and the reason."""
+
+    name: str
+    reason: str
+
+
+class NotMeasuredError(Exception):
+    """A peer is not installed, or did not finish."""
+
+
+def reelay(workload: Workload) -> Measured:
     """Discrete time, one monitor a rule."""
-    return _python_peer(bench, "reelay_peer.py", samples, copies, rounds)
+    return _python_peer("reelay_peer.py", workload)
 
 
-def rtamt(bench: Path, samples: int, copies: int, rounds: int) -> Measured | None:
+def rtamt(workload: Workload) -> Measured:
     """Discrete time, the Python back end, one specification a rule."""
-    return _python_peer(bench, "rtamt_peer.py", samples, copies, rounds)
+    return _python_peer("rtamt_peer.py", workload)
 
 
-def rtlola(bench: Path, samples: int, copies: int, rounds: int) -> Measured | None:
+def rtlola(workload: Workload) -> Measured:
     """The interpreter, in process."""
-    specification = bench / f"rules_{3 * copies}.lola"
-    specification.write_text(lola_rules(copies), encoding="utf-8")
-    program = bench / "cargo" / "release" / "rtlola"
-    return _measure([program, bench / "trace", specification, samples, rounds])
+    specification = _lola_specification(workload.bench, workload.copies)
+    program = workload.bench / "cargo" / "release" / "rtlola"
+    return _measure([program, workload.trace, specification, workload.samples, workload.rounds])
 
 
-def r2u2(bench: Path, samples: int, copies: int, rounds: int) -> Measured | None:
+def rtlola_in_rust(workload: Workload) -> Measured:
+    """The same specification, compiled to Rust and then to a program."""
+    program, seconds = _compiled_rtlola(workload.bench, workload.copies)
+    measured = _measure([program, workload.trace, workload.samples, workload.rounds])
+    return replace(measured, note=f"compiled in {seconds:,.0f} s")
+
+
+def r2u2(workload: Workload) -> Measured:
     """The Rust core, in process, on what C2PO compiled."""
-    specification = bench / f"rules_{3 * copies}.c2po"
-    specification.write_text(c2po_rules(copies), encoding="utf-8")
+    bench, rules = workload.bench, 3 * workload.copies
+    specification = bench / f"rules_{rules}.c2po"
+    specification.write_text(c2po_rules(workload.copies), encoding="utf-8")
     columns = bench / "columns.csv"
     columns.write_text("# speed,pitch,distance,force_z,contact\n0.1,0.1,0.1,0.1,1\n")
-    output = bench / f"r2u2_{3 * copies}"
+    output = bench / f"r2u2_{rules}"
     output.mkdir(exist_ok=True)
     compiler = bench / "tools" / "bin" / "r2u2_cli"
-    if not compiler.is_file():
-        return None
-    subprocess.run(
-        [compiler, "compile", specification, columns, "-o", output],
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        check=False,
-    )
+    _finished([compiler, "compile", specification, columns, "-o", output])
     program = bench / "cargo" / "release" / "r2u2"
-    return _measure([program, bench / "trace", output / "spec.bin", samples, 3 * copies, rounds])
+    specification = output / "spec.bin"
+    return _measure(
+        [program, workload.trace, specification, workload.samples, rules, workload.rounds]
+    )
 
 
-def _python_peer(
-    bench: Path, script: str, samples: int, copies: int, rounds: int
-) -> Measured | None:
-    python = bench / "venv" / "bin" / "python"
-    return _measure([python, HERE / "peers" / script, bench / "trace", samples, copies, rounds])
+@cache
+def _compiled_rtlola(bench: Path, copies: int) -> tuple[Path, float]:
+    """The program, and the seconds that both compilers took."""
+    folder = bench / f"rtlola_in_rust_{3 * copies}"
+    folder.mkdir(exist_ok=True)
+    specification = _lola_specification(bench, copies)
+    rules = [(rule, f"r{rule + 1}_{copy}") for copy in range(copies) for rule in range(3)]
+    counts = (f"    counts[{rule}] += (v.{name} == Some(true)) as u64;" for rule, name in rules)
+    text = "\n".join(["fn count(v: &Verdict, counts: &mut [u64; 3]) {", *counts, "}", ""])
+    (folder / "count.rs").write_text(text, encoding="utf-8")
+    shutil.copy(HERE / "peers" / "rust" / "compiled.rs", folder)
+    release = bench / "cargo" / "release"
+    start = time.monotonic()
+    _finished(
+        [
+            *(bench / "tools" / "bin" / "rtlola2rust", "--optimize", "--overwrite"),
+            *("--output-streams", ",".join(name for _, name in rules)),
+            *("--output-dir", folder, specification),
+        ]
+    )
+    program = folder / "compiled"
+    _finished(
+        [
+            *("rustc", "--edition", "2021", "-C", "opt-level=3", "-A", "warnings"),
+            *("--extern", f"peers={release / 'libpeers.rlib'}"),
+            *("-L", f"dependency={release / 'deps'}", folder / "compiled.rs", "-o", program),
+        ]
+    )
+    return program, time.monotonic() - start
 
 
-def _measure(command: Sequence[object]) -> Measured | None:
-    """What the last line of a peer says; None if it is not there or did not finish."""
+def _lola_specification(bench: Path, copies: int) -> Path:
+    specification = bench / f"rules_{3 * copies}.lola"
+    specification.write_text(lola_rules(copies), encoding="utf-8")
+    return specification
+
+
+def _python_peer(script: str, workload: Workload) -> Measured:
+    python = workload.bench / "venv" / "bin" / "python"
+    return _measure(
+        [
+            *(python, HERE / "peers" / script),
+            *(workload.trace, workload.samples, workload.copies, workload.rounds),
+        ]
+    )
+
+
+def _measure(command: Sequence[object]) -> Measured:
+    """The last line that a peer prints."""
+    answer = json.loads(_finished(command).strip().splitlines()[-1])
+    return Measured(answer["nanoseconds"], answer["counts"])
+
+
+def _finished(command: Sequence[object]) -> str:
+    """The standard output of a command; `NotMeasuredError` tells why there is none."""
     words = [str(word) for word in command]
-    if not Path(words[0]).exists():
-        return None
+    name = Path(words[0]).name
+    if shutil.which(words[0]) is None:
+        raise NotMeasuredError(f"no {name}")
     try:
         done = subprocess.run(
             words, capture_output=True, text=True, timeout=TIME_LIMIT_S, check=False
         )
     except subprocess.TimeoutExpired:
-        return None
-    if done.returncode != 0 or not done.stdout.strip():
-        return None
-    answer = json.loads(done.stdout.strip().splitlines()[-1])
-    return Measured(answer["nanoseconds"], answer["counts"])
+        raise NotMeasuredError(f"{name} took more than {TIME_LIMIT_S} s") from None
+    if done.returncode != 0:
+        reason = (done.stderr.strip().splitlines() or ["no message"])[0]
+        raise NotMeasuredError(f"{name} ended with {done.returncode}: {reason}")
+    return done.stdout

@@ -1,8 +1,8 @@
 """`make bench`: measure everything in one run and write the table.
 
-CPU time of the process, contenders of a group run in turn, medians over the rounds; ratios are
-those of medians of one run. Every row also counts the active samples of the three rules, and says
-whether they are those of the hand-written loop.
+CPU time of the process, contenders of a group run in turn on the typical and on the worst trace,
+medians over the rounds; ratios are those of medians of one run. Every row also counts the active
+samples of the three rules, and says whether they are those of the hand-written loop.
 """
 
 from __future__ import annotations
@@ -10,8 +10,9 @@ from __future__ import annotations
 import platform
 import statistics
 import subprocess
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import compiler_speed
@@ -19,15 +20,25 @@ import numpy as np
 import peers_run
 import start_up
 from generated import (
+    Generated,
     from_python_columns,
     from_python_steps,
     machine,
-    opaque_steps,
     python_steps,
 )
-from in_process import Columns, Hand, Round, closure_steps, numpy_whole_columns
+from in_process import Hand, Round, closure_steps, numpy_whole_columns
 from machine import processor
-from workload import SAMPLES, trace, write_trace
+from peers_run import LeftOut, Measured, Workload
+from workload import (
+    PERIOD_NS,
+    REST_PERIOD,
+    REST_SAMPLES,
+    SAMPLES,
+    Columns,
+    typical_trace,
+    worst_trace,
+    write_trace,
+)
 from written_page import written_page
 
 HERE = Path(__file__).parent
@@ -37,16 +48,17 @@ SCALED_SAMPLES = 100_000
 PYTHON_SAMPLES = 200_000
 VECTOR = ["-O3", "-march=native"]
 
+Traces = Mapping[str, Columns]
+Contender = Callable[[Columns], Round]
+
 
 @dataclass(frozen=True)
-class Row:
-    """One line of a table."""
+class Outcome:
+    """The CPU time on one trace, and the counts beside those of the hand-written loop."""
 
-    name: str
     nanoseconds: float
     counts: list[int]
     expected: list[int]
-    note: str = ""
 
     @property
     def agreement(self) -> str:
@@ -58,161 +70,250 @@ class Row:
         )
 
 
-def interleaved(rounds: Mapping[str, Round], samples: int, times: int) -> dict[str, Row]:
-    """Run each contender once a round, in turn; the first one is the yardstick of the counts."""
-    seconds: dict[str, list[float]] = {name: [] for name in rounds}
-    counts: dict[str, list[int]] = {}
-    for _ in range(times):
-        for name, run in rounds.items():
-            took, counts[name] = run()
-            seconds[name].append(took)
-    expected = counts[next(iter(rounds))]
+@dataclass(frozen=True)
+class Row:
+    """One line of a table: an outcome for each trace."""
+
+    name: str
+    outcomes: Mapping[str, Outcome]
+    note: str = ""
+
+    @property
+    def agreement(self) -> str:
+        """The agreement on all traces, or that on each of them where they differ."""
+        texts = {case: outcome.agreement for case, outcome in self.outcomes.items()}
+        if len(set(texts.values())) == 1:
+            return next(iter(texts.values()))
+        return "; ".join(f"{case}: {text}" for case, text in texts.items())
+
+
+def interleaved(contenders: Mapping[str, Contender], traces: Traces) -> dict[str, Row]:
+    """Run each contender on each trace once a round, in turn.
+
+    The first contender is the yardstick of the counts.
+    """
+    rounds = {
+        (name, case): contender(columns)
+        for name, contender in contenders.items()
+        for case, columns in traces.items()
+    }
+    seconds: dict[tuple[str, str], list[float]] = {each: [] for each in rounds}
+    counts: dict[tuple[str, str], list[int]] = {}
+    for _ in range(ROUNDS):
+        for each, run in rounds.items():
+            took, counts[each] = run()
+            seconds[each].append(took)
+    first = next(iter(contenders))
+
+    def outcome(name: str, case: str, samples: int) -> Outcome:
+        nanoseconds = statistics.median(seconds[name, case]) / samples * 1e9
+        return Outcome(nanoseconds, counts[name, case], counts[first, case])
+
     return {
-        name: Row(name, statistics.median(seconds[name]) / samples * 1e9, counts[name], expected)
-        for name in rounds
+        name: Row(
+            name,
+            {case: outcome(name, case, len(columns["t_ns"])) for case, columns in traces.items()},
+        )
+        for name in contenders
     }
 
 
-def head(columns: Columns, samples: int) -> Columns:
+def head(traces: Traces, samples: int) -> Traces:
     """The first samples of every column."""
-    return {name: np.ascontiguousarray(column[:samples]) for name, column in columns.items()}
+    return {
+        case: {name: np.ascontiguousarray(column[:samples]) for name, column in columns.items()}
+        for case, columns in traces.items()
+    }
 
 
-def three_rules(columns: Columns) -> Iterator[str]:
-    """The table of three rules."""
+def three_rules(traces: Traces) -> Iterator[str]:
+    """The tables of three rules."""
     compiled = machine(BENCH / "generated", 1)
     hand = Hand(HERE / "hand" / "hand.c", BENCH / "hand.so", ["-O2"])
+    generated = Generated(compiled, BENCH / "generated", ["-O2"])
     in_c = interleaved(
         {
-            "hand-written C, loop over columns": hand.over_columns("hand_loop", columns),
-            "hand-written C, one opaque call a sample": hand.over_columns("hand_opaque", columns),
-            "**our C99, one opaque call a sample**": opaque_steps(
-                compiled, BENCH / "generated", ["-O2"], columns
-            ),
+            "hand-written C, loop over columns": partial(hand.over_columns, "hand_loop"),
+            "hand-written C, one opaque call a sample": partial(hand.over_columns, "hand_opaque"),
+            "**our C99, one opaque call a sample**": generated.over_columns,
             **{
-                f"**ours from Python, whole columns, chunks of {chunk:,}**": from_python_columns(
-                    compiled, columns, chunk
+                f"**ours from Python, whole columns, chunks of {chunk:,}**": partial(
+                    from_python_columns, compiled, chunk=chunk
                 )
                 for chunk in (SAMPLES, 10_000, 1_000, 100)
             },
-            "numpy, whole arrays": numpy_whole_columns(columns),
+            "numpy, whole arrays": numpy_whole_columns,
         },
-        SAMPLES,
-        ROUNDS,
+        traces,
     )
-    few = head(columns, PYTHON_SAMPLES)
     in_python = interleaved(
         {
-            "hand-written Python closure, one call a sample": closure_steps(few, PYTHON_SAMPLES),
-            "**ours from Python, one call a sample**": from_python_steps(
-                compiled, few, PYTHON_SAMPLES
-            ),
-            "**ours without a C compiler, one call a sample**": python_steps(
-                compiled, few, PYTHON_SAMPLES
-            ),
+            "hand-written Python closure, one call a sample": closure_steps,
+            "**ours from Python, one call a sample**": partial(from_python_steps, compiled),
+            "**ours without a C compiler, one call a sample**": partial(python_steps, compiled),
         },
-        PYTHON_SAMPLES,
-        ROUNDS,
+        head(traces, PYTHON_SAMPLES),
     )
-    rows = [*in_c.values(), *in_python.values(), *peer_rows(columns, 1)]
     loop, opaque, ours = list(in_c.values())[:3]
     closure, step, python = in_python.values()
     yield "## Three rules, five conditions"
     yield ""
-    yield from table(rows)
+    peers = list(peer_rows(traces, 1))
+    yield from table([*in_c.values(), *in_python.values(), *peers], 3)
     yield ""
-    yield "| ratio | measured | to reach |"
-    yield "|---|---|---|"
-    yield ratio("C99 step : hand-written opaque step", ours, opaque, "1.15")
+    yield from RATIOS
+    yield ratio("C99 step : hand-written opaque step", ours, opaque, "at most 1.15")
     for row in list(in_c.values())[3:6]:
         chunk = row.name.strip("*").partition("chunks of ")[2]
-        yield ratio(f"whole columns from Python, chunks of {chunk} : C loop", row, loop, "1.3")
-    yield ratio("one call a sample from Python : hand-written closure", step, closure, "1.1")
-    yield ratio("the same without a C compiler : hand-written closure", python, closure, "1.1")
+        name = f"whole columns from Python, chunks of {chunk} : C loop"
+        yield ratio(name, row, loop, "at most 1.3")
+    name = "one call a sample from Python : hand-written closure"
+    yield ratio(name, step, closure, "at most 1.1")
+    name = "the same without a C compiler : hand-written closure"
+    yield ratio(name, python, closure, "at most 1.1")
+    yield from fastest_peer("C99 step", ours, peers)
+
+
+RATIOS = ("| ratio | typical | worst | to reach in the typical case |", "|---|---|---|---|")
 
 
 def ratio(name: str, row: Row, base: Row, wanted: str) -> str:
     """One line of a table of ratios."""
-    return f"| {name} | {row.nanoseconds / base.nanoseconds:.2f} | at most {wanted} |"
+    ratios = (
+        f"{outcome.nanoseconds / base.outcomes[case].nanoseconds:.2f}"
+        for case, outcome in row.outcomes.items()
+    )
+    return f"| {name} | {' | '.join(ratios)} | {wanted} |"
 
 
-PEERS: Mapping[str, Callable[[Path, int, int, int], peers_run.Measured | None]] = {
-    "RTLola, rtlola-interpreter 0.11.0": peers_run.rtlola,
-    "R2U2, r2u2_core 4.2.4": peers_run.r2u2,
-    "reelay 25.0.0": peers_run.reelay,
-    "rtamt 0.4.10": peers_run.rtamt,
-}
-PEER_SAMPLES = {
-    "RTLola, rtlola-interpreter 0.11.0": 100_000,
-    "R2U2, r2u2_core 4.2.4": 100_000,
-    "reelay 25.0.0": 20_000,
-    "rtamt 0.4.10": 5_000,
-}
-PEER_NOTES = {
-    "R2U2, r2u2_core 4.2.4": "weak start, and comparisons within 1e-5",
-    "reelay 25.0.0": "weak start",
-    "rtamt 0.4.10": "weak start; computes robustness, which is more",
-}
+def fastest_peer(name: str, ours: Row, peers: Sequence[Row | LeftOut]) -> Iterator[str]:
+    """The ratio to the first peer, which is the fastest, if it was measured."""
+    match peers[0]:
+        case Row() as peer:
+            yield ratio(f"{name} : RTLola compiled to Rust", ours, peer, "below 1")
+        case LeftOut():
+            pass
 
 
-def peer_rows(columns: Columns, copies: int) -> Iterator[Row]:
-    """The peers that are installed, on as many samples as they can do in reasonable time."""
+@dataclass(frozen=True)
+class Peer:
+    """A peer; with three rules it runs on that many samples, with more on fewer."""
+
+    name: str
+    measure: Callable[[Workload], Measured]
+    samples: int
+    note: str = ""
+
+
+PEERS = (
+    Peer("RTLola compiled to Rust, rtlola2rust 0.1.0", peers_run.rtlola_in_rust, SAMPLES),
+    Peer("RTLola, rtlola-interpreter 0.11.0", peers_run.rtlola, 100_000),
+    Peer(
+        "R2U2, r2u2_core 4.2.4", peers_run.r2u2, 100_000, "weak start, and comparisons within 1e-5"
+    ),
+    Peer("reelay 25.0.0", peers_run.reelay, 20_000, "weak start"),
+    Peer("rtamt 0.4.10", peers_run.rtamt, 5_000, "weak start; computes robustness, which is more"),
+)
+
+
+def peer_rows(traces: Traces, copies: int) -> Iterator[Row | LeftOut]:
+    """The peers, on as many samples as they can do in reasonable time."""
     hand = Hand(HERE / "hand" / "hand.c", BENCH / "hand.so", ["-O2"])
-    for name, measure in PEERS.items():
-        samples = max(PEER_SAMPLES[name] // copies, 500)
-        measured = measure(BENCH, samples, copies, 3 if copies == 1 else 1)
-        if measured is None:
-            print(f"bench: {name} is not installed or did not finish")
-            continue
-        expected = hand.table(head(columns, samples), copies)()[1]
-        note = PEER_NOTES.get(name, "")
-        yield Row(name, measured.nanoseconds, measured.counts, expected, note)
+    for peer in PEERS:
+        samples = max(peer.samples // copies, 500)
+        outcomes = {}
+        notes = [peer.note]
+        try:
+            for case, columns in head(traces, samples).items():
+                workload = Workload(
+                    BENCH, BENCH / "trace" / case, samples, copies, 3 if copies == 1 else 1
+                )
+                measured = peer.measure(workload)
+                expected = hand.table(columns, copies)()[1]
+                outcomes[case] = Outcome(measured.nanoseconds, measured.counts, expected)
+                notes.append(measured.note)
+        except peers_run.NotMeasuredError as reason:
+            print(f"bench: {peer.name} is left out: {reason}")
+            yield LeftOut(peer.name, str(reason))
+        else:
+            yield Row(peer.name, outcomes, "; ".join(dict.fromkeys(filter(None, notes))))
 
 
-def scaling(columns: Columns) -> Iterator[str]:
+def scaling(traces: Traces) -> Iterator[str]:
     """The tables of 30 and 300 rules."""
-    few = head(columns, SCALED_SAMPLES)
+    folder = BENCH / "generated"
     for copies in (10, 100):
-        compiled = machine(BENCH / "generated", copies)
-        folder = BENCH / "generated"
+        compiled = machine(folder, copies)
         hand = Hand(HERE / "hand" / "hand.c", BENCH / "hand.so", ["-O2"])
         fast = Hand(HERE / "hand" / "hand.c", BENCH / "hand_vector.so", VECTOR)
         rows = interleaved(
             {
-                "hand-written C table, -O2": hand.table(few, copies),
-                "hand-written C table, -O3 -march=native": fast.table(few, copies),
-                "**our C99, -O2**": opaque_steps(compiled, folder, ["-O2"], few),
-                "**our C99, -O3 -march=native**": opaque_steps(compiled, folder, VECTOR, few),
+                "hand-written C table, -O2": partial(hand.table, copies=copies),
+                "hand-written C table, -O3 -march=native": partial(fast.table, copies=copies),
+                "**our C99, -O2**": Generated(compiled, folder, ["-O2"]).over_columns,
+                "**our C99, -O3 -march=native**": Generated(compiled, folder, VECTOR).over_columns,
             },
-            SCALED_SAMPLES,
-            ROUNDS,
+            head(traces, SCALED_SAMPLES),
         )
+        hand_written, _, ours, _ = rows.values()
         yield f"## {3 * copies} rules"
         yield ""
-        yield from table([*rows.values(), *peer_rows(columns, copies)], rules=3 * copies)
+        peers = list(peer_rows(traces, copies))
+        yield from table([*rows.values(), *peers], 3 * copies)
+        yield ""
+        yield from RATIOS
+        yield ratio("C99 : hand-written table, both -O2", ours, hand_written, "below 1")
+        yield from fastest_peer("C99, -O2", ours, peers)
         yield ""
 
 
-def table(rows: list[Row], rules: int = 3) -> Iterator[str]:
+def table(rows: Iterable[Row | LeftOut], rules: int) -> Iterator[str]:
     """Rows as Markdown."""
-    yield "| | ns a sample | ns a rule | counts against the C loop | |"
-    yield "|---|---|---|---|---|"
+    yield "| | typical: ns a sample | ns a rule | worst: ns a sample | ns a rule | counts | |"
+    yield "|---|---|---|---|---|---|---|"
     for row in rows:
-        times = f"{row.nanoseconds:,.1f} | {row.nanoseconds / rules:,.2f}"
-        yield f"| {row.name} | {times} | {row.agreement} | {row.note} |"
+        match row:
+            case LeftOut(name, reason):
+                yield f"| {name} | | | | | left out | {reason} |"
+            case Row(name, outcomes, note):
+                times = " | ".join(
+                    f"{outcome.nanoseconds:,.1f} | {outcome.nanoseconds / rules:,.2f}"
+                    for outcome in outcomes.values()
+                )
+                yield f"| {name} | {times} | {row.agreement} | {note} |"
 
 
 PREFACE = """# Performance
 
 Written by `make bench`; do not edit. CPU time of the process, everything in one run on one machine,
-contenders in turn, medians of {rounds} rounds. Absolute figures are those of this machine
+contenders in turn, medians of {rounds} rounds; peers run by themselves, with three rules for
+3 rounds, with more for 1. Absolute figures are those of this machine
 ({machine}); ratios carry over.
 
-**The workload.** {samples:,} samples at 100 Hz of speed, pitch, distance, force_z and contact,
-seeded random walks. Conditions: speed > 0.5 for 2.0 s; |pitch| > 10 for 4.0 s; distance < 0.8;
+**The rules.** Conditions: speed > 0.5 for 2.0 s; |pitch| > 10 for 4.0 s; distance < 0.8;
 force_z > 15 for 0.3 s; not contact. Rules: the first and the third; the second and speed > 0.05;
-the fourth and the fifth. 30 and 300 rules are copies with other constants, on the first
-{scaled:,} samples. The peers run on fewer samples, and their counts are compared on those.
+the fourth and the fifth. 30 and 300 rules are copies with other constants.
+
+**Typical and worst.** Both traces have {samples:,} samples at 100 Hz of speed, pitch, distance,
+force_z and contact. In the typical one the numbers are random walks with a seed, as sensors that
+move slowly send them: most samples change no comparison. In the worst one each sample changes
+every comparison of every rule: all numbers jump from one side of all their limits to the other.
+Only the last {rest:.0f} s of each {rest_period:,.0f} s stay on one side, so that all rules become
+active there. A monitor that evaluates everything with every sample, as the hand-written loops and
+RTLola do, needs about the same time for both. Ours evaluates what depends on a comparison that
+changed: little in the typical case, all of it in the worst one, and finding that out costs more
+than a plain evaluation would. 30 and 300 rules run on the first {scaled:,} samples.
+
+**Counts.** A row counts for how many samples each of the three rules (and its copies) was active,
+and compares that with the hand-written loop on the same samples. Most peers run on fewer samples;
+those that see less than {rest_period:,.0f} s of the worst trace see the jumps alone, in which no
+rule becomes active: there "equal" says little. With a weak start a condition counts as true for
+all the time before the first sample, which ours does not assume: such a peer reports a rule
+earlier.
+
+**RTLola compiled to Rust** gets the specification that its interpreter gets, reports the rules and
+no other stream, and is compiled with `opt-level=3`, as the other programs in Rust are. Its
+conditions count samples where ours measure time: the same at a steady 100 Hz, and nowhere else.
 """
 
 
@@ -226,16 +327,22 @@ def describe_machine() -> str:
 def main() -> None:
     """Measure, print and write."""
     out = written_page("Measure the monitor beside its peers.")
-    columns = trace()
-    write_trace(BENCH / "trace", columns)
+    traces = {"typical": typical_trace(), "worst": worst_trace()}
+    for case, columns in traces.items():
+        write_trace(BENCH / "trace" / case, columns)
     preface = PREFACE.format(
-        rounds=ROUNDS, machine=describe_machine(), samples=SAMPLES, scaled=SCALED_SAMPLES
+        rounds=ROUNDS,
+        machine=describe_machine(),
+        samples=SAMPLES,
+        scaled=SCALED_SAMPLES,
+        rest=REST_SAMPLES * PERIOD_NS / 1e9,
+        rest_period=REST_PERIOD * PERIOD_NS / 1e9,
     )
     lines = [
         preface,
-        *three_rules(columns),
+        *three_rules(traces),
         "",
-        *scaling(columns),
+        *scaling(traces),
         *compiler_speed.lines(BENCH / "generated"),
         "",
         *start_up.lines(),

@@ -1,8 +1,9 @@
-"""The workload of the benchmark: one trace, and the same three rules in many copies.
+"""The workload of the benchmark: two traces, and the same three rules in many copies.
 
-A million samples at 100 Hz of speed, pitch, distance, force_z (seeded random walks that return to
-their mean) and contact (a seeded switch). Five conditions and three rules; for 30 and 300 rules the
-set is repeated with other constants.
+A million samples at 100 Hz of speed, pitch, distance, force_z and contact. In the typical trace the
+numbers are seeded random walks that return to their mean, and contact is a seeded switch; in the
+worst one every comparison changes with every sample. Five conditions and three rules; for 30 and
+300 rules the set is repeated with other constants.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +19,10 @@ from numpy.typing import NDArray
 SAMPLES = 1_000_000
 PERIOD_NS = 10_000_000
 SEED = 20240607
+REST_SAMPLES = 500
+REST_PERIOD = 100_000
 REALS = ("speed", "pitch", "distance", "force_z")
+Columns = dict[str, NDArray[Any]]
 
 
 @dataclass(frozen=True)
@@ -51,10 +56,10 @@ def constants(copies: int) -> list[Constants]:
     ]
 
 
-def trace() -> dict[str, NDArray[np.generic]]:
+def typical_trace() -> Columns:
     """The columns: `t_ns` int64, four of float64, `contact` uint8."""
     random = np.random.default_rng(SEED)
-    columns: dict[str, NDArray[np.generic]] = {
+    columns: Columns = {
         "t_ns": np.arange(SAMPLES, dtype=np.int64) * PERIOD_NS,
         "speed": np.abs(_walk(random, 0.55, 0.30, 20.0, 0.5)),
         "pitch": _walk(random, 0.0, 9.0, 15.0, 16.0),
@@ -64,6 +69,25 @@ def trace() -> dict[str, NDArray[np.generic]]:
     switches = random.random(SAMPLES) < 1 / 300.0
     columns["contact"] = (np.cumsum(switches) % 2).astype(np.uint8)
     return columns
+
+
+def worst_trace() -> Columns:
+    """The same columns: with each sample all numbers jump to the other side of all their limits.
+
+    The last samples of each `REST_PERIOD` stay on the side where all conditions hold, for so long
+    that every rule becomes active: else no count would tell two monitors apart.
+    """
+    index = np.arange(SAMPLES)
+    is_resting = index % REST_PERIOD >= REST_PERIOD - REST_SAMPLES
+    holds = is_resting | (index % 2 == 1)
+    return {
+        "t_ns": index.astype(np.int64) * PERIOD_NS,
+        "speed": np.where(holds, 1.0, 0.0),
+        "pitch": np.where(holds, 20.0, 0.0),
+        "distance": np.where(holds, 0.5, 1.5),
+        "force_z": np.where(holds, 20.0, 10.0),
+        "contact": np.where(holds, 0, 1).astype(np.uint8),
+    }
 
 
 def _walk(
@@ -80,7 +104,7 @@ def _walk(
     return np.round(values + mean, 6)
 
 
-def write_trace(folder: Path, columns: dict[str, NDArray[np.generic]]) -> None:
+def write_trace(folder: Path, columns: Columns) -> None:
     """The columns as raw little-endian files, for peers in other languages."""
     folder.mkdir(parents=True, exist_ok=True)
     for name in REALS:

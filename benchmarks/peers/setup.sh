@@ -1,6 +1,7 @@
 #!/bin/sh
 # Installs the peers by name into build/bench: rtamt, reelay, rdflib and owlready2 from PyPI, R2U2
-# and RTLola from crates.io. A peer that cannot be installed is left out of the table, which says so.
+# and RTLola (the interpreter, and the compiler to Rust) from crates.io. A peer that cannot be
+# installed is left out of the table, which says so.
 set -u
 cd "$(dirname "$0")/../.."
 bench=$PWD/build/bench
@@ -20,6 +21,9 @@ if command -v cargo >/dev/null; then
     (cd benchmarks/peers/rust && cargo build --quiet --release) || echo "bench: RTLola is left out"
     [ -x "$bench/tools/bin/r2u2_cli" ] ||
         cargo install --quiet r2u2_cli@4.2.4 --root "$bench/tools" || echo "bench: R2U2 is left out"
+    [ -x "$bench/tools/bin/rtlola2rust" ] ||
+        cargo install --quiet rtlola2rust@0.1.0 --root "$bench/tools" ||
+        echo "bench: RTLola compiled to Rust is left out"
 else
     echo "bench: no cargo, so R2U2 and RTLola are left out"
 fi

@@ -47,7 +47,7 @@ class Catalog:
         raise UnknownCodeError(asked, self.diagnostics)
 
     def sarif_tool(self, version: str) -> Tool:
-        """What a SARIF log says about the tool: its `version` and all its diagnostics."""
+        """The description of the tool in a SARIF log: its `version` and all its diagnostics."""
         rules = [
             Rule(found.code, found.name, found.severity, self._summary(found), self._read(found))
             for found in self.diagnostics

@@ -1,4 +1,4 @@
-"""How a command line speaks: what is the same in the commands of both languages.
+"""The manners of a command line: all that is the same in the commands of both languages.
 
 Findings go to the terminal as text or, for machines, to standard output as JSON or SARIF; what went
 wrong with the command itself goes to standard error.
@@ -39,7 +39,7 @@ _OUTPUT_FAILURES = frozenset((errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG
 
 
 class Format(str, enum.Enum):
-    """How findings are printed."""
+    """The format in which findings are printed."""
 
     TEXT = "text"
     JSON = "json"
@@ -263,5 +263,5 @@ def _has_folder() -> bool:
 
 
 def _is_about_output(error: OSError) -> bool:
-    """Whether standard output cannot be written to: such an error names no file."""
+    """Say whether standard output cannot be written to: such an error names no file."""
     return error.filename is None and error.errno in _OUTPUT_FAILURES

@@ -1,4 +1,4 @@
-"""How seldom Python looks for garbage: a command makes much at its start, and keeps nearly all."""
+"""Python looks for garbage seldom: a command makes much at its start, and keeps nearly all."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""How SIGINT (Ctrl-C) and SIGTERM end a command, from its first instant to its last: with 128 plus
-the number of the signal as a shell counts it, and without a traceback.
+"""SIGINT (Ctrl-C) and SIGTERM end a command, from its first instant to its last: with 128 plus the
+number of the signal as a shell counts it, and without a traceback.
 
 Imports little, so that a command can call `end_at_once` before it imports the rest of itself.
 """

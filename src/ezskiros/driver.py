@@ -107,7 +107,7 @@ def missing_conditions(paths: Iterable[Path], collector: Collector | None = None
 
 
 def _scene(path: Path) -> Iterable[Diagnostic]:
-    """What is wrong with a scene; it is checked against the ontology that `load()` loads."""
+    """Find what is wrong with a scene; it is checked against the ontology that `load()` loads."""
     nowhere = Span(SourceFile(str(path), ""), 0, 0)
     if not os.environ.get(VARIABLE):
         return [NoOntologyForScene().at(nowhere)]
@@ -155,7 +155,7 @@ class UnknownSkillError(LookupError):
 
 
 def explain_skill(name: str, paths: Iterable[Path], collector: Collector | None = None) -> str:
-    """How each inferred parameter of a skill gets its value. Raises `UnknownSkillError`."""
+    """Tell how each inferred parameter of a skill gets its value. Raises `UnknownSkillError`."""
     skills = {each.name: each for each in check_paths(paths, collector=collector).skills}
     if name not in skills:
         near = difflib.get_close_matches(name, skills, n=1)

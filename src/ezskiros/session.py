@@ -41,7 +41,7 @@ COMMAND_LINE = Span(SourceFile("<command line>", ""), 0, 0)
 
 
 class SkillError(TypeError):
-    """What is wrong with a skill, when nobody collects findings; `diagnostic` has all of it."""
+    """A mistake in a skill, when nobody collects findings; `diagnostic` has all of it."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         self.diagnostic = diagnostic
@@ -105,14 +105,14 @@ def come_to(path: str) -> None:
 
 
 def is_of_user(path: str) -> bool:
-    """Whether a file is the user's: neither ours, nor of a library, nor Python's own."""
+    """Say whether a file is the user's: neither ours, nor of a library, nor Python's own."""
     if path.startswith((*OURS, "<frozen")):
         return False
     return path.startswith(_checked.get()) or not path.startswith(LIBRARIES)
 
 
 def is_collecting() -> bool:
-    """Whether findings are collected."""
+    """Say whether findings are collected."""
     return _collector.get() is not None
 
 
@@ -125,7 +125,7 @@ def report(diagnostic: Diagnostic) -> None:
 
 
 def has_reported(span: Span) -> bool:
-    """Whether a finding lies within a span."""
+    """Say whether a finding lies within a span."""
     collector = _collector.get()
     places = [found.primary.span for found in collector.sorted()] if collector else []
     return any(span.contains(place) for place in places)

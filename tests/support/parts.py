@@ -174,6 +174,13 @@ def _peers() -> str | None:
     return f"no {', '.join(lacking)} in build/bench" if lacking else None
 
 
+def _rtlola_in_rust() -> str | None:
+    bench = Path(__file__).parents[2] / "build" / "bench"
+    files = ("tools/bin/rtlola2rust", "cargo/release/libpeers.rlib")
+    lacking = [name for name in files if not (bench / name).is_file()]
+    return f"no {', '.join(lacking)} in build/bench" if lacking else _program("rustc")
+
+
 def _x86() -> str | None:
     found = platform.machine()
     return None if found in ("x86_64", "AMD64", "i686") else f"this is {found}"
@@ -240,6 +247,7 @@ BEHAVIOR_TREE_CPP = Part(
     "BehaviorTree.CPP 4", _behavior_tree_cpp, "apt-get install ros-$ROS_DISTRO-behaviortree-cpp"
 )
 PEERS = Part("peers of the benchmark", _peers, "benchmarks/peers/setup.sh")
+RTLOLA_IN_RUST = Part("RTLola compiled to Rust", _rtlola_in_rust, "benchmarks/peers/setup.sh")
 A_DRIVE = Part(HUSKY_DRIVE.name, partial(_file, HUSKY_DRIVE), f"{_BESIDE}, as data")
 TRACES = Part(SKIROS2_TRACES.name, partial(_file, SKIROS2_TRACES), _BESIDE)
 ONTOLOGIES = Part("the ontologies of SkiROS2", partial(_file, SKIROS2_ONTOLOGIES), _BESIDE)
@@ -268,7 +276,8 @@ PARTS = (
         SROS2,
     ),
     *(CHROMIUM, DISPLAY, EGL),
-    *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP, PEERS),
+    *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP),
+    *(PEERS, RTLOLA_IN_RUST),
     *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, X86, PROC, FULL_DEVICE),
 )
 """All of them, in the order in which they are told."""

@@ -1,4 +1,4 @@
-"""What is wrong, as data, and how it is shown.
+"""Findings as data, and the ways to show them.
 
 The renderers are doors of their own: `dslkit.diagnostics.render_text`, `.render_json` and
 `.render_sarif`; importing this package does not import them.

@@ -24,7 +24,7 @@ class Collector:
 
     @property
     def has_errors(self) -> bool:
-        """Whether the compiler has to stop before its next stage."""
+        """Say whether the compiler has to stop before its next stage."""
         return any(found.severity is Severity.ERROR for found in self._found)
 
     def sorted(self) -> tuple[Diagnostic, ...]:

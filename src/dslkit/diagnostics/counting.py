@@ -1,4 +1,4 @@
-"""How many findings there are, in words."""
+"""The number of findings, in words."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dslkit.diagnostics.model import Diagnostic, Severity
 
 
 def count(diagnostics: Iterable[Diagnostic], severity: Severity) -> int:
-    """How many of the findings are that bad."""
+    """Count the findings that are that bad."""
     return sum(found.severity is severity for found in diagnostics)
 
 

@@ -1,4 +1,4 @@
-"""What a text becomes when a fix is applied to it."""
+"""The text that comes of a text and a fix."""
 
 from __future__ import annotations
 

@@ -12,9 +12,9 @@ A misspelt placeholder is found when the class is first used with any value, and
 from __future__ import annotations
 
 import string
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from functools import cache
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, ClassVar, NoReturn
 
 if TYPE_CHECKING:
     from typing_extensions import dataclass_transform
@@ -26,7 +26,9 @@ else:
 
 @dataclass_transform(kw_only_default=True, frozen_default=True)
 class Wording:
-    """The base of `Template` and `Remark`."""
+    """The base of `Template` and `Remark`; `worded` names the attributes that hold texts."""
+
+    worded: ClassVar[tuple[str, ...]]
 
     if not TYPE_CHECKING:  # mypy derives it, with the type of each field
 
@@ -54,16 +56,11 @@ class Wording:
         return f"{type(self).__qualname__}({values})"
 
     @classmethod
-    def texts(cls) -> Iterable[str | None]:
-        """All texts of the class."""
-        raise NotImplementedError
-
-    @classmethod
     def check_placeholders(cls) -> None:
         """Raise `ValueError` if a text names a field that the class does not have."""
         fields, _ = _fields(cls)  # type: ignore[arg-type] # mypy asks instances to be hashable as `type`
-        for text in cls.texts():
-            for _, field, _, _ in string.Formatter().parse(text or ""):
+        for name in cls.worded:
+            for _, field, _, _ in string.Formatter().parse(getattr(cls, name) or ""):
                 if field is not None and field not in fields:
                     raise ValueError(f"{cls.__qualname__}: no field named {field!r}")
 

@@ -9,8 +9,8 @@ from dslkit.source import Span
 
 
 class Severity(enum.Enum):
-    """How bad it is: an error stops the compiler between two stages, a warning never does, and a
-    note tells what is worth knowing: a proof, or that there is none.
+    """The weight of a finding: an error stops the compiler between two stages, a warning never
+    does, and a note tells what is worth knowing: a proof, or that there is none.
     """
 
     ERROR = "error"
@@ -44,7 +44,7 @@ class Fix:
 
 @dataclass(frozen=True)
 class Diagnostic:
-    """What is wrong, where, why, and what to write instead.
+    """A finding: the mistake, its place, the reason, and what to write instead.
 
     `code` is stable and never reused (`ROSS301`), `name` is its readable twin (`unit-mismatch`),
     `title` the one line to show if only one can be shown, `primary` the mistake itself, `labels`

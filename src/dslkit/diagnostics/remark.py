@@ -1,4 +1,4 @@
-"""What a finding says beside its own texts: at another place, or in one of several cases.
+"""Remarks: a finding's words beside its own texts, at another place or in one of several cases.
 
 A remark is declared beside the diagnostic that it belongs to, mostly inside of its class:
 
@@ -17,7 +17,6 @@ the diagnostic, as its help or as a note.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from typing import ClassVar
 
@@ -29,6 +28,7 @@ from dslkit.source import Span
 class Remark(Wording):
     """The base of all remarks."""
 
+    worded = ("says",)
     says: ClassVar[str]
 
     def __str__(self) -> str:
@@ -37,11 +37,6 @@ class Remark(Wording):
     def at(self, span: Span) -> Label:
         """The label of a place."""
         return Label(span, str(self))
-
-    @classmethod
-    def texts(cls) -> Iterable[str | None]:
-        """What it says."""
-        return (cls.says,)
 
 
 def remarked(found: Diagnostic, *notes: Remark, help: Remark | None = None) -> Diagnostic:

@@ -20,7 +20,7 @@ _SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 
 @dataclass(frozen=True)
 class Rule:
-    """What a code means; `help` is its page, in Markdown."""
+    """The meaning of a code; `help` is its page, in Markdown."""
 
     code: str
     name: str

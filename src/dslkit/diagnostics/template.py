@@ -9,7 +9,7 @@ A class holds the texts, with `{placeholders}`; its fields hold the values:
         found: str
         expected: str
 
-What it says at other places, and in one of several cases, are its remarks (`Remark`).
+Its texts for other places, and for one of several cases, are its remarks (`Remark`).
 """
 
 from __future__ import annotations
@@ -26,6 +26,7 @@ from dslkit.source import Span
 class Template(Wording):
     """The base of all declared diagnostics; use `Error`, `Warning` or `Note`."""
 
+    worded = ("title", "label", "note", "help")
     severity: ClassVar[Severity]
     code: ClassVar[str]
     name: ClassVar[str]
@@ -64,11 +65,6 @@ class Template(Wording):
             help=own_help if help is None else str(help),
             fix=fix,
         )
-
-    @classmethod
-    def texts(cls) -> Iterable[str | None]:
-        """Its own texts; those of remarks are theirs."""
-        return (cls.title, cls.label, cls.note, cls.help)
 
 
 class Error(Template):

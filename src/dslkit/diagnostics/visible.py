@@ -1,4 +1,4 @@
-"""How the characters of a source text look on a terminal: how wide, and nothing sent raw.
+"""The look of a source text on a terminal: the width of its characters, and nothing sent raw.
 
 Whatever could move the cursor, change colours, turn the writing direction or is simply invisible is
 replaced by something that can be seen.
@@ -22,14 +22,14 @@ def visible(text: str) -> str:
 
 
 def cells(text: str) -> int:
-    """How many columns of a terminal `text`, already made visible, takes."""
+    """Count the columns of a terminal that `text`, already made visible, takes."""
     if text.isascii():
         return len(text)
     return sum(_width(character) for character in text)
 
 
 def columns_of(line: str) -> Iterator[tuple[str, int]]:
-    """What each character of a source line is shown as, and at which column, from 0.
+    """Give each character of a source line as it is shown, and its column, from 0.
 
     Tabs become spaces up to the next stop.
     """

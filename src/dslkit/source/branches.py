@@ -1,4 +1,4 @@
-"""What `if`, `while`, `for` and `assert` ask for: Python takes the question to be all of the
+"""The questions of `if`, `while`, `for` and `assert`: Python takes the question to be all of the
 statement.
 """
 

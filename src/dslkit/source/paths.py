@@ -1,5 +1,5 @@
-"""Whether a path leads anywhere, and how it is shown. Unlike the methods of `Path`, these never
-raise: what no path can be (too long, a NUL in it) leads nowhere.
+"""Questions about paths, and the way to show them. Unlike the methods of `Path`, these never raise:
+a text that no path can be (too long, a NUL in it) leads nowhere.
 """
 
 from __future__ import annotations
@@ -9,12 +9,12 @@ from pathlib import Path
 
 
 def is_file(path: Path) -> bool:
-    """Whether there is such a file."""
+    """Say whether there is such a file."""
     return os.path.isfile(path)  # noqa: PTH113
 
 
 def is_folder(path: Path) -> bool:
-    """Whether there is such a folder."""
+    """Say whether there is such a folder."""
     return os.path.isdir(path)  # noqa: PTH112
 
 

@@ -13,9 +13,9 @@ from dslkit.source.file import SourceFile
 from dslkit.source.span import Span
 
 DEEPEST = 200
-"""How deep brackets may lie in each other; Python itself takes no more."""
+"""The depth to which brackets may lie in each other; Python itself takes no more."""
 MOST_PREFIXES = 1000
-"""How many operators may follow each other."""
+"""The number of operators that may follow each other."""
 
 _BRACKET = re.compile(r"([(\[{])|([)\]}])")
 _PREFIXES = re.compile(rf"(?:(?:not\b|await\b|lambda\s*:|[-+~*])\s*){{{MOST_PREFIXES}}}")

@@ -17,7 +17,7 @@ class Span:
 
     @property
     def text(self) -> str:
-        """What the user wrote there."""
+        """The text that the user wrote there."""
         return self.file.text[self.start : self.end]
 
     @property
@@ -35,7 +35,7 @@ class Span:
         return Span(self.file, min(self.start, other.start), max(self.end, other.end))
 
     def contains(self, other: Span) -> bool:
-        """Whether all of the other one lies in it."""
+        """Say whether all of the other one lies in it."""
         return self.file is other.file and self.start <= other.start and other.end <= self.end
 
     def __str__(self) -> str:

@@ -37,7 +37,7 @@ from ezskiros.trees.tree import ThingReference, Tree, ValueReference
 
 
 def check_calls(tree: Tree, library: Library) -> Iterator[Diagnostic]:
-    """What does not fit, child by child."""
+    """Report what does not fit, child by child."""
     for call in calls(tree.root):
         skill = library.skill(call.skill)
         if skill is not None:
@@ -154,13 +154,15 @@ class _Checker:
                 return
 
     def _inherited(self, parameter: Parameter) -> Iterator[Diagnostic]:
-        """What a parameter gets for which the child says nothing: the compound's of this name."""
+        """Check a parameter that the child says nothing for: the compound's of this name stands for
+        it.
+        """
         given = self.tree.skill.parameter(parameter.name)
         if given is not None:
             yield from self._passed(parameter, given, self.call.span)
 
     def _passed(self, parameter: Parameter, given: Parameter, span: Span) -> Iterator[Diagnostic]:
-        """Whether a parameter of the child can stand for what one of the compound stands for."""
+        """Check that a parameter of the child can stand for what one of the compound stands for."""
         labels = [_declared(parameter), _declared(given)]
         if parameter.iri is None or given.iri is None:
             if parameter.type is not given.type:

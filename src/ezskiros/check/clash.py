@@ -13,7 +13,7 @@ from ezskiros.ontology.statements import Statement
 
 
 class Axiom(NamedTuple):
-    """What the ontology says: a text with places for the names of what it says it of."""
+    """A statement of the ontology: a text with places for the names that it is about."""
 
     text: str
     iris: tuple[str, ...]
@@ -32,7 +32,7 @@ class Reason(NamedTuple):
 
 @dataclass(frozen=True)
 class Clash:
-    """What cannot be: `said` cannot hold together, by `axioms` of the ontology, and by `why`.
+    """A contradiction: `said` cannot hold together, by `axioms` of the ontology, and by `why`.
 
     `iris` are what else the ontology says something of; `thing` is the parameter whose class is
     part of the reason.
@@ -51,7 +51,7 @@ class Clash:
         return "; ".join([*told, *filter(None, [self.why])])
 
     def declared(self) -> Iterable[str]:
-        """What the ontology says something of, each once."""
+        """Give all that the ontology says something of, each once."""
         found = [iri for axiom in self.axioms for iri in axiom.iris]
         return dict.fromkeys([*found, *self.iris])
 

@@ -17,11 +17,11 @@ from ezskiros.ontology.statements import Statement
 from ezskiros.skills.interface import Clause, SkillInterface
 
 Places: TypeAlias = Mapping[Statement, Clause]
-"""What certainly holds, in order, and by which conditions."""
+"""The statements that certainly hold, in order, and the conditions that make them."""
 
 
 def places_of(clauses: Iterable[Clause]) -> Places:
-    """What some conditions say together."""
+    """Collect the statements that some conditions make together."""
     found: dict[Statement, Clause] = {}
     for clause in clauses:
         for each in certain([clause.statement]):

@@ -30,7 +30,7 @@ MOST_WAYS = 64
 
 
 def check_consistency(skill: SkillInterface, ontology: Ontology) -> Iterator[Diagnostic]:
-    """What is wrong with the conditions as sets."""
+    """Report what is wrong with the conditions as sets."""
     for kind, clauses in (("pre", skill.pre), ("hold", skill.hold), ("post", skill.post)):
         seen: dict[Statement, Clause] = {}
         for clause in clauses:
@@ -49,7 +49,7 @@ class _Consistency:
         self._declared = {each.name: {each.iri: Reason()} for each in skill.parameters if each.iri}
         self._findings = ClashFindings(skill, ontology)
         self._facts: dict[Fact, Reason] = {}
-        """What holds at any moment: classes of things are the same at all of them."""
+        """The facts that hold at any moment: classes of things are the same at all of them."""
         name = skill.name
         self._before = Moment("pre", f"before `{name}`", "the skill can never start")
         self._during = Moment(
@@ -109,7 +109,9 @@ class _Consistency:
             yield self._findings.found(clash, self._before, places)
 
     def _is_misfit(self, name: str, union: Union) -> bool:
-        """Whether a relation needs this and the parameter does not fit: `check_relations` tells."""
+        """Say whether a relation needs this and the parameter does not fit: `check_relations`
+        tells.
+        """
         skill, model = self._skill, self._model
         if misfit(model, skill.class_of(name), union) is not errors.DoesNotFit:
             return False

@@ -1,4 +1,4 @@
-"""What the children of a behavior tree read and write, along all ways through it.
+"""The flow of data: the children of a behavior tree read and write, along all ways through it.
 
 A child that fails has written nothing: its outputs are passed on when it has succeeded.
 """
@@ -26,12 +26,12 @@ _PARALLELS = {Flow.PARALLEL_FF, Flow.PARALLEL_FS}
 
 Names = frozenset[str]
 Known = Names | None
-"""What certainly has a value somewhere; None if nothing gets there."""
+"""The names that certainly have a value somewhere; None if nothing gets there."""
 
 
 @dataclass(frozen=True)
 class After:
-    """What certainly has a value after a node, by its result."""
+    """The names that certainly have a value after a node, by its result."""
 
     success: Known
     failure: Known
@@ -50,7 +50,7 @@ def check_dataflow(tree: Tree, library: Library) -> Iterator[Diagnostic]:
 
 
 def _known(skill: SkillInterface) -> Iterator[str]:
-    """What has a value when the compound starts."""
+    """The names that have a value when the compound starts."""
     yield from skill.unclear
     for parameter in skill.parameters:
         has_value = parameter.kind is not Kind.OPTIONAL or parameter.default is not None
@@ -59,8 +59,8 @@ def _known(skill: SkillInterface) -> Iterator[str]:
 
 
 def writes(call: SkillCall, parameter: Parameter, library: Library) -> bool:
-    """Whether a child may give a parameter its value: it says so; or the parameter is optional, as
-    those often are in SkiROS2 that a skill finds out, and an implementation sets it.
+    """Say whether a child may give a parameter its value: it says so; or the parameter is optional,
+    as those often are in SkiROS2 that a skill finds out, and an implementation sets it.
     """
     if parameter.is_output or parameter.kind is not Kind.OPTIONAL:
         return parameter.is_output
@@ -70,7 +70,7 @@ def writes(call: SkillCall, parameter: Parameter, library: Library) -> bool:
 
 
 def reads(parameter: Parameter) -> bool:
-    """Whether the skill cannot do without a value."""
+    """Say whether the skill cannot do without a value."""
     return parameter.kind is Kind.REQUIRED and parameter.default is None and not parameter.is_output
 
 
@@ -85,7 +85,7 @@ class _Dataflow:
     _read: set[str] = field(default_factory=set)
 
     def after(self, node: Node, before: Known) -> After:
-        """What certainly has a value after a node, given what has before."""
+        """The names that certainly have a value after a node, given those that have one before."""
         if isinstance(node, Decorator) and isinstance(node.limit, ValueReference):
             self._limited(node, node.limit.parameter)
         match node:
@@ -231,7 +231,7 @@ class _Dataflow:
                     yield shared.shared, call
 
     def unread(self) -> Iterator[Diagnostic]:
-        """What is written and used by nobody."""
+        """Report what is written and used by nobody."""
         own: Mapping[str, Span] = {each.name: each.span for each in self.tree.skill.parameters}
         for name, call in self._writers.items():
             if name not in self._read and name not in own:
@@ -240,6 +240,6 @@ class _Dataflow:
 
 
 def _in_all(outcomes: Iterable[Known]) -> Known:
-    """What has a value on all ways that there are; None if there are none."""
+    """The names that have a value on all ways that there are; None if there are none."""
     ways = [each for each in outcomes if each is not None]
     return frozenset.intersection(*ways) if ways else None

@@ -1,4 +1,4 @@
-"""What follows from relations by the ontology, and which relations cannot hold together.
+"""Relations that follow from others by the ontology, and relations that cannot hold together.
 
 Subproperties, inverses, symmetry and transitivity; relations that are functional, inverse
 functional, asymmetric or irreflexive, or of which a class has a limited number. Each parameter
@@ -51,7 +51,7 @@ def entailed(stated: Iterable[Relation], model: Model) -> Facts:
 def _following(
     fact: Fact, found: Iterable[Fact], model: Model
 ) -> Iterator[tuple[Fact, tuple[Fact, ...], Axiom]]:
-    """What one step leads to, from which facts, and by what."""
+    """Give all that one step leads to, with the facts and the axiom behind it."""
     declared = model.relations.get(fact.relation)
     if declared is None:
         return
@@ -74,7 +74,7 @@ def _following(
 def relation_clashes(
     facts: Facts, forbidden: Iterable[Relation], classes: KnownClasses, model: Model
 ) -> Iterator[Clash]:
-    """What cannot be among relations that hold, and some that do not.
+    """Find what cannot be among relations that hold, and some that do not.
 
     `classes` are those that things are known to be of.
     """

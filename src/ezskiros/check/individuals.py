@@ -29,7 +29,7 @@ class Individuals:
         return sorted({iri for iri, kind in kinds if model.is_a(kind, owl_class)})
 
     def are_several(self, owl_class: str, model: Model) -> bool:
-        """Whether more than one individual of a class could be meant.
+        """Say whether more than one individual of a class could be meant.
 
         Where neither the ontology nor a scene has one, a class is taken to have several, but for
         robots and their devices: SkiROS2 runs the skills of one robot.

@@ -1,4 +1,4 @@
-"""How inferred parameters get their values: by pre-conditions that relate them to given ones."""
+"""Inferred parameters get their values by pre-conditions that relate them to given ones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How many values, or other things, a thing can have by a property."""
+"""The number of values, or other things, that a thing can have by a property."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which results the nodes of behavior trees can have, as far as implementations show it.
+"""The results that nodes of behavior trees can have, as far as implementations show it.
 
 A skill can always fail: its pre-conditions may not hold when it starts.
 """
@@ -45,7 +45,7 @@ class Outcomes:
         return len(self._succeeding) + len(self._long) > before
 
     def results(self, node: Node) -> Results:
-        """How a node can end."""
+        """The results that a node can end with."""
         match node:
             case SkillCall():
                 return _FAILURE | (_SUCCESS if self._can_succeed(node) else _NONE)
@@ -61,7 +61,7 @@ class Outcomes:
                 return _joined(flow, [self.results(child) for child in below])
 
     def is_long(self, node: Node) -> bool:
-        """Whether an implementation shows that it may take more than one tick."""
+        """Say whether an implementation shows that it may take more than one tick."""
         if not isinstance(node, SkillCall):
             return any(self.is_long(child) for child in children(node))
         return any(
@@ -81,7 +81,7 @@ class Outcomes:
 
 
 def _joined(flow: Flow, results: Sequence[Results]) -> Results:
-    """How a processor can end whose children can end so."""
+    """The results of a processor whose children can end so."""
     match flow:
         case Flow.SERIAL | Flow.SERIAL_STAR | Flow.PARALLEL_FF:
             all_can = all(State.SUCCESS in each for each in results)
@@ -100,7 +100,7 @@ def _joined(flow: Flow, results: Sequence[Results]) -> Results:
 
 
 def _reached(results: Sequence[Results], wanted: State) -> int:
-    """How many children are started, if each needs that all before it can end so."""
+    """The number of children that are started, if each needs that all before it can end so."""
     for index, each in enumerate(results):
         if wanted not in each:
             return index + 1

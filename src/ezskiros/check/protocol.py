@@ -38,7 +38,7 @@ _PROGRESS = ((str, "a text"), (int, "a whole number"))
 
 
 def check_protocol(implementation: type[SkillImplementation]) -> Iterator[Diagnostic]:
-    """What the methods return that nobody waits for, in the order of the protocol."""
+    """Report what the methods return that nobody waits for, in the order of the protocol."""
     if not any(own_method(implementation, name) for name in TASKS):
         yield _nothing_to_do(implementation)
     else:
@@ -55,7 +55,7 @@ def check_protocol(implementation: type[SkillImplementation]) -> Iterator[Diagno
 
 
 def _given_at_once(method: FunctionType) -> str | None:
-    """What a method gives before anything in it is done, if it does."""
+    """Name what a method gives before anything in it is done, if it gives something."""
     if inspect.iscoroutinefunction(method):
         return "a coroutine, as it is `async`"
     if inspect.isgeneratorfunction(method) or inspect.isasyncgenfunction(method):
@@ -110,7 +110,7 @@ def _wrong_returns(implementation: str, method: str, found: Written) -> Iterator
 
 
 def _wrong_progress(found: Written, value: ast.expr) -> Iterator[Diagnostic]:
-    """What `self.success(5)` says that is no text, or no number where one is expected."""
+    """Report what `self.success(5)` says that is no text, or no number where one is expected."""
     name = told_state(value)
     arguments = value.args if isinstance(value, ast.Call) and name else []
     for argument, (wanted, called) in zip(arguments, _PROGRESS, strict=False):

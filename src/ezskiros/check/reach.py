@@ -16,7 +16,7 @@ _RESULT = {State.SUCCESS: "succeeds", State.FAILURE: "fails"}
 
 
 def check_reach(trees: Sequence[Tree], outcomes: Outcomes) -> Iterator[Diagnostic]:
-    """What is wrong with the ways through some trees, tree by tree."""
+    """Report what is wrong with the ways through some trees, tree by tree."""
     for tree in trees:
         found = [*_never_reached(tree.root, outcomes), *_started_again(tree.root, outcomes)]
         cycle = _cycle(tree, trees)

@@ -28,7 +28,7 @@ from ezskiros.skills.syntax import compared_value, names_in
 
 
 def check_relations(skill: SkillInterface, ontology: Ontology) -> Iterator[Diagnostic]:
-    """What does not fit, in the order of the conditions."""
+    """Report what does not fit, in the order of the conditions."""
     checker = _Checker(skill, ontology)
     for clause in (*skill.pre, *skill.hold, *skill.post):
         for statement in simple(clause.statement):
@@ -45,7 +45,9 @@ def simple(statement: Statement) -> Iterator[Statement]:
 
 
 def wanted(skill: SkillInterface, model: Model, subject: str, iri: str) -> tuple[Union, ...]:
-    """What a parameter relates to by a relation has to be, by its range and by the class."""
+    """The classes that a parameter has to be of to stand in a relation, by its range and by the
+    class.
+    """
     return (*model.range(iri), *model.only(skill.class_of(subject), iri))
 
 
@@ -53,7 +55,7 @@ Misfit: TypeAlias = type[errors.DoesNotFit] | type[errors.MayNotFit]
 
 
 def misfit(model: Model, owl_class: str, union: Union) -> Misfit | None:
-    """What is wrong with things of a class where one of some classes is needed."""
+    """Tell what is wrong with things of a class where one of some classes is needed."""
     if any(model.is_a(owl_class, each) for each in union):
         return None
     is_wider = any(model.is_a(each, owl_class) for each in union)
@@ -67,7 +69,7 @@ class _Checker:
         self._skill, self._ontology, self._model = skill, ontology, ontology.model
 
     def check(self, statement: Statement, clause: Clause) -> Iterator[Diagnostic]:
-        """What is wrong with one statement."""
+        """Report what is wrong with one statement."""
         match statement:
             case Relation(subject=subject, relation=iri, object=other):
                 wrong = [*self._related(subject, iri, other, clause)]
@@ -91,7 +93,7 @@ class _Checker:
     def _fits(
         self, name: str, iri: str, wanted: tuple[Union, ...], clause: Clause
     ) -> Iterator[Diagnostic]:
-        """Whether a parameter can be what a property asks for."""
+        """Check that a parameter can be what a property asks for."""
         parameter = self._skill.parameter(name)
         if parameter is None or parameter.iri is None:
             return

@@ -26,7 +26,7 @@ _NUMBERED = re.compile(r"-(\d+)$")
 
 
 def check_scene(path: Path, ontology: Ontology) -> list[Diagnostic]:
-    """What is wrong with a scene. Raises `OSError` if it cannot be read."""
+    """Find what is wrong with a scene. Raises `OSError` if it cannot be read."""
     document, wrong = read(path)
     if document is None:
         return wrong
@@ -35,7 +35,7 @@ def check_scene(path: Path, ontology: Ontology) -> list[Diagnostic]:
 
 @dataclass
 class _Thing:
-    """What a scene says of one thing."""
+    """The description of one thing in a scene."""
 
     iri: str
     types: list[str] = field(default_factory=list)
@@ -257,7 +257,7 @@ class _Scene:
 
 
 def _things(document: Document) -> dict[str, _Thing]:
-    """What a scene describes, in the order of the file."""
+    """The things that a scene describes, in the order of the file."""
     found: dict[str, _Thing] = {}
     for triple in document.triples:
         if not isinstance(triple.subject, pyoxigraph.NamedNode):
@@ -290,7 +290,7 @@ def _note(
 
 
 def _is_of(value: pyoxigraph.Literal, names: frozenset[str]) -> bool:
-    """Whether a literal is of one of these types, by its own type and by its text."""
+    """Say whether a literal is of one of these types, by its own type and by its text."""
     kind = value.datatype.value.removeprefix(XSD)
     try:
         if kind in {"float", "double", "decimal"}:

@@ -48,7 +48,7 @@ def _clashes(tree: Tree, library: Library) -> Iterator[Diagnostic]:
 
 
 def _can_share(one: Parameter, other: Parameter, library: Library) -> bool:
-    """Whether one thing, or one value, can be both."""
+    """Say whether one thing, or one value, can be both."""
     if one.iri is None or other.iri is None:
         return one.type is other.type
     ontology = library.ontology()
@@ -75,8 +75,8 @@ def _aliases(call: SkillCall, skill: SkillInterface) -> Iterator[Diagnostic]:
 def _dropped(
     call: SkillCall, skill: SkillInterface, tree: Tree, library: Library
 ) -> Iterator[Diagnostic]:
-    """What is passed under a name that the child has itself, for something else. What does not fit
-    at all is told elsewhere.
+    """Report what is passed under a name that the child has itself, for something else. What does
+    not fit at all is told elsewhere.
     """
     for shared in shared_names(call, skill):
         name, other = shared.parameter.name, skill.parameter(shared.shared)

@@ -197,7 +197,7 @@ class OutputMissing(Error, code="EZS534", name="output-missing"):
 
 
 class OwnNamePassed(Warning, code="EZS535", name="own-name-passed"):
-    """What is passed to a child has the name of another parameter of the child."""
+    """A child is passed something with the name of another parameter of the child."""
 
     title = "`{parameter}` of `{skill}` is `{shared}`, and `{skill}` has a `{shared}` of its own"
     note = "SkiROS2 does not pass it on: `target key is already present`, says its log"
@@ -285,7 +285,7 @@ class NeverCalled(Warning, code="EZS564", name="never-called"):
 
 
 class WrongProgress(Error, code="EZS547", name="wrong-progress"):
-    """What `success`, `step` or `fail` is given and cannot say."""
+    """`success`, `step` or `fail` is given something that it cannot say."""
 
     title = "`{method}` gets {found}, where {wanted} is expected"
     note = "in SkiROS2 the task ends with an AssertionError when it gets there"

@@ -27,7 +27,7 @@ _COMPARES = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operat
 
 
 def value_clashes(said: Iterable[Said], classes: KnownClasses, model: Model) -> Iterator[Clash]:
-    """What cannot be among conditions on values."""
+    """Find what cannot be among conditions on values."""
     found: dict[tuple[str, str], list[Said]] = defaultdict(list)
     for each in said:
         found[each.subject, each.property].append(each)
@@ -57,7 +57,7 @@ class _Values:
         self._is_truth = any(names == {"boolean"} for names in types)
 
     def clash(self, accepted: Sequence[Said], said: Said) -> Clash | None:
-        """What a further condition cannot hold with: as few as are seen to exclude it."""
+        """The clash of a further condition with others: as few as are seen to exclude it."""
         for others in ([], *([other] for other in accepted), accepted):
             if found := self._excluded([*others, said]):
                 return found
@@ -93,7 +93,7 @@ class _Values:
         return Clash(said, world_errors.NoCommonValue, (), why, (self._iri,))
 
     def _has_first(self, asked: _Asked) -> bool:
-        """Whether a value can be the first one."""
+        """Say whether a value can be the first one."""
         if self._listed is not None and asked.named() <= self._listed:
             return any(map(asked.takes_text, self._listed))
         if self._is_truth:
@@ -105,7 +105,7 @@ class _Values:
 
 
 class _Asked:
-    """What some conditions ask of the values of a thing."""
+    """The demands of some conditions on the values of a thing."""
 
     def __init__(self, said: Iterable[Said]) -> None:
         compared = [each for each in said if isinstance(each, Comparison)]
@@ -125,23 +125,23 @@ class _Asked:
         self.none = False in asked
 
     def leaves_no_number(self) -> bool:
-        """Whether no number is as the comparisons by order ask."""
+        """Say whether no number is as the comparisons by order ask."""
         if self.lowest == self.highest:
             return not self._is_within(self.lowest)
         return self.lowest > self.highest
 
     def takes(self, value: float) -> bool:
-        """Whether the first value can be this one."""
+        """Say whether the first value can be this one."""
         return value not in self.unequal and self._is_within(value)
 
     def takes_text(self, text: str) -> bool:
-        """Whether the first value can be what is written so."""
+        """Say whether the first value can be what is written so."""
         if text in set(map(str, self.unequal)):
             return False
         return not self.bounds or (_is_number(text) and self._is_within(float(text)))
 
     def needs_several(self) -> bool:
-        """Whether one value cannot be all that is asked for."""
+        """Say whether one value cannot be all that is asked for."""
         numbers = [each for each in self.equal if not isinstance(each, (str, bool))]
         return len(self.equal) > 1 or not all(map(self._is_within, numbers))
 

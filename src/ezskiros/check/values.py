@@ -32,7 +32,7 @@ def spelled_types(union: Union) -> frozenset[str]:
 
 
 def is_value_of(value: object, names: frozenset[str]) -> bool:
-    """Whether a value is of one of these types. A whole number is a number as well."""
+    """Say whether a value is of one of these types. A whole number is a number as well."""
     if isinstance(value, bool):
         return "boolean" in names
     if isinstance(value, int):

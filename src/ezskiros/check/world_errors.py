@@ -48,7 +48,7 @@ class Clashing(Together, Error):
 
 
 class OppositeFollows(Clashing, code="EZS315", name="opposite-follows"):
-    """What follows from conditions, by inverses and the like, is forbidden."""
+    """A fact that follows from conditions, by inverses and the like, is forbidden."""
 
     title = "by the ontology {together} contradict each other {when}"
 

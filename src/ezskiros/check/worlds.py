@@ -1,4 +1,4 @@
-"""Which conditions hold together: those of one moment, with one alternative of each `or`.
+"""Conditions that hold together: those of one moment, with one alternative of each `or`.
 
 Things are those that parameters stand for. A parameter that a condition says to stand for nothing
 is left out.
@@ -43,7 +43,7 @@ def alternatives(statement: Statement) -> tuple[Literals, ...]:
 
 
 def certain(statements: Iterable[Statement]) -> Iterator[Statement]:
-    """What holds in each alternative, as far as it is said by one of the statements."""
+    """Give what holds in each alternative, as far as it is said by one of the statements."""
     for each in statements:
         ways = alternatives(each)
         if len(ways) == 1:
@@ -74,7 +74,7 @@ class World:
         self.facts = entailed((each for each in self._relations if each.is_true), model)
 
     def clashes(self) -> Iterator[Clash]:
-        """What cannot be."""
+        """Find what cannot be."""
         yield from self._opposites()
         forbidden = [each for each in self._relations if not each.is_true]
         yield from relation_clashes(self.facts, forbidden, self.classes, self._model)

@@ -32,7 +32,7 @@ Folders = Annotated[
 
 
 def name_ontology(paths: list[Path] | None) -> None:
-    """What `load()` loads without a path."""
+    """Name the ontology that `load()` loads without a path."""
     from ezskiros.ontology.load import VARIABLE
 
     if paths:

@@ -43,7 +43,7 @@ def reported(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> Repo
 
 
 def asked(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> tuple[Any, Report]:
-    """What the work gives; ends the run with what was found if it did not come to its end."""
+    """Give the result of the work; end the run with what was found if it came to no end."""
     report = reported(work, seconds, may_act=may_act)
     if report.value is None:
         output.reject(report.diagnostics)

@@ -203,7 +203,7 @@ def stubs(
 
 
 def _is_stale(stub: Path, text: str) -> bool:
-    """Whether a stub says anything else; ends the run if it cannot be read."""
+    """Say whether a stub says anything else; end the run if it cannot be read."""
     try:
         return not stub.exists() or stub.read_bytes().replace(b"\r", b"") != text.encode()
     except OSError as problem:

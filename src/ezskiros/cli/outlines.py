@@ -1,4 +1,4 @@
-"""How behavior trees are printed."""
+"""The print of behavior trees."""
 
 from __future__ import annotations
 

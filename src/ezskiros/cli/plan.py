@@ -49,7 +49,7 @@ def plan(
     from ezskiros.cli.outlines import console_for_outlines
 
     console = console_for_outlines()
-    # What is out of reach, and the plan, may take this long each.
+    # The search for what is out of reach, and that for a plan, may take this long each.
     search = _Search(paths, scene, goal, seconds, write, console)
     found, report = asked(search.run, 2 * seconds, may_act=True)
     output.print_findings(report.diagnostics)
@@ -66,7 +66,7 @@ def plan(
 
 @dataclass(frozen=True)
 class _Search:
-    """What is to be planned. The process that runs this starts the planner, so that it may act."""
+    """The search for a plan. The process that runs this starts the planner, so that it may act."""
 
     paths: list[Path]
     scene: Path

@@ -1,4 +1,4 @@
-"""How a task looks while it runs: lines, or a tree on a terminal."""
+"""The look of a task while it runs: lines, or a tree on a terminal."""
 
 from __future__ import annotations
 

@@ -118,7 +118,7 @@ def _give_up(found: Sequence[Diagnostic], count: int) -> NoReturn:
 
 
 def _ready(skill: str, paths: list[Path], scene: Path | None, texts: list[str]) -> Ready:
-    """What can be run; else the run ends with the reason."""
+    """Make a task ready to run; else end the run with the reason."""
     from ezskiros.driver import UnknownSkillError
     from ezskiros.engine.arguments import WrongArgumentError
     from ezskiros.runner import FaultyError, prepare
@@ -256,7 +256,7 @@ class _Run:
 
 
 def _tell(name: str, outcome: Outcome) -> None:
-    """How it ended."""
+    """Tell how the task ended."""
     took = f"{outcome.ticks} tick{'s' if outcome.ticks != 1 else ''}, {outcome.seconds:.1f} s"
     if outcome.is_success:
         typer.echo(f"{name} has succeeded ({took})")

@@ -61,7 +61,7 @@ def show(
 
 @dataclass(frozen=True)
 class _Picture:
-    """What is to be drawn: as text if there is a console, and for BehaviorTree.CPP if exported."""
+    """The drawing: as text if there is a console, and for BehaviorTree.CPP if exported."""
 
     skill: str
     paths: list[Path]

@@ -21,7 +21,7 @@ def watch(files: Callable[[], Iterable[Path]], do: Callable[[], None]) -> None:
 
 
 def state(files: Iterable[Path]) -> dict[Path, tuple[int, int]]:
-    """What tells a file from what it was: when it changed, and its size."""
+    """The marks that tell a file from what it was: when it changed, and its size."""
     found = {}
     for file in files:
         try:

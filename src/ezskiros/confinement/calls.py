@@ -1,4 +1,5 @@
-"""Which system calls code under check may make on Linux: those of somebody who computes and reads.
+"""The system calls that code under check may make on Linux: those of somebody who computes and
+reads.
 
 The kernel refuses all others (seccomp): writing and changing files, the network, new processes,
 signals to others. libseccomp, which `apt` rests on, makes the filter for the kernel.
@@ -99,7 +100,7 @@ class _Filter:
         self.add(_ALLOW, name, *needed)
 
     def add(self, action: int, name: str, *needed: _Comparison) -> None:
-        """What happens at a call, if its arguments are as they need to be."""
+        """Set the answer to a call, if its arguments are as they need to be."""
         number = self._library.seccomp_syscall_resolve_name(name.encode())
         if number < 0:
             return  # not of this processor, or newer than the library: it stays refused

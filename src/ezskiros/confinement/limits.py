@@ -1,4 +1,4 @@
-"""What a process that runs code under check may take, and what it may do."""
+"""Limits of a process that runs code under check: on what it takes, and on what it does."""
 
 from __future__ import annotations
 

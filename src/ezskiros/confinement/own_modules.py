@@ -1,4 +1,4 @@
-"""Whether the modules of the checker are still those that they were before users' code ran."""
+"""A test that the modules of the checker are still as they were before users' code ran."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ Send = Callable[[list[Any]], None]
 _LONGEST = 1 << 26
 """Bytes of a message: more than this comes from no check."""
 _LOOK_S = 0.1
-"""How often a silent child is looked after."""
+"""The time after which a silent child is looked after, again and again."""
 _END_S = 1.0
 _SET_DEATH_SIGNAL, _SET_SUBREAPER = 1, 36
 
@@ -30,7 +30,7 @@ class BrokenOffError(Exception):
 
 
 def messages(work: Callable[[Send], None], patience: float) -> Generator[list[Any], None, None]:
-    """What `work` sends from a child process.
+    """Give the messages that `work` sends from a child process.
 
     Raises `BrokenOffError` when the child has ended, when it is silent for `patience` seconds, and
     when it sends what is no message. Whoever has heard enough closes the iterator: then the child

@@ -1,4 +1,4 @@
-"""What a check in a child process reports, and whether the report is whole."""
+"""The report of a check in a child process, and the proof that it is whole."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class DefectError(Exception):
 
 @dataclass(frozen=True)
 class Report:
-    """What was found, and what the work gave: None if it was broken off, or `refused` to go on.
+    """The findings, and the result of the work: None if it was broken off, or `refused` to go on.
 
     `unconfined` says why the system does not confine the work, if it should.
     """

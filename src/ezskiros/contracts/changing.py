@@ -1,4 +1,4 @@
-"""How what is known changes: by a child that succeeds or fails, and where ways meet."""
+"""Changes of what is known: by a child that succeeds or fails, and where ways meet."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ezskiros.ontology.statements import Specified, Statement
 
 
 def changed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
-    """What is known when changes have been made, together."""
+    """The knowledge when changes have been made, together."""
     said: dict[Statement, Origin] = {
         each.made: each.origin
         for each in changes
@@ -26,7 +26,7 @@ def changed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
 
 
 def failed(known: Known, changes: Sequence[Change], judge: Judge) -> Known:
-    """What is known when some of the changes may have been made, in any order, or none."""
+    """The knowledge when some of the changes may have been made, in any order, or none."""
     if not changes:
         return known
     after = _forgetting(known, changes, judge, ())
@@ -45,7 +45,7 @@ def _forgetting(
 
 
 def join(ways: Sequence[Known], judge: Judge) -> Known:
-    """What is known where several ways meet: what is known on each that is not dead."""
+    """The knowledge where several ways meet: all that is known on each that is not dead."""
     alive = [each for each in ways if not each.is_dead] or list(ways)
     first, *others = alive
     if not others:
@@ -74,7 +74,7 @@ def join(ways: Sequence[Known], judge: Judge) -> Known:
 
 
 def _common(ways: Sequence[Known]) -> tuple[str, ...]:
-    """How the descriptions of ways begin."""
+    """The part that the descriptions of ways begin with alike."""
     found = []
     for steps in zip(*(each.trail for each in ways), strict=False):
         if len(set(steps)) > 1:

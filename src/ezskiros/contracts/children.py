@@ -29,11 +29,11 @@ class Child:
 
     @property
     def label(self) -> str:
-        """What messages call it."""
+        """The name of the child in messages."""
         return self.skill.name
 
     def asked(self, known: Known) -> list[Asked]:
-        """What has to hold when it starts, of things that there are."""
+        """The conditions that have to hold when it starts, of things that there are."""
         optional = (self.names[each.name] for each in self._of_kind(Kind.OPTIONAL))
         absent = {name for name in optional if known.is_free(name)}
         return [each for each in self._conditions if absent.isdisjoint(names_of(each.statement))]
@@ -63,7 +63,7 @@ class Child:
         return (self.names[each.name] for each in self._things() if each.is_output)
 
     def changes(self, how: How) -> list[Change]:
-        """What it does when it succeeds, in order."""
+        """The changes that it makes when it succeeds, in order."""
         return [Change(made, origin, how) for made, origin in self._made]
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Which pre-conditions compound skills lack, with those that others need because of these."""
+"""The pre-conditions that compound skills lack, with those that others need because of these."""
 
 from __future__ import annotations
 

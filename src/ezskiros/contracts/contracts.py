@@ -31,7 +31,7 @@ NOTHING: Added = MappingProxyType({})
 
 @dataclass(frozen=True)
 class Contracts:
-    """What is wrong, and which pre-conditions would repair some of it."""
+    """The findings, and the pre-conditions that would repair some of them."""
 
     diagnostics: Sequence[Diagnostic]
     missing: Sequence[Missing]
@@ -58,7 +58,7 @@ def check_contracts(trees: Iterable[Tree], library: Library, added: Added = NOTH
 
 
 def is_sound(tree: Tree, library: Library) -> bool:
-    """Whether all that a tree calls is understood, and gets what it needs."""
+    """Say whether all that a tree calls is understood, and gets what it needs."""
     skills = [library.called(call) for call in calls(tree.root)]
     given = (value for call in calls(tree.root) for value in call.arguments.values())
     if any(isinstance(each, Unknown) for each in given):
@@ -72,7 +72,9 @@ def is_sound(tree: Tree, library: Library) -> bool:
 def check_tree(
     tree: Tree, library: Library, added: Added = NOTHING, *, branch: Branch | None = None
 ) -> Findings | None:
-    """What is found in one tree; None if nothing can be. `branch` says which of several it is."""
+    """Find what is wrong in one tree; None if nothing can be found. `branch` says which of several
+    it is.
+    """
     ontology = library.ontology()
     if ontology is None:
         return None
@@ -96,7 +98,7 @@ def check_tree(
 
 
 def _branch(tree: Tree, trees: Sequence[Tree]) -> Branch | None:
-    """Which tree it is, if `expandBT` builds several."""
+    """Describe the tree, if `expandBT` builds several."""
     if sum(each.span == tree.span for each in trees) < 2:
         return None
     names = listed([call.skill.__name__ for call in calls(tree.root)])
@@ -116,7 +118,7 @@ def _check_end(said: Asked, endings: Sequence[Known], judge: Judge, findings: Fi
 
 
 def known_at_start(skill: SkillInterface) -> Known:
-    """What is known when a compound starts."""
+    """The knowledge when a compound starts."""
     said = (*asked(skill.pre, "pre", {}), *asked(skill.hold, "hold", {}))
     facts = {each.statement: Origin(each.clause.span, each.kind) for each in reversed(said)}
     bound = (each.name for each in skill.parameters if each.is_thing and not each.is_output)
@@ -144,7 +146,7 @@ def _skill_of(library: Library, added: Added) -> SkillOf:
 
 
 def _is_odd(skill: SkillInterface, judge: Judge) -> bool:
-    """Whether the conditions of a skill exclude each other by themselves, which is told of it."""
+    """Say whether the conditions of a skill exclude each other, which is told of the skill."""
     names = names_of_tree(skill, (), lambda _: skill)
     own = Judge(judge.model, names)
     before = own.is_impossible(known_at_start(skill).facts)

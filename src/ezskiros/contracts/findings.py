@@ -118,7 +118,9 @@ class Findings:
     # --- the compound itself ----------------------------------------------------------------------
 
     def hold(self, call: SkillCall, asked: Asked, known: Known, clash: Clash | None) -> None:
-        """What the compound holds has ended, or may have, when a child starts."""
+        """Report that a condition which the compound holds has ended, or may have, when a child
+        starts.
+        """
         child, condition = call.skill.__name__, self._spelled(asked.statement)
         label = ConditionOf(kind="hold", skill=self.skill.name).at(asked.clause.span)
         change = self.last_touching(known, asked.statement)
@@ -178,14 +180,14 @@ class Findings:
         return next(iter([*touching][::-1]), None)
 
     def _excludes(self, change: Change, asked: Asked) -> bool:
-        """Whether a change is certain to end what is asked."""
+        """Say whether a change is certain to end what is asked."""
         if isinstance(change.made, Renewed):
             return False
         after = Known({change.made: change.origin}, frozenset())
         return self.judge.clash(after, asked.statement) is not None
 
     def _notes(self, asked: Asked, known: Known) -> Sequence[Remark]:
-        """What is known there, and on which way that is."""
+        """Tell what is known there, and on which way that is."""
         about = set(names_of(asked.statement))
         related = [each for each in known.facts if about & set(names_of(each))]
         related.sort(key=lambda each: -len(about & set(names_of(each))))
@@ -247,6 +249,6 @@ class Findings:
 
 
 def _has_child(clash: Clash, known: Known) -> bool:
-    """Whether a child has brought about something of what excludes each other."""
+    """Say whether a child has brought about something of what excludes each other."""
     origins = (known.facts.get(said) for said in clash.said)
     return any(origin is not None and origin.call is not None for origin in origins)

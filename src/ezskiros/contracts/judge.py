@@ -1,4 +1,4 @@
-"""What follows from what is known, and what cannot be besides it."""
+"""The judge: all that follows from what is known, and all that cannot be besides it."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ class Judge:
         self._world = cache(self._made_world)
 
     def may_be_same(self, one: str, other: str) -> bool:
-        """Whether two names may stand for one thing: not if both are the compound's own, nor if
+        """Say whether two names may stand for one thing: not if both are the compound's own, nor if
         nothing is of the classes of both.
         """
         if one == other:
@@ -81,7 +81,7 @@ class Judge:
     # --- what follows -----------------------------------------------------------------------------
 
     def entails(self, known: Known, said: Statement) -> bool:
-        """Whether a statement holds for certain."""
+        """Say whether a statement holds for certain."""
         if said in known.facts:
             return True
         ors = tuple(each for each in known.said if isinstance(each, AnyOf))
@@ -90,7 +90,7 @@ class Judge:
     def _found_entailed(
         self, facts: Said, ors: tuple[AnyOf, ...], bound: frozenset[str], said: Statement
     ) -> bool:
-        """Whether it follows; `ors` are those of the facts that are taken apart for it."""
+        """Say whether a statement follows; `ors` are the facts that are taken apart for it."""
         if said in facts:
             return True
         match said:
@@ -113,7 +113,7 @@ class Judge:
         return self._follows_from_each(facts, ors, bound, said)
 
     def _follows(self, facts: Said, said: Statement) -> bool:
-        """Whether the ontology says so, or excludes the opposite."""
+        """Say whether the ontology says so, or excludes the opposite."""
         if (
             isinstance(said, Relation)
             and said.is_true
@@ -126,8 +126,8 @@ class Judge:
     def _follows_from_each(
         self, facts: Said, ors: tuple[AnyOf, ...], bound: frozenset[str], said: Statement
     ) -> bool:
-        """Whether it follows from each alternative of an `or` that holds. Of several only those
-        further on are taken apart then: so each selection of them is looked at once.
+        """Say whether a statement follows from each alternative of an `or` that holds. Of several
+        only those further on are taken apart then: so each selection of them is looked at once.
         """
         for index, one in enumerate(ors):
             rest = [each for each in facts if each != one]
@@ -157,7 +157,7 @@ class Judge:
         return next(filter(None, found), None)
 
     def is_impossible(self, said: Iterable[Statement]) -> bool:
-        """Whether statements cannot hold together."""
+        """Say whether statements cannot hold together."""
         return bool(self._clashes(tuple(said)))
 
     def _found_clashes(self, said: Said) -> tuple[Clash, ...]:
@@ -169,7 +169,7 @@ class Judge:
         return World(self._declared, self.model, said)
 
     def _is_certain(self, clash: Clash) -> bool:
-        """Whether it stays one if two names stand for one thing."""
+        """Say whether a clash stays one if two names stand for one thing."""
         return not any(True for _ in self._ways_out(clash))
 
     def _ways_out(self, clash: Clash) -> Iterator[tuple[str, str]]:
@@ -184,7 +184,7 @@ class Judge:
     # --- what ends --------------------------------------------------------------------------------
 
     def touches(self, made: Made, fact: Statement) -> bool:
-        """Whether a change may end what holds."""
+        """Say whether a change may end what holds."""
         return self._touches(made, fact)
 
     def ended(self, known: Known, changes: Iterable[Change]) -> frozenset[Statement]:
@@ -250,6 +250,6 @@ class Judge:
                 yield name
 
     def _fits(self, name: str, free: str) -> bool:
-        """Whether the thing of one name is of the class of the other."""
+        """Say whether the thing of one name is of the class of the other."""
         here, there = self._known(name).classes, self._known(free).classes
         return all(any(self.model.is_a(iri, wanted) for wanted in there) for iri in here)

@@ -1,4 +1,4 @@
-"""What is known at one point of a behavior tree: which conditions hold, and by whom."""
+"""The knowledge at one point of a behavior tree: which conditions hold, and by whom."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ezskiros.skills.calls import SkillCall
 
 @dataclass(frozen=True)
 class Origin:
-    """What makes something so: a condition, and the child that has it; None if the compound has it.
+    """The origin of a fact: a condition, and the child that has it; None if the compound has it.
 
     `kind` is pre, hold, post or parameter.
     """
@@ -27,7 +27,7 @@ class Origin:
 
 
 class How(enum.Enum):
-    """Whether a change has happened."""
+    """The certainty of a change: it has happened, or it may have."""
 
     DONE = "done"
     FAILED = "failed"
@@ -44,12 +44,12 @@ class Renewed:
 
 
 Made: TypeAlias = "Statement | Renewed"
-"""What a change brings about."""
+"""The effect of a change."""
 
 
 @dataclass(frozen=True)
 class Change:
-    """What a child does to the world, or to a name."""
+    """A change that a child makes to the world, or to a name."""
 
     made: Made
     origin: Origin
@@ -58,7 +58,7 @@ class Change:
 
 @dataclass(frozen=True)
 class Name:
-    """What is known of a name of the tree: the class of its thing, one of these.
+    """The knowledge of a name of the tree: the class of its thing, one of these.
 
     Those of the compound's own parameters stand for different things.
     """
@@ -69,7 +69,7 @@ class Name:
 
 @dataclass(frozen=True)
 class Known:
-    """What is known at one point.
+    """The knowledge at one point.
 
     Names that are `bound` stand for something, those that are `perhaps` may: what children would
     find that have failed, or that may not have run. `same` names names that stand for the thing of
@@ -122,11 +122,11 @@ class Known:
         return self if bound == self.bound else replace(self, bound=bound)
 
     def is_free(self, name: str) -> bool:
-        """Whether a name stands for nothing yet, for certain."""
+        """Say whether a name stands for nothing yet, for certain."""
         return name not in self.bound and name not in self.perhaps
 
     def is_as_much_as(self, other: Known) -> bool:
-        """Whether the same is known of facts and names."""
+        """Say whether the same is known of facts and names."""
         names, other_names = self.bound | self.perhaps, other.bound | other.perhaps
         is_same = self.facts.keys() == other.facts.keys() and self.bound == other.bound
         return is_same and names == other_names

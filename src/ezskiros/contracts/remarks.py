@@ -1,4 +1,4 @@
-"""What findings about contracts say at other places, and what repairs them."""
+"""Remarks of findings about contracts: at other places, and about repairs."""
 
 from __future__ import annotations
 

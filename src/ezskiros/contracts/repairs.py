@@ -1,4 +1,4 @@
-"""What would repair a finding: a pre-condition, or a child to insert or to move."""
+"""Repairs of a finding: a pre-condition, or a child to insert or to move."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ class Repairs:
         return PassParameter(child=other.skill.__name__, skill=self.skill.name, name=name)
 
     def pre_condition(self, said: Statement) -> str | None:
-        """What to add to the compound; None if it has no words for it."""
+        """The text to add to the compound; None if it has no words for it."""
         if any(self.skill.parameter(name) is None for name in names_of(said)):
             return None
         if any(identifier(split(iri)[1]) in self.ambiguous for iri in _properties(said)):
@@ -145,7 +145,7 @@ class Repairs:
         return None
 
     def _can_be(self, skill: SkillInterface, names: Mapping[str, str]) -> bool:
-        """Whether the things are of the right classes, and have a name in the compound."""
+        """Say whether the things are of the right classes, and have a name in the compound."""
         if skill.name == self.skill.name:
             return False
         for parameter, name in names.items():

@@ -12,7 +12,7 @@ from ezskiros.skills.interface import Clause
 
 @dataclass(frozen=True)
 class Asked:
-    """What a condition says of the names of a tree; `kind` is pre, hold or post."""
+    """A statement of a condition about the names of a tree; `kind` is pre, hold or post."""
 
     statement: Statement
     clause: Clause
@@ -20,14 +20,14 @@ class Asked:
 
 
 def asked(clauses: Iterable[Clause], kind: str, names: Mapping[str, str]) -> Iterator[Asked]:
-    """What conditions say; those that say several things at once are taken apart."""
+    """The statements of conditions; those that say several things at once are taken apart."""
     for clause in clauses:
         for each in conjuncts(clause.statement):
             yield Asked(renamed(each, names), clause, kind)
 
 
 def conjuncts(statement: Statement) -> tuple[Statement, ...]:
-    """What holds if a statement does: several things if it denies an `or`, else itself."""
+    """The statements that hold if one does: several if it denies an `or`, else itself."""
     ways = alternatives(statement)
     return ways[0] if len(ways) == 1 else (statement,)
 

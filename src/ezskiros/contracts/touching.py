@@ -1,4 +1,4 @@
-"""Which facts a change may undo.
+"""The facts that a change may undo.
 
 Names that may stand for one thing are taken for one: what is forgotten too much is asked for, what
 is forgotten too little would be relied on.
@@ -40,7 +40,7 @@ class Touching:
         self._known_supports: dict[Fact, tuple[Fact, ...]] = {}
 
     def touches(self, made: Made, fact: Statement) -> bool:
-        """Whether a fact may end by a change."""
+        """Say whether a fact may end by a change."""
         if made == fact:
             return False
         if isinstance(made, (AnyOf, Renewed)) or isinstance(fact, AnyOf):
@@ -106,7 +106,7 @@ class Touching:
         return self._known_supports[wanted]
 
     def _breaking(self, made: Relation) -> Iterator[Fact]:
-        """What may be broken of a chain: what ends, or what is pushed out."""
+        """The facts that may break a chain: those that end, or those that are pushed out."""
         if not made.is_true:
             yield from self._supports(Relation(made.subject, made.relation, made.object))
         else:
@@ -120,7 +120,7 @@ class Touching:
         return is_counted or declared.is_asymmetric or declared.is_irreflexive
 
     def _is_chained(self, said: Relation) -> bool:
-        """Whether it may follow from several others."""
+        """Say whether a relation may follow from several others."""
         return any(
             self._model.relations[each.relation].is_transitive for each in self._supports(said)
         )
@@ -135,7 +135,7 @@ class Touching:
         return self._known_closed[fact]
 
     def _meets(self, fact: Fact, denied: Fact) -> bool:
-        """Whether one may be what the other denies, or a step of a chain that leads to it."""
+        """Say whether one may be what the other denies, or a step of a chain that leads to it."""
         if fact.relation != denied.relation:
             return False
         declared = self._model.relations.get(fact.relation)
@@ -145,7 +145,7 @@ class Touching:
         return same(fact.subject, denied.subject) and same(fact.object, denied.object)
 
     def _excludes(self, new: Fact, old: Fact) -> bool:
-        """Whether a relation may be pushed out by another one."""
+        """Say whether a relation may be pushed out by another one."""
         if new == old or new.relation != old.relation:
             return False
         same, iri = self._may_be_same, new.relation

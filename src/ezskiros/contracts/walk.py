@@ -24,7 +24,7 @@ MOST_TICKS = 10
 
 @dataclass(frozen=True)
 class Outcome:
-    """What is known when a node has succeeded, on all ways and on each, and when it has failed."""
+    """The knowledge when a node has succeeded, on all ways and on each, and when it has failed."""
 
     success: Known
     endings: tuple[Known, ...]
@@ -46,7 +46,7 @@ class Place:
     again: str | None = None
 
     def at_next_tick(self, known: Known, *, is_told: bool) -> Known:
-        """What is known when the next tick gets there."""
+        """The knowledge when the next tick gets there."""
         return self.tick(known, is_told) if self.tick else known
 
 
@@ -64,7 +64,7 @@ class Walk:
     """By calls and what is known, what becomes of it: most later ticks find what others did."""
 
     def through(self, node: Node, known: Known, place: Place = Place()) -> Outcome:
-        """What becomes of what is known."""
+        """Follow what is known through a node."""
         match node:
             case SkillCall():
                 return self._skill(node, known, place)
@@ -107,7 +107,7 @@ class Walk:
     def _step(
         self, child: Child, known: Known, wrong: Mapping[Asked, bool], place: Place
     ) -> Outcome:
-        """What becomes of what is known by a child of which some conditions need not hold."""
+        """Follow what is known through a child of which some conditions need not hold."""
         asked, free = child.asked(known), child.inferred(known)
         ready = known.binding(child.bound())
         about_free = [each for each in asked if not set(free).isdisjoint(names_of(each.statement))]
@@ -154,7 +154,7 @@ class Walk:
         return wrong
 
     def _assuming(self, known: Known, asked: Iterable[Asked], child: Child) -> Known:
-        """What is known when a child has started: what it asks for holds, what that excludes does
+        """The knowledge when a child has started: what it asks for holds, what that excludes does
         not.
         """
         for each in asked:
@@ -269,7 +269,7 @@ class Walk:
         return Outcome(merged, (merged,), (stopped,))
 
     def _beside(self, others: Sequence[Node], known: Known) -> Callable[[Known], Known]:
-        """What becomes of what is known by others that run at the same time."""
+        """The effect on what is known of others that run at the same time."""
         changes = [each for node in others for each in self._changes(node, known, How.BESIDE)]
         names = {name for node in others for name in self._found(node, known)}
         return lambda known: failed(known, changes, self.judge).perhaps_binding(names)
@@ -287,13 +287,13 @@ class Walk:
     def _partly(
         self, below: Sequence[Node], known: Known, place: Place, how: How = How.FAILED
     ) -> Known:
-        """What is known when nodes may have done some of their work, in any number of ticks."""
+        """The knowledge when nodes may have done some of their work, in any number of ticks."""
         changes = [each for node in below for each in self._changes(node, known, how)]
         names = [name for node in below for name in self._found(node, known)]
         return self._running(known.perhaps_binding(names), place, changes)
 
     def _running(self, known: Known, place: Place, changes: Sequence[Change] = ()) -> Known:
-        """What is known while a skill runs, in any number of ticks; or, with nothing told, while
+        """The knowledge while a skill runs, in any number of ticks; or, with nothing told, while
         changes may be made.
         """
         known = failed(known, changes, self.judge)
@@ -352,7 +352,7 @@ class Walk:
     def _restart(
         self, below: Sequence[Node], known: Known, again: str, *, is_certain: bool = False
     ) -> None:
-        """Whether children can start again; with `is_certain` only that they cannot is told."""
+        """Check that children can start again; with `is_certain` only that they cannot is told."""
         for call in (first for node in below for first in _first_calls(node)):
             for each in self._started.get(id(call), ()):
                 if self.judge.entails(known, each.statement):

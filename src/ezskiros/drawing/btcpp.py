@@ -170,7 +170,7 @@ class _Writer:
         ET.SubElement(above, name, self._ports(call, skill, is_inside=False))
 
     def _leads_to(self, tree: Tree, wanted: str, seen: frozenset[str]) -> bool:
-        """Whether a subtree is below a tree."""
+        """Say whether a subtree is below a tree."""
         for call in calls(tree.root):
             inner = self.nested.trees_of(call)
             name = inner[0].implementation if inner else ""
@@ -197,7 +197,7 @@ class _Writer:
     # --- ports ------------------------------------------------------------------------------------
 
     def _ports(self, call: SkillCall, skill: SkillInterface, *, is_inside: bool) -> dict[str, str]:
-        """What each parameter of a child gets."""
+        """The values that each parameter of a child gets."""
         found = {each.parameter.name: f"{{{each.shared}}}" for each in shared_names(call, skill)}
         for parameter in skill.parameters:
             self._port_name(parameter)

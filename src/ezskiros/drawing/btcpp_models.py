@@ -1,4 +1,4 @@
-"""What BehaviorTree.CPP is told of each node: its ports, their types, its conditions."""
+"""The models of nodes for BehaviorTree.CPP: their ports, the types of these, their conditions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which trees a child of a tree stands for, if it is a compound skill itself."""
+"""The trees that a child of a tree stands for, if it is a compound skill itself."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a drawing of a behavior tree says, whatever it is drawn with: boxes with lines of text."""
+"""The content of a drawing of a behavior tree, for all drawers: boxes with lines of text."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ TOKENS = {
 
 
 class Role(enum.Enum):
-    """What a line says of a box."""
+    """The role of a line in a box."""
 
     PASSED = "passed"
     VALUE = "value"
@@ -41,7 +41,7 @@ class Role(enum.Enum):
 
     @property
     def is_condition(self) -> bool:
-        """Whether it says what holds before, during or after a skill."""
+        """Say whether the line says what holds before, during or after a skill."""
         return self in (Role.PRE, Role.HOLD, Role.POST)
 
 
@@ -74,8 +74,8 @@ class Outline:
 def outline(
     tree: Tree, trees: Sequence[Tree], library: Library, *, depth: int, has_conditions: bool
 ) -> Outline:
-    """What is drawn of a tree. Compound skills among `trees` are drawn with their own children, as
-    many levels deep as `depth` says.
+    """Outline a tree. Compound skills among `trees` are drawn with their own children, as many
+    levels deep as `depth` says.
     """
     writer = _Writer(Nested(trees, library), library, has_conditions)
     root = Box(
@@ -150,7 +150,7 @@ class _Writer:
 
 
 def _limit(node: Decorator) -> str:
-    """What stands behind the word for a decorator."""
+    """The text behind the word for a decorator."""
     unit = " s" if node.decoration is Decoration.TIMEOUT else ""
     match node.limit:
         case None:
@@ -164,7 +164,7 @@ def _limit(node: Decorator) -> str:
 
 
 def _arguments(call: SkillCall) -> Iterator[Line]:
-    """What the parameters of a child get, in the order in which it is written."""
+    """The values that the parameters of a child get, in the order in which it is written."""
     for name, given in call.arguments.items():
         match given:
             case ThingReference(parameter=parameter) | ValueReference(parameter=parameter):

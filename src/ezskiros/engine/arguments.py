@@ -74,7 +74,7 @@ def _thing(parameter: Parameter, name: str, world: World) -> WorldThing:
 
 
 def _those(parameter: Parameter, world: World) -> str:
-    """What there is of the class of a parameter."""
+    """Name the things of the class of a parameter."""
     things = world.things(parameter.iri or "")
     if not things:
         return f"the world has nothing that is {wanted(parameter)}: a scene (`--scene`) can say so"

@@ -22,7 +22,9 @@ def root_skill(call: SkillCall, setting: Setting, label: str) -> RunningSkill:
 
 
 def behavior(root: Node, names: Names, setting: Setting, above: RunningSkill | None) -> Behaviour:
-    """What ticks a tree: the children of the skill `above`. Raises `TooDeepError`."""
+    """Build the behavior that ticks a tree: the children of the skill `above`. Raises
+    `TooDeepError`.
+    """
     return _Builder(names, setting, above).build(root, above.depth + 1 if above else 0)
 
 

@@ -36,12 +36,12 @@ Bound = Mapping[str, str]
 
 
 def holds(statement: Statement, bound: Bound, world: World) -> bool:
-    """Whether a condition holds; nothing but its opposite holds of what is not specified."""
+    """Say whether a condition holds; nothing but its opposite holds of what is not specified."""
     return _is_so(statement, bound, world) == statement.is_true
 
 
 def _is_so(statement: Statement, bound: Bound, world: World) -> bool:
-    """Whether it holds without its `~`."""
+    """Say whether a condition holds without its `~`."""
     if isinstance(statement, AnyOf):
         return any(holds(part, bound, world) for part in statement.parts)
     subject = bound.get(statement.subject)
@@ -75,7 +75,7 @@ def _are_related(said: Relation, subject: str, other: str | None, world: World) 
 
 
 def _compares(sign: str, value: Value, other: Value) -> bool:
-    """Whether two values compare so; of values that have no order, only `=` may hold."""
+    """Say whether two values compare so; of values that have no order, only `=` may hold."""
     try:
         return _COMPARED[sign](value, other)
     except TypeError:
@@ -146,7 +146,7 @@ def _value_so(sign: str, value: Value) -> Value:
 
 
 def reason(statement: Statement, bound: Bound, world: World) -> str:
-    """What the world says instead of a condition that does not hold."""
+    """Tell what the world says instead of a condition that does not hold."""
     stands_for = (
         f"{name} is {world.spelled(bound[name])}" if name in bound else f"{name} is nothing"
         for name in dict.fromkeys(names(statement))

@@ -1,4 +1,4 @@
-"""How deep trees may be: deeper than Python goes by itself."""
+"""The depth of trees: they may be deeper than Python goes by itself."""
 
 from __future__ import annotations
 

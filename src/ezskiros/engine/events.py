@@ -1,4 +1,4 @@
-"""What happens to skills while they run, and the reasons for it."""
+"""The events of skills while they run, and the reasons for them."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ class Happened(enum.Enum):
     CHOSEN = "chosen"
     """Of several things one was inferred."""
     RUNNING = "running"
-    """What a skill says of its progress has changed."""
+    """A skill says something new of its progress."""
     SUCCEEDED = "succeeded"
     FAILED = "failed"
     PREEMPTED = "preempted"
 
 
 class Code(enum.IntEnum):
-    """What SkiROS2 tells in place of the progress of a skill; POST is ours."""
+    """The number that SkiROS2 tells in place of the progress of a skill; POST is ours."""
 
     END = 1
     PRE = -1

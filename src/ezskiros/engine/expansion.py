@@ -65,7 +65,7 @@ class Expansions:
 
 
 def _is_fixed(root: Node) -> bool:
-    """Whether nothing in a tree is computed from values."""
+    """Say whether nothing in a tree is computed from values."""
     work: list[Node] = [root]
     while work:
         node = work.pop()

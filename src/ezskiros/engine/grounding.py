@@ -1,4 +1,4 @@
-"""What the parameters of a skill stand for when it starts, and whether its pre-conditions hold."""
+"""Grounding: what the parameters of a skill stand for when it starts, and its pre-conditions."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def missing(plan: Plan, values: Mapping[str, Any]) -> Reason | None:
 
 
 def missing_output(plan: Plan, values: Mapping[str, Any]) -> Reason | None:
-    """What a skill had to give a value, and has not."""
+    """Find a parameter that a skill had to give a value, and has not."""
     for parameter in plan.outputs:
         if values[parameter.name] is None:
             told = f"`{parameter.name}` has no value, and the skill is to give it one"
@@ -55,7 +55,7 @@ class Grounding:
         self._plan, self._names, self._values = plan, names, values
         self._setting, self._world = setting, setting.world
         self.chosen: tuple[Solution, Sequence[Solution]] | None = None
-        """What was taken, if there was a choice, and all that there was."""
+        """The solution that was taken, if there was a choice, and all that there were."""
 
     def ground(self) -> Reason | None:
         """Why the skill cannot start, None if it can.

@@ -24,7 +24,7 @@ Solution = Mapping[str, str]
 
 @dataclass(frozen=True)
 class Inferred:
-    """What the search has found: for each free parameter a thing, in each solution."""
+    """The result of the search: for each free parameter a thing, in each solution."""
 
     solutions: tuple[Solution, ...]
     without_candidates: tuple[Parameter, ...] = ()

@@ -1,4 +1,4 @@
-"""What `CONSUME`, `UNSPECIFY`, `LOCK` and `RESPECT_TYPE` mean while a skill runs."""
+"""The meaning of `CONSUME`, `UNSPECIFY`, `LOCK` and `RESPECT_TYPE` while a skill runs."""
 
 from __future__ import annotations
 
@@ -59,8 +59,8 @@ class Owner(Protocol):
 
 
 class Locks:
-    """Which skills have locked which things. What a skill has locked, those below it may lock too,
-    one at a time.
+    """The locks of skills on things. What a skill has locked, those below it may lock too, one at a
+    time.
     """
 
     def __init__(self) -> None:

@@ -1,4 +1,4 @@
-"""What is known of a child of a tree before it starts, found out once for each child."""
+"""The plan of a child of a tree before it starts, found out once for each child."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _BASIC = frozenset((str, float, bool))
 
 
 class Plan(NamedTuple):
-    """How a child starts.
+    """The start of a child.
 
     `fixed` are the values that its parameters have by default, or by the call; `shared` has for
     those that share a name with siblings that name, and `received` only for those that have a value
@@ -46,7 +46,7 @@ class Plan(NamedTuple):
 
 @dataclass(frozen=True)
 class _Known:
-    """What all children that are the same skill have in common."""
+    """The facts that all children that are the same skill have in common."""
 
     skill: SkillInterface
     implementations: Implementations
@@ -187,7 +187,7 @@ def _received(
 
 
 def _is_needed(parameter: Parameter) -> bool:
-    """Whether a skill cannot start before a parameter has a value, and nothing can find it."""
+    """Say whether a skill cannot start before a parameter has a value, and nothing can find it."""
     return parameter.kind is Kind.REQUIRED and not parameter.is_output
 
 

@@ -1,4 +1,4 @@
-"""What all skills of a task share while they run."""
+"""The setting that all skills of a task share while they run."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ class Setting:
     world: World
     tell: Callable[[Event], None] = lambda _: None
     simulate: bool = False
-    """Whether primitives do nothing but what their post-conditions say."""
+    """True if primitives do nothing but what their post-conditions say."""
     compatible: bool = False
-    """Whether all is as in SkiROS2, even what is a defect there."""
+    """True if all is as in SkiROS2, even what is a defect there."""
     choose: Choose = _first
     clock: Callable[[], float] = time.monotonic
     """In seconds."""

@@ -1,5 +1,5 @@
-"""What a primitive does when it is simulated: its post-conditions come true, and what it gives its
-values are made up.
+"""The simulation of a primitive: its post-conditions come true, and what it gives its values are
+made up.
 """
 
 from __future__ import annotations

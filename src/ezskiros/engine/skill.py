@@ -72,12 +72,12 @@ class RunningSkill(Behaviour):
 
     @property
     def call(self) -> SkillCall:
-        """What it is in the tree above it."""
+        """The call in the tree above it."""
         return self._call
 
     @property
     def tree(self) -> Behaviour | None:
-        """What a compound ticks, once it has started."""
+        """The behavior that a compound ticks, once it has started."""
         return self._tree
 
     # --- ticks: as of py_trees, which has a word for a log with each of them ----------------------
@@ -322,7 +322,7 @@ class RunningSkill(Behaviour):
         return self._plan.skill.hold if is_asked else ()
 
     def _share(self) -> None:
-        """What it has found out, under the names that it shares."""
+        """Pass on what it has found out, under the names that it shares."""
         for own, shared in self._plan.shared:
             self._names.values[shared] = self._values[own]
 
@@ -352,6 +352,6 @@ def _none_can(problems: Sequence[tuple[str, Reason]]) -> Reason:
 
 
 def _has_life(kind: type[SkillImplementation]) -> bool:
-    """Whether a compound does something when it starts or ends."""
+    """Say whether a compound does something when it starts or ends."""
     methods = ("onStart", "onPreempt", "onEnd")
     return any(getattr(kind, each) is not getattr(SkillImplementation, each) for each in methods)

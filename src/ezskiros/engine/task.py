@@ -23,7 +23,7 @@ PERIOD = 0.04
 
 @dataclass(frozen=True)
 class Outcome:
-    """What has come of a task; `reason` says why it has no success."""
+    """The outcome of a task; `reason` says why it has no success."""
 
     is_success: bool
     ticks: int

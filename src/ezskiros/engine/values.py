@@ -22,7 +22,7 @@ class WorldThing:
 
     @property
     def label(self) -> str | None:
-        """What the world model calls it (rdfs:label)."""
+        """The name of the thing in the world model (rdfs:label)."""
         return self._world.label(self.iri)
 
     def __str__(self) -> str:
@@ -66,7 +66,7 @@ class Values:
         raise TypeError(f"write `self.params.{name}`")
 
     def is_changed(self) -> bool:
-        """Whether the skill has given any a value."""
+        """Say whether the skill has given any a value."""
         return bool(self._is_changed)
 
     def _unknown(self, name: str) -> str:
@@ -77,7 +77,7 @@ class Values:
 
 
 def fits(value: Any, parameter: Parameter) -> bool:
-    """Whether a parameter can have a value; None is what stands for nothing."""
+    """Say whether a parameter can have a value; None is what stands for nothing."""
     if value is None:
         return parameter.is_thing
     if isinstance(value, WorldThing):
@@ -92,7 +92,7 @@ def fits(value: Any, parameter: Parameter) -> bool:
 
 
 def wanted(parameter: Parameter) -> str:
-    """What values a parameter has, for messages."""
+    """Describe the values that a parameter has, for messages."""
     if parameter.is_thing:
         return f"a {parameter.type!r}"
     if issubclass(parameter.type, enum.Enum):

@@ -68,7 +68,7 @@ class World:
         return sorted(found, key=_by_name)
 
     def exists(self, thing: str) -> bool:
-        """Whether there is such a thing."""
+        """Say whether there is such a thing."""
         return any(self._facts(thing, _TYPE))
 
     def classes(self, thing: str) -> list[str]:
@@ -78,7 +78,7 @@ class World:
         return sorted(named - _NO_CLASS)
 
     def is_a(self, thing: str, owl_class: str) -> bool:
-        """Whether a thing is of a class."""
+        """Say whether a thing is of a class."""
         return any(self._model.is_a(each, owl_class) for each in self.classes(thing))
 
     def labelled(self, label: str) -> list[str]:
@@ -94,7 +94,7 @@ class World:
         return sorted(found, key=_by_name)
 
     def are_related(self, subject: str, relation: str, other: str) -> bool:
-        """Whether a relation holds, by itself or because of what else is said."""
+        """Say whether a relation holds, by itself or because of what else is said."""
         if self._is_transitive(relation):
             return other in self.related(subject, relation)
         return any(
@@ -103,11 +103,11 @@ class World:
         )
 
     def related(self, subject: str, relation: str) -> list[str]:
-        """What a thing is related to, by their names."""
+        """The things that a thing is related to, by their names."""
         return self._reached(subject, relation, is_from_subject=True)
 
     def relating(self, relation: str, other: str) -> list[str]:
-        """What is related to a thing, by their names."""
+        """The things that are related to a thing, by their names."""
         return self._reached(other, relation, is_from_subject=False)
 
     def values(self, thing: str, data_property: str) -> list[Value]:
@@ -212,8 +212,8 @@ class World:
         return declared is not None and declared.is_transitive
 
     def _is_functional(self, declared: ObjectProperty, *, is_inverse: bool) -> bool:
-        """Whether a relation has at most one object for a subject; with `is_inverse` one subject
-        for an object.
+        """Say whether a relation has at most one object for a subject; with `is_inverse` one
+        subject for an object.
         """
         turned = [self._model.relations.get(each) for each in declared.inverses]
         others = [each for each in turned if each is not None]
@@ -233,7 +233,7 @@ class World:
     # --- the store --------------------------------------------------------------------------------
 
     def _reached(self, start: str, relation: str, *, is_from_subject: bool) -> list[str]:
-        """What is one step away; of transitive relations, any number of steps."""
+        """The things one step away; of transitive relations, any number of steps."""
         found: dict[str, None] = {}
         work = [start]
         while work:

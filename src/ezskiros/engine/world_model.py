@@ -17,7 +17,7 @@ OwlProperty = PropertyOf | str
 
 
 class WorldModel:
-    """What there is, and how it is related.
+    """The things that there are, and the relations between them.
 
     Classes and properties are those of the ontology, such as `skiros.at`, or texts, such as
     "skiros:at". Raises `LookupError` for names that the ontology does not have.
@@ -44,19 +44,19 @@ class WorldModel:
         return self._made(self._world.things(self._class(owl_class)))
 
     def is_a(self, thing: WorldThing, owl_class: OwlClass) -> bool:
-        """Whether a thing is of a class or its subclasses."""
+        """Say whether a thing is of a class or its subclasses."""
         return self._world.is_a(thing.iri, self._class(owl_class))
 
     def are_related(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> bool:
-        """Whether a relation holds, by itself or because of what else is said."""
+        """Say whether a relation holds, by itself or because of what else is said."""
         return self._world.are_related(subject.iri, self._relation(relation), other.iri)
 
     def related(self, subject: WorldThing, relation: OwlProperty) -> list[WorldThing]:
-        """What a thing is related to, by their names."""
+        """The things that a thing is related to, by their names."""
         return self._made(self._world.related(subject.iri, self._relation(relation)))
 
     def relating(self, relation: OwlProperty, other: WorldThing) -> list[WorldThing]:
-        """What is related to a thing, by their names."""
+        """The things that are related to a thing, by their names."""
         return self._made(self._world.relating(self._relation(relation), other.iri))
 
     def values(self, thing: WorldThing, data_property: OwlProperty) -> list[Value]:

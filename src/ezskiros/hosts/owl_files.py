@@ -26,7 +26,7 @@ from ezskiros.ontology.read import Document
 
 MARK = "Written by `ezskiros owl`. Change the ontology instead."
 START = "ezskiros-"
-"""How the names of files begin: no file of SkiROS2 is called so."""
+"""The beginning of the names of files: no file of SkiROS2 is called so."""
 
 _XML = pyoxigraph.RdfFormat.RDF_XML
 _IEEE = "http://www.inf.ufrgs.br/phi-group/ontologies/"
@@ -64,12 +64,12 @@ def owl_files(ontology: Ontology) -> tuple[dict[str, str], list[Diagnostic]]:
 
 
 def is_own(text: bytes) -> bool:
-    """Whether a file that begins like this was written from an ontology."""
+    """Say whether a file that begins like this was written from an ontology."""
     return MARK.encode() in text
 
 
 def file_name(document: Document) -> str:
-    """How the file of a document is called."""
+    """The name of the file of a document."""
     return f"{START}{Path(document.file.path).stem}.owl"
 
 

@@ -1,4 +1,4 @@
-"""What of SkiROS2's Python packages is used here, found when SkiROS2 runs.
+"""The parts of SkiROS2's Python packages that are used here, found when SkiROS2 runs.
 
 The branches for ROS 1 and ROS 2 have the same names for it. Nothing of it is imported before, so
 that skills are checked where there is no SkiROS2.
@@ -32,7 +32,7 @@ class Api:
 
 
 def is_running() -> bool:
-    """Whether SkiROS2 has been imported: only then can it be what loads a library."""
+    """Say whether SkiROS2 has been imported: only then can it be what loads a library."""
     return _RUNNING in sys.modules
 
 

@@ -27,7 +27,7 @@ _BETWEEN = "\0"
 
 
 class Child:
-    """What is ours of a `SkillWrapper`: `keys` are those of the blackboard by those of the child,
+    """Our part of a `SkillWrapper`: `keys` are those of the blackboard by those of the child,
     `users` are the instances of the user's classes that have started, by these classes.
     """
 

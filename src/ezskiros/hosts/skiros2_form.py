@@ -39,7 +39,7 @@ class FormParameter:
 
 
 IMPLICIT_ROBOT = FormParameter(ROBOT, Kind.INFERRED.value, "sumo:Agent")
-"""What SkiROS2 adds to a skill that has no parameter of this name."""
+"""The parameter that SkiROS2 adds to a skill that has none of this name."""
 
 
 @dataclass(frozen=True)

@@ -35,7 +35,7 @@ class AcceptedLibrary(Library):
     """A library with nothing but what SkiROS2 may load."""
 
     def implementations(self, description: SkillClass) -> Implementations:
-        """What implements a skill, by name."""
+        """The implementations of a skill, by name."""
         known = super().implementations(description)
         return {name: each for name, each in known.items() if each in _accepted}
 

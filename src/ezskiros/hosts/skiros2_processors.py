@@ -1,4 +1,4 @@
-"""How nodes of a tree tick their children in SkiROS2: its own processors, and what it has not.
+"""Processors of nodes in SkiROS2, which tick their children: its own, and those that it has not.
 
 A processor is any object with these three methods; its children say how they are by SkiROS2's
 `State`.

@@ -42,7 +42,7 @@ class HostedSkill:
 
 @dataclass(frozen=True)
 class Setting:
-    """What an implementation needs while it runs."""
+    """The things that an implementation needs while it runs."""
 
     implementation: type[SkillImplementation]
     hosted: HostedSkill
@@ -84,7 +84,7 @@ def implementation_class(setting: Setting) -> Any:
 
 
 def refused_class(found: type, text: str) -> Any:
-    """What SkiROS2 finds in the place of a skill that was refused."""
+    """The class that SkiROS2 finds in the place of a skill that was refused."""
 
     def refuse(_self: object) -> None:
         raise RefusedSkillError(f"`{found.__name__}` was refused\n{text}")
@@ -94,7 +94,7 @@ def refused_class(found: type, text: str) -> Any:
 
 
 class Description:
-    """What is ours of a `SkillDescription`: it says what a form says."""
+    """Our part of a `SkillDescription`: it says what a form says."""
 
     form: ClassVar[Form]
     docs: ClassVar[Mapping[str, str]]
@@ -123,7 +123,7 @@ def _condition(description: Any, found: FormCondition) -> Any:
 
 
 def _example(parameter: FormParameter) -> Any:
-    """What SkiROS2 takes the type of a parameter from, and its default."""
+    """The example that SkiROS2 takes the type of a parameter from, and its default."""
     if ":" in parameter.type:
         return api().Element(parameter.type)
     if isinstance(parameter.default, enum.Enum):
@@ -132,7 +132,7 @@ def _example(parameter: FormParameter) -> Any:
 
 
 def _label(condition: FormCondition) -> str:
-    """What SkiROS2 prints of a condition, such as `Gripper at StartPose`."""
+    """The text that SkiROS2 prints of a condition, such as `Gripper at StartPose`."""
     words = [str(each).rpartition(":")[2] for each in condition.arguments]
     if condition.maker in ("getRelationCond", "getAbstractRelationCond", "getPropCond"):
         words[0], words[1] = words[1], words[0]
@@ -140,7 +140,7 @@ def _label(condition: FormCondition) -> str:
 
 
 class Hosted:
-    """What is ours of any implementation: its methods are those of an instance of the user's class,
+    """Our part of any implementation: its methods are those of an instance of the user's class,
     which a node of a tree keeps.
     """
 
@@ -201,7 +201,7 @@ class Hosted:
 
 
 class Compound(Hosted):
-    """What is ours of a `SkillBase`: its tree is that of `expandBT`."""
+    """Our part of a `SkillBase`: its tree is that of `expandBT`."""
 
     params: Any
     _instanciator: Any
@@ -254,7 +254,7 @@ def _values(skill: SkillInterface, params: Any) -> dict[str, Any]:
 
 
 class Primitive(Hosted):
-    """What is ours of a `PrimitiveBase`."""
+    """Our part of a `PrimitiveBase`."""
 
     checkHoldCond: Callable[[], list[str]]  # noqa: N815
     progress_msg: str
@@ -284,13 +284,13 @@ class Running:
         self._world = HostedWorld(implementation.wmi, hosted.ontology)
         user.world, user.now = WorldModel(self._world), time.monotonic
         user.progress = (0, "")
-        # What only SkiROS2 has, for skills that run only there.
+        # The attributes that only SkiROS2 has, for skills that run only there.
         for name in ("wmi", "_wmi", "node", "_node"):
             if hasattr(implementation, name):
                 setattr(user, name, getattr(implementation, name))
 
     def call(self, method: str, *, failed: object) -> Any:
-        """What a method of the user gives; if it raises, that is told, and it has `failed`."""
+        """Call a method of the user; if it raises, that is told, and it has `failed`."""
         user, parameters, world = self._user, self._skill.parameters, self._world
         before = user.progress
         try:

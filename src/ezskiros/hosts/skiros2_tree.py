@@ -60,7 +60,7 @@ class HostedNode:
 
 @dataclass(frozen=True)
 class Scope:
-    """What the names of a compound skill are on the blackboard.
+    """The names of a compound skill on the blackboard.
 
     `number` tells the skill that runs from all others; `outer` are the keys that its own keys
     stand for, if they are others.

@@ -29,12 +29,12 @@ class HostedThing(WorldThing):
 
     @property
     def is_changed(self) -> bool:
-        """Whether something else is said of the element than when the skill got it."""
+        """Say whether something else is said of the element than when the skill got it."""
         return bool(self._before != _said(self.element))
 
 
 def _said(element: Any) -> object:
-    """What is said of an element."""
+    """The statements about an element."""
     properties = {each.key: list(each.values) for each in element.properties}
     return properties, [dict(each) for each in element.getRelations()]
 

@@ -31,7 +31,7 @@ class HostedWorld(World):
         return sorted(self.iri(each.id) for each in found or ())
 
     def exists(self, thing: str) -> bool:
-        """Whether there is such a thing."""
+        """Say whether there is such a thing."""
         try:
             return bool(self.element(thing))
         except Exception as problem:
@@ -40,7 +40,7 @@ class HostedWorld(World):
             return False
 
     def is_a(self, thing: str, owl_class: str) -> bool:
-        """Whether a thing is of a class."""
+        """Say whether a thing is of a class."""
         return self._model.is_a(self.classes(thing)[0], owl_class)
 
     def classes(self, thing: str) -> list[str]:
@@ -48,15 +48,15 @@ class HostedWorld(World):
         return [self.iri(self.element(thing).type)]
 
     def related(self, subject: str, relation: str) -> list[str]:
-        """What a thing is related to, sorted."""
+        """The things that a thing is related to, sorted."""
         return sorted(other for _, _, other in self._relations(subject, relation, ""))
 
     def relating(self, relation: str, other: str) -> list[str]:
-        """What is related to a thing, sorted."""
+        """The things that are related to a thing, sorted."""
         return sorted(subject for subject, _, _ in self._relations("", relation, other))
 
     def are_related(self, subject: str, relation: str, other: str) -> bool:
-        """Whether a relation holds."""
+        """Say whether a relation holds."""
         return bool(self._wmi.get_relations(*map(self._model.short, (subject, relation, other))))
 
     def values(self, thing: str, data_property: str) -> list[Value]:
@@ -132,7 +132,7 @@ class HostedWorld(World):
     # --- the world model --------------------------------------------------------------------------
 
     def element(self, thing: str) -> Any:
-        """What SkiROS2 knows of a thing."""
+        """The element by which SkiROS2 knows a thing."""
         return self._wmi.get_element(self._model.short(thing))
 
     def written(self, element: Any) -> Any:

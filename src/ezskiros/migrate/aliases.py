@@ -45,7 +45,7 @@ def _alias(statement: cst.CSTNode) -> tuple[str, cst.BaseExpression | None]:
 
 
 def _is_only_asked(method: cst.FunctionDef, name: str) -> bool:
-    """Whether all that is done with a variable, once it is set, is `name.attribute`."""
+    """Say whether all that is done with a variable, once it is set, is `name.attribute`."""
     named = m.findall(method, m.Name(name))
     asked = m.findall(method, m.Attribute(value=m.Name(name)))
     attributes = m.findall(method, m.Attribute(attr=m.Name(name)))

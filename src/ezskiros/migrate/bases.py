@@ -78,7 +78,7 @@ class Bases:
     # --- questions --------------------------------------------------------------------------------
 
     def is_mixin(self, found: ClassId) -> bool:
-        """Whether it is a base of skills that loses SkiROS2's own."""
+        """Say whether a class is a base of skills that loses SkiROS2's own."""
         return found in self._mixins
 
     def below(self, name: str, path: str) -> tuple[Root, str]:
@@ -176,11 +176,11 @@ class Bases:
         ]
 
     def _is_on_native(self, found: BuiltClass) -> bool:
-        """Whether SkiROS2's own base is below a class, and no other skill between them."""
+        """Say whether SkiROS2's own base is below a class, and no other skill between them."""
         roots = (self.below(base, found.path)[0] for base in found.bases)
         return found.is_native or Root.NATIVE in roots
 
 
 def _may_be(found: BuiltClass) -> bool:
-    """Whether it describes nothing, and can become a mixin."""
+    """Say whether a class describes nothing, and can become a mixin."""
     return not found.is_described

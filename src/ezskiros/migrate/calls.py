@@ -25,7 +25,7 @@ PARAMETERS = {
     "skill": ("stype", "slabel", "remap", "specify", "preconditions"),
     "setDescription": ("description", "label"),
 }
-"""What the methods of SkiROS2's descriptions, conditions and skills take, in order."""
+"""The parameters of the methods of SkiROS2's descriptions, conditions and skills, in order."""
 
 CONDITION_CLASSES = {
     "ConditionRelation": "getRelationCond",

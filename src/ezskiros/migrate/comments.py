@@ -18,7 +18,7 @@ def mark(template: Template) -> str:
 
 
 def is_mark(line: cst.EmptyLine) -> bool:
-    """Whether a line is a comment that a migration has left."""
+    """Say whether a line is a comment that a migration has left."""
     return line.comment is not None and bool(_MARK.match(line.comment.value))
 
 

@@ -64,7 +64,7 @@ class ConditionReader:
     mentioned: set[str] = field(default_factory=set)
 
     def read(self, node: cst.BaseExpression) -> Expression:
-        """What is added to the conditions: a call, or a variable. Raises `LeftError`."""
+        """Read what is added to the conditions: a call, or a variable. Raises `LeftError`."""
         if isinstance(node, cst.Name) and node.value in self.variables:
             found = self.variables[node.value]
             if isinstance(found, OrBuilder):
@@ -78,7 +78,7 @@ class ConditionReader:
         return maker(self, Arguments(node, name))
 
     def part(self, node: cst.BaseExpression) -> Expression:
-        """What is added to an `or`, which may be used after a variable is changed."""
+        """Read what is added to an `or`, which may be used after a variable is changed."""
         if isinstance(node, cst.Name):
             found = self.variables.get(node.value)
             if isinstance(found, Expression):

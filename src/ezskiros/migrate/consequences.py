@@ -37,17 +37,17 @@ class LeftSkill:
 
 
 def follows(template: Template) -> bool:
-    """Whether a finding is only that a skill or a base is not translated."""
+    """Say whether a finding is only that a skill or a base is not translated."""
     return is_about_base(template) or isinstance(template, _FOLLOWING)
 
 
 def is_about_base(template: Template) -> bool:
-    """Whether a finding is that another class is not translated, or is not there."""
+    """Say whether a finding is that another class is not translated, or is not there."""
     return isinstance(template, implementation_errors.OtherBase) and bool(template.base)
 
 
 def is_about_skill(template: Template) -> bool:
-    """Whether a finding is that the skill of an implementation is not translated."""
+    """Say whether a finding is that the skill of an implementation is not translated."""
     return isinstance(template, implementation_errors.UnusableSkill)
 
 

@@ -37,7 +37,7 @@ _CONDITIONS = {
 
 @dataclass(frozen=True)
 class Finding:
-    """What is left of a statement, and why. `statement` is the one that gets the mark."""
+    """The rest of a statement, and the reason. `statement` is the one that gets the mark."""
 
     template: Template
     node: cst.CSTNode
@@ -164,7 +164,7 @@ class _Translator:
             try:
                 self._read_step(step, reader)
             except LeftError as left:
-                # What is said of a parameter that is left is not wrong for that.
+                # A statement about a parameter that is left is not wrong for that.
                 about = getattr(left.template, "key", None)
                 if not (isinstance(left.template, errors.NotAThing) and about in unclear):
                     self._leave(left, step.statement)

@@ -30,7 +30,7 @@ class Description:
 
     @property
     def name(self) -> str:
-        """What the skill is called."""
+        """The name of the skill."""
         return self.node.name.value
 
     @property
@@ -39,7 +39,7 @@ class Description:
         return self.translation.findings
 
     def skill(self, path: str) -> Skill:
-        """What implementations can say of it."""
+        """The skill, as far as implementations can speak of it."""
         if self.findings:
             codes = [each.template.code for each in self.findings]
             return Skill(self.name, path, left_for=codes)
@@ -78,7 +78,7 @@ class Descriptions:
         return Description(node, function) if is_one else None
 
     def _is_base(self, argument: cst.Arg) -> bool:
-        """Whether it is SkiROS2's own class of descriptions."""
+        """Say whether a base is SkiROS2's own class of descriptions."""
         name = last_name(argument.value)
         return name == "SkillDescription" or name in self._aliases
 

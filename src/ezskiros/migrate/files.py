@@ -36,7 +36,7 @@ class MigratedFile:
 
     @property
     def is_changed(self) -> bool:
-        """Whether there is anything to write."""
+        """Say whether there is anything to write."""
         return self.migrated.text != self.migrated.file.text
 
     def diff(self) -> str:
@@ -61,13 +61,13 @@ class MigratedFile:
 
 @dataclass(frozen=True)
 class Migration:
-    """What becomes of some files."""
+    """The result of the migration of some files."""
 
     files: Sequence[MigratedFile]
     diagnostics: Sequence[Diagnostic]
 
     def summary(self, *, is_written: bool) -> str:
-        """How many skills there are, and what has become of them."""
+        """Tell how many skills there are, and what has become of them."""
         described = [(each.migrated.translated, each.migrated.left) for each in self.files]
         implementing = [
             (each.migrated.implemented, each.migrated.unimplemented) for each in self.files
@@ -128,7 +128,7 @@ class _Migrations:
         self._found = [self._migrated(each) for each in sources]
 
     def all(self) -> list[Migrated]:
-        """What becomes of the files, in order."""
+        """The migrated files, in order."""
         described = [skill for each in self._found for skill in each.skills]
         bases = Bases(one for each in self._found for one in each.built)
         robots = with_robots((each.robots for each in self._found), described) | bases.robots()
@@ -173,7 +173,7 @@ class _Migrations:
         return last
 
     def _implements(self, found: Migrated, known: Skills) -> bool:
-        """Whether a file has implementations of skills, or bases of them."""
+        """Say whether a file has implementations of skills, or bases of them."""
         is_base = any(known.bases.is_mixin(each.id) for each in found.built)
         return is_base or bool(found.unimplemented)
 
@@ -218,7 +218,7 @@ class _Migrations:
 
 
 def _become(found: Sequence[tuple[Sequence[str], Sequence[str]]], thing: str) -> str:
-    """How many things are translated, and how many are left."""
+    """Tell how many things are translated, and how many are left."""
     translated = sum(len(each) for each, _ in found)
     left = sum(len(each) for _, each in found)
     return f"{_counted(translated + left, thing)}: {translated} translated, {left} left as they are"

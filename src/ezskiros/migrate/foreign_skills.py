@@ -1,4 +1,4 @@
-"""How a file calls the skills that its trees name, and how it imports those of other files."""
+"""The names of the skills of trees in a file, and the imports of those of other files."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class ForeignSkills:
         return "\n".join(wanted.text())
 
     def imports(self) -> list[Wanted]:
-        """What has to be imported besides, by modules."""
+        """The names that have to be imported besides, by modules."""
         by_module: dict[str, dict[str, str]] = {}
         for name, skill in self.found.items():
             is_there = skill.path in (self._path, *self._late)

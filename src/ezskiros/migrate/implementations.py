@@ -70,7 +70,7 @@ _SHARED = implementation_errors.SharedName
 
 
 def _is_open(template: Template) -> bool:
-    """Whether it is an undeclared key that a description may get as a parameter."""
+    """Say whether a finding is of an undeclared key that a description may get as a parameter."""
     return isinstance(template, _SHARED) and not template.why
 
 
@@ -93,7 +93,7 @@ def _small(statement: cst.CSTNode) -> Sequence[cst.CSTNode]:
 
 
 def label_of(call: cst.Call) -> str | None:
-    """What an implementation calls itself, if that is written out."""
+    """The name that an implementation gives itself, if that is written out."""
     try:
         label = Arguments(call, "setDescription").get("label")
     except LeftError:
@@ -309,7 +309,9 @@ class _Class:
 
 
 def _planning(statement: cst.CSTNode) -> bool | None:
-    """Whether it makes a skill available for planning; None if it says nothing of that."""
+    """Say whether the statement makes a skill available for planning; None if it says nothing of
+    that.
+    """
     match statement:
         case cst.Expr(
             value=cst.Call(args=[cst.Arg(value=cst.Name(value="True" | "False" as said))]) as call
@@ -331,7 +333,7 @@ def helpers_of(node: cst.ClassDef) -> Mapping[str, cst.FunctionDef]:
 
 
 def labels_in(classes: Iterable[cst.ClassDef]) -> dict[str, str]:
-    """What the classes that implement skills call themselves, and their names."""
+    """The names that classes of implementations give themselves, and their names in Python."""
     found = {}
     for node in classes:
         call = described_by(node)

@@ -16,9 +16,9 @@ from ezskiros.migrate.processors import NAMES as PROCESSORS
 OLD_API = frozenset(
     {"SkillDescription", "ParamTypes", "ParamOptions", "Element", *CONDITION_CLASSES}
 )
-"""What descriptions import of SkiROS2."""
+"""The names that descriptions import of SkiROS2."""
 _IMPLEMENTING = frozenset({"SkillBase", "PrimitiveBase", "State", *PROCESSORS})
-"""What implementations import of it, and no file needs for another reason."""
+"""The names that implementations import of it, and no file needs for another reason."""
 _OLD_MODULES = frozenset(
     {"params", "world_element", "conditions", "abstract_skill", "skill", "primitive", "processors"}
 )
@@ -111,7 +111,7 @@ def bound_names(module: cst.Module, without: Sequence[str]) -> set[str]:
 
 
 def has_star(module: cst.Module, source: str) -> bool:
-    """Whether a module imports all that a module of some package has."""
+    """Say whether a module imports all that a module of some package has."""
     return any(
         isinstance(node.names, cst.ImportStar) and module_name(node).startswith(source)
         for node in _imports(module)
@@ -176,7 +176,7 @@ def with_imports(
     were referred to before.
     """
     new_names = {name for each in wanted for name in each.names.values()}
-    # What these names meant before, nothing needs any more.
+    # The former meaning of these names is not needed any more.
     cleaner = _Cleaner(used_names(module) - new_names, before)
     body: list[Line] = []
     above: Sequence[cst.EmptyLine] = ()
@@ -265,7 +265,7 @@ def _merged(wanted: Wanted, body: list[Line]) -> list[list[str]]:
 
 
 def _imported_by(line: Line, source: str) -> dict[str, str] | None:
-    """What a line imports from a module; None if that is not all it does, in plain form."""
+    """The names that a line imports from a module; None if it does more, or not in plain form."""
     match line:
         case cst.SimpleStatementLine(body=[cst.ImportFrom(lpar=None) as small]):
             if module_name(small) == source and not isinstance(small.names, cst.ImportStar):
@@ -312,7 +312,7 @@ def _is_import(statement: cst.CSTNode) -> bool:
 
 
 def is_module(text: str) -> bool:
-    """Whether a text is what can stand behind `from`: `world`, `.world`, `skills.world`."""
+    """Say whether a text is what can stand behind `from`: `world`, `.world`, `skills.world`."""
     name = text.lstrip(".")
     parts = name.split(".") if name else []
     is_fine = all(part.isidentifier() and not keyword.iskeyword(part) for part in parts)

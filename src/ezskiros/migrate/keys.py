@@ -34,7 +34,7 @@ def more_names(called: Mapping[str, str], keys: Iterable[str]) -> dict[str, str]
 
 
 def _is_parameter_name(key: str) -> bool:
-    """Whether a parameter can be called so. Python changes names that begin with `__`."""
+    """Say whether a parameter can be called so. Python changes names that begin with `__`."""
     return is_name(key) and not key.startswith("__") and key not in _RESERVED
 
 

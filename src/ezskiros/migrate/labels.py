@@ -11,7 +11,7 @@ _OPPOSITE = {"no", "not", "non", "un"}
 
 
 def says_more(label: str, said: Iterable[str], *, is_true: bool) -> bool:
-    """Whether a label has a word, not just a letter, that is not among those of its condition.
+    """Say whether a label has a word, not just a letter, that is not among those of its condition.
 
     `RobotAt` says no more than that the robot is at a location; `EmptyHanded` does.
     """
@@ -32,7 +32,7 @@ def _words(text: str) -> list[str]:
 
 
 def _is_form_of(word: str, other: str) -> bool:
-    """Whether two words are forms of one: contained and contain, obj and object."""
+    """Say whether two words are forms of one: contained and contain, obj and object."""
     return other.startswith(word) or (len(other) > 2 and word in _forms(other))
 
 

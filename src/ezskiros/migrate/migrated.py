@@ -48,6 +48,6 @@ class Migrated:
     diagnostics: Sequence[Diagnostic] = ()
 
     def needs(self, skills: Collection[SkillId]) -> bool:
-        """Whether it describes one of some skills, or has trees with them."""
+        """Say whether the file describes one of some skills, or has trees with them."""
         named = {each.id for tree in self.trees for each in tree.skills}
         return any(each in named or each[0] == self.file.path for each in skills)

@@ -327,7 +327,7 @@ class _File:
             each.translation.warnings.append(Finding(template, each.node.name, each.node))
 
     def _spelled(self, first: cst.Module, names: Names) -> Names:
-        """How names are written, now that it is known which of them mean something else."""
+        """Spell the names, now that it is known which of them mean something else."""
         ours, world = imported(first, "ezskiros"), imported(first, self._world)
         others = bound_names(first, ("skiros2", "ezskiros", self._world))
         own = {name for name, what in ours.items() if name == what}

@@ -39,7 +39,7 @@ def imported_files(path: str, sources: Iterable[str], files: Collection[str]) ->
 
 
 def reaches(start: str, end: str, imports: Mapping[str, Iterable[str]]) -> bool:
-    """Whether a file imports another one, itself or through others."""
+    """Say whether a file imports another one, itself or through others."""
     seen, waiting = set[str](), [start]
     while waiting:
         found = waiting.pop()

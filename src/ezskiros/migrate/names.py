@@ -1,4 +1,4 @@
-"""How things of an ontology and of EzSkiROS are called in a translated file."""
+"""The names of things of an ontology and of EzSkiROS in a translated file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DEFAULT_PREFIX = "skiros"
 """Of names without one: SkiROS2 looks them up in its own ontology."""
 _RESERVED = {"rdf", "rdfs", "owl", "xsd", "xml"}
 _NO_ATTRIBUTES = {"iri", "vocabulary"}
-"""What the Python classes of things have besides the properties of the ontology."""
+"""The names that the Python classes of things have besides the properties of the ontology."""
 
 
 @dataclass
@@ -62,7 +62,7 @@ class Names:
         return {name for name in names if names.count(name) > 1}
 
     def our(self, name: str) -> str:
-        """How a name of EzSkiROS is written."""
+        """Spell a name of EzSkiROS."""
         self.ours.add(name)
         return f"ezskiros.{name}" if self.is_qualified else name
 
@@ -118,6 +118,6 @@ def split(light: str, node: cst.CSTNode) -> tuple[str, str]:
 
 
 def is_name(text: str) -> bool:
-    """Whether Python takes a text for a name, and keeps it as it is."""
+    """Say whether Python takes a text for a name, and keeps it as it is."""
     is_plain = text.isidentifier() and not keyword.iskeyword(text)
     return is_plain and unicodedata.normalize("NFKC", text) == text

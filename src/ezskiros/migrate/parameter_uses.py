@@ -22,7 +22,7 @@ _OF_SKIROS2 = {
     *("progress_code", "_progress_code", "progress_msg", "_progress_msg", "_setProgress"),
     *("hasState", "waitState"),
 }
-"""What SkiROS2's base classes of skills have, and those of EzSkiROS do not."""
+"""The names that SkiROS2's base classes of skills have, and those of EzSkiROS do not."""
 
 
 def _unset_key(call: cst.BaseExpression) -> cst.BaseExpression | None:
@@ -47,7 +47,7 @@ Node = TypeVar("Node", bound=cst.CSTNode)
 
 
 def own(node: cst.CSTNode, names: Collection[str]) -> bool:
-    """Whether something is `self.name`."""
+    """Say whether something is `self.name`."""
     match node:
         case cst.Attribute(value=cst.Name(value="self"), attr=cst.Name(value=name)):
             return name in names
@@ -56,7 +56,7 @@ def own(node: cst.CSTNode, names: Collection[str]) -> bool:
 
 
 def parameter_key(node: cst.CSTNode) -> cst.BaseExpression | None:
-    """What stands for the key in an expression for the value of a parameter."""
+    """The expression for the key in an expression for the value of a parameter."""
     match node:
         case cst.Attribute(
             value=cst.Subscript(
@@ -150,7 +150,7 @@ class ParameterUses(cst.CSTTransformer):
     # --- what is read -----------------------------------------------------------------------------
 
     def params(self) -> cst.BaseExpression:
-        """What has the parameters."""
+        """The expression that has the parameters."""
         return cst.Attribute(cst.Name("self"), cst.Name("params"))
 
     def of_skiros2(self, node: cst.Attribute) -> None:
@@ -174,7 +174,7 @@ class ParameterUses(cst.CSTTransformer):
         return None
 
     def _unsets_thing(self, node: cst.BaseExpression) -> bool:
-        """Whether it is a parameter for a thing that gets nothing; values cannot be nothing."""
+        """Say whether it is a parameter for a thing that gets nothing; values cannot be nothing."""
         key = _unset_key(node)
         name = self._skill.names.get(literal_text(key) or "") if key is not None else None
         return name in self._skill.things

@@ -177,7 +177,7 @@ def _output_alone(node: cst.BaseExpression | None) -> list[Option]:
 
 
 def _does_something(options: cst.BaseExpression) -> bool:
-    """Whether options would do something for a thing."""
+    """Say whether options would do something for a thing."""
     try:
         return bool(_options(options))
     except LeftError:
@@ -185,7 +185,7 @@ def _does_something(options: cst.BaseExpression) -> bool:
 
 
 def _doc(given: Arguments) -> str:
-    """What is said of the parameter, in one line: also where options should be."""
+    """The text about the parameter, in one line: also where options should be."""
     options = given.get("options")
     text = given.text("description") if given.get("description") is not None else ""
     if not text and options is not None:

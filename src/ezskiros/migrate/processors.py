@@ -22,13 +22,13 @@ METHODS: Mapping[str, str] = {
 """Those that take nothing."""
 NAMES = frozenset({*METHODS, "NoFail", "RetryOnFail"})
 DEFAULT = cst.Call(cst.Name("SerialStar"))
-"""What a compound has that names no processor."""
+"""The processor of a compound that names none."""
 
 Wrapper = Callable[[cst.Call], cst.Call]
 
 
 def wrapper(processor: cst.BaseExpression) -> Wrapper:
-    """What makes a call of a method of a call with the children of a processor.
+    """Give the function that makes a call of a method of a call with the children of a processor.
 
     Raises `LeftError` for a processor that EzSkiROS does not have.
     """
@@ -62,7 +62,7 @@ def _no_fail(inside: Wrapper, inner: cst.BaseExpression) -> Wrapper:
 
 
 def _tries(value: cst.BaseExpression) -> int | None:
-    """How often in all, of the number of times that SkiROS2 tries again."""
+    """The number of all tries, of the number of times that SkiROS2 tries again."""
     match value:
         case cst.Integer(value=text):
             return int(text, 0) + 1

@@ -16,8 +16,8 @@ from ezskiros.migrate.skills import Skill
 
 @dataclass(frozen=True)
 class Robots:
-    """What the implementations of a file say: the skills whose robots they speak of, and for each
-    skill the names of the children that do it.
+    """The robots of the implementations of a file: the skills whose robots they speak of, and for
+    each skill the names of the children that do it.
     """
 
     spoken_of: Collection[str] = ()
@@ -25,7 +25,7 @@ class Robots:
 
 
 def robots_in(classes: Iterable[cst.ClassDef]) -> Robots:
-    """What the classes that implement skills say of robots."""
+    """Find all that the classes which implement skills say of robots."""
     spoken_of: set[str] = set()
     children: dict[str, set[str]] = {}
     for node in classes:
@@ -53,14 +53,16 @@ def with_robots(said: Iterable[Robots], skills: Iterable[Skill]) -> set[str]:
 
 
 def is_about_robot(node: cst.ClassDef) -> bool:
-    """Whether a class speaks of the robot."""
+    """Say whether a class speaks of the robot."""
     found = _Visitor()
     node.visit(found)
     return found.is_spoken_of
 
 
 class _Visitor(cst.CSTVisitor):
-    """Whether a class speaks of the robot, its children, and those whose robot it gives."""
+    """A visitor that finds out if a class speaks of the robot, its children, and those whose robot
+    it gives.
+    """
 
     def __init__(self) -> None:
         self.is_spoken_of = False

@@ -121,7 +121,7 @@ class _Sharing:
         for child in tree.children:
             use = (child.skill.name, child.shared.get(key, ""))
             if key in child.shared and use not in need.uses:
-                # What a child calls so itself says more than what is called so for it.
+                # A name that a child has itself says more than one that others have for it.
                 need.uses.insert(len(need.uses) if key in child.renamed else 0, use)
             is_own = key in child.shared and key not in child.skill.added
             if not (is_known or is_own or key in child.hidden or child.skill.is_new):
@@ -180,7 +180,7 @@ def _refused(tree: SharingTree, key: str) -> str:
 
 
 def _is_slip(written: str, meant: str) -> bool:
-    """Whether two texts differ by one letter, or by two that are swapped."""
+    """Say whether two texts differ by one letter, or by two that are swapped."""
     short, long = sorted((written, meant), key=len)
     if len(long) - len(short) > 1 or short == long:
         return False

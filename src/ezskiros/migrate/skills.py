@@ -45,7 +45,7 @@ class Skill:
 
     @property
     def is_left(self) -> bool:
-        """Whether its description is not translated."""
+        """Say whether its description is not translated."""
         return bool(self.left_for)
 
     def left_as(self) -> str:

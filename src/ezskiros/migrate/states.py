@@ -27,7 +27,7 @@ def with_states(module: cst.Module, states: Collection[str]) -> tuple[cst.Module
     used = used_names(module)
     if PLACEHOLDER not in used:
         return module, ""
-    # What only imports of SkiROS2 gave, and nothing uses any more, is free again.
+    # A name that only imports of SkiROS2 gave, and nothing uses any more, is free again.
     taken = used | (bound_names(module, ()) - {*states})
     name = _STATE
     while name in taken:

@@ -102,7 +102,7 @@ class Children:
     def _undeclared(
         self, child: Skill, key: cst.BaseExpression, target: cst.BaseExpression, shared: str
     ) -> LeftError:
-        """Which end of a remap is wrong, where the second is no parameter of the compound."""
+        """Tell which end of a remap is wrong, where the second is no parameter of the compound."""
         text = _text(key, "remap")
         if text in child.names:
             why = self.context.skills.keys.refused.get(self.skill.id, {}).get(shared, "")
@@ -138,7 +138,9 @@ class Children:
         given: set[str],
         remaps: Sequence[_Entry],
     ) -> Iterator[tuple[str, str]]:
-        """What is shared because the keys are the same, where the names for them are not."""
+        """The names that are shared because the keys are the same, where the names for them are
+        not.
+        """
         renamed = {literal_text(key) for key, _ in remaps}
         for key, name in child.names.items():
             own_name = self.skill.names.get(key)
@@ -147,7 +149,7 @@ class Children:
 
 
 def _entries(given: Arguments, key: str) -> Iterator[_Entry]:
-    """What is in a dictionary; an empty text is one without anything. Raises `LeftError`."""
+    """The entries of a dictionary; an empty text is one without anything. Raises `LeftError`."""
     value = given.get(key)
     if value is None or literal_text(value) == "":
         return

@@ -1,4 +1,4 @@
-"""What is known where a tree is translated: the file, its class, and the skills of all files."""
+"""The context in which a tree is translated: the file, its class, and the skills of all files."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Wanted:
     found: dict[str, Skill] = field(default_factory=dict)
 
     def name(self, skill: Skill) -> str:
-        """How a skill is called, which is needed from now on."""
+        """Name a skill, which is needed from now on."""
         name = self.spell(skill)
         self.found[name] = skill
         return name
@@ -39,7 +39,7 @@ class Wanted:
 
 @dataclass(frozen=True)
 class Context:
-    """What is known where a tree is translated.
+    """The context in which a tree is translated.
 
     `path` is the file, `skills` all that are described, `helpers` the methods of the class, `place`
     says where a node is, `step` is the space by which the file indents. `late` gives the import

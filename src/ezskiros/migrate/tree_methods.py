@@ -27,7 +27,7 @@ def made_by(helper: cst.FunctionDef) -> cst.BaseExpression | None:
 
 
 def inlined(helper: cst.FunctionDef, call: cst.Call) -> cst.BaseExpression | None:
-    """What a method returns for the arguments of a call; None if they do not fit."""
+    """The expression that a method returns for the arguments of a call; None if they do not fit."""
     made, given = made_by(helper), _arguments(helper, call)
     if made is None or given is None:
         return None
@@ -37,7 +37,7 @@ def inlined(helper: cst.FunctionDef, call: cst.Call) -> cst.BaseExpression | Non
 
 
 def knows_robot(helper: cst.FunctionDef) -> bool:
-    """Whether a method uses what only a skill that runs has."""
+    """Say whether a method uses what only a skill that runs has."""
     own_names = m.findall(helper, m.Attribute(value=m.Name("self")))
     return bool(own_names)
 

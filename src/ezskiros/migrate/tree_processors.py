@@ -1,4 +1,4 @@
-"""Which processor each call of `skill(...)` in `expand` has, on all ways that lead there."""
+"""The processor of each call of `skill(...)` in `expand`, on all ways that lead there."""
 
 from __future__ import annotations
 
@@ -98,8 +98,8 @@ class _Own:
 
 @dataclass
 class _Flow:
-    """What is known at one place of a method: the processor, None where that depends on branches;
-    and whether there is a tree.
+    """The state at one place of a method: the processor, None where that depends on branches; and
+    whether there is a tree.
     """
 
     chosen: cst.BaseExpression | None
@@ -122,7 +122,7 @@ def _joined(ends: Sequence[_Flow], before: _Flow) -> _Flow:
 
 
 def _is_same(one: cst.BaseExpression | None, other: cst.BaseExpression | None) -> bool:
-    """Whether two processors are the same; one has two names."""
+    """Say whether two processors are the same; one has two names."""
     if one is None or other is None:
         return False
     names = [last_name(each.func) if isinstance(each, cst.Call) else None for each in (one, other)]
@@ -131,7 +131,7 @@ def _is_same(one: cst.BaseExpression | None, other: cst.BaseExpression | None) -
 
 
 def _leaves(statements: Sequence[cst.CSTNode]) -> bool:
-    """Whether what comes after some statements is never reached."""
+    """Say whether what comes after some statements is never reached."""
     match statements[-1] if statements else None:
         case cst.SimpleStatementLine(body=[*_, cst.Return() | cst.Raise()]):
             return True

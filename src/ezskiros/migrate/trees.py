@@ -38,7 +38,7 @@ class TreeUses(ParameterUses):
         self._done: set[int] = set()
         self._things: set[str] = set()
         self._where: Place | None = None
-        # What is remembered by its identity has to live on: Python gives that to something else.
+        # A node that is known by its identity has to live on: Python would give that to another.
         self._gone: dict[int, cst.CSTNode] = {}
         self._filled: list[cst.CSTNode] = []
         self._inlining: list[cst.FunctionDef] = []
@@ -191,7 +191,9 @@ class TreeUses(ParameterUses):
         return super().leave_Call(original, updated)
 
     def _inlined(self, call: cst.Call, helper: cst.FunctionDef) -> cst.BaseExpression:
-        """What a method returns for some arguments, instead of its call. Raises `LeftError`."""
+        """The expression that a method returns for some arguments, instead of its call. Raises
+        `LeftError`.
+        """
         filled = None if helper in self._inlining else inlined(helper, call)
         if filled is None or inner_comments(helper):
             raise LeftError(implementation_errors.NoTree(found=f"`{self._code(call)}`"), call)
@@ -213,7 +215,7 @@ class TreeUses(ParameterUses):
 
 
 def _is_group(call: cst.Call) -> bool:
-    """Whether it is `self.skill(Serial())(...)`."""
+    """Say whether a call is `self.skill(Serial())(...)`."""
     inner = call.func
     if not isinstance(inner, cst.Call) or method(inner) != "skill" or len(inner.args) != 1:
         return False

@@ -18,7 +18,7 @@ _NOT_ARITHMETIC = (cst.BitOr, cst.BitAnd, cst.BitXor, cst.LeftShift, cst.RightSh
 
 @dataclass
 class Known:
-    """What a module says of its own names: constants, set once, and enumerations."""
+    """The names that a module gives a value itself: constants, set once, and enumerations."""
 
     constants: Mapping[str, cst.BaseExpression] = field(default_factory=dict)
     enumerations: frozenset[str] = frozenset()
@@ -74,7 +74,7 @@ def _divides(value: cst.BinaryOperation) -> bool:
 
 
 def known_of(module: cst.Module) -> Known:
-    """What the top level of a module says of its names."""
+    """Collect the names that the top level of a module gives a value."""
     constants: dict[str, cst.BaseExpression | None] = {}
     enumerations = set()
     for statement in module.body:

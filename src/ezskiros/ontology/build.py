@@ -107,12 +107,12 @@ class Graph:
             head = self.first(head, RDF + "rest")
 
     def comment(self, iri: str) -> str:
-        """What the ontology says of it, in one line."""
+        """The comment of the ontology on it, in one line."""
         return " ".join((self.first(iri, RDFS + "comment") or "").split())
 
     @property
     def types(self) -> Mapping[str, Mapping[str, None]]:
-        """What is declared to be of each type."""
+        """The things that are declared to be of each type."""
         return self._typed
 
     @cached_property
@@ -130,7 +130,9 @@ class Graph:
         return frozenset(each for each in self.all(subject, predicate) if not each.startswith("_:"))
 
     def unions(self, subject: str, predicate: str) -> tuple[Union, ...]:
-        """What each statement about a domain or range allows, where it is a union of classes."""
+        """The classes that each statement about a domain or range allows, where it is a union of
+        classes.
+        """
         found = (self.union(each) for each in self.all(subject, predicate))
         return tuple(dict.fromkeys(each for each in found if each))
 
@@ -258,7 +260,7 @@ def _data_property(graph: Graph, iri: str) -> DataProperty:
 
 
 def _individuals(graph: Graph) -> Iterator[Individual]:
-    """What is of a type that is no part of OWL itself."""
+    """The things of a type that is no part of OWL itself."""
     found: dict[str, set[str]] = defaultdict(set)
     for kind, members in graph.types.items():
         for iri in members:

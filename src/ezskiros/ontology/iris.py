@@ -20,7 +20,7 @@ def split(iri: str) -> tuple[str, str]:
 
 
 def stem(namespace: str) -> str:
-    """How SkiROS2 calls a namespace: `http://.../RParts.owl#` is `rparts`."""
+    """The name of a namespace in SkiROS2: `http://.../RParts.owl#` is `rparts`."""
     last = namespace.rstrip("#/").rpartition("/")[2]
     bare, dot, _ = last.rpartition(".")
     return (bare if dot else last).lower()

@@ -15,7 +15,7 @@ import pyoxigraph
 LARGEST_FILE = 64 << 20
 """Bytes of one file."""
 DEEPEST = 200
-"""How deep elements, objects, lists and triple terms may lie in each other."""
+"""The depth to which elements, objects, lists and triple terms may lie in each other."""
 MOST_NAMESPACES = 200
 """Declarations of namespaces that are in force at one element."""
 MOST_TRIPLES = 1_000_000

@@ -1,4 +1,4 @@
-"""What an ontology says, as plain data: classes, relations, data properties, individuals.
+"""The statements of an ontology, as plain data: classes, relations, data properties, individuals.
 
 Everything is named by its IRI. A `Union` is "one of these classes (or data types)"; several unions
 hold together. Without any, nothing is said: not that nothing fits.
@@ -35,7 +35,7 @@ class OwlClass:
 
 @dataclass(frozen=True)
 class Property:
-    """What object properties and data properties have in common."""
+    """The part that object properties and data properties have in common."""
 
     iri: str
     parents: frozenset[str] = frozenset()
@@ -102,7 +102,7 @@ class Model:
         return found.parents if found else ()
 
     def only(self, owl_class: str, iri: str) -> tuple[Union, ...]:
-        """What a class and those above it say of the values of a property."""
+        """The statements of a class and those above it about the values of a property."""
         if iri not in self._with_only:
             return ()
         known = (self.classes[each] for each in sorted(self.above(owl_class) & self.classes.keys()))
@@ -122,7 +122,9 @@ class Model:
         return frozenset(iri for each in self.classes.values() for iri in each.only)
 
     def most(self, owl_class: str, iri: str) -> int | None:
-        """How many values of a property things of a class can have; None if nothing is said."""
+        """The number of values of a property that things of a class can have; None if nothing is
+        said.
+        """
         known = [self.classes[each] for each in self.above(owl_class) if each in self.classes]
         return min((each.most[iri] for each in known if iri in each.most), default=None)
 
@@ -134,11 +136,11 @@ class Model:
     )
 
     def is_a(self, iri: str, other: str) -> bool:
-        """Whether every thing of a class is one of the other."""
+        """Say whether every thing of a class is one of the other."""
         return other in self.above(iri)
 
     def are_disjoint(self, iri: str, other: str) -> bool:
-        """Whether nothing can be of both classes."""
+        """Say whether nothing can be of both classes."""
         if (iri, other) not in self._disjoint:
             here, there = self.above(iri), self.above(other)
             self._disjoint[iri, other] = (
@@ -150,7 +152,7 @@ class Model:
         return self._disjoint[iri, other]
 
     def exclude(self, one: Union, other: Union) -> bool:
-        """Whether nothing can be of one of some classes and of one of others.
+        """Say whether nothing can be of one of some classes and of one of others.
 
         Not because there is nothing at all of the ones, or of the others.
         """
@@ -168,7 +170,7 @@ class Model:
     )
 
     def is_empty(self, iri: str) -> bool:
-        """Whether nothing can be of a class: it is below disjoint ones, or below owl:Nothing."""
+        """Say whether a class is empty: it is below disjoint ones, or below owl:Nothing."""
         if iri not in self._empty:
             self._empty[iri] = NOTHING in self.above(iri) or self.conflict(iri) is not None
         return self._empty[iri]
@@ -185,7 +187,7 @@ class Model:
 
     @cached_property
     def has_disjoint_classes(self) -> bool:
-        """Whether there is anything that cannot be of two classes, or of one."""
+        """Say whether there is anything that cannot be of two classes, or of one."""
         known = self.classes.values()
         return any(each.disjoint or NOTHING in each.parents for each in known)
 
@@ -194,11 +196,13 @@ class Model:
         return any(not each.disjoint.isdisjoint(others) for each in known)
 
     def domain(self, iri: str) -> tuple[Union, ...]:
-        """What subjects of a property have to be: its own domain and those of what is above it."""
+        """The classes that subjects of a property have to be of: its own domain and those of what
+        is above it.
+        """
         return self._bounds(iri, is_domain=True)
 
     def range(self, iri: str) -> tuple[Union, ...]:
-        """What objects, or values, of a property have to be."""
+        """The classes that objects, or types that values, of a property have to be of."""
         return self._bounds(iri, is_domain=False)
 
     def _bounds(self, iri: str, *, is_domain: bool) -> tuple[Union, ...]:

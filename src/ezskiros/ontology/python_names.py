@@ -1,4 +1,4 @@
-"""How things of an ontology are called in Python."""
+"""The names of things of an ontology in Python."""
 
 from __future__ import annotations
 

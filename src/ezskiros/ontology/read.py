@@ -34,7 +34,7 @@ FORMATS = {
     ".json": pyoxigraph.RdfFormat.JSON_LD,
 }
 SEARCHED = (".owl", ".rdf", ".ttl", ".nt", ".jsonld")
-"""What is taken from folders: SkiROS2's scenes are `.turtle`, and are no part of the ontology."""
+"""The files taken from folders: SkiROS2's scenes are `.turtle`, and are no part of the ontology."""
 
 _PLACE = re.compile(
     r" ?at line \d+ (column \d+|between columns \d+ and (line \d+ column )?\d+)|^Parser error:?"
@@ -131,7 +131,7 @@ def _suffix(path: Path) -> str:
 def _syntax_error(
     file: SourceFile, content: bytes, kind: pyoxigraph.RdfFormat, problem: Exception
 ) -> Diagnostic:
-    """What the parser says, at its place; of XML it does not know the place."""
+    """Report what the parser says, at its place; of XML it does not know the place."""
     line, column = getattr(problem, "lineno", None), getattr(problem, "offset", None)
     said = _PLACE.sub("", str(getattr(problem, "msg", problem))).strip(" :")
     if kind is pyoxigraph.RdfFormat.RDF_XML:

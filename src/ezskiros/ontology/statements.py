@@ -1,4 +1,4 @@
-"""What can be said about things: the data behind the conditions of skills.
+"""Statements about things: the data behind the conditions of skills.
 
 Subjects and objects are the names of parameters; relations, properties and classes are IRIs.
 """
@@ -12,7 +12,7 @@ from dslkit.source import Span
 
 Value: TypeAlias = "str | int | float | bool"
 TURNED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<"}
-"""What holds of numbers when the other does not."""
+"""The comparison that holds of numbers when the other does not."""
 
 
 @dataclass(frozen=True)

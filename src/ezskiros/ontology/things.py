@@ -30,7 +30,7 @@ class Vocabulary(Protocol):
     """The ontology, as far as things need it."""
 
     def attribute(self, thing: Thing, name: str) -> Any:
-        """What an attribute of a symbol stands for."""
+        """The value that an attribute of a symbol stands for."""
         ...
 
 
@@ -118,7 +118,7 @@ def symbol(owl_class: ThingClass, name: str) -> Thing:
 
 
 class Unknown:
-    """What stands in for something that was wrong and has been reported: all goes on with it."""
+    """A stand-in for something that was wrong and has been reported: all goes on with it."""
 
     def __getattr__(self, name: str) -> Unknown:
         if name.startswith("__"):
@@ -194,8 +194,8 @@ _asked: ContextVar[Span | None] = ContextVar("asked", default=None)
 
 
 def is_asked_here() -> bool:
-    """Whether Python has asked a condition for its truth in the expression that the user's code is
-    at: then only one part of that came of it.
+    """Say whether Python has asked a condition for its truth in the expression that the user's code
+    is at: then only one part of that came of it.
     """
     asked = _asked.get()
     return asked is not None and session.here().contains(asked)
@@ -297,16 +297,16 @@ class ValueOf(Condition):
 
 
 SYMBOL_IN_TEXT = "\ufdd0"
-"""What texts have in them that were made of symbols: no character, and in no text of a user."""
+"""The mark in texts that were made of symbols: no character, and in no text of a user."""
 
 
 def depends_on_symbol(value: object) -> bool:
-    """Whether a value is a text that is not known before the skill runs."""
+    """Say whether a value is a text that is not known before the skill runs."""
     return isinstance(value, str) and SYMBOL_IN_TEXT in value
 
 
 def described(value: object) -> str:
-    """What something is, for a message."""
+    """Describe something, for a message."""
     if depends_on_symbol(value):
         return "a text that is not known before the skill runs"
     if isinstance(value, Thing):

@@ -34,7 +34,7 @@ _MOST_USES = 3
 
 
 class Ontology:
-    """What some files declare. Its attributes are the namespaces: `world.skiros.Product`.
+    """The declarations of some files. Its attributes are the namespaces: `world.skiros.Product`.
 
     If it is not whole, because a file could not be read, a name that is not there may be right: it
     is reported only if it looks like one that is there.
@@ -132,7 +132,7 @@ class Ontology:
         return thing_class(name, bases or (Thing,), texts, iri, self)
 
     def _texts(self, iri: str) -> dict[str, str | None]:
-        """What the Python class of a class says of itself."""
+        """The texts of the Python class of a class about itself."""
         name = ".".join(map(identifier, self.model.short(iri).split(":", 1)))
         known = self.model.classes.get(iri, OwlClass(iri))
         return {"__doc__": known.comment or None, "__qualname__": name, "__module__": "ontology"}
@@ -150,7 +150,7 @@ class Ontology:
         return frozenset(name for name, iris in self.properties.items() if len(iris) > 1)
 
     def attribute(self, thing: Thing, name: str) -> Any:
-        """What `thing.name` says: a relation, or a data property."""
+        """The meaning of `thing.name`: a relation, or a data property."""
         candidates = self.properties.get(name, [])
         if len(candidates) > 1:
             candidates = self._fitting(type(thing), candidates) or candidates
@@ -293,7 +293,7 @@ class PropertyOf:
         return self._iri
 
     def __call__(self, subject: object, *objects: object) -> Any:
-        """What it says of a thing."""
+        """Say it of a thing."""
         if isinstance(subject, Unknown):
             return UNKNOWN
         if not isinstance(subject, Thing):

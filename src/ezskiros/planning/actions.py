@@ -123,7 +123,7 @@ def _apart(things: Sequence[Parameter], model: Model) -> Iterator[tuple[str, str
 
 
 def _clause(statement: Statement) -> Clause | None:
-    """What a condition needs; None if that is always so."""
+    """The need of a condition; None if that is always so."""
     if isinstance(statement, AnyOf):
         if not statement.is_true:
             raise _NotPlannableError("it needs that none of several conditions holds")
@@ -197,7 +197,7 @@ def _with_consequences(action: Action, all_of: Sequence[Action], model: Model) -
 
 
 def _before(asserted: Literal, known: set[Fluent], model: Model) -> Iterator[Literal]:
-    """What a new value of a functional relation pushes out."""
+    """The values that a new value of a functional relation pushes out."""
     if asserted.fluent.about is not About.RELATION or not asserted.is_true:
         return
     subject, other = asserted.arguments

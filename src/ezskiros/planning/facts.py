@@ -1,4 +1,4 @@
-"""What a planner can say of a world: facts that are true or false of things.
+"""Facts that a planner can state about a world: they are true or false of things.
 
 A fact about relations and properties of the ontology is asked of a world model, and changed there.
 """
@@ -26,7 +26,7 @@ _COMPARED: dict[str, Callable[[Value, Value], bool]] = {
 
 
 class About(enum.Enum):
-    """What a fact is about."""
+    """The subject of a fact."""
 
     RELATION = "relation"
     COMPARISON = "comparison"
@@ -37,7 +37,7 @@ class About(enum.Enum):
 
 @dataclass(frozen=True)
 class Fluent:
-    """What can be true of things: of two for a relation, else of one."""
+    """A fact that can be true of things: of two for a relation, else of one."""
 
     about: About
     iri: str = ""
@@ -45,7 +45,7 @@ class Fluent:
     value: Value = ""
 
     def compares(self, value: Value) -> bool:
-        """Whether a value of its property compares as it says."""
+        """Say whether a value of its property compares as it says."""
         try:
             return _COMPARED[self.operator](value, self.value)
         except TypeError:  # values that have no order
@@ -74,7 +74,7 @@ Clause = tuple[Literal, ...]
 
 
 def is_so(literal: Literal, world: World) -> bool:
-    """Whether it is so in a world."""
+    """Say whether a fact is so in a world."""
     fluent, subject = literal.fluent, literal.arguments[0]
     match fluent.about:
         case About.RELATION:

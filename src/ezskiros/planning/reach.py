@@ -18,7 +18,7 @@ from ezskiros.planning.facts import EVERYTHING, About, Clause, Literal, is_so
 
 @dataclass(frozen=True)
 class Missing:
-    """What is missing for a goal: a fact, which no skill makes so."""
+    """The lack of a goal: a fact, which no skill makes so."""
 
     literal: Literal
     chain: tuple[tuple[str, Literal], ...] = ()
@@ -35,14 +35,14 @@ class TimeOverError(Exception):
 
 @dataclass
 class Reach:
-    """What is possible in a world, with some actions; until a time of `time.monotonic`."""
+    """The possible facts of a world, with some actions; until a time of `time.monotonic`."""
 
     world: World
     things: Sequence[str]
     actions: Sequence[Action]
     until: float
     _new: dict[Literal, None] = field(default_factory=dict)
-    """What was not so at the start and has become possible."""
+    """The facts that were not so at the start and have become possible."""
     _initially: dict[Literal, bool] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -55,11 +55,11 @@ class Reach:
                         self._new.update(dict.fromkeys(self._grounded(effect.bound(bound))))
 
     def is_possible(self, literal: Literal) -> bool:
-        """Whether it is so at some time."""
+        """Say whether a fact is so at some time."""
         return literal in self._new or self._is_initially(literal)
 
     def missing(self, goal: Literal, seen: frozenset[Literal] = frozenset()) -> Missing:
-        """What is missing for something that is not possible."""
+        """Find what is missing for something that is not possible."""
         best: Missing | None = None
         circular: list[str] = []
         for action in self.actions:
@@ -79,7 +79,7 @@ class Reach:
     def _below(
         self, action: Action, lacking: Literal | str, goal: Literal, seen: frozenset[Literal]
     ) -> Missing:
-        """What is missing for what an action lacks: a fact, or something of a class."""
+        """Find what is missing for what an action lacks: a fact, or something of a class."""
         if isinstance(lacking, str):
             return Missing(goal, ((action.skill.name, goal),), lacking)
         found = self.missing(lacking, seen)
@@ -140,7 +140,7 @@ class Reach:
             del bound[name]
 
     def _left(self, needs: Sequence[Clause], bound: dict[str, str], spare: int) -> int | None:
-        """How many more needs may be impossible; None if these are too many already."""
+        """The number of needs that may still be impossible; None if too many are."""
         for clause in needs:
             if not any(self.is_possible(each.bound(bound)) for each in clause):
                 spare -= 1
@@ -178,7 +178,7 @@ def _names(clause: Clause) -> set[str]:
 
 
 def _matched(effect: Literal, goal: Literal) -> dict[str, str] | None:
-    """What parameters stand for if an effect is the goal; None if it never is."""
+    """The things that parameters stand for if an effect is the goal; None if it never is."""
     if effect.fluent != goal.fluent or effect.is_true != goal.is_true:
         return None
     found: dict[str, str] = {}

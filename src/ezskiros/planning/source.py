@@ -110,7 +110,7 @@ class _Source:
         return found
 
     def _open_values(self) -> Iterator[tuple[Step, Parameter]]:
-        """What the skills of the steps have to be given, other than things."""
+        """The parameters, other than things, that the skills of the steps have to be given."""
         for step in self._plan.steps:
             for each in step.action.skill.parameters:
                 if not each.is_thing and each.default is None and not each.is_output:
@@ -236,7 +236,7 @@ def _module_with(name: str, modules: Iterable[str]) -> str | None:
 
 
 def initial_needs(plan: Plan) -> Iterator[Literal]:
-    """What the steps need that no step before them gives or takes."""
+    """The needs of the steps that no step before them gives or takes."""
     world = plan.scene.world()
     changed: list[Literal] = []
     for step in plan.steps:
@@ -252,7 +252,7 @@ def initial_needs(plan: Plan) -> Iterator[Literal]:
 
 
 def _is_given(literal: Literal, changed: Iterable[Literal]) -> bool:
-    """Whether a step has made it so, or not so any more."""
+    """Say whether a step has made it so, or not so any more."""
     return any(
         each.fluent == literal.fluent
         and all(

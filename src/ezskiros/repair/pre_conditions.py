@@ -94,7 +94,7 @@ def _with_lines(
 
 
 def _as_block(body: cst.BaseSuite) -> cst.IndentedBlock:
-    """What stands behind the colon, below it."""
+    """Put what stands behind the colon below it."""
     assert isinstance(body, cst.SimpleStatementSuite)
     return cst.IndentedBlock([cst.SimpleStatementLine(list(body.body))])
 
@@ -127,7 +127,7 @@ def _is_text(line: cst.BaseStatement) -> bool:
 
 
 def _has_names(module: cst.Module, lines: Sequence[cst.CSTNode]) -> bool:
-    """Whether a module imports the functions, and has the namespaces, of conditions."""
+    """Say whether a module imports the functions, and has the namespaces, of conditions."""
     needed: set[str] = set()
     for line in lines:
         for call in m.findall(line, m.Call(func=m.Name())):

@@ -1,4 +1,4 @@
-"""Which place of the user's code an exception is blamed on, and what it says."""
+"""The place in the user's code that an exception is blamed on, and the text of the exception."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ezskiros.ontology.things import SYMBOL_IN_TEXT
 
 
 def said(problem: BaseException) -> str:
-    """What an exception says, in one line."""
+    """The text of an exception, in one line."""
     if isinstance(problem, RecursionError):
         return "it calls itself without end"
     if isinstance(problem, KeyError) and problem.args:

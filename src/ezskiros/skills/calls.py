@@ -1,4 +1,4 @@
-"""What the name of a skill stands for in a behavior tree.
+"""The name of a skill in a behavior tree, and its attributes.
 
 `Pick(Object=...)` is a child that any implementation of Pick will do for, `Pick.pick_fast(...)` one
 that this implementation has to do. `Pick.SkillBase` is what implementations are derived from.
@@ -23,7 +23,7 @@ class SkillClass(type):
     """The type of all descriptions."""
 
     SkillBase: type[Any]
-    """What the implementations of the skill are derived from."""
+    """The class that the implementations of the skill are derived from."""
 
     def __call__(cls, *positional: object, **arguments: object) -> Any:
         """A child of a behavior tree."""

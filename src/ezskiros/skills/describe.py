@@ -39,7 +39,7 @@ class Described:
 
 
 def describe(skill: SkillClass) -> Described | None:
-    """What a skill says of itself; None if it says nothing, after a finding."""
+    """Describe a skill as it does itself; None if it says nothing, after a finding."""
     method = inspect.getattr_static(skill, "description", None)
     if not isinstance(method, FunctionType):
         session.report(_no_description(skill))
@@ -92,7 +92,7 @@ def _no_description(skill: SkillClass) -> Diagnostic:
 
 
 def _has_self(method: FunctionType) -> bool:
-    """Whether there is a place for the skill itself: one that has no type."""
+    """Say whether there is a place for the skill itself: one that has no type."""
     first = next(iter(signature_of(method).parameters.values()), None)
     return first is not None and (first.name == "self" or first.annotation is first.empty)
 

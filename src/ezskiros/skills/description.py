@@ -33,7 +33,7 @@ class Conditions:
         self._kind = kind
         self._clauses: list[Clause] = []
         self.are_whole = True
-        """Whether all that was added are conditions: after a mistake some may be missing."""
+        """True if all that was added are conditions: after a mistake some may be missing."""
 
     def __iadd__(self, condition: Condition | Unknown) -> Conditions:
         # Type checkers refuse all else; who has none is told here.
@@ -50,7 +50,7 @@ class Conditions:
         return self
 
     def replaced_by(self, value: object) -> None:
-        """What `=` says where `+=` is meant; that it is wrong has been reported."""
+        """Take what `=` says where `+=` is meant; that it is wrong has been reported."""
         self.are_whole = False
         if isinstance(value, Condition):
             self._clauses.append(Clause(value.statement, value.span))
@@ -68,12 +68,12 @@ class Conditions:
 
 
 def _is_told(condition: object, span: Span) -> bool:
-    """Whether it is what came of `not condition`, which has been reported."""
+    """Say whether something came of `not condition`, which has been reported."""
     return isinstance(condition, bool) and session.has_reported(span)
 
 
 class SkillDescription(metaclass=SkillClass):
-    """What a skill needs and what it does.
+    """A skill: its needs and its effects.
 
         class Drive(SkillDescription):
             def description(self, Robot: cora.Robot, Target: skiros.Location):
@@ -117,7 +117,7 @@ class SkillDescription(metaclass=SkillClass):
 
 
 CONDITIONS = ("pre_conditions", "hold_conditions", "post_conditions")
-"""What `self` has in a description."""
+"""The attributes that `self` has in a description."""
 
 
 def specified(parameter: object) -> Condition | Unknown:

@@ -24,7 +24,7 @@ _DEFAULT = "utf-8"
 
 @dataclass(frozen=True)
 class _Fault:
-    """What is wrong, and at which byte."""
+    """A fault, and the byte where it is."""
 
     said: str
     place: int

@@ -54,7 +54,7 @@ def growing() -> Iterator[Growing]:
 
 
 def is_growing() -> bool:
-    """Whether a tree is being written."""
+    """Say whether a tree is being written."""
     return _growing.get() is not None
 
 
@@ -81,7 +81,7 @@ def drop(those: Iterable[object]) -> None:
 
 
 class Nowhere(Unknown):
-    """What stands in for a processor that is not there: it takes its children."""
+    """A stand-in for a processor that is not there: it takes its children."""
 
     def __call__(self, *those: object, **_named: object) -> Unknown:
         """Goes on."""

@@ -46,7 +46,9 @@ _DEEDS = {
 _FOR_MODULES = frozenset(
     ("os.listdir", "os.scandir", "os.walk", "os.putenv", "os.unsetenv", "socket.gethostname")
 )
-"""What changes nothing outside of the check: modules may do it when they are imported."""
+"""The events that change nothing outside of the check: modules may raise them when they are
+imported.
+"""
 _CHANGING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 _IMPORTING = "<frozen importlib"
 _INTERCEPTING = str(Path(__file__).with_name("intercept.py"))
@@ -82,18 +84,20 @@ class Refusal:
 
 @dataclass
 class Guard:
-    """What one run of code under check was refused."""
+    """The calls that one run of code under check was refused."""
 
     is_import: bool
-    """Whether modules are imported, which may read files."""
+    """True while modules are imported, which may read files."""
     stopped: list[Refusal] = field(default_factory=list)
-    """What the code under check may have been ended by."""
+    """The refusals that may have ended the code under check."""
     replaced: dict[Refusal, None] = field(default_factory=dict)
-    """What it went on without."""
+    """The refusals that it went on without."""
     files: dict[str, None] = field(default_factory=dict)
     """Where the user's code is that led to what was refused."""
     half_done: list[object] = field(default_factory=list)
-    """What one of the refused calls was a method of: nobody knows in what state it would be."""
+    """The objects that one of the refused calls was a method of: nobody knows in what state they
+    would be.
+    """
 
     def go_on(self, count: int) -> None:
         """The code under check goes on without what it was refused after the first `count`."""
@@ -121,7 +125,7 @@ def _hook(event: str, arguments: tuple[Any, ...]) -> None:
 
 
 def _reads(event: str, arguments: tuple[Any, ...]) -> bool:
-    """Whether a file is opened that can be read without changing anything; devices cannot."""
+    """Say whether a file is opened that can be read without changing anything; devices cannot."""
     if event != "open" or arguments[2] & _CHANGING:
         return False
     return isinstance(arguments[0], int) or _is_plain(arguments[0])
@@ -180,7 +184,7 @@ _start = threading.Thread.start
 
 
 def _guarded_start(thread: threading.Thread) -> None:
-    """What a thread does is done when nobody looks any more."""
+    """Start a thread, unless nobody would look any more at what it does."""
     _stop("starts a thread", sys._getframe().f_back)  # noqa: SLF001
     _start(thread)
 

@@ -20,7 +20,7 @@ from ezskiros.skills.values import SymbolicValue, has_decided, plain
 
 
 class State(enum.Enum):
-    """How far a skill is; the numbers are those of SkiROS2."""
+    """The state of a skill; the numbers are those of SkiROS2."""
 
     SUCCESS = 1
     FAILURE = 2
@@ -41,7 +41,7 @@ class ImplementationClass(type):
 
 
 class SkillImplementation(metaclass=ImplementationClass):
-    """How a skill does what its description says.
+    """An implementation: the way in which a skill does what its description says.
 
         class pick(Pick.SkillBase):
             def expandBT(self, params):
@@ -58,8 +58,9 @@ class SkillImplementation(metaclass=ImplementationClass):
     description: ClassVar[SkillClass]
     """The skill that is implemented."""
     available_for_planning: ClassVar[bool] = True
-    """Whether a task planner may use it: `available_for_planning = False` is for skills that are
-    only named by trees and by people."""
+    """True if a task planner may use it: `available_for_planning = False` is for skills that are
+    only named by trees and by people.
+    """
     params: Any
     """The values of its parameters, while it runs: `self.params.Speed`. Those that it finds out are
     set: `self.params.Force = 3.5`."""
@@ -72,7 +73,7 @@ class SkillImplementation(metaclass=ImplementationClass):
     """The method `conditions(self, Door)`, if there is one, adds pre-conditions that only this
     implementation has: `self.pre_conditions += Door.Open == False`."""
     progress: tuple[int, str] = (0, "")
-    """How far it is, in its own numbers, and what it says of that."""
+    """The progress, in its own numbers, and a text about it."""
 
     if not TYPE_CHECKING:  # for type checkers only what is written is there
 
@@ -104,15 +105,15 @@ class SkillImplementation(metaclass=ImplementationClass):
         return True
 
     def success(self, text: str = "") -> State:
-        """What `execute` returns when it is done."""
+        """Say that it is done: for `execute` to return."""
         return self._told(State.SUCCESS, self.progress[0] + 1, text)
 
     def step(self, text: str = "") -> State:
-        """What `execute` returns while it is at it: it is called again at the next tick."""
+        """Say that it goes on: for `execute` to return, which is called again at the next tick."""
         return self._told(State.RUNNING, self.progress[0] + 1, text)
 
     def fail(self, text: str, code: int = -405) -> State:
-        """What `execute` returns when it has failed; `code` is made negative."""
+        """Say that it has failed: for `execute` to return; `code` is made negative."""
         return self._told(State.FAILURE, -abs(code), text)
 
     def _told(self, state: State, code: int, text: str) -> State:
@@ -184,7 +185,7 @@ _ELSEWHERE = {
 
 
 def _help_for(name: str) -> Remark:
-    """What to write instead of something that `self` does not have in `expandBT`."""
+    """Tell what to write instead of something that `self` does not have in `expandBT`."""
     if name == "params":
         return errors.UnknownProcessor.Params()
     if name == "skill":
@@ -228,18 +229,18 @@ _LIMITS: Mapping[Decoration, tuple[type, ...]] = {
     Decoration.RETRY: (int,),
     Decoration.TIMEOUT: (int, float),
 }
-"""What counts the tries of a retry, and the seconds of a timeout."""
+"""The types of the tries of a retry, and of the seconds of a timeout."""
 
 
 def _can_limit(limit: object, kinds: tuple[type, ...]) -> bool:
-    """Whether it is a number above 0 that ends, or can be one when the skill runs."""
+    """Say whether a limit is a number above 0 that ends, or can be one when the skill runs."""
     if isinstance(limit, SymbolicValue):
         return limit.__may_be__(kinds)
     return type(limit) in kinds and 0 < limit < math.inf  # type: ignore[operator]
 
 
 def _is_node(child: object) -> bool:
-    """Whether it can be part of a tree; if not that is told."""
+    """Say whether something can be part of a tree; if not, report it."""
     if isinstance(child, Node):
         return True
     if not isinstance(child, Unknown):
@@ -251,7 +252,7 @@ def _is_node(child: object) -> bool:
 
 
 def _help_for_child(child: object) -> Remark | None:
-    """What to write instead of something that is no child, where that is plain."""
+    """Tell what to write instead of something that is no child, where that is plain."""
     if isinstance(child, str) and child.isidentifier():
         return errors.NoNode.Quoted(skill=child)
     if isinstance(child, SkillClass):

@@ -1,5 +1,5 @@
-"""How modules of users are imported while they are checked: from their own folders, with stand-ins
-for what is not installed.
+"""The import of users' modules while they are checked: from their own folders, with stand-ins for
+what is not installed.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from ezskiros.skills.stand_ins import is_installed, standing_in
 
 
 def module_name(file: Path) -> tuple[str, Path]:
-    """How Python calls the module of a file, and the folder that it is found from."""
+    """The name that Python gives the module of a file, and the folder that it is found from."""
     parts = [] if file.stem == "__init__" else [file.stem]
     folder = file.parent
     while (folder / "__init__.py").is_file():

@@ -27,13 +27,13 @@ from ezskiros.skills.values import Symbol, SymbolicValue
 
 _CALLED, _GOT, _TAKEN = "__ezskiros_called__", "__ezskiros_got__", "__ezskiros_taken__"
 _AS_WRITTEN = frozenset(("super", "locals", "globals", "vars", "dir", "eval", "exec"))
-"""What looks at the frame that calls it."""
+"""The functions that look at the frame that calls them."""
 _OF_SYMBOLS = frozenset((__file__, values.__file__))
 _intercepted: set[str] = set()
 
 
 def called(function: Callable[..., object], /, *arguments: object, **named: object) -> object:
-    """What a call gives; a mock if it would have done something, or cannot do with a symbol."""
+    """Call a function; give a mock if it would have done something, or cannot do with a symbol."""
     current = guard.current()
     if current is None:
         return function(*arguments, **named)
@@ -65,7 +65,7 @@ def _is_wrong(
     named: Mapping[str, object],
     problem: BaseException,
 ) -> bool:
-    """Whether a call that failed would fail with any value in the place of a symbol: the user's
+    """Say whether a call that failed would fail with any value in the place of a symbol: the user's
     code raised, or ours, which can do with symbols, or the arguments are not those of the function.
     """
     if user_place(problem) is not None or _is_ours(function) or _comes_from_ours(problem):
@@ -121,7 +121,7 @@ def _is_ours(function: object) -> bool:
 
 
 def _comes_from_ours(problem: BaseException) -> bool:
-    """Whether it went through our code; symbols themselves raise where they cannot be a value."""
+    """Say whether an exception went through our code, other than that of symbols."""
     frames = (frame.f_code.co_filename for frame, _ in walk_tb(problem.__traceback__))
     return any(path.startswith(session.OURS) and path not in _OF_SYMBOLS for path in frames)
 
@@ -132,7 +132,7 @@ def got(owner: object, name: str) -> object:
 
 
 def taken(owner: object, key: object) -> object:
-    """What is under a key, which may be a symbol."""
+    """Give what is under a key, which may be a symbol."""
     return called(operator.getitem, owner, key)
 
 

@@ -37,17 +37,17 @@ class Parameter:
 
     @property
     def key(self) -> str:
-        """What SkiROS2 calls it."""
+        """The name of the parameter in SkiROS2."""
         return self.name if self.other_key is None else self.other_key
 
     @property
     def is_output(self) -> bool:
-        """Whether the skill gives it its value."""
+        """Say whether the skill gives it its value."""
         return Option.OUTPUT in self.options
 
     @property
     def is_thing(self) -> bool:
-        """Whether it stands for something in the world."""
+        """Say whether the parameter stands for something in the world."""
         return isinstance(self.type, ThingClass)
 
     @property
@@ -56,8 +56,8 @@ class Parameter:
         return self.type.iri if isinstance(self.type, ThingClass) else None
 
     def takes(self, value: object) -> bool:
-        """Whether it can have a basic value, or one of an enumeration. A whole number is a float as
-        well; in SkiROS2 it is none.
+        """Say whether it can have a basic value, or one of an enumeration. A whole number is a
+        float as well; in SkiROS2 it is none.
         """
         if self.type is float and type(value) is int:
             return True

@@ -50,7 +50,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Loaded:
-    """What some modules define, in the order in which it is written."""
+    """The definitions of some modules, in the order in which they are written."""
 
     descriptions: Sequence[SkillClass]
     implementations: Sequence[type[SkillImplementation]]
@@ -123,7 +123,7 @@ def _is_name_of_module(path: Path) -> bool:
 
 
 def roots(files: Iterable[Path]) -> Iterator[str]:
-    """How the paths of all files begin that are of the same packages as some files."""
+    """The beginnings of the paths of all files that are of the same packages as some files."""
     for file in map(Path.resolve, files):
         name, folder = module_name(file)
         package = folder / name.partition(".")[0]
@@ -251,7 +251,7 @@ def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> D
 
 
 def _was_refused(problem: BaseException | None) -> bool:
-    """Whether the system refused something, on which a library may say something else."""
+    """Say whether the system refused something, on which a library may say something else."""
     while problem is not None:
         if isinstance(problem, PermissionError) and problem.errno == errno.EPERM:
             return True
@@ -260,7 +260,7 @@ def _was_refused(problem: BaseException | None) -> bool:
 
 
 def _star_help(source: SourceFile) -> Remark | None:
-    """What to do about `from rospy import *`: nobody knows which names a stand-in would have."""
+    """Tell what to do about `from rospy import *`: nobody knows the names of its stand-in."""
     stars = re.findall(r"(?m)^\s*from\s+([\w.]+)\s+import\s+\*", source.text)
     missing = [each for each in stars if not is_installed(each.partition(".")[0])]
     if not missing:

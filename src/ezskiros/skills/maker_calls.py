@@ -51,7 +51,7 @@ def _report(name: str, known: Signature, count: int, named: Iterable[str]) -> No
 
 
 def _written(name: str, parameters: Iterable[Parameter]) -> str:
-    """How the method is called: `self.timeout(child, seconds)`."""
+    """Write a call of the method: `self.timeout(child, seconds)`."""
     is_many = Parameter.VAR_POSITIONAL
     names = ("child, ..." if each.kind is is_many else each.name for each in parameters)
     return f"self.{name}({', '.join(names)})"

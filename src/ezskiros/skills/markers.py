@@ -1,4 +1,4 @@
-"""What stands around the type of a parameter: `Robot: INFERRED[cora.Robot]`."""
+"""The marks around the type of a parameter: `Robot: INFERRED[cora.Robot]`."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Kind(enum.Enum):
 
 
 class Option(enum.Enum):
-    """What a skill does with what a parameter stands for."""
+    """The options of a parameter: they tell what a skill does with the thing that it stands for."""
 
     CONSUME = "Consume"
     OUTPUT = "Output"
@@ -29,8 +29,8 @@ class Option(enum.Enum):
 
 @dataclass(frozen=True)
 class Key:
-    """What SkiROS2 calls a parameter, where that is no name of Python:
-    `StartPose: Annotated[skiros.TransformationPose, Key("Start Pose")]`.
+    """The name of a parameter in SkiROS2, where that is no name of Python: `StartPose:
+    Annotated[skiros.TransformationPose, Key("Start Pose")]`.
     """
 
     text: str
@@ -53,7 +53,7 @@ RESPECT_TYPE = Annotated[T, Option.RESPECT_TYPE]
 
 
 class NoType:
-    """What stands in the place of a type: `OPTIONAL[[1.0, 2.0]]`, or a text."""
+    """A mistake in the place of a type: `OPTIONAL[[1.0, 2.0]]`, or a text."""
 
     def __init__(self, found: object) -> None:
         self.found = found
@@ -84,7 +84,7 @@ class Marker:
 
     @property
     def meant(self) -> str:
-        """How it is written."""
+        """The notation of the type that is meant."""
         return f"{self._mark.name}[{self._found or '...'}]"
 
 

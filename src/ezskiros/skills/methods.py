@@ -26,7 +26,7 @@ class Written:
         return _returns(self.node.body)
 
     def returned(self) -> Iterator[ast.expr | None]:
-        """What it returns; both sides of `one if condition else other`."""
+        """The expressions that it returns; both sides of `one if condition else other`."""
         for each in self.returns():
             yield from _alternatives(each.value)
 
@@ -37,7 +37,7 @@ class Written:
                 yield node_span(self.file, node)
 
     def ends_with_return(self) -> bool:
-        """Whether its end is never reached without one, or without an exception."""
+        """Say whether its end is never reached without one, or without an exception."""
         return _ends(self.node.body)
 
 
@@ -77,7 +77,7 @@ def _functions(file: SourceFile) -> dict[int, ast.FunctionDef]:
 
 @cache
 def told_states(implementation: type) -> frozenset[str] | None:
-    """Which of `success`, `step` and `fail` an `execute` returns; None if it cannot be seen."""
+    """Tell which of `success`, `step` and `fail` an `execute` returns; None if unseen."""
     method = own_method(implementation, "execute")
     found = written(method) if method else None
     if found is None:
@@ -122,12 +122,12 @@ def _blocks(statement: ast.stmt) -> Iterator[list[ast.stmt]]:
 
 
 def _ends(body: Sequence[ast.stmt]) -> bool:
-    """Whether the end of these statements is never reached."""
+    """Say whether the end of these statements is never reached."""
     return any(_leaves(statement) for statement in body)
 
 
 def _leaves(statement: ast.stmt) -> bool:
-    """Whether what comes after a statement is never reached."""
+    """Say whether what comes after a statement is never reached."""
     match statement:
         case ast.Return() | ast.Raise():
             return True

@@ -20,7 +20,7 @@ from ezskiros.skills.values import Symbol
 
 
 class Mock(Symbol):
-    """What a call gives that was not made.
+    """The result of a call that was not made.
 
     `source` is the call, for messages; `kind` the class of what it gives, if that is known;
     `function` what would be called if the mock is.
@@ -34,7 +34,7 @@ class Mock(Symbol):
         return f"what `{self._source}` gives"
 
     def __derived__(self) -> Mock:
-        """What depends on it."""
+        """The mock of what depends on it."""
         return Mock(self._source)
 
     def __repr__(self) -> str:
@@ -62,7 +62,7 @@ class MockInstance(Mock):
         self._shown = Mock if issubclass(kind, BASIC) else kind
 
     __class__ = property(lambda self: self._shown)
-    """What `isinstance` is told."""
+    """The class that `isinstance` is told."""
 
     def __getattr__(self, name: str) -> object:
         if self._names is not None and name not in self._names:
@@ -71,7 +71,7 @@ class MockInstance(Mock):
 
 
 def mock_of(function: object, source: str) -> object:
-    """What goes on in place of what a function gives, or a class."""
+    """Give what goes on in place of what a function gives, or a class."""
     if isinstance(function, type):
         return MockInstance(source, function)
     kind = _returned(function)
@@ -105,7 +105,7 @@ def members(kind: type) -> frozenset[str] | None:
 
 
 def _is_of_python(kind: type) -> bool:
-    """Whether a class is written in Python, so that what its methods assign can be seen."""
+    """Say whether a class is written in Python, so that what its methods assign can be seen."""
     return bool(kind.__flags__ & _HEAP_TYPE) and "__module__" in vars(kind)
 
 

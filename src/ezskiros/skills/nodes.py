@@ -15,7 +15,9 @@ from ezskiros.skills.values import Symbol
 
 
 class Flow(enum.Enum):
-    """How a node ticks its children: the processors of SkiROS2, by their names there."""
+    """The order in which a node ticks its children: the processors of SkiROS2, by their names
+    there.
+    """
 
     SERIAL = "Serial"
     SERIAL_STAR = "SerialStar"
@@ -27,7 +29,7 @@ class Flow(enum.Enum):
 
 
 class Decoration(enum.Enum):
-    """What stands over a single child."""
+    """The kind of node that stands over a single child."""
 
     INVERTER = "Inverter"
     RETRY = "Retry"

@@ -28,7 +28,7 @@ _PACKED: dict[object, str] = {
 
 @lru_cache(maxsize=4096)
 def signature_of(function: FunctionType) -> inspect.Signature:
-    """What `inspect.signature` says, which takes its time."""
+    """Do as `inspect.signature` does, which takes its time."""
     return inspect.signature(function)
 
 
@@ -76,7 +76,7 @@ class _Reader:
         return self.written.annotations.get(self.name) or self.name_span
 
     def read(self) -> Parameter | None:
-        """What is meant; None if that is not clear, after a finding."""
+        """Read the parameter that is meant; None if that is not clear, after a finding."""
         packed = _PACKED.get(self.given.kind)
         if packed:
             spelling = packed + self.name
@@ -96,7 +96,7 @@ class _Reader:
         return parameter and self._with_key(parameter, [each for each in marks if _is_key(each)])
 
     def _unwrapped(self, annotation: Any) -> tuple[Any, list[Any]]:
-        """What is annotated, and the marks around it, from the innermost on."""
+        """Give the type that is annotated, and the marks around it, from the innermost on."""
         if isinstance(annotation, NoType) and isinstance(annotation.found, str):
             annotation = annotation.found
         if isinstance(annotation, str):
@@ -186,7 +186,7 @@ class _Reader:
         return Parameter(self.name, kind, kind_of, span, default, options, doc)
 
     def _evaluated(self, annotation: str) -> Any:
-        """What a text stands for: with `from __future__ import annotations` all types are texts."""
+        """Evaluate a text: with `from __future__ import annotations` all types are texts."""
         module = sys.modules.get(self.function.__module__)
         names = {**vars(module)} if module else {}
         names |= self.function.__globals__
@@ -204,7 +204,7 @@ class _Reader:
 
 
 def _is_key(mark: object) -> bool:
-    """Whether a mark is a key, or the class of keys, which stands there alone by mistake."""
+    """Say whether a mark is a key, or the class of keys, which stands there alone by mistake."""
     return isinstance(mark, Key) or mark is Key
 
 

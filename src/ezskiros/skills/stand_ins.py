@@ -71,7 +71,7 @@ class _Anything(Symbol, metaclass=StandInClass):
     """An instance of a class that is not there."""
 
     def __derived__(self) -> Mock:
-        """What depends on it."""
+        """The mock of what depends on it."""
         return Mock(type(self).__name__)
 
     def described(self) -> str:
@@ -151,7 +151,7 @@ class _ClientFinder(_Finder):
 
 
 def is_installed(module: str) -> bool:
-    """Whether there is a top-level module of this name."""
+    """Say whether there is a top-level module of this name."""
     return importlib.machinery.PathFinder.find_spec(module) is not None
 
 

@@ -78,7 +78,7 @@ def classes_of(file: SourceFile) -> list[tuple[str, Span]]:
 
 @dataclass
 class _Written:
-    """What a file defines; the rest of its syntax tree, which is large, is not kept."""
+    """The definitions of a file; the rest of its syntax tree, which is large, is not kept."""
 
     classes: dict[str, Span] = field(default_factory=dict)
     """Where they are defined first."""
@@ -228,7 +228,7 @@ def compared_value(span: Span) -> Span | None:
 
 
 def added_value(span: Span) -> Span:
-    """What `+=` adds; all of the span if it is no such statement."""
+    """The place of what `+=` adds; all of the span if it is no such statement."""
     try:
         body = ast.parse(span.text).body
     except (SyntaxError, ValueError):
@@ -281,7 +281,7 @@ def _fill(found: Definition, file: SourceFile, written: ast.arguments) -> None:
 
 
 def docs_of(text: str) -> dict[str, str]:
-    """What a docstring says of parameters under `Args:`, a name and a colon each."""
+    """The texts of a docstring about parameters under `Args:`, a name and a colon each."""
     _, _, section = re.split(
         r"(?m)^(Args|Arguments|Parameters):\s*$", text + "\nArgs:\n", maxsplit=1
     )

@@ -56,7 +56,7 @@ class Decisions:
         return [*found[:-1], False] if found else None
 
     def last_planned(self) -> tuple[Span, Described]:
-        """What the last answer that was planned was given to, and where."""
+        """The symbol that the last answer that was planned was given to, and the place."""
         return self.asked[len(self.planned) - 1]
 
 
@@ -74,7 +74,7 @@ def deciding(decisions: Decisions) -> Iterator[None]:
 
 
 def decided(symbol: Described) -> bool:
-    """What becomes of something that is not known before the skill runs, where it is asked for its
+    """Decide about something that is not known before the skill runs, where it is asked for its
     truth.
     """
     decisions = _decisions.get()
@@ -82,7 +82,7 @@ def decided(symbol: Described) -> bool:
 
 
 def has_decided() -> bool:
-    """Whether the way on which the running method is depends on something that is not known."""
+    """Say whether the way on which the running method is depends on something that is not known."""
     decisions = _decisions.get()
     return decisions is not None and bool(decisions.asked)
 
@@ -95,10 +95,10 @@ class Symbol(Described):
 
     @abstractmethod
     def __derived__(self) -> Symbol:
-        """What depends on it."""
+        """The symbol of what depends on it."""
 
     def __plain__(self) -> object:
-        """What it stands for, if that is known."""
+        """The value that it stands for, if that is known."""
         return self
 
     def __bool__(self) -> bool:
@@ -129,7 +129,7 @@ class Symbol(Described):
     def __setitem__(self, _key: object, _value: object) -> None:
         """Changes nothing that is known."""
 
-    # What comes of operators is not typed: stand-ins for classes (`stand_ins.py`) use them, too.
+    # The results of operators have no type: stand-ins for classes (`stand_ins.py`) use them, too.
     def _operated(self, *_others: object) -> Any:
         return self.__derived__()
 
@@ -149,12 +149,14 @@ class Symbol(Described):
 
 
 def plain(value: object) -> object:
-    """What a symbol stands for, if that is known; all else stays."""
+    """The value that a symbol stands for, if that is known; all else stays."""
     return value.__plain__() if isinstance(value, Symbol) else value
 
 
 def _names_for_parts(frame: FrameType) -> int | None:
-    """How many parts `a, b = ...` in a frame asks for; None if that is not where the frame is."""
+    """The number of parts that `a, b = ...` in a frame asks for; None if that is not where the
+    frame is.
+    """
     code, place = frame.f_code.co_code, frame.f_lasti
     is_unpacking = dis.opname[code[place]] in ("UNPACK_SEQUENCE", "UNPACK_EX")
     return code[place + 1] if is_unpacking else None
@@ -173,7 +175,7 @@ class SymbolicValue(Symbol):
         return f"the parameter `{self._name}`, of type {self._kind.__name__}"
 
     def __may_be__(self, kinds: tuple[type, ...]) -> bool:
-        """Whether it can be of one of these types."""
+        """Say whether the value can be of one of these types."""
         return self._kind is None or self._kind in kinds
 
     def __example__(self) -> object:
@@ -181,7 +183,7 @@ class SymbolicValue(Symbol):
         return self if self._kind is None else _example(self._kind)
 
     def __derived__(self) -> SymbolicValue:
-        """What is computed from it."""
+        """The symbol of what is computed from it."""
         return SymbolicValue(self._name)
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""Which attributes the things of each class have, and what these stand for.
+"""The attributes that the things of each class have, and the meaning of these.
 
 Decided as `Ontology.attribute` does when a description runs, and as the check of relations judges
 what has come of it.
@@ -98,7 +98,7 @@ def _eligible(model: Model, iris: Sequence[str]) -> Sequence[str]:
 
 
 def _meaning(model: Model, owl_class: ThingClass, fitting: Sequence[str]) -> Meaning | None:
-    """What a name stands for that these properties of a class have; None without any."""
+    """The meaning of a name that these properties of a class have; None without any."""
     if len(fitting) > 1:
         return AMBIGUOUS
     for iri in fitting:
@@ -107,6 +107,6 @@ def _meaning(model: Model, owl_class: ThingClass, fitting: Sequence[str]) -> Mea
 
 
 def _only(model: Model, owl_class: str, iri: str) -> list[Union]:
-    """What a class says of all things that it is so related to."""
+    """The statements of a class about all things that it is so related to."""
     above = sorted(each for each in model.above(owl_class) if each in model.classes)
     return [union for each in above for union in model.classes[each].only.get(iri, ())]

@@ -42,7 +42,7 @@ def _spelled(inside: Mapping[str, str]) -> dict[str, str]:
 
 
 def qualified(namespace: str, name: str) -> str:
-    """How the stub speaks of a class. What begins with `_` is hidden by no name of an ontology."""
+    """The stub's name for a class. No name of an ontology hides one that begins with `_`."""
     return f"{alias(namespace)}.{name}"
 
 

@@ -36,7 +36,7 @@ def value_type(model: Model, iri: str) -> str:
 
 
 def _is_allowed(model: Model, iri: str, sample: object) -> bool:
-    """Whether a value is in all ranges of a property, as far as these are known."""
+    """Say whether a value is in all ranges of a property, as far as these are known."""
     ranges = filter(None, map(spelled_types, model.range(iri)))
     return all(is_value_of(sample, names) for names in ranges)
 
@@ -50,7 +50,7 @@ def _listed_type(values: list[str]) -> str:
 
 
 def _is_fraction(text: str) -> bool:
-    """Whether it is a number that is no literal type."""
+    """Say whether a text is a number that is no literal type."""
     try:
         float(text)
     except ValueError:

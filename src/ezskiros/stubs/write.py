@@ -94,7 +94,9 @@ class _Writer:
         return "\n".join([_HEAD, thing, *bodies, aliases, *([] if "world" in public else [world])])
 
     def _inside(self, namespace: str) -> list[str]:
-        """What is in a namespace: classes, then relations and data properties, then individuals."""
+        """The content of a namespace: classes, then relations and data properties, then
+        individuals.
+        """
         model = self._model
         owl_classes, functions, individuals = [], [], []
         for name, iri in self._namespaces[namespace].items():
@@ -145,7 +147,7 @@ class _Writer:
         return "@staticmethod\n" + _block(f"def {name}({taken}) -> {result}:", doc)
 
     def _type(self, wanted: tuple[Union, ...]) -> str:
-        """What is in all of these unions."""
+        """The type of what is in all of these unions."""
         if wanted not in self._types:
             names = sorted(self._spelled[each] for each in self._classes.widest(wanted))
             self._types[wanted] = " | ".join(names) or "_Nothing"

@@ -38,7 +38,7 @@ class _UnreadableError(Exception):
 
 
 def read_launch_values(path: Path, skills: Iterable[SkillInterface]) -> LaunchValues:
-    """What a file says of the parameters of some skills; what is wrong with it is reported."""
+    """Read what a file says of the parameters of some skills; report what is wrong with it."""
     try:
         file = _file(path)
         content = _content(file)

@@ -78,7 +78,7 @@ class Library:
         return [each.interface for each in self._described.values() if each]
 
     def is_whole(self, skill: SkillInterface) -> bool:
-        """Whether all conditions of a skill were understood."""
+        """Say whether all conditions of a skill were understood."""
         known = (*self._described.values(), *self._refined.values())
         return all(each.is_whole for each in known if each and each.interface is skill)
 
@@ -88,7 +88,7 @@ class Library:
         return next(filter(None, found), None)
 
     def implementations(self, description: SkillClass) -> Implementations:
-        """What implements a skill, by name, in the order in which it was loaded."""
+        """The implementations of a skill, by name, in the order in which they were loaded."""
         return implementations(description)
 
     def doing(self, call: SkillCall) -> list[type[SkillImplementation]]:
@@ -112,7 +112,7 @@ class Library:
 
 
 def implementations(description: SkillClass) -> Implementations:
-    """What implements a skill, by name, of all modules that have been imported."""
+    """The implementations of a skill, by name, of all modules that have been imported."""
     return {each.__name__: each for each in _derived(description.SkillBase)}
 
 

@@ -1,4 +1,4 @@
-"""Which names the parameters of a child share with the compound and with its other children.
+"""The names that the parameters of a child share with the compound and with its other children.
 
 As in SkiROS2 a running tree has one set of names. A parameter of a child that is passed one of the
 compound shares the name of that; one that is given nothing shares its own name, unless it has a
@@ -26,7 +26,7 @@ class Shared:
     parameter: Parameter
     shared: str
     is_passed: bool
-    """Whether the child says so; else the names are the same."""
+    """True if the child says so; else the names are the same."""
 
 
 def shared_names(call: SkillCall, skill: SkillInterface) -> Iterator[Shared]:

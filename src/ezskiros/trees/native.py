@@ -28,7 +28,7 @@ def _classes() -> Iterator[type]:
 
 
 def _sets(found: type, description: SkillClass) -> bool:
-    """Whether the code of a class names `setDescription` and the description."""
+    """Say whether the code of a class names `setDescription` and the description."""
     method = vars(found)["createDescription"]
     names = method.__code__.co_names
     is_one = any(method.__globals__.get(name) is description for name in names)

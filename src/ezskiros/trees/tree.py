@@ -123,8 +123,8 @@ Reference = ThingReference | ValueReference
 
 
 def reference(parameter: Parameter, known: Mapping[str, object]) -> Reference:
-    """What stands for a parameter in `expandBT`, where the values of some are known: None of those
-    that stand for nothing.
+    """Give what stands for a parameter in `expandBT`, where the values of some are known: None of
+    those that stand for nothing.
     """
     is_known, value = parameter.name in known, known.get(parameter.name)
     if parameter.is_thing:

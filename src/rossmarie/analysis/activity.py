@@ -11,24 +11,24 @@ from rossmarie.ir import Machine
 
 
 def truths_of(machine: Machine, rules: tuple[int, ...]) -> tuple[int, ...]:
-    """What some rules rest on: conditions and releases."""
+    """The truths that some rules rest on: conditions and releases."""
     found = [machine.rules[rule].condition for rule in rules]
     found += [release for rule in rules if (release := machine.rules[rule].release) is not None]
     return tuple(dict.fromkeys(found))
 
 
 def becomes_active(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Whether a rule that is not active becomes so (S35)."""
+    """Say whether a rule that is not active becomes so (S35)."""
     return state.truth(state.machine.rules[rule].condition).activates
 
 
 def may_be_active(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Whether a rule can be active after the evaluation: it is not cleared (S36 to S38)."""
+    """Say whether a rule can be active after the evaluation: it is not cleared (S36 to S38)."""
     return z3.Not(is_cleared(state, rule))
 
 
 def is_cleared(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Whether an active rule is cleared by the evaluation; a reset does not count."""
+    """Say whether an active rule is cleared by the evaluation; a reset does not count."""
     declared = state.machine.rules[rule]
     if declared.release is None:
         return NO
@@ -36,7 +36,7 @@ def is_cleared(state: ArbitraryState, rule: int) -> z3.BoolRef:
 
 
 def together(state: ArbitraryState, one: int, other: int) -> z3.BoolRef:
-    """Whether two rules, of which at most one was active before, can both be active now."""
+    """Say whether two rules, of which at most one was active before, can both be active now."""
     return z3.Or(
         z3.And(becomes_active(state, one), may_be_active(state, other)),
         z3.And(becomes_active(state, other), may_be_active(state, one)),
@@ -44,7 +44,7 @@ def together(state: ArbitraryState, one: int, other: int) -> z3.BoolRef:
 
 
 def seen_together(course: Course, one: int, other: int) -> z3.BoolRef:
-    """Whether two rules are active at one moment of a course."""
+    """Say whether two rules are active at one moment of a course."""
     return z3.Or(
         [
             z3.And(course.is_active(one, moment), course.is_active(other, moment))

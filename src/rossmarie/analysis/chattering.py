@@ -59,7 +59,7 @@ def _alternates(course: Course, rule: int) -> z3.BoolRef:
 
 
 def _toggles(seen: Sequence[View], rule: int, within_ns: int) -> bool:
-    """Whether a rule became active twice within a time, the second time just now."""
+    """Say whether a rule became active twice within a time, the second time just now."""
     starts = [
         view.at_ns
         for view, before in zip(seen[1:], seen, strict=False)

@@ -21,7 +21,7 @@ from rossmarie.analysis.solver import Outcome
 from rossmarie.ir import Machine
 
 Needs = Mapping[int, frozenset[int]]
-"""What a rule needs for itself: the resource, and the actions that need it, by index."""
+"""The needs of a rule: each resource, and the actions that need it, by index."""
 
 
 def find_conflicts(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:

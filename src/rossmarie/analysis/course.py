@@ -34,7 +34,7 @@ from rossmarie.core.expressions import Operand
 
 @dataclass(frozen=True)
 class Leg:
-    """What is sent on a leg, as terms; `shakes` are oscillations that its messages make."""
+    """The messages of a leg, as terms; `shakes` are oscillations that they make."""
 
     sends: dict[int, z3.BoolRef]
     slots: dict[int, Number]
@@ -44,7 +44,7 @@ class Leg:
 
     @property
     def is_silent(self) -> z3.BoolRef:
-        """Whether a channel is."""
+        """Say whether a channel is silent."""
         return z3.Not(z3.And(list(self.sends.values())))
 
 
@@ -64,7 +64,7 @@ class Moment(Encoding):
         self._elapsed: dict[int, z3.ArithRef] = {}
 
     def slot(self, index: int) -> Number:
-        """What the leg sends, else what was sent before, until it expires."""
+        """The value that the leg sends, else the one that was sent before, until it expires."""
         slot = self.machine.slots[index]
         sends = self.leg.sends[self.machine.inputs[slot.input].channel]
         sent = self.leg.slots[index]
@@ -102,7 +102,7 @@ class Moment(Encoding):
         return result
 
     def has_arrived(self, channel: int) -> z3.BoolRef:
-        """Whether this leg or an earlier one sends."""
+        """Say whether this leg or an earlier one sends."""
         earlier = NO if self._before is None else self._before.has_arrived(channel)
         return z3.Or(self.leg.sends[channel], earlier)
 
@@ -115,7 +115,7 @@ class Moment(Encoding):
         return z3.If(self.leg.sends[channel], z3.IntVal(0), passed)
 
     def _is_sampled(self, signal: int) -> z3.BoolRef:
-        """Whether this leg brings samples of a signal."""
+        """Say whether this leg brings samples of a signal."""
         channels = self.asked.supports.signals[signal].channels
         return z3.Or([self.leg.sends[channel] for channel in channels])
 
@@ -141,7 +141,7 @@ class Moment(Encoding):
         return Number(known, z3.If(brings, step, earlier.value))
 
     def _view(self, view: View, number: Number, last: Number) -> z3.ArithRef:
-        """What is found among the samples at the first message of a leg."""
+        """The value that the first message of a leg finds among the samples."""
         match view:
             case View.NEWEST:
                 return number.value
@@ -173,7 +173,7 @@ class Moment(Encoding):
         if operand not in self._elapsed:
             begun = z3.IntVal(0)
             if self._is_end:
-                # What became true on the way did so after all below it had settled.
+                # A truth that changed on the way did so after all below it had settled.
                 begun = self.leg.length_ns - self._times.settling(operand)
                 begun = begun - z3.If(self.leg.is_silent, self._times.silence_ns, 0)
             if self._before is not None:
@@ -184,14 +184,14 @@ class Moment(Encoding):
         return self._elapsed[operand]
 
     def was(self, operand: int) -> Fact:
-        """What a truth was before it became true, where it is."""
+        """The value of a truth before it became true, where it is."""
         if self._before is None:
             return FALSE
         before = self._before.truth(operand)
         return choice(before.true, self._before.was(operand), before)
 
     def oscillating(self, index: int) -> Fact:
-        """What the messages of the leg make it."""
+        """The value that the messages of the leg give to an oscillation."""
         if self._is_end:
             return choice(self.leg.shakes.get(index, NO), literal(True), FALSE)
         return FALSE if self._before is None else self._before.truth(index)
@@ -218,7 +218,7 @@ class Course:
 
     @property
     def facts(self) -> list[z3.BoolRef]:
-        """What holds of every course; complete once all has been asked of the moments."""
+        """The facts of every course; complete once all has been asked of the moments."""
         found = [fact for moment in self.moments for fact in moment.facts]
         for leg in self.legs:
             found += self._leg_facts(leg)
@@ -228,7 +228,7 @@ class Course:
 
     @property
     def calm(self) -> list[z3.BoolRef]:
-        """What holds of a course on which every sensor sends what it measures."""
+        """The facts of a course on which every sensor sends what it measures."""
         found = []
         for leg in self.legs:
             found += list(leg.sends.values())
@@ -311,9 +311,9 @@ class Course:
         ]
 
     def hints(self) -> list[list[z3.BoolRef]]:
-        """What makes it likely that a proposal is borne out and easy to read, from much to nothing:
-        where a length rests on several numbers, one of them is all of it; and numbers are near
-        what they are compared with, and not negative.
+        """Facts that make it likely that a proposal is borne out and easy to read, from much to
+        nothing: where a length rests on several numbers, one of them is all of it; and numbers are
+        near what they are compared with, and not negative.
         """
         lengths = []
         near = []
@@ -374,7 +374,7 @@ class Course:
 
 
 def _one_is_all(parts: Sequence[z3.ArithRef], length: z3.ArithRef) -> z3.BoolRef:
-    """Whether all but one of some numbers are 0, and that one is the length of all."""
+    """Say whether all but one of some numbers are 0, and that one is the length of all."""
     return z3.Or(
         [
             z3.And(

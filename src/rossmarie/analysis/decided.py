@@ -144,8 +144,8 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
 
 
 def _is_free(machine: Machine, truth: int) -> bool:
-    """Whether a number that a message carries, and nothing else, is compared with constants that
-    it can lie on both sides of.
+    """Say whether a number that a message carries, and nothing else, is compared with constants
+    that it can lie on both sides of.
     """
     nodes = [machine.signals[each].node for each in compared_signals(machine.truths[truth].node)]
     others = [node for node in nodes if not isinstance(node, Constant)]
@@ -156,7 +156,7 @@ def _is_free(machine: Machine, truth: int) -> bool:
 
 
 def _joins_apart(inquiry: Inquiry, truth: int, varied: set[int]) -> bool:
-    """Whether the parts of an `and` or `or` can be both, and rest on different messages."""
+    """Say whether the parts of an `and` or `or` can be both, and rest on different messages."""
     node = inquiry.machine.truths[truth].node
     operands = truth_operands(node)
     if is_leaf(node) or not varied.issuperset(operands):
@@ -198,7 +198,7 @@ _WORDS = {NEVER: "never true", ALWAYS: "always true"}
 
 
 def _reasons(machine: Machine, truth: int) -> tuple[Remark, ...]:
-    """What the numbers that a leaf compares can be."""
+    """Tell which values the numbers that a leaf compares can have."""
     node = machine.truths[truth].node
     if isinstance(node, Quantified):
         return _reasons(machine, node.element)
@@ -229,7 +229,7 @@ def _range(machine: Machine, signal: int) -> str:
 
 
 def _whole(machine: Machine, signal: int, source: Slot | Array) -> str:
-    """What a field of whole numbers can hold."""
+    """Tell which values a field of whole numbers can hold."""
     ends = sorted(end * source.scale + source.offset for end in source.limits or ())
     low, high = (shown_value(machine, signal, end) for end in ends)
     what = "a whole number between" if source.scale == 1.0 else "between"

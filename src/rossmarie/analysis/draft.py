@@ -37,7 +37,7 @@ class Knob:
 
 @dataclass(frozen=True)
 class DraftLeg:
-    """What is sent on one leg: knobs with their values in SI. `shakes` are the slots that swing,
+    """The messages of one leg: knobs with their values in SI. `shakes` are the slots that swing,
     with how far.
     """
 
@@ -54,7 +54,7 @@ class Draft:
     legs: tuple[DraftLeg, ...]
     period_ns: int
     is_calm: bool
-    """Whether all sensors work, and are to."""
+    """True if all sensors work, and are to."""
 
     def with_value(self, leg: int, knob: Knob, value: float) -> Draft:
         """The same with one knob turned."""
@@ -69,7 +69,7 @@ class Draft:
 
 
 def drafted(course: Course, model: z3.ModelRef, *, is_calm: bool) -> Draft:
-    """What a model of a course says."""
+    """Read a model of a course."""
     machine = course.asked.machine
     legs = []
     for number, leg in enumerate(course.legs):

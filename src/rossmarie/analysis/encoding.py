@@ -49,8 +49,8 @@ class Questioned:
 
     @cached_property
     def array_uses(self) -> tuple[int, ...]:
-        """How many nodes look at each array: that many elements, and one, show whatever an array
-        of any length can show to all of them.
+        """The number of nodes that look at each array: that many elements, and one, show whatever
+        an array of any length can show to all of them.
         """
         uses = [1] * len(self.machine.arrays)
         for signal in self.machine.signals:
@@ -79,7 +79,7 @@ class Questioned:
         return node.window_ns if isinstance(node, ir.Sampled) else 0
 
     def has_timeout(self, inputs: Iterator[int] | Sequence[int] | frozenset[int]) -> bool:
-        """Whether one of some inputs can be lost."""
+        """Say whether one of some inputs can be lost."""
         return any(self.machine.inputs[used].timeout_ns is not None for used in inputs)
 
 
@@ -115,11 +115,11 @@ class Encoding(ABC):
 
     @abstractmethod
     def has_arrived(self, channel: int) -> z3.BoolRef:
-        """Whether a message has ever come."""
+        """Say whether a message has ever come."""
 
     @abstractmethod
     def age(self, channel: int) -> z3.ArithRef:
-        """How old the last message is, in nanoseconds."""
+        """The age of the last message, in nanoseconds."""
 
     @abstractmethod
     def sampled(self, index: int, node: ir.Sampled) -> Number:
@@ -140,7 +140,7 @@ class Encoding(ABC):
     # --- inputs ------------------------------------------------------------------------------
 
     def is_fresh(self, used: int) -> z3.BoolRef:
-        """Whether an input is there and has not expired (S10)."""
+        """Say whether an input is there and has not expired (S10)."""
         declared = self.machine.inputs[used]
         arrived = self.has_arrived(declared.channel)
         if declared.timeout_ns is None:
@@ -315,7 +315,7 @@ class Encoding(ABC):
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
     def element_truth(self, index: int, element: Number) -> Fact:
-        """What a truth is worth for one element; unknown is never lost here (S22)."""
+        """The value of a truth for one element; unknown is never lost here (S22)."""
         node = self.machine.truths[index].node
         operands = [self.element_truth(each, element) for each in ir.truth_operands(node)]
         match node:

@@ -185,7 +185,7 @@ class RecoveryBlocked(Warning, code="ROSS709", name="recovery-blocked"):
 
 
 class LimitHoldsCondition(Warning, code="ROSS710", name="limit-holds-condition"):
-    """What a rule does to a command keeps its own condition from becoming false."""
+    """A rule keeps its own condition from becoming false, by its effect on a command."""
 
     title = "rule `{rule}` keeps itself active: it {does}, which its condition reads"
     label = "so nothing clears the rule"
@@ -245,7 +245,7 @@ class LatchReleased(Warning, code="ROSS716", name="latch-released"):
 
 
 class LimitHoldsRelease(Warning, code="ROSS717", name="limit-holds-release"):
-    """What a rule does to a command keeps its own `clear when` from becoming true."""
+    """A rule keeps its own `clear when` from becoming true, by its effect on a command."""
 
     title = "rule `{rule}` is never cleared: it {does}, and so `{release}` is {when}"
     label = "so nothing clears the rule"

@@ -1,4 +1,4 @@
-"""What happens when an input is lost: which rules become active."""
+"""The loss of an input, and the rules that become active by it."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def _effect(whole: Inquiry, used: int, after_ns: int, index: int) -> Effect:
         ),
         settled=True,
     ):
-        # What it does only together with the loss of another is counted there.
+        # An effect that needs the loss of another input, too, is counted there.
         return Effect.NOTHING
     return Effect.DEPENDS
 

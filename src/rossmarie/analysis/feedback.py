@@ -32,7 +32,7 @@ _MOST_RULES = 3
 """In one circle."""
 
 _TIMES = 2
-"""How often each rule of a circle has to become active."""
+"""The number of times that each rule of a circle has to become active."""
 
 
 _MOST_TRIES = 40
@@ -189,8 +189,8 @@ class Circle:
         return None
 
     def _follows(self, course: Course, order: Sequence[int]) -> z3.BoolRef:
-        """What one rule publishes makes the next one active; the first one has been inactive when
-        it is its turn again.
+        """Ask that each rule becomes active by what the one before it publishes; the first one has
+        been inactive when it is its turn again.
         """
         found = [z3.BoolVal(True)]
         for number in range(1, len(course.legs)):
@@ -247,8 +247,8 @@ def _ends(raw: float, is_bounded: bool) -> Ends:
 
 
 class _World(enum.Enum):
-    """What is beside the rules. What they command in the place of others these command again as
-    soon as no rule does; what nobody has to send within a time is sent once.
+    """The world beside the rules. Commands that the rules replace come again as soon as no rule
+    commands; a command that nobody has to send within a time is sent once.
     """
 
     OWN = "all sensors work, and nobody else sends once the rules do"
@@ -257,7 +257,7 @@ class _World(enum.Enum):
 
 
 class _Beginning(enum.Enum):
-    """What is asked of the messages from outside that a course begins with."""
+    """The messages from outside that a course begins with."""
 
     TURNS = "with what the rules publish after them, one rule after the other is active, alone"
     CIRCLE = "with what the rules publish after them, each makes the next one active"
@@ -300,7 +300,7 @@ class _Played(Replays):
         return None
 
     def _outsides(self, messages: Mapping[int, ChannelValues], period_ns: int) -> Iterator[Outside]:
-        """What is sent on the topics of the rules, in ways that fit the world."""
+        """The messages sent on the topics of the rules, in ways that fit the world."""
         commanded = {each.topic for each in self._whole.reactions.commands}
         own = frozenset(
             each.channel

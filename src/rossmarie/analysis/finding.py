@@ -13,7 +13,7 @@ from rossmarie.ir import Constant, Machine, compared_signals, reachable_truths
 
 @dataclass(frozen=True)
 class Finding:
-    """What is to be said, and the witness that shows it."""
+    """A diagnostic, and the witness that shows it."""
 
     diagnostic: Diagnostic
     witness: Witness | None = None

@@ -64,8 +64,8 @@ def find_self_holding(inquiry: Inquiry) -> Iterator[Finding]:
 
 
 def _groups(stages: Sequence[Sequence[int]], read: Sequence[Kept]) -> Iterator[list[Kept]]:
-    """What can be in force together, the least first: one task, all of the plan without failures,
-    and these with one escalation.
+    """The effects that can be in force together, the least first: one task, all of the plan without
+    failures, and these with one escalation.
     """
     planned = {task for stage in stages for task in stage}
     tasks = list(dict.fromkeys(each.task for each in read))
@@ -193,7 +193,9 @@ def _lies(source: Slot | Array, value: z3.ArithRef, kept: Kept) -> z3.BoolRef:
 
 
 def _judged(inquiry: Inquiry, rule: int, kept: Sequence[Kept]) -> Diagnostic | None:
-    """What a rule cannot do while some fields are kept: have a false condition, or be released."""
+    """Tell what a rule cannot do while some fields are kept: have a false condition, or be
+    released.
+    """
 
     def never(claim: Callable[[ArbitraryState], z3.BoolRef]) -> bool:
         return inquiry.is_impossible(
@@ -229,7 +231,7 @@ def _places(machine: Machine, rule: int, kept: Sequence[Kept]) -> Iterator[Label
 
 
 def _does(machine: Machine, kept: Sequence[Kept]) -> str:
-    """What a rule does to which fields: `limits linear.x and linear.y on /cmd_vel`."""
+    """Tell what a rule does to which fields: `limits linear.x and linear.y on /cmd_vel`."""
     fields: dict[tuple[str, int], dict[str, None]] = {}
     for each in kept:
         effect = machine.reactions.tasks[each.task].effect

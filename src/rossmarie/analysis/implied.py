@@ -61,7 +61,7 @@ def _starts_without(state: ArbitraryState, rule: int, others: Sequence[int]) -> 
 
 
 def needs(inquiry: Inquiry, rule: int, other: int) -> bool:
-    """Whether it is proved that a rule is active only while another one is."""
+    """Say whether it is proved that a rule is active only while another one is."""
     if any(inquiry.machine.rules[each].release is None for each in (rule, other)):
         return False  # a reset clears one of them at any time
     machine = inquiry.machine
@@ -81,12 +81,12 @@ def _is_left(state: ArbitraryState, rule: int, other: int) -> z3.BoolRef:
 
 
 def _gives_way(machine: Machine, rule: int) -> bool:
-    """Whether a rule may be active and not carried out."""
+    """Say whether a rule may be active and not carried out."""
     return bool(machine.reactions.plans) and bool(machine.reactions.plans[rule].unless)
 
 
 def _has_same_actions(machine: Machine, rule: int, other: int) -> bool:
-    """Whether two rules do the same."""
+    """Say whether two rules do the same."""
     return (
         machine.rules[rule].actions == machine.rules[other].actions
         and len(machine.rules[rule].actions) > 0
@@ -94,7 +94,9 @@ def _has_same_actions(machine: Machine, rule: int, other: int) -> bool:
 
 
 def _shared(machine: Machine, rule: int, other: int) -> str | None:
-    """What a rule needs that another one, which comes first, needs as well for other actions."""
+    """Name the resource that a rule needs and another one, which comes first, needs for other
+    actions.
+    """
     reactions = machine.reactions
     if not reactions.plans or reactions.order.index(other) > reactions.order.index(rule):
         return None

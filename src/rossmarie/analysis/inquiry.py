@@ -1,4 +1,4 @@
-"""How a question is asked: proved impossible, shown by a witness, or undecided."""
+"""Questions and their answers: proved impossible, shown by a witness, or undecided."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ class OutOfTimeError(Exception):
 
 @dataclass(frozen=True)
 class Asked:
-    """What is asked: the claim as terms over one state, and over a course, and as the interpreter
-    sees it. `truths` are those that it rests on, by index.
+    """A question: the claim as terms over one state, and over a course, and as the interpreter sees
+    it. `truths` are those that it rests on, by index.
     """
 
     truths: tuple[int, ...]
@@ -45,7 +45,7 @@ class Asked:
 
 @dataclass(frozen=True)
 class Result:
-    """What came of it, with the witness of what is POSSIBLE."""
+    """The answer, with the witness of what is POSSIBLE."""
 
     outcome: Outcome
     witness: Witness | None = None
@@ -88,7 +88,7 @@ class Inquiry:
     # --- proofs ------------------------------------------------------------------------------
 
     def is_impossible(self, claim: StateClaim, *, settled: bool = False) -> bool:
-        """Whether a claim is proved to hold in no state that any trace leads to."""
+        """Say whether a claim is proved to hold in no state that any trace leads to."""
         self.check_time()
         state = ArbitraryState(self.asked, settled=settled)
         term = claim(state)
@@ -102,7 +102,7 @@ class Inquiry:
         return outcome is Outcome.IMPOSSIBLE
 
     def orders(self, state: ArbitraryState) -> Iterator[z3.BoolRef]:
-        """What is true only while something else is has not been true for longer."""
+        """The truths that are true only while another is, and have not been true for longer."""
         for one in state.awaited:
             for other in state.awaited:
                 if not self._may_need(one, other) or not self._needs(one, other, TruthValue.TRUE):
@@ -113,12 +113,12 @@ class Inquiry:
                         yield state.is_unknown_with(one, other, value)
 
     def _may_need(self, one: int, other: int) -> bool:
-        """Whether it is worth asking: what rests on other messages is rarely needed."""
+        """Say whether it is worth asking: what rests on other messages is rarely needed."""
         supports = self.asked.supports.truths
         return one != other and not supports[one].channels.isdisjoint(supports[other].channels)
 
     def _needs(self, one: int, other: int, value: TruthValue) -> bool:
-        """Whether it is proved that one truth has a value only while another one has it."""
+        """Say whether it is proved that one truth has a value only while another one has it."""
         if (one, other, value) not in self._orders:
             state = ArbitraryState(self.asked)
             theirs = z3.Not(state.truth(other).is_value(value))
@@ -178,13 +178,13 @@ class Inquiry:
 
 
 _ATTEMPTS = ((1, True), (2, True), (1, False), (2, False), (3, True), (3, False))
-"""How many legs, and whether all sensors work: the simplest first. What needs more changes than
-three legs allow stays undecided.
+"""The legs of each attempt, and whether all sensors work in it: the simplest first. A claim that
+needs more changes than three legs allow stays undecided.
 """
 
 
 def both_active(machine: Machine) -> Asked:
-    """Whether the first two rules of a machine can be active at the same time."""
+    """Ask whether the first two rules of a machine can be active at the same time."""
     return Asked(
         truths_of(machine, (0, 1)),
         partial(together, one=0, other=1),

@@ -44,7 +44,7 @@ def _resets(machine: Machine, task: int) -> bool:
 
 
 def _judged(inquiry: Inquiry, rule: int, latched: int, resets: Sequence[int]) -> Iterator[Finding]:
-    """What the first of some tasks that releases a latch makes a finding, or that this is open."""
+    """Judge a latch by the first of some tasks that releases it: a finding, or that it is open."""
     machine = inquiry.machine
     part = inquiry.about(rule, latched, *machine.reactions.plans[rule].unless)
     undecided: Finding | None = None

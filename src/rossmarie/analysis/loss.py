@@ -1,4 +1,4 @@
-"""What the loss of an input does to the rules, as it was found out."""
+"""The effects of the loss of an input on the rules, as they were found out."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 
 class Effect(enum.Enum):
-    """What the loss of an input does to a rule."""
+    """The effect of the loss of an input on a rule."""
 
     ACTIVATES = "becomes active"
     DEPENDS = "depends on other inputs"
@@ -17,7 +17,7 @@ class Effect(enum.Enum):
 
 @dataclass(frozen=True)
 class Loss:
-    """What the loss of an input does, by rule; rules to which it does nothing are left out.
+    """The effects of the loss of an input, by rule; rules that it does not affect are left out.
 
     `after_ns` is the age at which all of it has happened, None if the input is never lost.
     """

@@ -17,7 +17,9 @@ _MOST_MESSAGES = 400
 
 
 class Replays:
-    """Whether drafts show a claim, each tried out by the interpreter, up to a number of tries."""
+    """The judge of drafts: the interpreter tries out whether each shows a claim, up to a number of
+    tries.
+    """
 
     def __init__(self, machine: Machine, claim: Claim, asked: Sequence[int]) -> None:
         self._machine = machine
@@ -42,7 +44,7 @@ class Replays:
         return None
 
     def _has_gap(self, draft: Draft, view: View) -> bool:
-        """Whether something that the draft sends is not known."""
+        """Say whether something that the draft sends is not known."""
         channels = {channel for leg in draft.legs for channel in leg.channels}
         return any(
             math.isnan(view.signals[index]) and self._channels[index] <= channels
@@ -100,7 +102,7 @@ def _simpler(machine: Machine, draft: Draft) -> Iterator[Draft]:
 
 
 def _lengths(machine: Machine) -> list[int]:
-    """How long a leg is best: no time at all, or a duration in the rules."""
+    """The lengths of a leg, the best first: no time at all, or a duration in the rules."""
     durations = {
         node.duration_ns for truth in machine.truths if isinstance(node := truth.node, Held)
     }
@@ -133,7 +135,7 @@ def _rounder(machine: Machine, knob: Knob, value: float) -> Iterator[float]:
 
 
 def cost(number: float) -> tuple[int, float]:
-    """How many digits a number has; of equally many, 5 and 0 are rounder."""
+    """The number of digits of a number; of equally many, 5 and 0 are rounder."""
     digits = f"{abs(number):.12e}".partition("e")[0].replace(".", "").rstrip("0")
     return (len(digits), float(digits[-1:] not in ("5", "")))
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import z3
 
 EFFORT = 3_000_000
-"""What a question may cost, in steps of the solver: the same everywhere, unlike time."""
+"""The effort that a question may cost, in steps of the solver: the same everywhere, unlike time."""
 
 LIMIT_MS = 20_000
 """After this, in milliseconds, a question is given up however few steps it took."""
@@ -19,7 +19,7 @@ _BY_CTRL_C = "interrupted from keyboard"
 
 
 class Outcome(enum.Enum):
-    """What came of a question."""
+    """The outcome of a question."""
 
     POSSIBLE = "possible"
     IMPOSSIBLE = "impossible"
@@ -46,7 +46,7 @@ class Solver:
         self._solver.add(facts)
 
     def ask(self, *claims: z3.BoolRef) -> Answer:
-        """Whether the claims can be so, all of them."""
+        """Ask whether the claims can be so, all of them."""
         self._solver.push()
         self._solver.add(claims)
         outcome = _OUTCOMES.get(str(check(self._solver)), Outcome.UNDECIDED)
@@ -56,8 +56,8 @@ class Solver:
 
 
 def check(solver: z3.Solver) -> z3.CheckSatResult:
-    """What z3 answers. While it works it takes Ctrl-C for itself, and calls that undecided: here it
-    ends the run as everywhere.
+    """Ask z3. While it works it takes Ctrl-C for itself, and calls that undecided: here it ends the
+    run as everywhere.
     """
     found = solver.check()
     if found == z3.unknown and solver.reason_unknown() == _BY_CTRL_C:

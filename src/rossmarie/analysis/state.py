@@ -103,7 +103,7 @@ class ArbitraryState(Encoding):
         return choice(operand.true, choice(matured, _TRUE, self.before(node.operand)), operand)
 
     def before(self, operand: int) -> Fact:
-        """What a truth was before it became true, where it is."""
+        """The value of a truth before it became true, where it is."""
         if operand not in self._before:
             found = free_fact(f"truth{operand}.before", self.facts)
             self.facts.append(z3.Not(found.true))
@@ -125,11 +125,11 @@ class ArbitraryState(Encoding):
         return tuple(self._elapsed)
 
     def is_longer(self, operand: int, other: int) -> z3.BoolRef:
-        """What holds if a truth cannot be true while another is not."""
+        """The facts if a truth cannot be true while another is not."""
         return z3.Implies(self.truth(operand).true, self.elapsed(other) >= self.elapsed(operand))
 
     def is_unknown_with(self, operand: int, other: int, value: TruthValue) -> z3.BoolRef:
-        """What holds besides if the one cannot be U, or L, while the other is not: after they were,
+        """The further facts if the one cannot be U, or L, while the other is not: after they were,
         they became true together. A jump in time makes both U (S17).
         """
         was_unknown = z3.And(self.truth(operand).true, self.before(operand).is_value(value))
@@ -147,7 +147,7 @@ _TRUE = Fact(YES, FALSE.true, FALSE.true)
 def kind_facts(
     machine: ir.Machine, slot: ir.Slot, value: z3.ArithRef, *, rounded: bool
 ) -> list[z3.BoolRef]:
-    """What values a slot can have."""
+    """Say which values a slot can have."""
     match slot.kind:
         case ir.Kind.FLAG:
             return [z3.Or(value == 0, value == 1)]
@@ -160,7 +160,7 @@ def kind_facts(
 def limit_facts(
     source: ir.Slot | ir.Array, value: z3.ArithRef, *, rounded: bool
 ) -> list[z3.BoolRef]:
-    """What values a field of whole numbers can have (S7); with `rounded`, as doubles."""
+    """Say which values a field of whole numbers can have (S7); with `rounded`, as doubles."""
     if source.limits is None:
         return []
     is_plain = (source.scale, source.offset) == (1.0, 0.0)

@@ -31,11 +31,11 @@ class Fact:
     lost: z3.BoolRef
 
     def is_same_as(self, other: Fact) -> z3.BoolRef:
-        """Whether two truths have one value."""
+        """Say whether two truths have one value."""
         return z3.And(self.true == other.true, self.false == other.false, self.lost == other.lost)
 
     def is_value(self, value: TruthValue) -> z3.BoolRef:
-        """Whether a truth has this value."""
+        """Say whether a truth has this value."""
         match value:
             case TruthValue.TRUE:
                 return self.true
@@ -48,7 +48,7 @@ class Fact:
 
     @property
     def activates(self) -> z3.BoolRef:
-        """Whether a rule with this condition becomes active (S35)."""
+        """Say whether a rule with this condition becomes active (S35)."""
         return z3.Or(self.true, self.lost)
 
 

@@ -37,7 +37,7 @@ class Times:
         self.shortest_ns = max([second_sample, *windows])
 
     def settling(self, truth: int) -> int:
-        """How long a truth takes to settle when nothing changes any more."""
+        """The time that a truth takes to settle when nothing changes any more."""
         return self._settled[truth]
 
     @cached_property
@@ -53,7 +53,7 @@ class Times:
                 yield node.age_ns
 
     def _settling(self, asked: Questioned) -> dict[int, int]:
-        """How long each truth takes to settle when nothing changes any more."""
+        """The time that each truth takes to settle when nothing changes any more."""
         machine = asked.machine
         needed: dict[int, int] = {}
         for truth in self.truths:

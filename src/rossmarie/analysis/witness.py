@@ -55,7 +55,7 @@ class Witness:
 
 @dataclass(frozen=True)
 class View:
-    """What can be seen right after an evaluation: rules and asked truths, by index; signals."""
+    """The view right after an evaluation: rules and asked truths, by index; signals."""
 
     at_ns: int
     active: tuple[bool, ...]
@@ -64,7 +64,7 @@ class View:
 
 
 Claim = Callable[[Sequence[View]], bool]
-"""Whether the views up to the last one show what is to be shown."""
+"""A test of the views up to the last one: it is true if they show what is to be shown."""
 
 
 def views(machine: Machine, witness: Witness, asked: Sequence[int] = ()) -> Iterator[View]:
@@ -118,7 +118,7 @@ class _Column:
     element: int | None = None
 
     def cell(self, machine: Machine, event: Sending) -> str:
-        """What stands in the row of an event."""
+        """The text in the row of an event."""
         values = event.messages.get(self.channel)
         if values is None:
             return ""
@@ -182,7 +182,8 @@ def _name(topic: str, path: Sequence[str | int]) -> str:
 
 
 def told(machine: Machine, witness: Witness, signals: Sequence[int]) -> str:
-    """What happens in a witness, on one line: what is measured from when on, and what is silent.
+    """Tell what happens in a witness, on one line: what is measured from when on, and what is
+    silent.
 
     `signals` are those worth telling, by index.
     """
@@ -236,7 +237,7 @@ def shown_value(machine: Machine, index: int, value: float) -> str:
 
 
 def slot_kind(machine: Machine, index: int) -> Kind:
-    """What a signal holds."""
+    """The kind of values that a signal holds."""
     match machine.signals[index].node:
         case Read(slot=slot):
             return machine.slots[slot].kind

@@ -66,7 +66,7 @@ class CheckOptions:
 
 @dataclass(frozen=True)
 class _Actions:
-    """What there is to know of actions; `confirmations` are what confirmations rest on."""
+    """All that is known of actions; `confirmations` are the conditions that these rest on."""
 
     effects: Mapping[str, tuple[CheckedEffect, ...]]
     commands: Mapping[str, CommandTopic]
@@ -177,7 +177,7 @@ def _check_condition(expression: ast.Expression, context: Context) -> None:
 
 
 def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
-    """What the rule rests on, and where it stands."""
+    """Check a rule; give its place, and what it rests on."""
     uses = context.enter(None)
     _check_condition(rule.condition, context)
     use_actions(rule, context)

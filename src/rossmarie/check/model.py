@@ -25,7 +25,7 @@ Gaps = tuple[int, int]
 
 @dataclass(frozen=True)
 class Value:
-    """What a constant expression is worth: numbers in SI (one, or 2 for an interval, 6 for a box),
+    """The value of a constant expression: numbers in SI (one, or 2 for an interval, 6 for a box),
     or a boolean, or a text.
     """
 
@@ -71,7 +71,7 @@ class CheckedEffect:
 
 @dataclass(frozen=True)
 class Symbols:
-    """What each name stands for."""
+    """The meaning of each name."""
 
     constants: Mapping[str, Value]
     inputs: Mapping[str, CheckedInput]

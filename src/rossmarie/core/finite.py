@@ -1,4 +1,4 @@
-"""What follows for infinities from the expression of a function alone.
+"""Infinities, as far as the expression of a function alone tells of them.
 
 Results that are not finite are unknown (S4), and numbers that stand outside of arrays are finite or
 unknown. So most operands need no look; targets ask here where one is needed.
@@ -22,8 +22,8 @@ from rossmarie.core.functions import Function, defined
 
 @cache
 def may_be_infinite(function: Function, count: int, *, of_infinite: bool) -> bool:
-    """Whether the expression of a function of `count` operands can be infinite: of operands that
-    are finite or NaN, or with `of_infinite`, of any.
+    """Say whether the expression of a function of `count` operands can be infinite: of operands
+    that are finite or NaN, or with `of_infinite`, of any.
     """
     return _may_be_infinite(defined(function, count), of_infinite)
 
@@ -50,7 +50,7 @@ def _may_be_infinite(expression: Expression, of_infinite: bool) -> bool:
 
 @cache
 def rounds(function: Function, count: int) -> bool:
-    """Whether a function computes, and so rounds, instead of choosing among its operands."""
+    """Say whether a function computes, and so rounds, instead of choosing among its operands."""
     return _rounds(defined(function, count))
 
 

@@ -48,7 +48,7 @@ class Function(enum.Enum):
 
 @dataclass(frozen=True)
 class Row:
-    """What a function is.
+    """The description of a function.
 
     `rule` is its rule in the semantics. It takes `least` to `most` operands (None: any number).
     `define` gives its expression. `phrase` words it for readers, with `{0}` and `{1}` for operands,
@@ -70,7 +70,7 @@ class Row:
     easy: Callable[[Expression], Expression] | None = None
 
     def takes(self, count: int) -> bool:
-        """Whether it can have that many operands."""
+        """Say whether the function can have that many operands."""
         return self.least <= count and (self.most is None or count <= self.most)
 
     def worded(self, operands: Sequence[str], vector: str | None = None) -> str:
@@ -80,7 +80,7 @@ class Row:
 
 
 def row(function: Function) -> Row:
-    """What a function is."""
+    """Find the row of a function."""
     return FUNCTIONS[function]
 
 
@@ -163,7 +163,7 @@ def _yaw(x: Expression, y: Expression, z: Expression, w: Expression) -> Expressi
 
 
 def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]:
-    """How an angle hangs together with its quaternion is left open."""
+    """Leave open how an angle hangs together with its quaternion."""
     return ()
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from rossmarie.core.expressions import Expression, Number, Operand, choose
 
 MOST_SAMPLES = 64
-"""How many samples a window holds at the most: the last ones."""
+"""The number of samples that a window holds at the most: the last ones."""
 
 
 class View(enum.Enum):
@@ -37,7 +37,7 @@ class Sampling(enum.Enum):
 
 @dataclass(frozen=True)
 class SamplingRow:
-    """What a function of samples is.
+    """The description of a function of samples.
 
     `rule` is its rule in the semantics, `views` are the operands of the expression that `define`
     gives, `phrase` words it, with `{0}` for the number and `{window}` for the length of the window
@@ -107,5 +107,5 @@ SAMPLINGS: Mapping[Sampling, SamplingRow] = {
 
 
 def sampling_row(function: Sampling) -> SamplingRow:
-    """What a function of samples is."""
+    """Find the row of a function of samples."""
     return SAMPLINGS[function]

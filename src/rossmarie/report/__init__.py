@@ -1,4 +1,5 @@
-"""What a replay found, for readers: a table, JSON lines, and a timeline that opens in a browser.
+"""The results of a replay, for readers: a table, JSON lines, and a timeline that opens in a
+browser.
 
 Beside it, in `wiring`, how the node of a rules file is connected.
 """

@@ -1,4 +1,4 @@
-"""What is covered of rules, as a table on a terminal, or as plain text in a file or pipe."""
+"""The coverage of rules, as a table on a terminal, or as plain text in a file or pipe."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def _rows(coverage: Coverage, rule: int, reasons: Mapping[Goal, str]) -> Iterato
 
 
 def questions(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]:
-    """What is asked about a rule, in words, and the goals that answer it."""
+    """Give the questions about a rule, in words, and the goals that answer each."""
     own = [goal for goal in coverage.goals if goal.rule == rule]
     yield "active, and cleared", [goal for goal in own if goal.aspect in _CHANGES]
     groups: dict[tuple[int, int], list[Goal]] = {}
@@ -83,7 +83,7 @@ def questions(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]
 
 
 def counted(coverage: Coverage, found: Sequence[Goal]) -> str:
-    """How many of the goals were reached, `2/3`; nothing if there are none."""
+    """Count the goals that were reached, `2/3`; nothing if there are none."""
     reached = sum(goal in coverage.reached for goal in found)
     return f"{reached}/{len(found)}" if found else ""
 

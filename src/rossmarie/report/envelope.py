@@ -22,7 +22,7 @@ _Time = TypeVar("_Time", np.float64, np.int64)
 
 
 def share(plots: int) -> int:
-    """How many samples a page has of each of so many plots."""
+    """The number of samples that a page has of each of so many plots."""
     return max(_SAMPLES // max(plots, 1), _KEPT)
 
 

@@ -1,4 +1,4 @@
-"""How far thresholds can go, as a table."""
+"""The margins of thresholds, as a table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a replay found: the one input of every report.
+"""The results of a replay: the one input of every report.
 
 The driver fills a `Replay` after a monitor has run over a whole recording. Events stand in the
 order in which the monitor yielded them; instants are stamps in nanoseconds and may run backwards

@@ -106,8 +106,8 @@ def _change(replay: Replay, verdict: Verdict, placed: PlacedEvent, done: list[st
 
 
 def _done(replay: Replay, placed: list[PlacedEvent]) -> dict[int, list[str]]:
-    """What each activation would have done, by the place of its verdict; what is undone at its end
-    goes without saying.
+    """The effects that each activation would have had, by the place of its verdict; those undone at
+    its end go without saying.
     """
     lines: dict[int, list[str]] = {}
     for each in replay.rehearsed:

@@ -1,4 +1,4 @@
-"""What was proved of the generated C: as a model, as findings, and as a table for people."""
+"""The proofs about the generated C: as a model, as findings, and as a table for people."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _OTHERS = "evaluation, timers, calls"
 
 @dataclass(frozen=True)
 class Proofs:
-    """What became of all questions about the C of a machine. `unasked` are the generated sources,
+    """The outcomes of all questions about the C of a machine. `unasked` are the generated sources,
     or parts of these, that none is about, `tools` the versions of the programs that answered.
     """
 
@@ -48,19 +48,19 @@ class Proofs:
 
     @property
     def is_inductive(self) -> bool:
-        """Whether the monitor is right in runs of any length: each step begins where another one
-        may have ended, so all have to be proved.
+        """Say whether the monitor is right in runs of any length: each step begins where another
+        one may have ended, so all have to be proved.
         """
         is_proved = all(outcome.verdict is Verdict.PROVED for outcome in self.outcomes)
         return is_proved and not has_windows(self.machine)
 
     @property
     def is_complete(self) -> bool:
-        """Whether nothing is left to show."""
+        """Say whether nothing is left to show."""
         return self.is_inductive and not self.unasked
 
     def having(self, verdict: Verdict) -> tuple[Outcome, ...]:
-        """What has this verdict."""
+        """The outcomes with this verdict."""
         return tuple(outcome for outcome in self.outcomes if outcome.verdict is verdict)
 
     def reasons(self, outcome: Outcome) -> tuple[str, ...]:
@@ -97,7 +97,7 @@ def _place(machine: ir.Machine, words: str) -> Span | None:
 
 
 def has_windows(machine: ir.Machine) -> bool:
-    """Whether samples in windows are put in order, of which no question asks."""
+    """Say whether samples in windows are put in order, of which no question asks."""
     nodes = (signal.node for signal in machine.signals)
     return any(isinstance(node, ir.Sampled) and node.window_ns > 0 for node in nodes)
 
@@ -146,7 +146,7 @@ def _left(outcomes: Sequence[Outcome]) -> str:
 
 
 def _conclusion(proofs: Proofs) -> Iterator[str]:
-    """What is open, with the reasons, and what all this amounts to."""
+    """Tell what is open, with the reasons, and what all this amounts to."""
     for outcome in proofs.having(Verdict.UNDECIDED):
         for reason in proofs.reasons(outcome):
             yield f"undecided: {outcome.check.about}: {reason}"

@@ -1,4 +1,4 @@
-"""What the rules of a replay would have done: a reactor, driven by the monitor's events.
+"""A rehearsal: a reactor, driven by the monitor's events, shows what rules would have done.
 
 Takes the events of a monitor of a verified machine. The robot of a recording was not told anything,
 so nothing in it says how an order ended: all that a node would await is taken as done at once, with
@@ -42,7 +42,7 @@ class Rehearsed:
 
 @dataclass(frozen=True)
 class TaskSummary:
-    """What became of one task over a whole replay; `overruled` says how often, by which rule."""
+    """The outcome of one task over a whole replay; `overruled` says how often, by which rule."""
 
     rule: str
     action: str

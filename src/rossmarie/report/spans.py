@@ -31,7 +31,7 @@ class ActiveSpan:
 
     @property
     def length_ns(self) -> int:
-        """How long it lasts."""
+        """The duration."""
         return self.end_ns - self.start_ns
 
 
@@ -107,7 +107,7 @@ def _summary(
 
 
 def _is_start(event: Event) -> bool:
-    """Whether a rule became active for want of a first message."""
+    """Say whether a rule became active for want of a first message."""
     return (
         isinstance(event, Verdict)
         and event.change is Change.ACTIVATED_LOST

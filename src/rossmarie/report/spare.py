@@ -1,4 +1,4 @@
-"""How far thresholds can go, in numbers and units that people read."""
+"""The margins of thresholds, in numbers and units that people read."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Spare:
 
     @property
     def cells(self) -> tuple[str, ...]:
-        """What it is, and the four ends, as a user writes them."""
+        """The name, and the four ends, as a user writes them."""
         return tuple(
             "any" if each is None else f"{each:.6g} {self.unit}".strip()
             for each in (self.value, *self.same, *self.as_often)

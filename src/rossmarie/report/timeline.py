@@ -51,7 +51,7 @@ def render_timeline(replay: Replay) -> str:
 
 
 def _listed(replay: Replay) -> str:
-    """What the list of changes is: the page does not hold more than the first ones."""
+    """Describe the list of changes: the page does not hold more than the first ones."""
     count = sum(isinstance(event, Verdict) for event in replay.events)
     if count <= MOST_DETAILED:
         return "Every change, in order"

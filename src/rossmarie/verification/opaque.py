@@ -30,7 +30,9 @@ def name(function: Function, count: int) -> str:
 
 
 def _is_possible(function: Function, count: int) -> str:
-    """What is known of a result: of what is not known nothing is, and some are never infinite."""
+    """The facts that are known of a result: of an unknown function there are none, and some results
+    are never infinite.
+    """
     known = " && ".join(f"!isnan({each})" for each in parameters(count))
     is_finite = not may_be_infinite(function, count, of_infinite=True)
     return f"({known} || isnan(found))" + (" && !isinf(found)" if is_finite else "")
@@ -64,8 +66,8 @@ WINDOW_PARTS: Parts = (
     ("window_middle", "some_middle"),
     ("sample_window", "ignore_sample_window"),
 )
-"""How samples in windows are kept and put in order is not proved: it is the same in all machines,
-and some thousand comparisons of numbers each time.
+"""The functions that keep the samples of windows and put them in order. No question proves these:
+they are the same in all machines, and take some thousand comparisons of numbers each time.
 """
 
 _WINDOWS = """\

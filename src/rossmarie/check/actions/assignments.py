@@ -33,7 +33,7 @@ _INTEGERS: Mapping[str, tuple[int, int]] = {
 def assignments_of(
     written: tuple[ast.FieldAssignment, ...], sent: Sent | None, targets: Targets
 ) -> tuple[reactions.Assignment, ...] | None:
-    """What is assigned, in the units of the message; None after reporting what is wrong."""
+    """Give the assigned values, in the units of the message; None after reporting what is wrong."""
     found: list[reactions.Assignment] = []
     first: dict[reactions.FieldPath, ast.FieldAssignment] = {}
     is_right = sent is not None

@@ -89,8 +89,8 @@ class CommandChecker:
     def expected(
         self, topic: ast.Name, path: ast.FieldPath, range_: ast.Expression
     ) -> tuple[reactions.CommandTopic, int, float, float] | None:
-        """What a test expects of a field: its number, and the ends in the unit of the message.
-        None after reporting what is wrong.
+        """Give the field that a test expects something of, by number, and the ends in the unit of
+        the message. None after reporting what is wrong.
         """
         infer(range_, self._context)
         if not self._targets.is_commanded(topic):

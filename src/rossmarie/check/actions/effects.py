@@ -262,7 +262,7 @@ class EffectChecker:
         return CheckedEffect(found, None, None, resource, otherwise, effect.span)
 
     def _resource(self, effect: reactions.Effect) -> str:
-        """What it needs for itself, by the name that a system model gives it, if it does."""
+        """Name the resource that an effect needs for itself, as the system model names it."""
         target = reactions.target_of(effect)
         assert target is not None, "only effects that need something are asked for it"
         declared = self._resources.get(target.name)

@@ -1,4 +1,4 @@
-"""What is wrong with actions and their effects."""
+"""Mistakes in actions and their effects."""
 
 from __future__ import annotations
 

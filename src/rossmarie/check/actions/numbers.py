@@ -21,7 +21,7 @@ _USUAL_TIMEOUT_NS = 2_000_000_000
 
 
 def fits(node: ast.Expression, found: Quantity, field: Field, context: Context) -> bool:
-    """Whether numbers have the dimension of a field; reports it if not."""
+    """Say whether numbers have the dimension of a field; report it if not."""
     if found.unit is None:
         return True
     expected = field.unit or DIMENSIONLESS

@@ -63,7 +63,7 @@ def _report_unknown(names: Iterable[ast.Name], targets: Targets) -> None:
 
 
 def _known(targets: Targets) -> Iterator[str]:
-    """What system models declare and effects name."""
+    """The names that system models declare and effects use."""
     yield from targets.model.topics
     yield from (name for _, name in targets.stated)
     for item in targets.context.declarations.items:

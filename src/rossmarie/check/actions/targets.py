@@ -1,4 +1,4 @@
-"""What effects are directed at: topics, services and action servers, and the types of these."""
+"""The targets of effects: topics, services and action servers, and the types of these."""
 
 from __future__ import annotations
 
@@ -124,12 +124,12 @@ class Targets:
             return None
         if _contradicts(target, written):
             return None
-        # What is wrong with a type is reported once, however many effects go by it.
+        # A mistake in a type is reported once, however many effects go by it.
         message = find_message(written, self.model, self._collector)
         return None if message is None else Sent(name, type_name(written.text), message)
 
     def is_commanded(self, name: ast.Name) -> bool:
-        """Whether an action commands the topic; reports it if not."""
+        """Say whether an action commands the topic; report it if not."""
         if self.full_name(Kind.MESSAGE, name) in self.commanded:
             return True
         if self.model.is_whole and self.is_parsed:
@@ -201,7 +201,7 @@ def insertion(behind: Span, text: str) -> Fix:
 
 
 def _contradicts(target: ast.Target, known: ast.Name) -> bool:
-    """Whether a target states another type than is known, which is reported where it is stated."""
+    """Say whether a target states another type than is known, which is reported at its place."""
     return target.type is not None and _short(target.type) != _short(known)
 
 

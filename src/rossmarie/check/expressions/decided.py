@@ -72,7 +72,7 @@ def _spelling(node: ast.Expression) -> str:
 
 
 def _parts(node: ast.Expression, is_whole: bool) -> Iterator[tuple[ast.Expression, bool]]:
-    """What is inside a node, and whether it still stands for the whole condition."""
+    """The nodes inside a node; each tells whether it still stands for the whole condition."""
     if isinstance(node, ast.Held):
         yield node.condition, True
         return
@@ -93,7 +93,7 @@ def _is_switch(node: ast.Expression, context: Context) -> bool:
 
 
 def _is_apart(node: ast.Expression, context: Context) -> bool:
-    """Whether a condition names no input and no other condition, and holds nothing for a time."""
+    """Say whether a condition names no input and no other one, and holds nothing for a time."""
     return isinstance(context.type_of(node), Boolean) and not any(
         isinstance(part, ast.Held)
         or (isinstance(part, ast.Reference) and constant_of(part, context.declarations) is None)

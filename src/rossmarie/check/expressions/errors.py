@@ -1,4 +1,4 @@
-"""What is wrong with whole expressions: frequencies, and conditions that are decided."""
+"""Mistakes in whole expressions: frequencies, and conditions that are decided."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is wrong with names and fields."""
+"""Mistakes in names and fields."""
 
 from __future__ import annotations
 

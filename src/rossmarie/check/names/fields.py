@@ -27,7 +27,7 @@ _ANGLES = ("roll", "pitch", "yaw")
 
 
 def members(type_: Type) -> dict[str, Type]:
-    """What can be written behind a dot, other than a function."""
+    """The names that can be written behind a dot, other than functions."""
     if isinstance(type_, Message):
         return dict(type_.fields)
     if isinstance(type_, Vector):
@@ -79,7 +79,7 @@ def unit_of(type_: Type) -> Unit | None:
 
 
 def has_no_number(type_: Type) -> bool:
-    """Whether `with_unit` has nothing to work on."""
+    """Say whether `with_unit` has nothing to work on."""
     return not isinstance(type_, Quantity | Vector) and not (
         isinstance(type_, Array) and not isinstance(type_.element, Boolean)
     )

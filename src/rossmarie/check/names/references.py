@@ -1,4 +1,4 @@
-"""What a name stands for: constants, inputs and conditions; what is meant by an undeclared one.
+"""The meaning of a name: constants, inputs and conditions; the likely meaning of an undeclared one.
 
 A name that looks like an undeclared one counts as used: otherwise each misspelling would be
 reported a second time, as an unused declaration. Where a file could not be read, no name is
@@ -75,7 +75,7 @@ def type_of_member(node: ast.Member, context: Context) -> Type:
 
 
 def is_value(node: ast.Expression, context: Context) -> bool:
-    """Whether what stands before a dot has a type of its own; an entity has none."""
+    """Say whether what stands before a dot has a type of its own; an entity has none."""
     if not isinstance(node, ast.Reference):
         return True
     name = node.name.text
@@ -85,7 +85,7 @@ def is_value(node: ast.Expression, context: Context) -> bool:
 
 
 def is_value_name(name: str, context: Context) -> bool:
-    """Whether a name stands for a constant or an input."""
+    """Say whether a name stands for a constant or an input."""
     return isinstance(context.declarations.names.get(name), ast.Constant | ast.Input)
 
 

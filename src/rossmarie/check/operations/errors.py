@@ -1,4 +1,4 @@
-"""What is wrong with operations: types, constants, times."""
+"""Mistakes in operations: types, constants, times."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is wrong with calls of functions, and with `oscillates`."""
+"""Mistakes in calls of functions, and in `oscillates`."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ USAGES: Mapping[Operator, str] = {
     Operator.MEDIAN: "median(x, 0.2 sec)",
     Operator.AGE: "age(input) > 0.5 sec",
 }
-"""How each function is written; its keys are the functions there are."""
+"""The notation of each function; its keys are the functions there are."""
 
 _FUNCTIONS: Mapping[str, Operator] = {operator.value: operator for operator in USAGES}
 _NEEDS: Mapping[Operator, str] = {
@@ -123,7 +123,7 @@ def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
     count = len(node.arguments)
     if count >= signature.least and (signature.most is None or count <= signature.most):
         return True
-    # What stands before the dot is not counted: the user sees no argument there.
+    # The operand before the dot is not counted: the user sees no argument there.
     before_dot = 1 if node.is_method else 0
     least, given = signature.least - before_dot, count - before_dot
     expected = {0: "no argument here", 1: "one argument"}.get(least, f"{least} arguments")
@@ -171,7 +171,9 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
 
 
 def _result_of_fold(node: ast.Call, operator: Operator, type_: Type, context: Context) -> Type:
-    """What comes out whatever is wrong with the argument; of `any(x) < 1`, one finding will do."""
+    """The type of the result whatever is wrong with the argument; of `any(x) < 1`, one finding will
+    do.
+    """
     around = context.parents.get(id(node))
     is_compared = isinstance(around, ast.Binary) and around.operator not in ast.JUNCTIONS
     if isinstance(type_, Unknown) and is_compared:

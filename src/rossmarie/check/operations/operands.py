@@ -1,4 +1,4 @@
-"""What operators are applied to: numbers, truths, constant times; reports what does not fit."""
+"""The operands of operators: numbers, truths, constant times; what does not fit is reported."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def report_misused_age(node: ast.Expression, reason: str, context: Context) -> N
 
 
 def is_age(node: ast.Expression) -> bool:
-    """Whether this is a call of `age`."""
+    """Say whether this is a call of `age`."""
     inner = stripped(node)
     return isinstance(inner, ast.Call) and inner.function.text == "age"
 
@@ -104,7 +104,7 @@ def message_as_value(node: ast.Expression, message: Message) -> Diagnostic:
 
 
 def is_truth(type_: Type) -> bool:
-    """Whether this is true or false, or an array of such."""
+    """Say whether this is true or false, or an array of such."""
     element = type_.element if isinstance(type_, Array) else type_
     return isinstance(element, Boolean)
 
@@ -195,7 +195,7 @@ def _out_of_range(node: ast.Expression, seconds: float, purpose: str) -> Diagnos
 
 
 def require_constant(node: ast.Expression, purpose: str, context: Context) -> bool:
-    """Whether the value of `node` is known; if not, the part that changes is reported."""
+    """Say whether the value of `node` is known; if not, report the part that changes."""
     if id(node) in context.values:
         return True
     changing = node

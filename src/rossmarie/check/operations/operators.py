@@ -245,7 +245,7 @@ def _report_incomparable(node: ast.Binary, context: Context) -> Type:
 
 
 def _in_one_kind(node: ast.Binary, context: Context) -> Remark:
-    """How to compare a text and a number."""
+    """Show how to compare a text and a number."""
     for side in (node.left, node.right):
         literal, constant = stripped(side), constant_of(stripped(side), context.declarations)
         if constant is not None:
@@ -303,7 +303,7 @@ def _age_comparison(operator: Operator, node: ast.Binary, context: Context) -> T
 
 
 def _is_zero(divisor: ast.Expression, context: Context) -> bool:
-    """Whether a divisor is always zero; reports it."""
+    """Say whether a divisor is always zero; report it."""
     value = context.values.get(id(divisor))
     is_zero = value is not None and value.numbers == (0.0,)
     if is_zero:

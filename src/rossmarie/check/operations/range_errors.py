@@ -1,4 +1,4 @@
-"""What is wrong with intervals and boxes, and with `in`."""
+"""Mistakes in intervals and boxes, and in `in`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is wrong with rules together."""
+"""Mistakes that rules make together."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether chains of escalations end with something that no other rule can overrule."""
+"""Chains of escalations have to end with something that no other rule can overrule."""
 
 from __future__ import annotations
 
@@ -67,8 +67,8 @@ def _needs(rule: ast.Rule, effects: Effects) -> list[CheckedEffect]:
 def _overrules(
     needs: Sequence[CheckedEffect], effect: CheckedEffect, commands: Container[str]
 ) -> bool:
-    """Whether a rule with these needs keeps an effect from its resource. If all that it does with
-    that is to publish the same message, it does not.
+    """Say whether a rule with these needs keeps an effect from its resource. If all that it does
+    with that is to publish the same message, it does not.
     """
     rivals = [other.effect for other in needs if other.resource == effect.resource]
     found = effect.effect

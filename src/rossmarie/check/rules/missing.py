@@ -1,4 +1,6 @@
-"""What rules lack: a file its rules, an action its effects, an input that counts its timeout."""
+"""The parts that rules lack: a file its rules, an action its effects, an input that counts its
+timeout.
+"""
 
 from __future__ import annotations
 
@@ -67,7 +69,7 @@ def warn_of_missing_timeouts(
 def _reached(
     uses: Uses, conditions: Mapping[ConditionKey, Uses], seen: set[ConditionKey]
 ) -> Iterator[Uses]:
-    """What a rule rests on, without the conditions that were `seen` behind earlier rules."""
+    """The uses behind a rule, without the conditions that were `seen` behind earlier rules."""
     pending = [uses]
     while pending:
         current = pending.pop()

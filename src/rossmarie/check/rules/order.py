@@ -1,4 +1,4 @@
-"""What has to come before what, and where that goes in circles."""
+"""The order in which things have to come, and the places where it goes in circles."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What follows from which actions a rule uses: escalations, latches, and how much that is."""
+"""The plans that follow from the actions of a rule: escalations, latches, and how much that is."""
 
 from __future__ import annotations
 
@@ -103,7 +103,9 @@ def check_latches(effects: Effects, context: Context) -> None:
 
 
 def may_fail(effect: reactions.Effect) -> bool:
-    """Whether something can follow from its failure: what needs nothing for itself succeeds."""
+    """Say whether something can follow from its failure: an effect that needs nothing for itself
+    succeeds.
+    """
     return reactions.target_of(effect) is not None
 
 

@@ -1,4 +1,4 @@
-"""What rules are called, and rules as other rules and priorities name them."""
+"""The names of rules, and rules as other rules and priorities name them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def numbers_of(rules: Sequence[ast.Rule]) -> dict[str, int]:
 
 
 def name_of(rules: Sequence[ast.Rule], number: int) -> str:
-    """What a rule is called in messages."""
+    """The name of a rule in messages."""
     return rule_names(rules)[number]
 
 

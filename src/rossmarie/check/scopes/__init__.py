@@ -1,1 +1,1 @@
-"""What is declared, and what the checker knows while it goes over a program."""
+"""Declarations, and all that the checker knows while it goes over a program."""

@@ -1,4 +1,4 @@
-"""What the checker knows and finds out while it goes over the expressions of a program."""
+"""The context: all that the checker knows and finds out while it goes over expressions."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rossmarie.types import Type, Unknown
 
 @dataclass
 class Uses:
-    """What one condition, rule or declaration refers to; conditions with the place."""
+    """The uses of one condition, rule or declaration; conditions with the place."""
 
     inputs: set[str] = field(default_factory=set)
     conditions: dict[ConditionKey, Span] = field(default_factory=dict)
@@ -67,7 +67,7 @@ class Context:
         )
 
     def may_suggest(self) -> bool:
-        """Whether to look for what a misspelt name may have meant."""
+        """Say whether to look for what a misspelt name may have meant."""
         return self.suggestions.take(len(self.declarations.names))
 
     def report_unknown(self, finding: Template, name: ast.Name, known: Iterable[str]) -> None:

@@ -36,7 +36,7 @@ def kind_of(item: Named) -> str:
 
 @dataclass(frozen=True)
 class Declarations:
-    """What is declared. `names` is the one namespace of constants, inputs, entities and actions;
+    """The declarations. `names` is the one namespace of constants, inputs, entities and actions;
     `conditions` are those of each entity. `items` holds every item, also second declarations.
     `is_whole` is False if a file could not be read: what is not declared here may be there.
     """

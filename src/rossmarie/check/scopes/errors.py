@@ -1,4 +1,4 @@
-"""What is wrong with declarations."""
+"""Mistakes in declarations."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ LONGEST_QUOTE = 160
 
 
 def text_of(node: ast.Expression) -> str:
-    """What the user wrote, as `quoted`."""
+    """The text that the user wrote, as `quoted`."""
     return quoted(node.span.text)
 
 

@@ -1,4 +1,4 @@
-"""What is wrong with system models and inputs."""
+"""Mistakes in system models and inputs."""
 
 from __future__ import annotations
 

@@ -89,7 +89,7 @@ def _message(
             report_conflict(written, topic, collector)
         return find_message(written, model, collector)
     if topic is not None:
-        # What is wrong with the type of a declared topic is reported at its declaration.
+        # A mistake in the type of a declared topic is reported at its declaration.
         return find_message(topic.declaration.message_type, model, collector)
     if declaration.topic.text and model.is_whole:
         _report_without_type(declaration.topic, model, collector)

@@ -1,4 +1,4 @@
-"""How often messages come, as system models say it with `at`."""
+"""The rates of messages, as system models state them with `at`."""
 
 from __future__ import annotations
 

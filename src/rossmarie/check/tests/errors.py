@@ -1,4 +1,4 @@
-"""What is wrong with tests."""
+"""Mistakes in tests."""
 
 from __future__ import annotations
 

@@ -33,7 +33,9 @@ _RADIANS = Quantity(parse_unit("rad"))
 
 
 def settings_of(written: tuple[ast.Setting, ...], context: Context) -> tuple[Setting, ...] | None:
-    """What messages set; None after reporting what is wrong. A vector is set one by one."""
+    """Give the settings of messages; None after reporting what is wrong. A vector is set one by
+    one.
+    """
     found: list[Setting] = []
     is_right = True
     for setting in written:
@@ -52,7 +54,7 @@ class _SettingChecker:
         self._text = setting.path.span.text
 
     def check(self) -> tuple[Setting, ...] | None:
-        """What it sets; None after reporting what is wrong with it."""
+        """Give the settings; None after reporting what is wrong with them."""
         type_ = self._input_type()
         if type_ is None or isinstance(type_, Unknown):
             if isinstance(self._setting.value, ast.Bracket):

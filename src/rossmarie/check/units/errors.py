@@ -1,4 +1,4 @@
-"""What is wrong with units."""
+"""Mistakes in units."""
 
 from __future__ import annotations
 

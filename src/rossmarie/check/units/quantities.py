@@ -92,7 +92,7 @@ def read_unit(unit: ast.Unit, collector: Collector) -> Unit | None:
 
 
 def check_fit(first: Operand, second: Operand, purpose: str, context: Context) -> bool:
-    """Whether two quantities can be `purpose` (compared, added ...); reports it if not."""
+    """Say whether two quantities can be `purpose` (compared, added ...); report it if not."""
     if not unit_faults(first.quantity, second.quantity):
         return True
     odd, other = _odd_one(first, second, context)
@@ -167,7 +167,7 @@ def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], contex
 
 
 def _meant_unit(found: Unit, expected: Unit) -> Unit:
-    """What `found` becomes with or without its time: deg/s for deg, where rad/s is expected."""
+    """Give `found` with or without its time: deg/s for deg, where rad/s is expected."""
     is_rate = _is_rate_of(found, expected)
     meant = multiply(found, SECOND) if is_rate else divide(found, SECOND)
     is_simple = "*" not in meant.symbol or "*" in expected.symbol
@@ -236,7 +236,7 @@ def unit_behind(node: ast.Expression, symbol: str, context: Context) -> Fix | No
 
 
 def is_same_unit(unit: Unit, other: Unit) -> bool:
-    """Whether two units are one by different names, as `s` and `sec`."""
+    """Say whether two units are one by different names, as `s` and `sec`."""
     return (unit.dimension, unit.scale, unit.offset) == (
         other.dimension,
         other.scale,

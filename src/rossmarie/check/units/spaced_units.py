@@ -23,7 +23,7 @@ class _Step(NamedTuple):
 
 
 def is_rest_of_unit(node: ast.Reference, context: Context) -> bool:
-    """Whether an undeclared name is meant as part of the unit before it.
+    """Say whether an undeclared name is meant as part of the unit before it.
 
     What is cut into several pieces, `1 kg * m / s`, is reported once, at its last piece.
     """

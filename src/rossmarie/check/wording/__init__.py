@@ -1,1 +1,1 @@
-"""How findings speak: types in the words of the user, names that may be meant, edits."""
+"""The words of findings: types in the words of the user, names that may be meant, edits."""

@@ -54,7 +54,7 @@ def describe_quantity(quantity: Quantity) -> str:
 
 
 def is_plain(quantity: Quantity) -> bool:
-    """Whether the number has the unit 1, or %."""
+    """Say whether the number has the unit 1, or %."""
     return quantity.unit is not None and quantity.unit.dimension == DIMENSIONLESS.dimension
 
 

@@ -14,7 +14,7 @@ MOST_COMPARISONS = 50_000
 
 
 class Suggestions:
-    """How much more effort goes into suggestions.
+    """The effort that is left for suggestions.
 
     Each is sought among all names; a large file full of undeclared names would take for ever.
     """
@@ -23,7 +23,7 @@ class Suggestions:
         self._left = MOST_COMPARISONS
 
     def take(self, candidates: int) -> bool:
-        """Whether one more suggestion may be sought among so many names."""
+        """Say whether one more suggestion may be sought among so many names."""
         self._left -= candidates
         return self._left >= 0
 

@@ -75,7 +75,7 @@ class Conditions:
                 return Phrase(self._leaf(node, is_so), (), truth.span, _named(truth, is_so))
 
     def name(self, index: int) -> str:
-        """What a truth is called: as the user calls it, or by a number."""
+        """The name of a truth: the user's, or a number."""
         return self._machine.truths[index].name or f"condition {index}"
 
     def _by_name(self, index: int, is_so: bool) -> Phrase:
@@ -106,7 +106,9 @@ class Conditions:
         return Phrase(head, (self.phrase(operand),), truth.span, _named(truth, is_so))
 
     def _stripped(self, index: int) -> tuple[ir.TruthNode, bool]:
-        """What an unnamed chain of negations is about, and whether it says that it is so."""
+        """Give the subject of an unnamed chain of negations, and whether the chain says that it is
+        so.
+        """
         node, is_so = self._machine.truths[index].node, True
         while isinstance(node, ir.Not):
             node, is_so = self._machine.truths[node.operand].node, not is_so
@@ -219,12 +221,12 @@ class Conditions:
 
 
 def _named(truth: ir.Truth, is_so: bool) -> str | None:
-    """What the user calls a truth or, if it is negated, its opposite."""
+    """The user's name of a truth or, if it is negated, of its opposite."""
     return truth.name if truth.name is None or is_so else f"not {truth.name}"
 
 
 def _fit_side_by_side(parts: tuple[Phrase, ...]) -> bool:
-    """Whether few simple words without a name of their own can be joined without doubt."""
+    """Say whether few simple words without a name of their own can be joined without doubt."""
     return len(parts) <= _MOST_SIDE_BY_SIDE and not any(
         part.parts or part.name or " and " in part.text or " or " in part.text for part in parts
     )

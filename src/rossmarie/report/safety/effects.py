@@ -104,7 +104,7 @@ class Effects:
     # --- what goes with it -------------------------------------------------------------------
 
     def _details(self, effect: reactions.Effect) -> list[Phrase]:
-        """What counts as done, and what is undone on release."""
+        """Tell what counts as done, and what is undone on release."""
         found = []
         if isinstance(effect, reactions.CancelGoal) and effect.confirmation is not None:
             watched = self._conditions.phrase(self._machine.watches[effect.confirmation])
@@ -138,7 +138,7 @@ class Effects:
     # --- what can go wrong -------------------------------------------------------------------
 
     def _after(self, task: reactions.Task) -> list[Phrase]:
-        """What follows if it fails."""
+        """Tell what follows if it fails."""
         followers = tuple(self.phrase(other) for other in task.otherwise)
         if not overruled.can_fail(task):
             text = "it cannot fail, so this never starts:"
@@ -161,7 +161,7 @@ class Effects:
         return listed(tuple(ways), "or") or "fails"
 
     def _waits(self, index: int) -> list[Phrase]:
-        """What becomes of it while another rule has what it needs, if it waits for that."""
+        """Tell what becomes of it while another rule has what it needs, if it waits for that."""
         task = self._found.tasks[index]
         timeout_ns = reactions.timeout_ns(task.effect)
         rivals = self._rivals(index)
@@ -202,7 +202,7 @@ def _bounded(command: reactions.CommandTopic, bound: reactions.Bound) -> str:
 
 
 def _lifted(command: reactions.CommandTopic, bounds: tuple[reactions.Bound, ...]) -> list[str]:
-    """How each bound goes; those that go alike are told together."""
+    """Tell how each bound goes; those that go alike are told together."""
     ways: dict[str, list[str]] = {}
     for bound in bounds:
         field = command.fields[bound.field]
@@ -228,7 +228,7 @@ def _assigned(
     assignments: tuple[reactions.Assignment, ...],
     units: Mapping[reactions.FieldPath, str] = MappingProxyType({}),
 ) -> str:
-    """What the fields of a message are set to, with the units that are known."""
+    """Tell what the fields of a message are set to, with the units that are known."""
     fields = tuple(
         f"{path_words(each.path)} = {_values(each.value)} {units.get(each.path, '')}".rstrip()
         for each in assignments

@@ -30,14 +30,14 @@ VERSION = 1
 
 
 class EvidenceKind(enum.Enum):
-    """What a report is about; its value is what people call it."""
+    """The subject of a report; its value is the name that people use."""
 
     VERIFICATION = "verification"
     COVERAGE = "coverage"
 
     @property
     def statuses(self) -> tuple[str, ...]:
-        """What a result can be, the good one first."""
+        """The statuses that a result can have, the good one first."""
         match self:
             case EvidenceKind.VERIFICATION:
                 return ("proved", "refuted", "undecided", "not proved")
@@ -83,7 +83,7 @@ class Evidence:
 
     @property
     def open_results(self) -> tuple[Result, ...]:
-        """What is not answered as it should be."""
+        """The results that are not as they should be."""
         return tuple(each for each in self.results if each.status != self.kind.statuses[0])
 
     def missing(self, sources: Iterable[Hashed]) -> tuple[str, ...]:
@@ -92,7 +92,7 @@ class Evidence:
         return tuple(each.path for each in sources if each.sha256 not in known)
 
     def others(self, sources: Iterable[Hashed]) -> tuple[Hashed, ...]:
-        """What the report is about beside these sources: recordings, as a rule."""
+        """The subjects of the report beside these sources: recordings, as a rule."""
         known = {each.sha256 for each in sources}
         return tuple(each for each in self.sources if each.sha256.lower() not in known)
 

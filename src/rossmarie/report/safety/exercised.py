@@ -1,4 +1,4 @@
-"""What traces cover of rules as the results of a report: one for each row of the table."""
+"""The coverage of rules by traces as the results of a report: one for each row of the table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a safety file is made from: a machine and what else is known of its rules."""
+"""The content of a safety file: a machine and all else that is known of its rules."""
 
 from __future__ import annotations
 

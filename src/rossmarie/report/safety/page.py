@@ -113,7 +113,7 @@ class _Lines:
 
 
 def open_points(content: SafetyFile) -> tuple[str, ...]:
-    """What is missing before the file can be signed, in words."""
+    """Tell what is missing before the file can be signed, in words."""
     found = []
     for kind, evidence in (
         (EvidenceKind.VERIFICATION, content.verification),
@@ -240,7 +240,7 @@ class _Condition:
 
 
 def _conditions(machine: ir.Machine, conditions: Conditions) -> list[_Condition]:
-    """What has a name, and what the sentences above refer to."""
+    """The conditions that have a name, and those that the sentences above refer to."""
     wanted = {index for index, truth in enumerate(machine.truths) if truth.name is not None}
     said: dict[int, Phrase] = {}
     while missing := (wanted | set(conditions.apart)) - set(said):
@@ -254,7 +254,7 @@ def _conditions(machine: ir.Machine, conditions: Conditions) -> list[_Condition]
 
 
 def _numbers_apart(conditions: Conditions) -> list[tuple[int, str]]:
-    """What the sentences call `number 7`."""
+    """The conditions that the sentences call `number 7`."""
     said: dict[int, str] = {}
     while missing := set(conditions.numbers.apart) - set(said):
         for index in sorted(missing):
@@ -263,7 +263,7 @@ def _numbers_apart(conditions: Conditions) -> list[tuple[int, str]]:
 
 
 def _claims(machine: ir.Machine) -> list[tuple[str, list[ir.Rule]]]:
-    """What several rules need for themselves, and in which order they get it."""
+    """The resources that several rules need for themselves, and the order in which these get it."""
     return [
         (machine.reactions.resources[resource], [machine.rules[rule] for rule in rules])
         for resource, rules in claims(machine).items()

@@ -13,7 +13,7 @@ _PROVED, _, _, _NOT_PROVED = EvidenceKind.VERIFICATION.statuses
 
 
 def bound_of(machine: ir.Machine) -> str:
-    """How far proofs about the C of a machine hold, and what they take for granted."""
+    """Tell how far proofs about the C of a machine hold, and what they take for granted."""
     arrays = f"; arrays of up to {ELEMENTS} elements" if machine.arrays else ""
     return (
         "one step from any well-formed state, so no bound on messages, timers, values or time"

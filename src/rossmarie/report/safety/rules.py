@@ -1,4 +1,4 @@
-"""What each rule of a machine means, in sentences.
+"""The meaning of each rule of a machine, in sentences.
 
 Takes a machine that `ir.verify` has passed. The sentences follow S35 to S38 and R1 to R8 of the
 documentation; each says one thing, so that it can be signed or struck out by itself.

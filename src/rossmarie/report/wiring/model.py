@@ -48,7 +48,7 @@ class Command:
 
 
 class Kind(enum.Enum):
-    """What something is that the node acts on."""
+    """The kind of something that the node acts on."""
 
     TOPIC = "topic"
     SERVICE = "service"
@@ -169,7 +169,7 @@ def _confirming(machine: ir.Machine, rule: int) -> Iterator[int]:
 
 
 def _outputs(machine: ir.Machine) -> Iterator[Output]:
-    """What tasks act on, by kind, and in the order of the file within each."""
+    """The outputs that tasks act on, by kind, and in the order of the file within each."""
     found: dict[tuple[Kind, str], list[int]] = {}
     types: dict[tuple[Kind, str], str | None] = {}
     for index, task in enumerate(machine.reactions.tasks):
@@ -185,7 +185,7 @@ def _outputs(machine: ir.Machine) -> Iterator[Output]:
 
 
 def _target(effect: reactions.Effect) -> tuple[Kind, str, str | None] | None:
-    """What an effect acts on outside of the node: its kind, name and type."""
+    """The target of an effect outside of the node: its kind, name and type."""
     match effect:
         case reactions.Publish(topic=topic, message_type=message_type, command=None):
             return Kind.TOPIC, topic, message_type
@@ -205,7 +205,7 @@ def _target(effect: reactions.Effect) -> tuple[Kind, str, str | None] | None:
 
 
 def _uses(machine: ir.Machine, tasks: list[int]) -> tuple[Use, ...]:
-    """What these tasks do; what several rules have alike is one use."""
+    """The uses that these tasks make of an output; those that rules have alike are one use."""
     rules: dict[tuple[str, str], dict[str, None]] = {}
     plans = zip(machine.rules, machine.reactions.plans, strict=True)
     rule_of = {task: rule.name for rule, plan in plans for task in plan.tasks}
