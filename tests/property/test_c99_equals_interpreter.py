@@ -19,10 +19,13 @@ from rossmarie.interpreter import Interpreter
 from rossmarie.native import NativeMonitor, build, fit
 from rossmarie.native.events import EventReader
 from rossmarie.native.library import Library
+from rossmarie.native.monitor import with_own
 from rossmarie.native.signatures import declarations, fields_of
 from rossmarie.targets.c99 import generate_loadable
+from support.batches import in_batches, one_by_one, updates_of
+from support.c_batches import batch_bytes, of_batch, program_with_batch
 from support.c_compiler import STRICT, needs_c, run, write
-from support.c_replay import knowledge, known, observations, program, table_bytes, trace_bytes
+from support.c_replay import knowledge, known, observations, table_bytes, trace_bytes
 from support.depth import examples, is_deep, phases_of_compiled
 from support.machines import exactly, observe
 from support.runs import Case, FastCalls, in_chunks, row_by_row, whole_cases
@@ -49,7 +52,7 @@ def quickly_built(machine: ir.Machine) -> Callable[[], NativeMonitor]:
     """As `load_native` does, but less optimized and without Python's headers; built once, for as
     many monitors as are asked for.
     """
-    content = build(generate_loadable(machine), "host.c", "-O1")
+    content = build(with_own(generate_loadable(machine)), "batch.c", "-O1")
     library = Library(content, declarations(fields_of(machine)) + _PACKED)
     return lambda: NativeMonitor(machine, library, EventReader(machine))
 
@@ -79,6 +82,7 @@ def test_same_events_wakes_and_states(case: Case) -> None:
     assert observe(PackedCalls(machine, native()), trace) == wanted
     rows = list(row_by_row(case))
     assert list(in_chunks(native().bind(table.times_ns, table.columns), case)) == rows
+    assert in_batches(machine, native(), trace, case.chunk) == one_by_one(machine, trace)
     run = native().run(table.times_ns, table.columns)
     assert [exactly(event) for event in run.events] == [event for part, _ in rows for event in part]
 
@@ -101,18 +105,21 @@ def test_same_under_sanitizers(case: Case, latched: list[int]) -> None:
     columns = fit(machine, table.times_ns, table.columns)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        write({**generate_loadable(machine), "replay.c": program(machine)}, folder)
+        files = with_own(generate_loadable(machine))
+        write({**files, "replay.c": program_with_batch(machine)}, folder)
         command = ["cc", "-std=c99", *STRICT, *SANITIZERS, str(folder / "replay.c")]
         run([*command, "-o", folder / "replay", "-lm"])
         given = trace_bytes(machine, trace, latched) + table_bytes(columns)
+        given += batch_bytes(machine, updates_of(trace))
         output = run([folder / "replay"], given=given).stdout
-    _, *found, of_table = observations(machine, output, len(trace) + 2)
+    _, *found, of_table, _ = observations(machine, output, len(trace) + 3)
+    assert of_batch(machine, output, len(trace) + 2) == one_by_one(machine, trace)
     interpreter = restored(machine, latched)
     knows = [known(machine, interpreter)]
     for step, observation in zip(trace, found, strict=True):
         assert [observation] == observe(interpreter, [step])
         knows.append(known(machine, interpreter))
-    assert knowledge(output)[:-1] == knows
+    assert knowledge(output)[:-2] == knows
     rows = list(row_by_row(case))
     assert list(of_table.events) == [event for part, _ in rows for event in part]
     assert list(of_table.active) == rows[-1][1][-1]

@@ -2,6 +2,7 @@
 
 from rossmarie.core import Function, Sampling
 from rossmarie.ir import reactions
+from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, explain
 from rossmarie.ir.limits import EARLIEST_NS, LATEST_NS, LONGEST_NS, MOST_EVALUATIONS
@@ -78,6 +79,7 @@ __all__ = [
     "And",
     "Apply",
     "Array",
+    "Batch",
     "Between",
     "Cause",
     "Change",
@@ -89,6 +91,7 @@ __all__ = [
     "Count",
     "Element",
     "ElementArrays",
+    "Elements",
     "Event",
     "Explanation",
     "FieldBounds",
@@ -123,6 +126,7 @@ __all__ = [
     "Slot",
     "Support",
     "Supports",
+    "Taken",
     "TimeJump",
     "Truth",
     "TruthNode",
@@ -132,6 +136,7 @@ __all__ = [
     "arrival_names",
     "compared_signals",
     "dump_text",
+    "each_update",
     "element_arrays",
     "explain",
     "field_names",

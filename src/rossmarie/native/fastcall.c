@@ -1,12 +1,12 @@
 /* Python functions for a monitor: one message on a channel, and some rows of columns.
  *
- * Compiled together with host.c where the headers of Python are at hand; they are several times as
+ * Compiled together with batch.c where the headers of Python are at hand; they are several times as
  * fast as calls through a foreign function interface.
  */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
-#include "host.c"
+#include "batch.c"
 
 enum { MOST_FIELDS = 256 };
 

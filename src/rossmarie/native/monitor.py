@@ -7,7 +7,7 @@ Takes the machine and the C text that a target wrote for it. Of the text only th
 from __future__ import annotations
 
 import sysconfig
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from importlib import resources
 from pathlib import Path
@@ -17,7 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie import ir
-from rossmarie.ir import ChannelValues, Event
+from rossmarie.ir import Batch, ChannelValues, Event, Taken
+from rossmarie.native.batches import BatchTable, SampleTable
 from rossmarie.native.build import BuildError, build
 from rossmarie.native.columns import Columns, fit
 from rossmarie.native.events import EventReader
@@ -28,6 +29,7 @@ from rossmarie.native.signatures import declarations, fields_of
 _NEVER = 2**63 - 1
 _NAN = float("nan")
 _BYTES = "unsigned char[]"
+_OWN = ("batch.c", "fastcall.c")
 _HEADERS = Path(sysconfig.get_paths()["include"])
 
 RowsCall: TypeAlias = Callable[[int, int, "NDArray[np.uint8] | None"], bytes]
@@ -55,14 +57,20 @@ def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
 def _built(files: Mapping[str, str], *, rebuild: bool = False) -> bytes:
     """With functions for Python if its headers are at hand and serve, else without."""
     if (_HEADERS / "Python.h").is_file():
-        glue = resources.files(__package__).joinpath("fastcall.c").read_text(encoding="utf-8")
         try:
-            return build(
-                {**files, "fastcall.c": glue}, "fastcall.c", f"-I{_HEADERS}", rebuild=rebuild
-            )
+            return build(with_own(files), "fastcall.c", f"-I{_HEADERS}", rebuild=rebuild)
         except BuildError:
             pass  # Headers without their configuration are found on some systems.
-    return build(files, "host.c", rebuild=rebuild)
+    return build(with_own(files), "batch.c", rebuild=rebuild)
+
+
+def with_own(files: Mapping[str, str]) -> dict[str, str]:
+    """Generated files, and those of this folder: `fastcall.c` includes `batch.c`, which includes
+    `host.c`.
+    """
+    folder = resources.files(__package__)
+    own = {name: folder.joinpath(name).read_text(encoding="utf-8") for name in _OWN}
+    return {**files, **own}
 
 
 def _checked(library: Library, reader: EventReader) -> Library:
@@ -209,6 +217,28 @@ class NativeMonitor:
         Raises `ColumnError` if they do not fit.
         """
         return BoundColumns(self, fit(self._machine, times_ns, columns))
+
+    def take(self, batch: Batch, shown: Sequence[int]) -> Taken:
+        """The updates of a batch, with samples of some signals, which are neither constant nor of
+        elements only.
+
+        Raises `ValueError` at an instant out of range, `MemoryError` if events were lost for lack
+        of memory.
+        """
+        count = len(batch.times_ns)
+        table = BatchTable(self.library, batch)
+        samples = SampleTable(self.library, count, shown)
+        self._waiting += self._drain()
+        found, done, is_full = [], 0, True
+        while is_full:
+            done = self._call("host_take", done, table.pointer, samples.pointer)
+            is_full = samples.is_full
+            found.append(samples.move_out())
+        events = self._reader.read(self._drain())
+        if done != count:
+            raise ValueError(f"the instant of update {done} is out of range")
+        times_ns, values = map(np.concatenate, zip(*found, strict=True))
+        return Taken(events, times_ns, values)
 
     def rows_call(self, table: Pointer, kept: object) -> RowsCall:
         """A function that takes in rows of a table; `kept` is what its memory rests on, which the

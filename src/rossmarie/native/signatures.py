@@ -1,4 +1,4 @@
-"""The functions of `host.c` as cffi wants them declared.
+"""The functions of `host.c` and `batch.c` as cffi wants them declared.
 
 Takes a machine. The order of fields is that of the generated code: the slots of a channel in index
 order, then its arrays.
@@ -18,6 +18,27 @@ typedef struct host_table {
     size_t *widths;
     unsigned char *arriving;
 } host_table;
+typedef struct host_batch {
+    size_t update_count;
+    size_t channel_count;
+    size_t slot_count;
+    size_t array_count;
+    int64_t *times;
+    unsigned char *arriving;
+    double *slots;
+    double **elements;
+    int64_t **ends;
+    double **parts;
+    size_t *counts;
+} host_batch;
+typedef struct host_samples {
+    size_t room;
+    size_t count;
+    size_t signal_count;
+    int *signals;
+    int64_t *times;
+    double *values;
+} host_samples;
 host *host_new(void);
 void host_free(host *);
 char *host_fault(host *);
@@ -32,6 +53,7 @@ int host_reset(host *, int64_t, int);
 int64_t host_next_wake(host *);
 int host_step(host *, int64_t, unsigned char *, double *, double **, size_t *);
 size_t host_run(host *, size_t, size_t, host_table *, unsigned char *);
+size_t host_take(host *, size_t, host_batch *, host_samples *);
 """
 
 

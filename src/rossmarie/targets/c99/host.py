@@ -6,12 +6,13 @@ from rossmarie import ir
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.messages import Messages
-from rossmarie.targets.c99.text import call, indented
+from rossmarie.targets.c99.text import call, indented, table
 
 
 def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
     """What the template leaves open."""
     return {
+        "value_of_signal": _value_of_signal(layout),
         "updates": "\n".join(_update(layout, messages, c) for c in _channels(layout)),
         "packed": indented(_packed(layout, messages)),
         "step": indented(_step(layout, messages)),
@@ -20,6 +21,12 @@ def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
         "row": indented(_row(layout, messages), 2),
         "active_bytes": (max(1, len(layout.machine.rules)) + 7) // 8,
     }
+
+
+def _value_of_signal(layout: Layout) -> str:
+    places = (layout.value_index(signal) for signal in range(len(layout.machine.signals)))
+    listed = [-1 if place is None else place for place in places]
+    return table("int", "value_of_signal", listed)
 
 
 def _channels(layout: Layout) -> range:
