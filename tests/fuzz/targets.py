@@ -151,7 +151,7 @@ def _replay(suffix: str, content: bytes, folder: Path) -> None:
     try:
         with open_recording(path) as recording:
             collector.extend(recording.findings)
-            for _ in recording.updates(SCANNED, collector, {}):
+            for _ in recording.batches(SCANNED, collector, {}):
                 pass
             write_model(recording)
     except RecordingError as error:

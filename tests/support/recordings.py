@@ -18,14 +18,14 @@ from rosbags.typesys.store import Typestore
 from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import Array, Channel, Input, Kind, Machine, Slot
-from rossmarie.recordings import Update, open_recording
+from rossmarie.recordings import Update, open_recording, updates_in
 
 START_NS = 1_700_000_000_000_000_000
 ROS1 = get_typestore(Stores.ROS1_NOETIC)
 ROS2 = get_typestore(Stores.ROS2_HUMBLE)
 
 Reading = tuple[str, int, str, Any]
-"""Topic, stamp, message type and message."""
+"""Topic, stamp, message type and message, which may be encoded already."""
 
 RULES = SourceFile(
     "rules.ross", "input battery\ninput speed\ninput scan\ninput mode\ninput blocked"
@@ -107,6 +107,14 @@ def readings(ros: Typestore, count: int = 10) -> list[Reading]:
     return found
 
 
+def encoded(ros: Typestore, name: str, message: Any) -> bytes:
+    """A message as it is stored."""
+    if isinstance(message, bytes):
+        return message
+    serialize = ros.serialize_ros1 if ros is ROS1 else ros.serialize_cdr
+    return bytes(serialize(message, name))
+
+
 def write_ros1(
     path: Path,
     found: Sequence[Reading],
@@ -123,7 +131,7 @@ def write_ros1(
             for topic, name in {(topic, name): None for topic, _, name, _ in found}
         }
         for topic, at_ns, name, message in found:
-            writer.write(connections[topic, name], at_ns, ROS1.serialize_ros1(message, name))
+            writer.write(connections[topic, name], at_ns, encoded(ROS1, name, message))
     return path
 
 
@@ -143,7 +151,7 @@ def write_ros2(
             for topic, name in {(topic, name): None for topic, _, name, _ in found}
         }
         for topic, at_ns, name, message in found:
-            writer.write(connections[topic, name], at_ns, ROS2.serialize_cdr(message, name))
+            writer.write(connections[topic, name], at_ns, encoded(ROS2, name, message))
     return folder
 
 
@@ -219,7 +227,7 @@ def replay(
     """All updates of a recording, and what was reported on the way."""
     collector = Collector()
     with open_recording(path) as recording:
-        found = list(recording.updates(rules, collector, topic_map))
+        found = list(updates_in(rules, recording.batches(rules, collector, topic_map)))
     return found, collector.sorted()
 
 

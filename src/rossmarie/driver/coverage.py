@@ -12,7 +12,7 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.python_monitor import PythonMonitor
 from rossmarie.driver.sources import hashed_files, hashed_sources
 from rossmarie.ir import Machine, Verdict
-from rossmarie.recordings import Update, open_recording
+from rossmarie.recordings import Update, open_recording, updates_in
 from rossmarie.report.safety import EvidenceKind, evidence_text
 from rossmarie.report.safety.exercised import coverage_results
 from rossmarie.report.spare import spares
@@ -118,7 +118,8 @@ def trace_of(
     """What the monitor would get of a recording."""
     with open_recording(path, message_folders) as recording:
         collector.extend(recording.findings)
-        updates = tuple(recording.updates(machine, collector, topic_map))
+        batches = recording.batches(machine, collector, topic_map)
+        updates = tuple(updates_in(machine, batches))
         last_ns = updates[-1].at_ns if updates else recording.end_ns
         return Trace(updates, max(recording.end_ns, last_ns))
 

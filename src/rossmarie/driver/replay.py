@@ -9,14 +9,13 @@ from dslkit.diagnostics import Collector, Diagnostic
 from rossmarie.driver.monitor import Started, start_engine
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.sampler import Sampler
-from rossmarie.ir import Event
-from rossmarie.recordings import Recording, Update, open_recording
+from rossmarie.driver.taking import taking
+from rossmarie.ir import Batch, Event
+from rossmarie.recordings import Recording, open_recording
 from rossmarie.report import Replay, rehearse
 
 Progress = Callable[[float], None]
 """Called now and then with the part of the recording that is done, from 0 to 1."""
-
-_STEPS = 200
 
 
 def replay_file(
@@ -38,13 +37,15 @@ def replay_file(
     collector = Collector()
     with open_recording(recording_path, compiled.message_folders) as recording:
         collector.extend(recording.findings)
-        updates = recording.updates(machine, collector, topic_map)
-        started = start_engine(machine)
+        batches = recording.batches(machine, collector, topic_map)
         sampler = Sampler(machine)
+        started = start_engine(machine)
+        take = taking(machine, started.engine, sampler.signals)
         events: list[Event] = []
-        for update in _told(updates, recording, on_progress):
-            events += started.engine.update(update.at_ns, update.channels)
-            sampler.feed(update)
+        for batch in _told(batches, recording, on_progress):
+            taken = take(batch)
+            events += taken.events
+            sampler.take(taken.times_ns, taken.values)
         # Rows that no rule reads may come before the first sample and after the last one.
         start_ns = min((recording.start_ns, *sampler.instants[:1]))
         end_ns = max((recording.end_ns, *sampler.instants[1:]))
@@ -69,16 +70,14 @@ def _notes(started: Started, found: Sequence[Diagnostic]) -> tuple[str, ...]:
     return (*reasons, *(f"{finding.title}: {finding.primary.text}" for finding in found))
 
 
-def _told(
-    updates: Iterator[Update], recording: Recording, on_progress: Progress
-) -> Iterator[Update]:
-    """The same updates, with word of how far they have come."""
+def _told(batches: Iterator[Batch], recording: Recording, on_progress: Progress) -> Iterator[Batch]:
+    """The same batches, with word of how far they have come."""
     length = max(recording.end_ns - recording.start_ns, 1)
-    told = 0
-    for update in updates:
-        yield update
-        step = (update.at_ns - recording.start_ns) * _STEPS // length
-        if step > told:
-            told = step
-            on_progress(min(step / _STEPS, 1.0))
+    told = 0.0
+    for batch in batches:
+        yield batch
+        done = (int(batch.times_ns.max(initial=recording.start_ns)) - recording.start_ns) / length
+        if done > told:
+            told = min(done, 1.0)
+            on_progress(told)
     on_progress(1.0)

@@ -1,19 +1,15 @@
 """The plotted signals of a replay, sampled in constant memory.
 
-A machine without rules runs beside the monitor. After each message, the values of its signals are
-noted; whenever there are many, those are kept that a picture needs.
+They come after each message, and before it wherever a timer was due. Whenever there are many, those
+are kept that a picture needs.
 """
 
 from __future__ import annotations
 
-import dataclasses
-
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Machine
-from rossmarie.recordings import Update
 from rossmarie.report import Axis, Plot, plan_plots, share, thinned
 
 _BLOCK = 20_000
@@ -21,15 +17,15 @@ _BLOCK = 20_000
 
 
 class Sampler:
-    """Takes the samples of a replay, message by message."""
+    """Keeps what a picture needs of the values of some signals."""
 
     def __init__(self, machine: Machine) -> None:
         self._plans = plan_plots(machine)
-        without_rules = dataclasses.replace(machine, rules=())  # signals may count truths
-        self._machine = Interpreter(without_rules)
+        self.signals = tuple(plan.signal for plan in self._plans)
         self._axis = Axis()
-        self._times_ns: list[int] = []
-        self._rows: list[tuple[float, ...]] = []
+        self._times_ns = np.empty(_BLOCK, np.int64)
+        self._values = np.empty((len(self._plans), _BLOCK))
+        self._noted = 0
         self._kept = [_Kept() for _ in self._plans]
         self._limit = share(len(self._plans))
         self._first_ns: int | None = None
@@ -40,32 +36,29 @@ class Sampler:
         """The instants of the first and the last sample; nothing if there is none."""
         return () if self._first_ns is None else (self._first_ns, self._last_ns)
 
-    def feed(self, update: Update) -> None:
-        """Take a sample after a message, and before it wherever an input expires."""
-        while (wake_ns := self._machine.next_wake()) is not None and wake_ns < update.at_ns:
-            self._machine.advance(wake_ns)
-            self._keep(wake_ns)
-        self._machine.update(update.at_ns, update.channels)
-        self._keep(update.at_ns)
-
-    def _keep(self, at_ns: int) -> None:
+    def take(self, times_ns: NDArray[np.int64], values: NDArray[np.float64]) -> None:
+        """The next samples: instants, and a row of values at each."""
+        if not len(times_ns):
+            return
         if self._first_ns is None:
-            self._first_ns = at_ns
-        self._last_ns = at_ns
-        values = self._machine.signals
-        self._times_ns.append(at_ns)
-        self._rows.append(tuple(values[plan.signal] for plan in self._plans))
-        if len(self._rows) >= _BLOCK:
-            self._thin()
+            self._first_ns = int(times_ns[0])
+        self._last_ns = int(times_ns[-1])
+        while len(times_ns):
+            count = min(len(times_ns), _BLOCK - self._noted)
+            noted = slice(self._noted, self._noted + count)
+            self._times_ns[noted] = times_ns[:count]
+            self._values[:, noted] = values[:count].T
+            times_ns, values = times_ns[count:], values[count:]
+            self._noted += count
+            if self._noted == _BLOCK:
+                self._thin()
 
     def _thin(self) -> None:
         """Move what has been noted to what is kept."""
-        times = self._axis.place(np.array(self._times_ns, dtype=np.int64))
-        values = np.array(self._rows, dtype=np.float64).reshape(len(times), len(self._plans))
-        self._times_ns.clear()
-        self._rows.clear()
-        for column, kept in enumerate(self._kept):
-            kept.add(times, values[:, column], self._limit)
+        times = self._axis.place(self._times_ns[: self._noted])
+        for values, kept in zip(self._values, self._kept, strict=True):
+            kept.add(times, values[: self._noted], self._limit)
+        self._noted = 0
 
     def plots(self, start_ns: int) -> tuple[Plot, ...]:
         """What has been sampled."""

@@ -149,12 +149,10 @@ class _Snapshot:
 
     def lost_inputs(self, causes: tuple[Cause, ...]) -> tuple[LostInput, ...]:
         """The inputs to blame for the causes that are unknown for lack of one."""
-        rests_on = supports(self._machine).truths
-        blamed: set[int] = set()
-        for cause in causes:
-            for leaf in leaf_truths(self._machine, cause.truth):
-                if self._truths[leaf] is TruthValue.LOST:
-                    blamed |= self._blamed(rests_on[leaf].inputs)
+        leaves = (leaf for each in causes for leaf in leaf_truths(self._machine, each.truth))
+        lost = [leaf for leaf in leaves if self._truths[leaf] is TruthValue.LOST]
+        rests_on = supports(self._machine).truths if lost else ()
+        blamed = {used for leaf in lost for used in self._blamed(rests_on[leaf].inputs)}
         return tuple(self._lost(index) for index in sorted(blamed))
 
     def _blamed(self, inputs: frozenset[int]) -> set[int]:

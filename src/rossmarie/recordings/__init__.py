@@ -1,9 +1,10 @@
 """Recordings of robots, as updates for a monitor.
 
-`open_recording` opens ROS 1 and ROS 2 bags, MCAP and CSV; `Recording.updates` gives what they say
-to a machine, in the order of time.
+`open_recording` opens ROS 1 and ROS 2 bags, MCAP and CSV; `Recording.batches` gives what they say
+to a machine, in the order of time, and `updates_in` the updates in that.
 """
 
+from rossmarie.recordings.batches import updates_in
 from rossmarie.recordings.errors import ALL, RecordingError
 from rossmarie.recordings.model import Recording, Topic, Update
 from rossmarie.recordings.opening import open_recording
@@ -16,5 +17,6 @@ __all__ = [
     "Topic",
     "Update",
     "open_recording",
+    "updates_in",
     "write_model",
 ]

@@ -4,42 +4,47 @@ from __future__ import annotations
 
 import sqlite3
 import struct
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import BinaryIO
 
-from rossmarie.recordings.clock import Arrival
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.recordings.clock import Arrivals, by_topic, stamps_of
 from rossmarie.recordings.compression import decompress_prefix
 from rossmarie.recordings.limits import Allowance
 
 _MAGIC_SIZE = 8
+_BEYOND = 2**63
 _RECORD = struct.Struct("<BQ")
 _MESSAGE, _CHUNK, _INDEX, _DATA_END = 0x05, 0x06, 0x07, 0x0F
 _MESSAGE_HEAD = struct.Struct("<HIQ")  # channel, sequence, log time
 _CHUNK_HEAD = struct.Struct("<QQQII")  # ..., the length of the name of the compression
 _SIZE = struct.Struct("<Q")
 _INDEX_HEAD = struct.Struct("<HI")  # channel, size of the entries
-_INDEX_ENTRY = struct.Struct("<QQ")  # log time, offset in the chunk
+_INDEX_ENTRY = np.dtype([("at_ns", "<u8"), ("offset", "<u8")])
 
-_Entry = tuple[int, int, int]
-"""Offset in a chunk, stamp and channel of a message."""
+_Index = tuple[int, NDArray[np.void]]
+"""A channel, and stamps and offsets in a chunk of messages on it."""
 
 
-def rows_in_order(path: Path) -> Iterator[Arrival]:
+def rows_in_order(path: Path) -> Iterator[Arrivals]:
     """The messages of a .db3 file. Raises `sqlite3.Error` where it is damaged."""
     database = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro&immutable=1", uri=True)
     try:
-        yield from database.execute(
+        rows = database.execute(
             "SELECT topics.name, messages.timestamp FROM messages "
             "JOIN topics ON messages.topic_id = topics.id ORDER BY messages.id"
         )
+        yield from by_topic(rows)
     finally:
         database.close()
 
 
 def records_in_order(
     path: Path, topics: Mapping[int, str], allowance: Allowance
-) -> Iterator[Arrival]:
+) -> Iterator[Arrivals]:
     """The messages of an MCAP file: those of a chunk from the indexes behind it or, as writers may
     leave these out, from the chunk itself. `topics` are known by the numbers of their channels.
 
@@ -47,39 +52,53 @@ def records_in_order(
     """
     size = path.stat().st_size
     chunk: tuple[int, int] | None = None
-    indexed: list[_Entry] = []
+    indexed: list[_Index] = []
     with path.open("rb") as file:
         file.seek(_MAGIC_SIZE)
         while file.tell() < size:
             operation, length = _RECORD.unpack(file.read(_RECORD.size))
             start = file.tell()
             if operation == _INDEX:
-                indexed += _index_entries(file.read(length))
+                indexed.append(_index(file.read(length)))
             elif operation in (_CHUNK, _DATA_END):
-                if chunk is not None:
-                    entries = sorted(indexed) or _chunk_entries(file, *chunk, allowance)
-                    yield from ((topics[channel], at_ns) for _, at_ns, channel in entries)
+                if chunk is not None and any(len(entries) for _, entries in indexed):
+                    yield from _as_indexed(indexed, topics)
+                elif chunk is not None:
+                    entries = _chunk_entries(file, *chunk, allowance)
+                    yield from by_topic((topics[channel], at_ns) for channel, at_ns in entries)
                 chunk, indexed = (start, length), []
             elif operation == _MESSAGE:
                 channel, _, at_ns = _MESSAGE_HEAD.unpack(file.read(_MESSAGE_HEAD.size))
-                yield topics[channel], at_ns
+                yield topics[channel], stamps_of([at_ns])
             if operation == _DATA_END:
                 return
             file.seek(start + length)
 
 
-def _index_entries(content: bytes) -> Iterator[_Entry]:
+def _index(content: bytes) -> _Index:
     """The messages that an index record names."""
     channel, size = _INDEX_HEAD.unpack_from(content)
     entries = content[_INDEX_HEAD.size : _INDEX_HEAD.size + size]
-    for at_ns, offset in _INDEX_ENTRY.iter_unpack(entries):
-        yield offset, at_ns, channel
+    return channel, np.frombuffer(entries, _INDEX_ENTRY)
+
+
+def _as_indexed(indexed: Sequence[_Index], topics: Mapping[int, str]) -> Iterator[Arrivals]:
+    """The messages of a chunk."""
+    found: dict[str, list[NDArray[np.void]]] = {}
+    for channel, entries in indexed:
+        if len(entries):
+            found.setdefault(topics[channel], []).append(entries)
+    for topic, parts in found.items():
+        entries = np.concatenate(parts)
+        stamps = entries["at_ns"][np.argsort(entries["offset"], kind="stable")]
+        is_small = stamps.max() < _BEYOND
+        yield topic, stamps.astype(np.int64) if is_small else stamps.astype(np.object_)
 
 
 def _chunk_entries(
     file: BinaryIO, start: int, length: int, allowance: Allowance
-) -> Iterator[_Entry]:
-    """The messages in a chunk."""
+) -> Iterator[tuple[int, int]]:
+    """Channel and stamp of each message in a chunk."""
     file.seek(start)
     chunk = file.read(length)
     *_, name_size = _CHUNK_HEAD.unpack_from(chunk)
@@ -91,5 +110,5 @@ def _chunk_entries(
         operation, size = _RECORD.unpack_from(content, offset)
         if operation == _MESSAGE:
             channel, _, at_ns = _MESSAGE_HEAD.unpack_from(content, offset + _RECORD.size)
-            yield offset, at_ns, channel
+            yield channel, at_ns
         offset += _RECORD.size + size

@@ -11,11 +11,14 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from rosbags.serde import SerdeError
+import numpy as np
+from numpy.typing import NDArray
 
 from dslkit.diagnostics import Collector, Diagnostic
-from rossmarie.ir import EARLIEST_NS, LATEST_NS, ChannelValues, Machine
-from rossmarie.recordings.definitions import UndefinedTypeError, full_type, typestore_for
+from rossmarie.ir import EARLIEST_NS, LATEST_NS, Array, Batch, Machine, Slot
+from rossmarie.recordings.batches import Assembly
+from rossmarie.recordings.decoding import Decoder
+from rossmarie.recordings.definitions import UndefinedTypeError, typestore_for
 from rossmarie.recordings.errors import (
     DefinitionMissing,
     FieldNotRecorded,
@@ -24,7 +27,7 @@ from rossmarie.recordings.errors import (
     RecordingError,
     at_file,
 )
-from rossmarie.recordings.extraction import Extractor, Message, Wanted, compile_extractor
+from rossmarie.recordings.extraction import Wanted
 from rossmarie.recordings.limits import LimitError
 from rossmarie.recordings.matching import (
     Match,
@@ -34,33 +37,22 @@ from rossmarie.recordings.matching import (
     kind_text,
     match_topics,
 )
-from rossmarie.recordings.message_sizes import Sizes
-from rossmarie.recordings.model import Topic, Update
-from rossmarie.recordings.storage import READER_FAILURES, Connection, Storage, Stored
+from rossmarie.recordings.model import Topic
+from rossmarie.recordings.storage import Storage
+from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed
 
-DECODE_FAILURES: tuple[type[Exception], ...] = (
-    SerdeError,
-    ArithmeticError,
-    AssertionError,
-    LookupError,
-    MemoryError,
-    TypeError,
-    ValueError,
-)
-"""What decoding raises on content that does not match its definition."""
-
-_UNKNOWN = ChannelValues({}, {})
+_NO_CLOCK = "their stamps are out of range: no clock runs that long"
 
 
 @dataclass(frozen=True)
 class _Reading:
-    """How the messages of one topic are decoded, and who reads them.
+    """How the messages of one topic are decoded, and which channels read them.
 
     `unfit` counts the messages that are passed over, by the reason.
     """
 
-    decode: Callable[[bytes], Message]
-    extractors: Mapping[int, Extractor]
+    decoder: Decoder
+    channels: Sequence[int]
     unreadable: Unreadable
     unfit: Counter[str]
 
@@ -91,10 +83,10 @@ class BagRecording:
             for name, found in sorted(self._connections.items())
         }
 
-    def updates(
+    def batches(
         self, machine: Machine, collector: Collector, topic_map: Mapping[str, str]
-    ) -> Iterator[Update]:
-        """See `Recording.updates`."""
+    ) -> Iterator[Batch]:
+        """See `Recording.batches`."""
         collector.extend(self.findings)
         matches = match_topics(self.topics, machine, topic_map, self.path, collector)
         readings: dict[str, _Reading] = {}
@@ -103,18 +95,7 @@ class BagRecording:
             reading = self._reading(topic, sharing, machine, collector)
             if reading is not None:
                 readings[topic] = reading
-        return self._read(readings, collector)
-
-    def messages(
-        self, topics: Collection[str], collector: Collector
-    ) -> Iterator[tuple[str, int, bytes]]:
-        """Topic, stamp and encoded content of the messages on some topics, in order of time.
-
-        Damage that shows up on the way is reported to `collector`.
-        """
-        for stored in self._stored(topics, collector):
-            if self._misfit(stored) is None:
-                yield stored.connection.topic, stored.at_ns, stored.content
+        return self._read(machine, readings, collector)
 
     def close(self) -> None:
         """Release the file."""
@@ -142,47 +123,51 @@ class BagRecording:
                 for reader in match.inputs:
                     collector.add(missing.at(input_span(machine, reader)))
             return None
-        name = full_type(connection.message_type)
-        extractors = {
-            match.channel: compile_extractor(
-                store, connection.message_type, Wanted(match.slots, match.arrays), machine.texts
-            )
-            for match in matches
-        }
-        for extractor in extractors.values():
-            _report_missing(extractor, connection, machine, collector)
-        decode = store.deserialize_ros1 if connection.encoding == "ros1" else store.deserialize_cdr
+        slots = {index: slot for match in matches for index, slot in match.slots.items()}
+        arrays = {index: array for match in matches for index, array in match.arrays.items()}
+        decoder = Decoder(connection, store, Wanted(slots, arrays), machine.texts)
+        for field in decoder.missing:
+            _report_missing(field, connection, machine, collector)
         spans = [input_span(machine, reader) for match in matches for reader in match.inputs]
         total = self.topics[topic].count
         unreadable = Unreadable(f"messages on `{topic}`", total, self.start_ns, spans)
-        most = Sizes(store.fielddefs).largest_message(name)
+        return _Reading(decoder, [match.channel for match in matches], unreadable, Counter())
 
-        def read(content: bytes) -> Message:
-            if most is not None and len(content) > most:
-                raise LimitError(f"it is larger than {most >> 20} MiB, and its parts are small")
-            return decode(content, name)
-
-        return _Reading(read, extractors, unreadable, Counter())
-
-    def _read(self, readings: Mapping[str, _Reading], collector: Collector) -> Iterator[Update]:
+    def _read(
+        self, machine: Machine, readings: Mapping[str, _Reading], collector: Collector
+    ) -> Iterator[Batch]:
         for stored in self._stored(readings, collector):
-            reading = readings[stored.connection.topic]
-            unfit = self._misfit(stored)
-            if unfit is not None:
-                reading.unfit[unfit] += 1
-                continue
-            try:
-                message = reading.decode(stored.content)
-            except DECODE_FAILURES as error:
-                reading.unreadable.note(stored.at_ns, str(error) or type(error).__name__)
-                yield Update(stored.at_ns, dict.fromkeys(reading.extractors, _UNKNOWN))
-                continue
-            extractors = reading.extractors.items()
-            values = {channel: extractor.read(message) for channel, extractor in extractors}
-            yield Update(stored.at_ns, values)
+            messages = stored.only(self._fit(stored, readings))
+            assembly = Assembly(machine, messages.times_ns)
+            for topic, reading in readings.items():
+                rows = np.flatnonzero(_is_on(topic, messages))
+                decoded = reading.decoder.decode(messages.only(rows))
+                for row, reason in decoded.failures:
+                    reading.unreadable.note(int(messages.times_ns[rows[row]]), reason)
+                assembly.add(reading.channels, rows, decoded.slots, decoded.arrays)
+            yield assembly.batch()
         for topic, reading in readings.items():
             reading.unreadable.report(collector)
             self._report_unfit(topic, reading, collector)
+
+    def _fit(self, stored: Packed, readings: Mapping[str, _Reading]) -> NDArray[np.bool_]:
+        """Which messages are not passed over; the others are counted."""
+        is_odd_type = np.array([self._odd_type(each) is not None for each in stored.connections])
+        is_early, is_late = stored.times_ns <= EARLIEST_NS, stored.times_ns >= LATEST_NS
+        is_unfit = is_odd_type[stored.senders] | is_early | is_late
+        for sender in stored.senders[is_unfit].tolist():
+            connection = stored.connections[sender]
+            reason = self._odd_type(connection) or _NO_CLOCK
+            readings[connection.topic].unfit[reason] += 1
+        return ~is_unfit
+
+    def _odd_type(self, connection: Connection) -> str | None:
+        """Why messages of a connection are passed over; None if they are not."""
+        expected = self._connections[connection.topic][0].message_type
+        found = connection.message_type
+        if found == expected:
+            return None
+        return f"their type is {found}; those that are read are of the type {expected}"
 
     def _report_unfit(self, topic: str, reading: _Reading, collector: Collector) -> None:
         total = self.topics[topic].count
@@ -191,19 +176,15 @@ class BagRecording:
             for span in reading.unreadable.spans:
                 collector.add(finding.at(span))
 
-    def _stored(self, topics: Collection[str], collector: Collector) -> Iterator[Stored]:
+    def _stored(self, topics: Collection[str], collector: Collector) -> Iterator[Packed]:
         """The messages on some topics; after damage, those that come after it."""
         kept = 0
-        last_ns = EARLIEST_NS
-        latest: Counter[str] = Counter()  # how many messages of each topic there are at `last_ns`
+        last = _Last()
         try:
-            for stored in self._storages[0].messages(topics):
-                if stored.at_ns != last_ns:
-                    last_ns = stored.at_ns
-                    latest.clear()
-                latest[stored.connection.topic] += 1
-                kept += 1
-                yield stored
+            for batch in self._storages[0].batches(topics):
+                last.note(batch)
+                kept += len(batch)
+                yield batch
             return
         except READER_FAILURES as error:
             reason = f"reading broke off ({error})"
@@ -211,38 +192,52 @@ class BagRecording:
             salvaged, losses = self._salvage()
             self._storages.append(salvaged)
             reason = losses[0] if losses else reason  # which knows the place
-            for stored in _messages_after(salvaged.messages(topics), last_ns, latest):
-                kept += 1
-                yield stored
+            for batch in salvaged.batches(topics):
+                remaining = batch.only(last.is_before(batch))
+                kept += len(remaining)
+                yield remaining
         except LimitError as error:
             reason = f"reading broke off ({error})"
         except RecordingError:
             pass  # there is nothing left
         collector.add(at_file(RecordingDamaged(reason=reason, kept=kept), self.path))
 
-    def _misfit(self, stored: Stored) -> str | None:
-        """Why a message is passed over; None if it is not."""
-        expected = self._connections[stored.connection.topic][0].message_type
-        found = stored.connection.message_type
-        if found != expected:
-            return f"their type is {found}; those that are read are of the type {expected}"
-        if not EARLIEST_NS < stored.at_ns < LATEST_NS:
-            return "their stamps are out of range: no clock runs that long"
-        return None
+
+class _Last:
+    """The last instant at which messages were read, and how many of each topic at it."""
+
+    def __init__(self) -> None:
+        self._at_ns = EARLIEST_NS
+        self._counts: Counter[str] = Counter()
+
+    def note(self, batch: Packed) -> None:
+        """The next messages."""
+        last_ns = int(batch.times_ns[-1])
+        others = np.flatnonzero(batch.times_ns != last_ns)
+        if len(others) or last_ns != self._at_ns:
+            self._at_ns = last_ns
+            self._counts.clear()
+        first = int(others[-1]) + 1 if len(others) else 0
+        senders = batch.senders[first:].tolist()
+        self._counts.update(batch.connections[sender].topic for sender in senders)
+
+    def is_before(self, batch: Packed) -> NDArray[np.bool_]:
+        """Which messages come after those that were read: of one topic at one instant they are
+        stored in one order, however a file is read.
+        """
+        is_after = batch.times_ns >= self._at_ns
+        for row in np.flatnonzero(batch.times_ns == self._at_ns).tolist():
+            topic = batch.connections[batch.senders[row]].topic
+            if self._counts[topic] > 0:
+                self._counts[topic] -= 1
+                is_after[row] = False
+        return is_after
 
 
-def _messages_after(
-    messages: Iterator[Stored], last_ns: int, latest: Counter[str]
-) -> Iterator[Stored]:
-    """Those behind the first messages at an instant, `latest` of each topic: those of one topic at
-    one instant are stored in one order, however a file is read.
-    """
-    for stored in messages:
-        topic = stored.connection.topic
-        if stored.at_ns == last_ns and latest[topic] > 0:
-            latest[topic] -= 1
-        elif stored.at_ns >= last_ns:
-            yield stored
+def _is_on(topic: str, messages: Packed) -> NDArray[np.bool_]:
+    """Which messages came on a topic."""
+    is_there = np.array([each.topic == topic for each in messages.connections], np.bool_)
+    return is_there[messages.senders]
 
 
 def _by_topic(connections: Sequence[Connection]) -> dict[str, list[Connection]]:
@@ -254,13 +249,12 @@ def _by_topic(connections: Sequence[Connection]) -> dict[str, list[Connection]]:
 
 
 def _report_missing(
-    extractor: Extractor, connection: Connection, machine: Machine, collector: Collector
+    missing: Slot | Array, connection: Connection, machine: Machine, collector: Collector
 ) -> None:
-    for missing in extractor.missing:
-        finding = FieldNotRecorded(
-            topic=connection.topic,
-            field=field_text(missing.path),
-            kind=kind_text(missing),
-            reason=f"this is how the recorded {connection.message_type} is defined",
-        )
-        collector.add(finding.at(input_span(machine, missing.input)))
+    finding = FieldNotRecorded(
+        topic=connection.topic,
+        field=field_text(missing.path),
+        kind=kind_text(missing),
+        reason=f"this is how the recorded {connection.message_type} is defined",
+    )
+    collector.add(finding.at(input_span(machine, missing.input)))

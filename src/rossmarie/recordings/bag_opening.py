@@ -22,12 +22,14 @@ from rossmarie.recordings.errors import (
     at_file,
 )
 from rossmarie.recordings.files import METADATA, PACKED
+from rossmarie.recordings.intact_bag import IntactBag
 from rossmarie.recordings.limits import Allowance, LimitError
 from rossmarie.recordings.merged import MergedStorage
 from rossmarie.recordings.salvage_bag import salvage_bag
 from rossmarie.recordings.salvage_mcap import salvage_mcap
 from rossmarie.recordings.salvage_sqlite import salvage_sqlite
-from rossmarie.recordings.storage import READER_FAILURES, IntactStorage, SalvageableStorage, Storage
+from rossmarie.recordings.storage import IntactStorage, SalvageableStorage, Storage
+from rossmarie.recordings.stored import READER_FAILURES
 
 _ARRIVAL_FAILURES: tuple[type[Exception], ...] = (*READER_FAILURES, sqlite3.Error)
 
@@ -61,8 +63,13 @@ def _span(storage: Storage) -> tuple[int, int] | None:
     span = storage.span()
     if span is None or (span[0] > EARLIEST_NS and span[1] < LATEST_NS):
         return span
-    stamps = [at_ns for _, at_ns in storage.arrivals() if EARLIEST_NS < at_ns < LATEST_NS]
-    return (min(stamps), max(stamps)) if stamps else None
+    found = [
+        stamps[(stamps > EARLIEST_NS) & (stamps < LATEST_NS)] for _, stamps in storage.arrivals()
+    ]
+    spans = [(int(stamps.min()), int(stamps.max())) for stamps in found if len(stamps)]
+    if not spans:
+        return None
+    return min(start for start, _ in spans), max(end for _, end in spans)
 
 
 def _setbacks(storage: Storage, path: Path) -> tuple[Diagnostic, ...]:
@@ -77,15 +84,20 @@ def _intact(path: Path, files: Sequence[Path]) -> Storage:
     allowance = Allowance(sum(file.stat().st_size for file in files))
     is_packed = any(file.suffix == PACKED for file in files)
     if path.is_file() or ((path / METADATA).is_file() and not is_packed):
-        return IntactStorage(path, allowance)
+        return _intact_part(path, allowance)
     with ExitStack() as opened:
         folder = Path(opened.enter_context(TemporaryDirectory()))
         parts = []
         for file in files:
             found = _unpacked(file, folder, allowance) if file.suffix == PACKED else file
-            parts.append(IntactStorage(found, allowance))
+            parts.append(_intact_part(found, allowance))
             opened.callback(parts[-1].close)
         return MergedStorage(parts, opened.pop_all())  # all are open: closed with the recording
+
+
+def _intact_part(path: Path, allowance: Allowance) -> IntactBag | IntactStorage:
+    is_bag = path.suffix == ".bag" and path.is_file()
+    return IntactBag(path, allowance) if is_bag else IntactStorage(path, allowance)
 
 
 def _unpacked(file: Path, folder: Path, allowance: Allowance) -> Path:

@@ -9,8 +9,13 @@ replayed as they stand, so that there the monitor sees the clock go back.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 from pathlib import Path
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
 
 from dslkit.diagnostics import Diagnostic
 from rossmarie.recordings.errors import ClockSetBack, at_file
@@ -18,8 +23,13 @@ from rossmarie.recordings.errors import ClockSetBack, at_file
 TOLERANCE_NS = 1_000_000_000
 """How late a message may be stored: recorders write in several threads, and from caches."""
 
-Arrival = tuple[str, int]
-"""The topic and the stamp of a message, in nanoseconds."""
+Stamps: TypeAlias = "NDArray[np.int64] | NDArray[np.object_]"
+"""Instants in nanoseconds; objects where one is beyond 64 bits."""
+
+Arrivals: TypeAlias = tuple[str, Stamps]
+"""Messages on a topic that were stored one after the other."""
+
+_MOST_AT_ONCE = 10_000
 
 _MIXED = (
     "messages are replayed in the order of their stamps, so that those from before and after "
@@ -31,6 +41,25 @@ SEEN_BY_THE_MONITOR = (
 )
 
 
+def by_topic(arrivals: Iterable[tuple[str, int]]) -> Iterator[Arrivals]:
+    """Topics and stamps of single messages, in their order, put together."""
+    remaining = iter(arrivals)
+    while some := list(islice(remaining, _MOST_AT_ONCE)):
+        stamps: dict[str, list[int]] = {}
+        for topic, at_ns in some:
+            stamps.setdefault(topic, []).append(at_ns)
+        for topic, found in stamps.items():
+            yield topic, stamps_of(found)
+
+
+def stamps_of(instants_ns: Sequence[int]) -> Stamps:
+    """Instants as stamps."""
+    try:
+        return np.array(instants_ns, np.int64)
+    except OverflowError:
+        return np.array(instants_ns, np.object_)
+
+
 class Setbacks:
     """Counts how often the stamps of a topic go back by more than `tolerance_ns`."""
 
@@ -40,13 +69,13 @@ class Setbacks:
         self._counts: Counter[str] = Counter()
         self._farthest_ns = 0
 
-    def note(self, topic: str, at_ns: int) -> None:
-        """The next stamp of a topic."""
-        back_ns = self._last_ns.get(topic, at_ns) - at_ns
-        self._last_ns[topic] = at_ns
-        if back_ns > self._tolerance_ns:
-            self._counts[topic] += 1
-            self._farthest_ns = max(self._farthest_ns, back_ns)
+    def note(self, topic: str, stamps_ns: Stamps) -> None:
+        """The next stamps of a topic: one or more."""
+        back_ns = -np.diff(stamps_ns, prepend=self._last_ns.get(topic, stamps_ns[0]))
+        self._last_ns[topic] = stamps_ns[-1]
+        if len(far := back_ns[back_ns > self._tolerance_ns]):
+            self._counts[topic] += len(far)
+            self._farthest_ns = max(self._farthest_ns, int(far.max()))
 
     def findings(self, effect: str, path: Path) -> tuple[Diagnostic, ...]:
         """A finding if there are any: `effect` is what they do to a replay."""
@@ -62,13 +91,12 @@ def _length(duration_ns: int) -> str:
     return f"{duration_ns / 1e9:.1f} s" if duration_ns >= 10**8 else f"{duration_ns / 1e6:g} ms"
 
 
-def find_setbacks(arrivals: Iterable[Arrival], path: Path) -> tuple[Diagnostic, ...]:
+def find_setbacks(arrivals: Iterable[Arrivals], path: Path) -> tuple[Diagnostic, ...]:
     """A finding if the stamps of a topic go back by more than `TOLERANCE_NS`.
 
-    `arrivals` come in the order of storage. They are compared topic by topic, because a converter
-    may have stored one topic after the other.
+    They are compared topic by topic, because a converter may have stored one topic after the other.
     """
     setbacks = Setbacks(TOLERANCE_NS)
-    for topic, at_ns in arrivals:
-        setbacks.note(topic, at_ns)
+    for topic, stamps_ns in arrivals:
+        setbacks.note(topic, stamps_ns)
     return setbacks.findings(_MIXED, path)

@@ -25,8 +25,9 @@ from typing import TextIO
 
 from dslkit.diagnostics import Collector
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import Machine
-from rossmarie.recordings.clock import SEEN_BY_THE_MONITOR, Setbacks
+from rossmarie.ir import Batch, Machine
+from rossmarie.recordings.batches import batched
+from rossmarie.recordings.clock import SEEN_BY_THE_MONITOR, Setbacks, stamps_of
 from rossmarie.recordings.csv_cells import ChannelReader, Clock, clock, unreadable_cells
 from rossmarie.recordings.csv_columns import (
     Columns,
@@ -64,6 +65,7 @@ from rossmarie.recordings.model import Topic, Update
 
 _DELIMITERS = ",;\t"
 _SHOWN = 200
+_MOST_STAMPS = 10_000
 _MOST_PATTERNS = 1000
 """Ways in which rows are filled that are counted at once."""
 
@@ -85,10 +87,10 @@ class CsvRecording:
             raise RecordingError(ColumnRepeated(column=self._names[repeated]).at(span))
         self._survey()
 
-    def updates(
+    def batches(
         self, machine: Machine, collector: Collector, topic_map: Mapping[str, str]
-    ) -> Iterator[Update]:
-        """See `Recording.updates`."""
+    ) -> Iterator[Batch]:
+        """See `Recording.batches`."""
         collector.extend(self.findings)
         check_topic_map(machine, topic_map)
         found = []
@@ -102,7 +104,7 @@ class CsvRecording:
         if not read and machine.channels:
             raise self._nothing_to_replay(machine, collector)
         readers = [self._reader(*pair, machine) for pair in found if pair[1].used()]
-        return self._read(readers, collector)
+        return batched(machine, self._read(readers, collector))
 
     def close(self) -> None:
         """Nothing is held open."""
@@ -233,6 +235,7 @@ class CsvRecording:
         rows: Counter[str] = Counter()
         total = 0
         instants: list[int] = []  # the first and the last, in the order of the file
+        stamps: list[int] = []
         skipped: Counter[str] = Counter()
         setbacks = Setbacks(tolerance_ns=0)
         for number, (at_ns, cells) in enumerate(self._rows(), start=2):
@@ -240,14 +243,19 @@ class CsvRecording:
                 skipped[self._reason_to_skip(number, cells) if not skipped else ""] += 1
                 continue
             instants[1:] = [at_ns]
-            setbacks.note("", at_ns)
+            stamps.append(at_ns)
             total += 1
+            if len(stamps) == _MOST_STAMPS:
+                setbacks.note("", stamps_of(stamps))
+                stamps.clear()
             patterns[tuple(map(bool, cells))] += 1
             if len(patterns) > _MOST_PATTERNS:
                 self._count_filled(patterns, rows)
                 patterns.clear()
         if not instants:
             raise RecordingError(at_file(RecordingEmpty(reason="it has no rows"), self.path))
+        if stamps:
+            setbacks.note("", stamps_of(stamps))
         self.start_ns, self.end_ns = instants[0], instants[-1]
         self._count_filled(patterns, rows)
         named = sorted({topic for name in self._names[1:] if (topic := _topic_of(name))})

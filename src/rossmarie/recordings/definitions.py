@@ -23,7 +23,7 @@ from rosbags.typesys import (
 from rosbags.typesys.store import Typestore
 
 from rossmarie.recordings.message_sizes import Sizes
-from rossmarie.recordings.storage import Connection
+from rossmarie.recordings.stored import Connection
 
 _STANDARD: Mapping[str, tuple[Stores, ...]] = {
     "ros1": (Stores.ROS1_NOETIC,),

@@ -28,7 +28,7 @@ Message = Any
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a machine reads of one channel: slots and arrays with their indices in the machine."""
+    """What a machine reads of messages: slots and arrays with their indices in the machine."""
 
     slots: Mapping[int, Slot]
     arrays: Mapping[int, Array]
@@ -36,9 +36,10 @@ class Wanted:
 
 @dataclass(frozen=True)
 class Extractor:
-    """Reads the wanted values of a message; `missing` are those that its type does not have."""
+    """Reads the wanted values of a message: those `found` in its type, not those `missing`."""
 
     read: Callable[[Message], ChannelValues]
+    found: Wanted
     missing: tuple[Slot | Array, ...]
 
 
@@ -65,7 +66,15 @@ def compile_extractor(
             missing.append(array)
         else:
             arrays[index] = _array_reader(array.path)
-    return Extractor(_reader(numbers, others, arrays), tuple(missing))
+    found = Wanted(
+        {
+            index: slot
+            for index, slot in wanted.slots.items()
+            if index in numbers or index in others
+        },
+        {index: array for index, array in wanted.arrays.items() if index in arrays},
+    )
+    return Extractor(_reader(numbers, others, arrays), found, tuple(missing))
 
 
 def _reader(

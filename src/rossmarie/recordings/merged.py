@@ -6,8 +6,9 @@ import heapq
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import ExitStack
 
-from rossmarie.recordings.clock import Arrival
-from rossmarie.recordings.storage import Storage, Stored
+from rossmarie.recordings.clock import Arrivals
+from rossmarie.recordings.storage import Storage
+from rossmarie.recordings.stored import Packed, Stored, packed
 
 
 class MergedStorage:
@@ -30,8 +31,14 @@ class MergedStorage:
         streams = [part.messages(topics) for part in self._parts]
         return heapq.merge(*streams, key=lambda stored: stored.at_ns)
 
-    def arrivals(self) -> Iterator[Arrival]:
-        """All messages, in the order in which they were stored."""
+    def batches(self, topics: Collection[str]) -> Iterator[Packed]:
+        """The same in batches."""
+        if len(self._parts) == 1:
+            return self._parts[0].batches(topics)
+        return packed(self.messages(topics))
+
+    def arrivals(self) -> Iterator[Arrivals]:
+        """All messages, those of each topic in the order in which they were stored."""
         for part in self._parts:
             yield from part.arrivals()
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple, Protocol
 
 from dslkit.diagnostics import Collector, Diagnostic
-from rossmarie.ir import ChannelValues, Machine
+from rossmarie.ir import Batch, ChannelValues, Machine
 
 
 @dataclass(frozen=True)
@@ -57,9 +57,9 @@ class Recording(Protocol):
     def findings(self) -> tuple[Diagnostic, ...]:
         """What is wrong with the file as a whole, although it can be read."""
 
-    def updates(
+    def batches(
         self, machine: Machine, collector: Collector, topic_map: Mapping[str, str]
-    ) -> Iterator[Update]:
+    ) -> Iterator[Batch]:
         """What the recording says to a machine: messages in the order of their stamps, rows of a
         CSV file in the order of the file.
 

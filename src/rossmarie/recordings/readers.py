@@ -12,7 +12,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rosbags import rosbag1, rosbag2
+from rosbags import rosbag2
 from rosbags.rosbag1 import reader as bag_reader
 from rosbags.rosbag2 import reader as folder_reader
 from rosbags.rosbag2 import storage_mcap, storage_sqlite3
@@ -20,6 +20,7 @@ from rosbags.rosbag2.metadata import parse_qos
 from rosbags.rosbag2.reader import DirectoryReader
 from rosbags.rosbag2.storage_mcap import McapReader
 
+from rossmarie.recordings.bag_index import IndexedBag
 from rossmarie.recordings.compression import decompress
 from rossmarie.recordings.files import METADATA
 from rossmarie.recordings.limits import Allowance, check_yaml
@@ -48,9 +49,9 @@ class _Reader(rosbag2.Reader):
     }
 
 
-def open_bag_reader(path: Path, allowance: Allowance) -> rosbag1.Reader:
+def open_bag_reader(path: Path, allowance: Allowance) -> IndexedBag:
     """An open reader of a ROS 1 bag, whose chunks are decompressed within the allowance."""
-    reader = rosbag1.Reader(path)
+    reader = IndexedBag(path)
     reader.open()
     names = {function: name for name, function in bag_reader.decompressors.items()}
     for position, chunk in reader.chunks.items():

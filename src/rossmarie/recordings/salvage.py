@@ -15,10 +15,10 @@ from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
-from rossmarie.recordings.clock import Arrival
+from rossmarie.recordings.clock import Arrivals, by_topic
 from rossmarie.recordings.compression import decompress_prefix
 from rossmarie.recordings.limits import Allowance, LimitError
-from rossmarie.recordings.storage import Connection, Stored
+from rossmarie.recordings.stored import Connection, Packed, Stored, packed
 
 OUTSIDE = -1
 """In place of a chunk: the message lies in the file itself."""
@@ -111,10 +111,15 @@ class SalvagedStorage:
                 source = self._file if chunk == OUTSIDE else self._content(chunk)
                 yield Stored(connection, at_ns, source[start:end])
 
-    def arrivals(self) -> Iterator[Arrival]:
-        """All messages, in the order in which they were stored."""
-        for place in self._stored:
-            yield self._by_id[place.connection].topic, place.at_ns
+    def batches(self, topics: Collection[str]) -> Iterator[Packed]:
+        """The same in batches."""
+        return packed(self.messages(topics))
+
+    def arrivals(self) -> Iterator[Arrivals]:
+        """All messages, those of each topic in the order in which they were stored."""
+        return by_topic(
+            (self._by_id[place.connection].topic, place.at_ns) for place in self._stored
+        )
 
     def close(self) -> None:
         """Release the file."""

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
 from rossmarie.recordings.salvage import OUTSIDE, Chunk, Place, SalvagedStorage, Scan
-from rossmarie.recordings.storage import Connection
+from rossmarie.recordings.stored import Connection
 
 _MAGIC = b"#ROSBAG V2.0\n"
 _MESSAGE, _CHUNK, _CONNECTION = b"\x02", b"\x05", b"\x07"

@@ -17,7 +17,7 @@ from typing import NamedTuple
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
 from rossmarie.recordings.salvage import OUTSIDE, Chunk, Place, SalvagedStorage, Scan
-from rossmarie.recordings.storage import Connection, plain_type
+from rossmarie.recordings.stored import Connection, plain_type
 
 _MAGIC = b"\x89MCAP0\r\n"
 _FOOTER, _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK = 2, 3, 4, 5, 6

@@ -13,8 +13,8 @@ from pathlib import Path
 
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
-from rossmarie.recordings.clock import Arrival
-from rossmarie.recordings.storage import Connection, Stored, plain_type
+from rossmarie.recordings.clock import Arrivals, by_topic
+from rossmarie.recordings.stored import Connection, Packed, Stored, packed, plain_type
 from rossmarie.recordings.tables import check_tables
 
 _FORMATS = {"ros2msg": MessageDefinitionFormat.MSG, "ros2idl": MessageDefinitionFormat.IDL}
@@ -69,10 +69,14 @@ class SalvagedRows:
                 if content is not None:
                     yield Stored(connection, at_ns, content)
 
-    def arrivals(self) -> Iterator[Arrival]:
-        """All messages, in the order in which they were stored."""
-        for at_ns, _, topic in sorted(self._rows, key=lambda row: row[1]):
-            yield self._by_id[topic].topic, at_ns
+    def batches(self, topics: Collection[str]) -> Iterator[Packed]:
+        """The same in batches."""
+        return packed(self.messages(topics))
+
+    def arrivals(self) -> Iterator[Arrivals]:
+        """All messages, those of each topic in the order in which they were stored."""
+        stored = sorted(self._rows, key=lambda row: row[1])
+        return by_topic((self._by_id[topic].topic, at_ns) for at_ns, _, topic in stored)
 
     def close(self) -> None:
         """Release the file."""

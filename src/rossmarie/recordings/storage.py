@@ -6,67 +6,24 @@ left of damaged ones.
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
-import apsw
-from rosbags import rosbag1, rosbag2
 from rosbags.interfaces import Connection as RosbagsConnection
-from rosbags.interfaces import ConnectionExtRosbag2, MessageDefinition
+from rosbags.interfaces import ConnectionExtRosbag2
 from rosbags.rosbag2.storage_mcap import McapReader
 from rosbags.rosbag2.storage_sqlite3 import Sqlite3Reader
 
 from rossmarie.recordings.arrivals import records_in_order, rows_in_order
-from rossmarie.recordings.clock import Arrival
-from rossmarie.recordings.compression import DECOMPRESSION_FAILURES, decompress
+from rossmarie.recordings.chunks import in_order
+from rossmarie.recordings.clock import Arrivals
+from rossmarie.recordings.compression import decompress
 from rossmarie.recordings.limits import Allowance
-from rossmarie.recordings.readers import open_bag_reader, open_ros2_reader, parts_of
-
-READER_FAILURES: tuple[type[Exception], ...] = (
-    rosbag1.ReaderError,
-    rosbag2.ReaderError,
-    *DECOMPRESSION_FAILURES,
-    apsw.Error,
-    struct.error,
-    ArithmeticError,
-    AssertionError,
-    AttributeError,
-    LookupError,
-    MemoryError,
-    OSError,
-    TypeError,
-    ValueError,
-)
-"""What rosbags raises on damaged files: it takes much of their content for granted, so that a byte
-that is wrong shows up as whatever Python makes of it.
-"""
-
-
-@dataclass(frozen=True)
-class Connection:
-    """One source of messages on a topic; `id` is its number in the file.
-
-    `message_type` is `sensor_msgs/Imu`, `encoding` is `ros1`, `cdr`, or one that cannot be decoded
-    here. `definition` may be empty.
-    """
-
-    id: int
-    topic: str
-    message_type: str
-    encoding: str
-    definition: MessageDefinition
-    count: int
-
-
-class Stored(NamedTuple):
-    """One message as it is stored."""
-
-    connection: Connection
-    at_ns: int
-    content: bytes
+from rossmarie.recordings.mcap_columns import McapChunks, has_chunks
+from rossmarie.recordings.readers import open_ros2_reader, parts_of
+from rossmarie.recordings.stored import Connection, Packed, Stored, packed, plain_type
 
 
 class Storage(Protocol):
@@ -82,8 +39,11 @@ class Storage(Protocol):
     def messages(self, topics: Collection[str]) -> Iterator[Stored]:
         """The messages on some topics."""
 
-    def arrivals(self) -> Iterator[Arrival]:
-        """All messages, in the order in which they were stored."""
+    def batches(self, topics: Collection[str]) -> Iterator[Packed]:
+        """The same in batches."""
+
+    def arrivals(self) -> Iterator[Arrivals]:
+        """All messages, those of each topic in the order in which they were stored."""
 
     def close(self) -> None:
         """Release the file."""
@@ -97,25 +57,15 @@ class SalvageableStorage(Storage, Protocol):
         """What is missing, in words; None if nothing is."""
 
 
-def plain_type(name: str) -> str:
-    """`sensor_msgs/Imu` for `sensor_msgs/msg/Imu`; other kinds of interfaces keep their name."""
-    return name.replace("/msg/", "/", 1)
-
-
 class IntactStorage:
-    """A file or bag directory that rosbags can read, within an allowance.
+    """A file of ROS 2, or a bag directory, that rosbags can read, within an allowance.
 
     Raises one of `READER_FAILURES` if it cannot, at construction or at any message.
     """
 
     def __init__(self, path: Path, allowance: Allowance) -> None:
-        self._reader: rosbag1.Reader | rosbag2.Reader
-        self._is_packed = False
         self._allowance = allowance
-        if path.suffix == ".bag" and path.is_file():
-            self._reader = open_bag_reader(path, allowance)
-        else:
-            self._reader, self._is_packed = open_ros2_reader(path, allowance)
+        self._reader, self._is_packed = open_ros2_reader(path, allowance)
         self._opened = list(self._reader.connections)
         self.connections = [_connection(opened) for opened in self._opened]
 
@@ -136,17 +86,17 @@ class IntactStorage:
                 content = decompress("zstd", content, self._allowance)
             yield Stored(ours[opened.id], at_ns, content)
 
-    def arrivals(self) -> Iterator[Arrival]:
-        """All messages, in the order in which they were stored."""
-        if isinstance(self._reader, rosbag1.Reader):
-            topics = {opened.id: opened.topic for opened in self._opened}
-            entries = (
-                (entry.chunk_pos, entry.offset, topics[number], entry.time)
-                for number, found in self._reader.indexes.items()
-                for entry in found
-            )
-            yield from ((topic, at_ns) for _, _, topic, at_ns in sorted(entries))
-            return
+    def batches(self, topics: Collection[str]) -> Iterator[Packed]:
+        """The same in batches."""
+        parts = parts_of(self._reader)
+        if self._is_packed or not all(map(has_chunks, parts)):
+            return packed(self.messages(topics))
+        chosen = [opened for opened in self._opened if opened.topic in topics]
+        chunks = (McapChunks(part, _asked(part, chosen)) for part in parts)
+        return chain.from_iterable(map(in_order, chunks))
+
+    def arrivals(self) -> Iterator[Arrivals]:
+        """All messages, those of each topic in the order in which they were stored."""
         for part in parts_of(self._reader):
             if isinstance(part, Sqlite3Reader):
                 yield from rows_in_order(Path(str(part.path)))
@@ -159,13 +109,33 @@ class IntactStorage:
         self._reader.close()
 
 
+def _asked(
+    part: McapReader, chosen: Sequence[RosbagsConnection]
+) -> list[tuple[RosbagsConnection, Connection]]:
+    """The connections of one of the files that are among the chosen ones, and ours for each."""
+    found = []
+    for opened in part.connections:
+        same = next((each for each in chosen if _is_same(opened, each)), None)
+        if same is not None:
+            found.append((opened, _connection(same)))
+    return found
+
+
+def _is_same(one: RosbagsConnection, other: RosbagsConnection) -> bool:
+    """Whether two files mean the same: as rosbags sees it."""
+    if (one.topic, one.msgtype, one.ext) != (other.topic, other.msgtype, other.ext):
+        return False
+    return not (one.digest and other.digest) or one.digest == other.digest
+
+
 def _connection(opened: RosbagsConnection) -> Connection:
     ext = opened.ext
+    assert isinstance(ext, ConnectionExtRosbag2), "a reader of ROS 2 opened it"
     return Connection(
         id=opened.id,
         topic=opened.topic,
         message_type=plain_type(opened.msgtype),
-        encoding=ext.serialization_format if isinstance(ext, ConnectionExtRosbag2) else "ros1",
+        encoding=ext.serialization_format,
         definition=opened.msgdef,
         count=opened.msgcount,
     )

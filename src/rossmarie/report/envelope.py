@@ -59,15 +59,22 @@ def _extremes(times: NDArray[_Time], values: NDArray[np.float64], buckets: int) 
     """The indexes to keep when the time is cut into equal buckets."""
     place = (times - times[0]) / ((times[-1] - times[0]) or 1) * buckets
     bucket = np.minimum(place.astype(np.intp), buckets - 1)
-    forward = np.arange(len(times))
     unknown = np.flatnonzero(np.isnan(values))
-    orders = (
-        forward,
-        forward[::-1],
-        np.argsort(values, kind="stable"),  # unknown values come last
-        np.argsort(-values, kind="stable"),
-        unknown,
-        unknown[::-1],
-    )
-    firsts = [order[np.unique(bucket[order], return_index=True)[1]] for order in orders]
-    return np.unique(np.concatenate(firsts))
+    starts = np.flatnonzero(_is_first(bucket))
+    lengths = np.diff(np.append(starts, len(times)))
+    kept = _is_first(bucket) | _is_last(bucket)
+    kept[unknown[_is_first(bucket[unknown]) | _is_last(bucket[unknown])]] = True
+    for extreme in (np.fmin, np.fmax):  # which pass over what is unknown
+        reached = np.flatnonzero(values == np.repeat(extreme.reduceat(values, starts), lengths))
+        kept[reached[_is_first(bucket[reached])]] = True
+    return np.flatnonzero(kept)
+
+
+def _is_first(ascending: NDArray[np.intp]) -> NDArray[np.bool_]:
+    """Where a number differs from the one before."""
+    return np.asarray(np.diff(ascending, prepend=-1) != 0)
+
+
+def _is_last(ascending: NDArray[np.intp]) -> NDArray[np.bool_]:
+    """Where a number differs from the next one."""
+    return np.asarray(np.diff(ascending, append=-1) != 0)

@@ -71,3 +71,15 @@ def test_rows_that_no_rule_reads_at_odd_instants(
     replay = replayed(tmp_path, RULES, f"time,volts,other\n{rows}")
     assert (replay.start_ns // 10**9, replay.end_ns // 10**9) == span
     assert all(plot.times_s.min() >= 0 for plot in replay.plots)
+
+
+@pytest.mark.parametrize("compiler", ["", "no-such-compiler"])
+def test_plots_hold_numbers_by_which_nothing_changes(
+    tmp_path: Path, compiler: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if compiler:
+        monkeypatch.setenv("CC", compiler)
+    rules = RULES.replace("volts < 10 V", "volts - 2 V < 8 V")
+    rows = [f"{second / 2},{12 + second}" for second in range(5)]
+    (plot,) = replayed(tmp_path, rules, "\n".join(["time,volts", *rows])).plots
+    assert list(plot.values) == [10.0, 11.0, 12.0, 13.0, 14.0]

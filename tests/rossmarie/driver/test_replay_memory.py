@@ -11,7 +11,7 @@ import pytest
 from rosbags.rosbag2 import StoragePlugin
 
 from support.depth import deep
-from support.recordings import ROS2, START_NS, battery, write_ros2
+from support.recordings import START_NS, battery, store_of, write_ros1, write_ros2
 
 RULES = """\
 action stop;
@@ -36,34 +36,38 @@ print(re.search(r"VmHWM:\\s+(\\d+) kB", Path("/proc/self/status").read_text())[1
 """
 
 
-def recorded(folder: Path, count: int) -> Path:
+def recorded(folder: Path, kind: str, count: int) -> Path:
     """A millisecond between messages, of noise with one spike in the middle."""
     chance = random.Random(5)
     values = [chance.random() for _ in range(count)]
     values[count // 2] = 5000.0
+    ros = store_of(kind)
     readings = [
-        ("/battery", START_NS + at * 1_000_000, *battery(ROS2, v)) for at, v in enumerate(values)
+        ("/battery", START_NS + at * 1_000_000, *battery(ros, v)) for at, v in enumerate(values)
     ]
+    if kind == "bag":
+        return write_ros1(folder / f"drive{count}.bag", readings, chunk_size=100_000)
     return write_ros2(folder / f"drive{count}", readings, StoragePlugin.MCAP)
 
 
-def peak_kb(folder: Path, count: int, smaller: int) -> int:
+def peak_kb(folder: Path, kind: str, count: int, smaller: int) -> int:
     """The memory that a replay of so many messages takes, in a process of its own, where a picture
     has fewer samples.
     """
     rules = folder / "low.ross"
     rules.write_text(RULES)
-    recording = str(recorded(folder, count))
+    recording = str(recorded(folder, kind, count))
     command = [sys.executable, "-c", REPLAY, str(rules), recording, str(smaller)]
     return int(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
 
 
+@pytest.mark.parametrize("kind", ["bag", "mcap"])
 @pytest.mark.parametrize(
     ("few", "many", "smaller", "most_kb"),
     [(30_000, 130_000, 20, 8_000), *deep([(300_000, 1_000_000, 1, 20_000)])],
 )
 def test_a_longer_recording_takes_no_more_memory(
-    tmp_path: Path, few: int, many: int, smaller: int, most_kb: int
+    tmp_path: Path, kind: str, few: int, many: int, smaller: int, most_kb: int
 ) -> None:
-    grown = peak_kb(tmp_path, many, smaller) - peak_kb(tmp_path, few, smaller)
+    grown = peak_kb(tmp_path, kind, many, smaller) - peak_kb(tmp_path, kind, few, smaller)
     assert grown < most_kb, f"{grown} KB for {many - few} messages"

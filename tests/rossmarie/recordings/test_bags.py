@@ -14,7 +14,7 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 from dslkit.diagnostics import Collector
 from rossmarie.ir import Array, Kind
-from rossmarie.recordings import open_recording
+from rossmarie.recordings import open_recording, updates_in
 from support.recordings import (
     KINDS,
     ROS1,
@@ -249,7 +249,7 @@ def test_message_folders_define_types(tmp_path: Path, layout: str) -> None:
     (tmp_path / "msg" / layout / "Load.msg").write_text(LOAD_TEXT)
     collector = Collector()
     with open_recording(folder, [tmp_path / "msg"]) as recording:
-        updates = list(recording.updates(WHEEL, collector, {}))
+        updates = list(updates_in(WHEEL, recording.batches(WHEEL, collector, {})))
     assert collector.sorted() == ()
     assert updates[0].channels[0].slots[1] == 3.0
 

@@ -10,9 +10,13 @@ import pytest
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
 from dslkit.diagnostics import Collector
-from rossmarie.recordings import bag_opening, open_recording
+from rossmarie.recordings import bag_opening, open_recording, updates_in
 from rossmarie.recordings.bag import BagRecording
-from rossmarie.recordings.storage import Connection, Stored
+from rossmarie.recordings.clock import Arrivals, by_topic
+from rossmarie.recordings.stored import Connection, Packed, Stored, packed
+from support.recordings import machine, slot
+
+READING = machine([("/a", "std_msgs/UInt8")], [("battery", 0)], [slot(0, "data")])
 
 
 class Stub:
@@ -22,7 +26,7 @@ class Stub:
 
     def __init__(self, *messages: tuple[int, bytes], breaks: bool = False) -> None:
         undefined = MessageDefinition(MessageDefinitionFormat.NONE, "")
-        self.connections = [Connection(1, "/a", "std_msgs/Bool", "cdr", undefined, len(messages))]
+        self.connections = [Connection(1, "/a", "std_msgs/UInt8", "cdr", undefined, len(messages))]
         self.is_closed = False
         self._messages = messages
         self._breaks = breaks
@@ -33,12 +37,15 @@ class Stub:
     def messages(self, topics: Collection[str]) -> Iterator[Stored]:
         for at_ns, content in self._messages:
             if self.connections[0].topic in topics:
-                yield Stored(self.connections[0], at_ns, content)
+                yield Stored(self.connections[0], at_ns, b"\0\1\0\0" + content)
         if self._breaks:
             raise OSError("broken")
 
-    def arrivals(self) -> Iterator[tuple[str, int]]:
-        return ((self.connections[0].topic, at_ns) for at_ns, _ in self._messages)
+    def batches(self, topics: Collection[str]) -> Iterator[Packed]:
+        return packed(self.messages(topics))
+
+    def arrivals(self) -> Iterator[Arrivals]:
+        return by_topic((self.connections[0].topic, at_ns) for at_ns, _ in self._messages)
 
     def close(self) -> None:
         self.is_closed = True
@@ -48,8 +55,9 @@ def test_messages_at_the_instant_of_the_damage_are_read_once(tmp_path: Path) -> 
     broken = Stub((1, b"a"), (2, b"b"), (2, b"c"), breaks=True)
     whole = Stub((1, b"a"), (2, b"b"), (2, b"c"), (2, b"d"), (2, b"c"), (3, b"e"))
     recording = BagRecording(tmp_path / "drive.bag", broken, (1, 2), lambda: (whole, ()))
-    found = [content for _, _, content in recording.messages(["/a"], Collector())]
-    assert found == [b"a", b"b", b"c", b"d", b"c", b"e"]
+    updates = updates_in(READING, recording.batches(READING, Collector(), {}))
+    found = [update.channels[0].slots[0] for update in updates]
+    assert found == [float(letter) for letter in b"abcdce"]
 
 
 def test_earlier_parts_are_closed_if_a_later_one_fails(
@@ -81,7 +89,8 @@ class Flood(Stub):
 def test_messages_at_one_instant_are_not_kept_for_later_damage(tmp_path: Path) -> None:
     recording = BagRecording(tmp_path / "drive.bag", Flood((1, b"")), (1, 1), lambda: (Stub(), ()))
     tracemalloc.start()
-    assert sum(1 for _ in recording.messages(["/a"], Collector())) == 100
+    batches = recording.batches(READING, Collector(), {})
+    assert sum(len(batch.times_ns) for batch in batches) == 100
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert peak < 2_000_000  # bytes, of 10 million that went by

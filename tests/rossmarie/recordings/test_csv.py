@@ -169,7 +169,7 @@ def test_field_without_a_column(tmp_path: Path) -> None:
     updates, found = replay(write(tmp_path, "time,speed.x,battery\n0,1,2\n"), POSE)
     assert codes(found) == ["ROSS604"]
     assert "orientation.y" in found[0].title
-    assert updates[0].channels[0].slots == {0: 1.0}
+    assert updates[0].channels[0].slots == pytest.approx({0: 1.0, 1: math.nan}, nan_ok=True)
 
 
 def test_column_that_is_never_filled(tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ from dslkit.diagnostics import Collector
 from rossmarie.driver import compile_file
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, Verdict
-from rossmarie.recordings import open_recording, write_model
+from rossmarie.recordings import open_recording, updates_in, write_model
 from support.parts import A_DRIVE, needs
 from support.shared import HUSKY_DRIVE
 
@@ -46,7 +46,7 @@ def activations(rules: Path, recording: Path) -> dict[str, list[tuple[float, Cha
     collector = Collector()
     found: dict[str, list[tuple[float, Change]]] = defaultdict(list)
     with open_recording(recording) as opened:
-        for update in opened.updates(machine, collector, {}):
+        for update in updates_in(machine, opened.batches(machine, collector, {})):
             for event in monitor.update(update.at_ns, update.channels):
                 assert isinstance(event, Verdict)
                 seconds = (event.at_ns - opened.start_ns) / 1e9
@@ -123,7 +123,7 @@ def test_husky_values_are_those_of_the_messages() -> None:
     )
     read: dict[int, list[float]] = {up: [], speed: []}
     with open_recording(HUSKY_DRIVE) as recording:
-        for update in recording.updates(machine, Collector(), {}):
+        for update in updates_in(machine, recording.batches(machine, Collector(), {})):
             for values in update.channels.values():
                 for slot in read.keys() & values.slots.keys():
                     read[slot].append(values.slots[slot])

@@ -1,0 +1,168 @@
+"""Chunks of messages -> batches in the order of their stamps.
+
+That takes the memory of a few chunks: they overlap in time, but little.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed
+
+_MOST_MESSAGES = 4096
+_MOST_BYTES = 1 << 20
+_ENOUGH_BYTES = 256 << 10
+"""Bytes of messages for which it is worth to make a batch."""
+_KEPT_BYTES = 4 << 20
+"""Bytes of chunks that are kept; two are kept in any case."""
+
+ROW = np.dtype(
+    [
+        ("at_ns", np.int64),
+        ("rank", np.int64),  # goes before the chunk where stamps are equal
+        ("chunk", np.int64),
+        ("place", np.int64),  # its number in the chunk
+        ("sender", np.int64),  # its connection, among those that are asked for
+        ("offset", np.int64),
+        ("size", np.int64),
+    ]
+)
+"""A message in a chunk. It, or its record, begins at `offset`, and has at most `size` bytes."""
+
+Rows = NDArray[np.void]
+Places = tuple[NDArray[np.int64], NDArray[np.int64]]
+"""Where messages start and end in the content of their chunk."""
+
+
+class Chunks(Protocol):
+    """The chunks of a file, by their numbers."""
+
+    @property
+    def starts_ns(self) -> Mapping[int, int]:
+        """An instant before which no message in a chunk is."""
+
+    def rows(self, chunk: int) -> Rows:
+        """The messages that are asked for in a chunk. Raises one of `READER_FAILURES`."""
+
+    def batches(self, rows: Rows) -> Iterator[Packed]:
+        """Messages as they are stored. Raises one of `READER_FAILURES`."""
+
+
+def in_order(chunks: Chunks) -> Iterator[Packed]:
+    """All messages. Where a chunk cannot be read, those before its start come first."""
+    waiting = _Waiting()
+    for start_ns, chunk in sorted((at_ns, chunk) for chunk, at_ns in chunks.starts_ns.items()):
+        if waiting.are_enough:
+            yield from _in_batches(chunks, waiting.before(start_ns))
+        try:
+            rows = chunks.rows(chunk)
+        except READER_FAILURES:
+            yield from _in_batches(chunks, waiting.before(start_ns))
+            raise
+        waiting.add(rows)
+    yield from _in_batches(chunks, waiting.before(None))
+
+
+class _Waiting:
+    """Messages that may have to wait for others in chunks that are not read yet."""
+
+    def __init__(self) -> None:
+        self._old: Rows = np.empty(0, ROW)
+        self._fresh: list[Rows] = []
+        self._count = self._size = 0
+
+    def add(self, rows: Rows) -> None:
+        """Those of one more chunk."""
+        if len(rows):
+            self._fresh.append(rows)
+            self._count += len(rows)
+            self._size += int(rows["size"].sum())
+
+    @property
+    def are_enough(self) -> bool:
+        """Whether so many are new that it is worth to look for those that are due."""
+        is_batch = self._size >= _ENOUGH_BYTES or self._count >= _MOST_MESSAGES
+        return is_batch and self._count >= len(self._old) // 2
+
+    def before(self, at_ns: int | None) -> Rows:
+        """Those before an instant, or all; they wait no longer."""
+        rows = np.concatenate([self._old, *self._fresh])
+        is_due = np.ones(len(rows), np.bool_) if at_ns is None else rows["at_ns"] < at_ns
+        self._old, self._fresh = rows[~is_due], []
+        self._count = self._size = 0
+        return rows[is_due]
+
+
+def _in_batches(chunks: Chunks, rows: Rows) -> Iterator[Packed]:
+    """Messages in their order, some at a time."""
+    keys = ("place", "chunk", "rank", "at_ns")  # the last one is the first to be looked at
+    rows = rows[np.lexsort([rows[key] for key in keys])]
+    ends = np.cumsum(rows["size"])
+    start = 0
+    while start < len(rows):
+        before = ends[start - 1] if start else 0
+        stop = int(np.searchsorted(ends, before + _MOST_BYTES, side="right"))
+        stop = min(max(stop, start + 1), start + _MOST_MESSAGES)
+        yield from chunks.batches(rows[start:stop])
+        start = stop
+
+
+class Contents:
+    """What is in chunks; the last few are kept. `load` may raise one of `READER_FAILURES`."""
+
+    def __init__(self, load: Callable[[int], bytes]) -> None:
+        self._load = load
+        self._kept: OrderedDict[int, bytes] = OrderedDict()
+
+    def of(self, chunk: int) -> bytes:
+        """The content of a chunk."""
+        if chunk not in self._kept:
+            self._kept[chunk] = self._load(chunk)
+        self._kept.move_to_end(chunk)
+        while len(self._kept) > 2 and sum(map(len, self._kept.values())) > _KEPT_BYTES:
+            self._kept.popitem(last=False)
+        return self._kept[chunk]
+
+
+def pack(
+    rows: Rows,
+    connections: Sequence[Connection],
+    contents: Contents,
+    find: Callable[[bytes, Rows], Places],
+) -> Packed:
+    """Messages of some chunks as one batch; `find` says where they are in the content of theirs."""
+    starts, ends = np.empty(len(rows), np.int64), np.empty(len(rows), np.int64)
+    pieces: list[bytes] = []
+    size = 0
+    for chunk in sorted(set(rows["chunk"].tolist())):
+        here = np.flatnonzero(rows["chunk"] == chunk)
+        content = contents.of(chunk)
+        piece, found_starts, found_ends = _cut_out(content, *find(content, rows[here]))
+        starts[here], ends[here] = found_starts + size, found_ends + size
+        pieces.append(piece)
+        size += len(piece)
+    return Packed(
+        connections=connections,
+        senders=rows["sender"].astype(np.intp),
+        times_ns=np.ascontiguousarray(rows["at_ns"]),
+        content=pieces[0] if len(pieces) == 1 else b"".join(pieces),
+        starts=starts,
+        ends=ends,
+    )
+
+
+def _cut_out(
+    content: bytes, starts: NDArray[np.int64], ends: NDArray[np.int64]
+) -> tuple[bytes, NDArray[np.int64], NDArray[np.int64]]:
+    """Messages of a chunk, and where they are in that: all of the chunk if it holds little else."""
+    lengths = ends - starts
+    if len(content) <= 2 * int(lengths.sum()):
+        return content, starts, ends
+    places = zip(starts.tolist(), ends.tolist(), strict=True)
+    after = np.cumsum(lengths)
+    return b"".join([content[start:end] for start, end in places]), after - lengths, after

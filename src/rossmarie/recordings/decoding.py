@@ -1,0 +1,102 @@
+"""The messages of one topic -> the columns that a machine reads of them.
+
+Nearly all messages are decoded together, by a plan. rosbags decodes those that no plan is for, and
+those that are not as it expects; where it cannot do it either, it says why.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from rosbags.serde import SerdeError
+from rosbags.typesys.store import Typestore
+
+from rossmarie.recordings.definitions import full_type
+from rossmarie.recordings.extraction import Message, Wanted, compile_extractor
+from rossmarie.recordings.limits import LimitError
+from rossmarie.recordings.message_sizes import Sizes
+from rossmarie.recordings.planning import plan_for
+from rossmarie.recordings.sheet import Found, nothing_found
+from rossmarie.recordings.stored import Connection, Packed
+from rossmarie.recordings.walking import walk
+
+DECODE_FAILURES: tuple[type[Exception], ...] = (
+    SerdeError,
+    ArithmeticError,
+    AssertionError,
+    LookupError,
+    MemoryError,
+    TypeError,
+    ValueError,
+)
+"""What decoding raises on content that does not match its definition."""
+
+_NOT_READ = float("nan")
+
+
+@dataclass(frozen=True, eq=False)
+class Decoded:
+    """What is read of each message, by slot and by array of the machine. `failures` are the
+    messages that cannot be decoded, of which nothing is known, with the reasons.
+    """
+
+    slots: Mapping[int, NDArray[np.float64]]
+    arrays: Mapping[int, Sequence[NDArray[np.generic]]]
+    failures: Sequence[tuple[int, str]]
+
+
+class Decoder:
+    """Decodes what comes by a connection, or by others on its topic; `missing` is what is wanted
+    and not in the definition.
+    """
+
+    def __init__(
+        self, connection: Connection, store: Typestore, wanted: Wanted, texts: Sequence[str]
+    ) -> None:
+        self._name = full_type(connection.message_type)
+        is_ros1 = connection.encoding == "ros1"
+        self._decode = store.deserialize_ros1 if is_ros1 else store.deserialize_cdr
+        self._most = Sizes(store.fielddefs).largest_message(self._name)
+        extractor = compile_extractor(store, connection.message_type, wanted, texts)
+        self._read, self._found = extractor.read, extractor.found
+        self.missing = extractor.missing
+        self._plan = plan_for(store, connection.message_type, connection.encoding, self._found)
+        self._texts = {text.encode(): float(number) for number, text in enumerate(texts)}
+
+    def decode(self, messages: Packed) -> Decoded:
+        """What is read of some messages."""
+        found = self._walked(messages)
+        failures = []
+        for row in np.flatnonzero(~found.is_done).tolist():
+            reason = self._decode_alone(messages.message(row), row, found)
+            if reason is not None:
+                failures.append((row, reason))
+        return Decoded(found.slots, found.arrays, failures)
+
+    def _walked(self, messages: Packed) -> Found:
+        if self._plan is None:
+            return nothing_found(len(messages), self._found.slots, self._found.arrays)
+        starts, ends = messages.starts, messages.ends
+        if self._most is not None:  # nothing is found in messages that are too large
+            ends = np.where(ends - starts > self._most, starts, ends)
+        return walk(self._plan, self._texts, messages.content, starts, ends)
+
+    def _decode_alone(self, content: bytes, row: int, found: Found) -> str | None:
+        """Decode one message, as rosbags does it; gives why that cannot be, if it cannot."""
+        try:
+            values = self._read(self._message(content))
+        except DECODE_FAILURES as error:
+            return str(error) or type(error).__name__
+        for slot, column in found.slots.items():
+            column[row] = values.slots.get(slot, _NOT_READ)
+        for array, each in found.arrays.items():
+            each[row] = np.array(values.arrays[array], np.float64)
+        return None
+
+    def _message(self, content: bytes) -> Message:
+        if self._most is not None and len(content) > self._most:
+            raise LimitError(f"it is larger than {self._most >> 20} MiB, and its parts are small")
+        return self._decode(content, self._name)

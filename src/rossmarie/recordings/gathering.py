@@ -1,0 +1,20 @@
+"""Values at many places of some bytes, all at once."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def values_at(content: bytes, kind: str | np.dtype[Any], places: NDArray[np.int64]) -> NDArray[Any]:
+    """What stands at the places, each inside the content, as values of a kind of numpy."""
+    if not len(places):
+        return np.empty(0, kind)
+    size = np.dtype(kind).itemsize
+    # A value begins at every byte: numpy copies those that are asked for.
+    everywhere: NDArray[Any] = np.ndarray(
+        (len(content) - size + 1,), kind, buffer=content, strides=(1,)
+    )
+    return everywhere[places]

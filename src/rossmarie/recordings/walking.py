@@ -1,0 +1,207 @@
+"""A walk through many encoded messages of one type at the same time, by their plan.
+
+Every step is made by all messages before the next one. A message that is not as the plan expects is
+left behind: it is damaged, or has what no step is for, and somebody else has to decode it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.recordings.plan import (
+    Number,
+    Numbers,
+    Part,
+    Plan,
+    Records,
+    Row,
+    Step,
+    Stretch,
+    Target,
+    Text,
+)
+from rossmarie.recordings.sheet import Found, Sheet
+
+_HEADER = 4
+"""Bytes in front of a message in CDR: how it is encoded, and options."""
+_ORDERS = {0: ">", 1: "<"}
+"""How a message in CDR is encoded, and the order of its bytes."""
+_SLACK = 3
+"""Bytes that may follow a message in CDR."""
+_COUNT = 4
+"""Bytes of the number in front of a text or an array."""
+_MOST_RECORDS = 256
+"""Texts or messages in an array that a walk goes through: each costs some steps of all messages."""
+
+
+def walk(
+    plan: Plan,
+    texts: Mapping[bytes, float],
+    content: bytes,
+    starts: NDArray[np.int64],
+    ends: NDArray[np.int64],
+) -> Found:
+    """What the plan finds in messages, of which message i is `content[starts[i] : ends[i]]`.
+    `texts` are the numbers of those that slots are compared with.
+    """
+    sheet = Sheet(plan, texts, content, len(starts))
+    if not plan.is_cdr:
+        _Group(sheet, "<", False, np.arange(len(starts)), starts, ends).go_to_end(plan.steps)
+        return sheet.found()
+    whole = np.flatnonzero(ends - starts >= _HEADER)
+    encodings = sheet.numbers(">u2", starts[whole])
+    for encoding, order in _ORDERS.items():
+        rows = whole[encodings == encoding]
+        if len(rows):
+            places = starts[rows] + _HEADER
+            _Group(sheet, order, True, rows, places, ends[rows]).go_to_end(plan.steps)
+    return sheet.found()
+
+
+class _Group:
+    """Messages that walk together: their rows in the sheet, where each is now, and where it ends.
+    In CDR they are aligned to where they start.
+    """
+
+    def __init__(
+        self,
+        sheet: Sheet,
+        order: str,
+        is_cdr: bool,
+        rows: NDArray[np.intp],
+        places: NDArray[np.int64],
+        ends: NDArray[np.int64],
+    ) -> None:
+        self._sheet = sheet
+        self._order = order
+        self._is_cdr = is_cdr
+        self._rows = rows
+        self._places = self._starts = places
+        self._ends = ends
+
+    def go_to_end(self, steps: Sequence[Step]) -> None:
+        """Make all steps. Those that end where they should arrive."""
+        self._go(steps)
+        left = self._ends - self._places
+        self._sheet.arrive(self._rows[(left >= 0) & (left <= (_SLACK if self._is_cdr else 0))])
+
+    def _go(self, steps: Sequence[Step]) -> None:
+        for step in steps:
+            match step:
+                case Stretch():
+                    self._stretch(step)
+                case Text():
+                    self._text(step)
+                case Numbers():
+                    self._numbers(step)
+                case Records():
+                    self._records(step)
+
+    # --- steps -------------------------------------------------------------------------------
+
+    def _stretch(self, step: Stretch) -> None:
+        self._places = self._aligned(step.align)
+        self._keep(self._places + step.size <= self._ends)
+        for read in step.reads:
+            places, kind = self._places + read.offset, self._order + read.kind
+            match read:
+                case Number(targets=targets):
+                    self._sheet.fill(targets, self._rows, self._sheet.numbers(kind, places))
+                case Row(arrays=arrays, count=count):
+                    counts = np.full(len(places), count)
+                    self._sheet.fill_arrays(arrays, self._rows, kind, places, counts)
+        self._places = self._places + step.size
+
+    def _text(self, step: Text) -> None:
+        lengths = self._take_counts()
+        ends = self._places + lengths
+        (ends,) = self._keep(ends <= self._ends, ends)
+        if self._is_cdr:  # a 0 ends it
+            (ends,) = self._keep(ends > self._places, ends)
+            (ends,) = self._keep(self._sheet.numbers("u1", ends - 1) == 0, ends)
+        stops = ends - 1 if self._is_cdr else ends
+        if step.slots:
+            values = self._sheet.texts(self._places, stops)
+            is_text = ~np.isnan(values)
+            for slot in step.slots:
+                self._sheet.fill([Target(slot, Part.ALL)], self._rows, values)
+        else:
+            is_text = self._sheet.are_texts(self._places, stops)
+        self._places = ends
+        self._keep(is_text)
+
+    def _numbers(self, step: Numbers) -> None:
+        counts = self._take_counts()
+        self._places = np.where(counts > 0, self._aligned(step.align), self._places)
+        ends = self._places + counts * step.size
+        counts, ends = self._keep(ends <= self._ends, counts, ends)
+        kind = self._order + step.kind
+        for index, targets in step.elements.items():
+            has = counts > index
+            places = self._places[has] + index * step.size
+            self._sheet.fill(targets, self._rows[has], self._sheet.numbers(kind, places))
+        if step.arrays:
+            self._sheet.fill_arrays(step.arrays, self._rows, kind, self._places, counts)
+        self._places = ends
+
+    def _records(self, step: Records) -> None:
+        counts = self._take_counts()
+        match step.others:
+            case (Stretch(align=align, size=size),) if not step.elements:
+                self._pass_over(counts, align, size)
+            case _:  # open: whatever steps there are
+                (counts,) = self._keep(counts <= _MOST_RECORDS, counts)
+                for index in range(int(counts.max(initial=0))):
+                    steps = step.elements.get(index, step.others)
+                    counts = self._go_with(counts > index, steps, counts)
+
+    def _pass_over(self, counts: NDArray[np.int64], align: int, size: int) -> None:
+        """Elements of one size, of which nothing is read."""
+        distance = -(-size // align) * align
+        lengths = np.where(counts > 0, (counts - 1) * distance + size, 0)
+        ends = np.where(counts > 0, self._aligned(align), self._places) + lengths
+        (self._places,) = self._keep(ends <= self._ends, ends)
+
+    def _go_with(
+        self, chosen: NDArray[np.bool_], steps: Sequence[Step], counts: NDArray[np.int64]
+    ) -> NDArray[np.int64]:
+        """Make steps with some of the group, and forget those that are left behind; gives the
+        counts of the others.
+        """
+        columns = (column[chosen] for column in (self._rows, self._places, self._ends))
+        some = _Group(self._sheet, self._order, self._is_cdr, *columns)
+        some._starts = self._starts[chosen]
+        some._go(steps)
+        back = np.searchsorted(self._rows, some._rows)
+        self._places = self._places.copy()
+        self._places[back] = some._places
+        stay = ~chosen
+        stay[back] = True
+        (counts,) = self._keep(stay, counts)
+        return counts
+
+    # --- places ------------------------------------------------------------------------------
+
+    def _aligned(self, to: int) -> NDArray[np.int64]:
+        """The next places at a multiple of `to` bytes from the start."""
+        return self._places if to == 1 else self._places + (self._starts - self._places) % to
+
+    def _take_counts(self) -> NDArray[np.int64]:
+        """Step over the numbers in front of texts or arrays."""
+        self._keep(self._places + _COUNT <= self._ends)
+        counts = self._sheet.numbers(f"{self._order}u4", self._places).astype(np.int64)
+        self._places = self._places + _COUNT
+        return counts
+
+    def _keep(
+        self, good: NDArray[np.bool_], *columns: NDArray[np.int64]
+    ) -> tuple[NDArray[np.int64], ...]:
+        """Leave the others behind, also in columns that go along with the group."""
+        if good.all():
+            return columns
+        self._rows, self._places = self._rows[good], self._places[good]
+        self._starts, self._ends = self._starts[good], self._ends[good]
+        return tuple(column[good] for column in columns)
