@@ -100,6 +100,7 @@ bench: $(READY) compiler ros1 prover
 	PYTHONPATH=tests $(RUN)/python benchmarks/run.py --out docs/reference/performance.md
 	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/ros_nodes.py --out docs/reference/performance-nodes.md
 	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md
+	$(RUN)/python benchmarks/replaying.py --out docs/reference/performance-replay.md
 	$(RUN)/python benchmarks/proofs.py --out docs/reference/performance-proofs.md
 	$(RUN)/python benchmarks/heron_run.py --out docs/reference/performance-heron.md
 	$(RUN)/python benchmarks/ezskiros_run.py --out docs/reference/performance-ezskiros.md
