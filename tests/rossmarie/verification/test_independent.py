@@ -1,0 +1,132 @@
+"""The proofs share nothing with the generator that decides a meaning.
+
+A fault is put into a source file that the generator reads; then rules are compiled, the C and the
+questions are written, all by the damaged copy. The C is wrong, so at least one question about it is
+refuted.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+import rossmarie
+from rossmarie.verification.harness import Harness
+from rossmarie.verification.prover import Prover, Verdict
+from support.depth import deep
+from support.provers import real_prover
+
+SECONDS = 120
+
+TWO_TOPICS = """\
+input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec;
+input belt = topic /belt : std_msgs/Float64 .data in km/h timeout 0.5 sec;
+action stop;
+rule fast: if speed + belt > 3 km/h then { stop; };
+rule slips: if speed > belt then { stop; };
+"""
+
+WRITE = """\
+import pickle, sys
+from pathlib import Path
+from rossmarie.driver.verifying import questions_of
+questions = questions_of(Path(sys.argv[1]))
+sys.stdout.buffer.write(pickle.dumps((questions.files, questions.programs)))
+"""
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A change of a source file, and the question that refutes what comes of it."""
+
+    file: str
+    old: str
+    new: str
+    refuted_by: str
+
+
+@dataclass(frozen=True)
+class Asked:
+    """What a prover gets: the generated files, and the programs with the questions."""
+
+    files: Mapping[str, str]
+    programs: tuple[Harness, ...]
+
+
+def damaged(fault: Fault, folder: Path) -> Path:
+    """A copy of the sources with the fault in it."""
+    copy = folder / "rossmarie"
+    shutil.copytree(
+        Path(rossmarie.__file__).parent, copy, ignore=shutil.ignore_patterns("__pycache__")
+    )
+    source = copy / fault.file
+    text = source.read_text()
+    assert text.count(fault.old) == 1, f"{fault.file} has this once: {fault.old}"
+    source.write_text(text.replace(fault.old, fault.new))
+    return folder
+
+
+def written(sources: Path, folder: Path) -> Asked:
+    """What these sources make of the rules."""
+    rules = folder / "small.ross"
+    rules.write_text(TWO_TOPICS)
+    search = os.pathsep.join([str(sources), os.environ.get("PYTHONPATH", "")])
+    done = subprocess.run(
+        [sys.executable, "-c", WRITE, str(rules)],
+        env={**os.environ, "PYTHONPATH": search},
+        stdout=subprocess.PIPE,
+        check=True,
+    )
+    return Asked(*pickle.loads(done.stdout))
+
+
+def verdicts(prover: Prover, asked: Asked, check: str) -> Iterator[Verdict]:
+    """What comes of the questions whose names begin so."""
+    with prover.workshop() as folder:
+        for name, text in asked.files.items():
+            (folder / name).write_text(text)
+        for program in asked.programs:
+            prover.compile(folder, program)
+            for each in program.checks:
+                if each.name.startswith(check):
+                    yield prover.run(program, each, folder, SECONDS).verdict
+
+
+SUPPORT = "ir/support.py"
+QUICK = (
+    Fault(SUPPORT, "            return (left, right)", "            return (left, right)[:1]",
+          "numbers_belt"),
+    Fault("targets/c99/types.py", "    text = repr(value)\n", '    text = f"{value:.6g}"\n',
+          "numbers_belt"),
+)  # fmt: skip
+FAULTS = (
+    Fault(SUPPORT, "case ir.Apply(operands=operands):\n            return operands",
+          "case ir.Apply(operands=operands):\n            return operands[:1]", "numbers_belt"),
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def prover() -> Prover:
+    return real_prover()
+
+
+@pytest.mark.xfail(strict=True, reason="generator and proof share supports and literals")
+@pytest.mark.parametrize("fault", [*QUICK, *deep(FAULTS)], ids=lambda each: each.new.strip())
+def test_a_fault_in_what_the_generator_reads_is_refuted(
+    prover: Prover, fault: Fault, tmp_path: Path
+) -> None:
+    asked = written(damaged(fault, tmp_path / "sources"), tmp_path)
+    assert Verdict.REFUTED in set(verdicts(prover, asked, fault.refuted_by))
+
+
+def test_undamaged_sources_are_proved(prover: Prover, tmp_path: Path) -> None:
+    asked = written(Path(rossmarie.__file__).parents[1], tmp_path)
+    assert set(verdicts(prover, asked, "numbers_belt")) == {Verdict.PROVED}
