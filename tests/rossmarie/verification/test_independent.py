@@ -118,7 +118,6 @@ def prover() -> Prover:
     return real_prover()
 
 
-@pytest.mark.xfail(strict=True, reason="generator and proof share supports and literals")
 @pytest.mark.parametrize("fault", [*QUICK, *deep(FAULTS)], ids=lambda each: each.new.strip())
 def test_a_fault_in_what_the_generator_reads_is_refuted(
     prover: Prover, fault: Fault, tmp_path: Path
