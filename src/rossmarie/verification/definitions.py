@@ -39,6 +39,19 @@ static unsigned spec_or(unsigned a, unsigned b)
 """
 
 
+CONSTANTS = """\
+/* The range of instants and durations, and truths and states as the header calls them. */
+_Static_assert(EARLIEST == -INT64_C(0x2000000000000000), "instants lie above -2^61");
+_Static_assert(LATEST == INT64_C(0x4000000000000000), "instants lie below 2^62");
+_Static_assert(LONGEST == INT64_C(0x2000000000000000), "durations lie below 2^61");
+_Static_assert(FALSE == {name}_FALSE && TRUE == {name}_TRUE, "what is known");
+_Static_assert(UNKNOWN == {name}_UNKNOWN && LOST == {name}_LOST, "what is not known");
+_Static_assert(NEVER_RECEIVED == {name}_NEVER_RECEIVED, "the state before the first message");
+_Static_assert(FRESH == {name}_FRESH && EXPIRED == {name}_EXPIRED, "states of inputs");
+"""
+"""What the C calls by a name of its own. CBMC takes no program in which one of these is wrong."""
+
+
 class Definitions:
     """Writes the definitions of one machine."""
 
@@ -50,7 +63,15 @@ class Definitions:
         """All of them, each after those that it uses."""
         functions = [formulas.definition(*each) for each in supports.functions(self._machine)]
         functions += map(formulas.definition_of_samples, supports.samplings(self._machine))
-        parts = [HELPERS, *functions, *self._elements(), *self._signals(), *self._truths()]
+        constants = CONSTANTS.format(name=self._layout.name)
+        parts = [
+            constants,
+            HELPERS,
+            *functions,
+            *self._elements(),
+            *self._signals(),
+            *self._truths(),
+        ]
         return "\n".join(parts)
 
     def is_whole(self, truth: int) -> bool:

@@ -32,6 +32,7 @@ input belt = topic /belt : std_msgs/Float64 .data in km/h timeout 0.5 sec;
 action stop;
 rule fast: if speed + belt > 3 km/h then { stop; };
 rule slips: if speed > belt then { stop; };
+rule both: if speed > 2 m/s and belt > 2 m/s then { stop; };
 """
 
 WRITE = """\
@@ -107,10 +108,20 @@ QUICK = (
     Fault("targets/c99/types.py", "    text = repr(value)\n", '    text = f"{value:.6g}"\n',
           "numbers_belt"),
 )  # fmt: skip
+_OPERANDS = "case ir.Apply(operands=operands):\n            return operands"
+_OF_TRUTHS = (
+    "case ir.And(operands=operands) | ir.Or(operands=operands):\n            return operands"
+)
+_TERMS = "return tuple(_terms(machine, condition))"
+_OF_SLOT = "inputs=frozenset({slot.input}),"
+_OF_READ = "slots=frozenset({slot}),\n                inputs=frozenset({used}),"
 FAULTS = (
-    Fault(SUPPORT, "case ir.Apply(operands=operands):\n            return operands",
-          "case ir.Apply(operands=operands):\n            return operands[:1]", "numbers_belt"),
-)  # fmt: skip
+    Fault(SUPPORT, _OPERANDS, f"{_OPERANDS}[:1]", "numbers_belt"),
+    Fault(SUPPORT, _OF_TRUTHS, f"{_OF_TRUTHS}[:1]", "visit"),
+    Fault(SUPPORT, _TERMS, f"{_TERMS}[:1]", "visit"),
+    Fault(SUPPORT, _OF_READ, _OF_READ.replace("{used}", "{0}"), "tick"),
+    Fault("targets/c99/layout.py", _OF_SLOT, "inputs=frozenset({0}),", "tick"),
+)
 
 
 @pytest.fixture(scope="module")
