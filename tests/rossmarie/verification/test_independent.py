@@ -30,9 +30,17 @@ TWO_TOPICS = """\
 input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec;
 input belt = topic /belt : std_msgs/Float64 .data in km/h timeout 0.5 sec;
 action stop;
-rule fast: if speed + belt > 3 km/h then { stop; };
 rule slips: if speed > belt then { stop; };
-rule both: if speed > 2 m/s and belt > 2 m/s then { stop; };
+"""
+ONE_TOPIC = """\
+input belt = topic /belt : std_msgs/Float64 .data in km/h timeout 0.5 sec;
+action stop;
+rule fast: if belt > 3 km/h then { stop; };
+"""
+MORE_RULES = f"""\
+{TWO_TOPICS}
+rule fast: if speed + belt > 3 km/h then {{ stop; }};
+rule both: if speed > 2 m/s and belt > 2 m/s then {{ stop; }};
 """
 
 WRITE = """\
@@ -52,6 +60,7 @@ class Fault:
     old: str
     new: str
     refuted_by: str
+    rules: str = MORE_RULES
 
 
 @dataclass(frozen=True)
@@ -75,10 +84,10 @@ def damaged(fault: Fault, folder: Path) -> Path:
     return folder
 
 
-def written(sources: Path, folder: Path) -> Asked:
-    """What these sources make of the rules."""
+def written(sources: Path, folder: Path, text: str) -> Asked:
+    """What these sources make of rules."""
     rules = folder / "small.ross"
-    rules.write_text(TWO_TOPICS)
+    rules.write_text(text)
     search = os.pathsep.join([str(sources), os.environ.get("PYTHONPATH", "")])
     done = subprocess.run(
         [sys.executable, "-c", WRITE, str(rules)],
@@ -102,12 +111,17 @@ def verdicts(prover: Prover, asked: Asked, check: str) -> Iterator[Verdict]:
 
 
 SUPPORT = "ir/support.py"
+_COMPARED = "            return (left, right)"
 QUICK = (
-    Fault(SUPPORT, "            return (left, right)", "            return (left, right)[:1]",
-          "numbers_belt"),
-    Fault("targets/c99/types.py", "    text = repr(value)\n", '    text = f"{value:.6g}"\n',
-          "numbers_belt"),
-)  # fmt: skip
+    Fault(SUPPORT, _COMPARED, f"{_COMPARED}[:1]", "numbers_belt", TWO_TOPICS),
+    Fault(
+        "targets/c99/types.py",
+        "text = repr(value)",
+        'text = f"{value:.6g}"',
+        "numbers_belt",
+        ONE_TOPIC,
+    ),
+)
 _OPERANDS = "case ir.Apply(operands=operands):\n            return operands"
 _OF_TRUTHS = (
     "case ir.And(operands=operands) | ir.Or(operands=operands):\n            return operands"
@@ -133,10 +147,10 @@ def prover() -> Prover:
 def test_a_fault_in_what_the_generator_reads_is_refuted(
     prover: Prover, fault: Fault, tmp_path: Path
 ) -> None:
-    asked = written(damaged(fault, tmp_path / "sources"), tmp_path)
+    asked = written(damaged(fault, tmp_path / "sources"), tmp_path, fault.rules)
     assert Verdict.REFUTED in set(verdicts(prover, asked, fault.refuted_by))
 
 
 def test_undamaged_sources_are_proved(prover: Prover, tmp_path: Path) -> None:
-    asked = written(Path(rossmarie.__file__).parents[1], tmp_path)
+    asked = written(Path(rossmarie.__file__).parents[1], tmp_path, MORE_RULES)
     assert set(verdicts(prover, asked, "numbers_belt")) == {Verdict.PROVED}
