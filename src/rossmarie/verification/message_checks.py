@@ -221,9 +221,8 @@ class MessageChecks:
         lines, arguments = self._message(channel)
         names = [f"field_{number}" for number in range(len(self._fields(channel)))]
         counts = [name.replace("field", "count") for name in names]
-        arrived = ", ".join(
-            str(int(each == channel)) for each in range(len(self._layout.channel_names))
-        )
+        channels = range(len(self._machine.channels))
+        arrived = ", ".join(str(int(each == channel)) for each in channels)
         lines.append(f"    const bool arrived[CHANNELS] = {{{arrived}}};")
         call = f"receive_{name}({arguments});\n    compute(m, arrived, t_ns)"
         claims = [*self._meant(channel, names, counts), self._frames.received(channel)]

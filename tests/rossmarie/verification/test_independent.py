@@ -19,6 +19,7 @@ from pathlib import Path
 import pytest
 
 import rossmarie
+from dslkit.writing import write_texts
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.prover import Prover, Verdict
 from support.depth import deep
@@ -101,8 +102,7 @@ def written(sources: Path, folder: Path, text: str) -> Asked:
 def verdicts(prover: Prover, asked: Asked, check: str) -> Iterator[Verdict]:
     """What comes of the questions whose names begin so."""
     with prover.workshop() as folder:
-        for name, text in asked.files.items():
-            (folder / name).write_text(text)
+        write_texts(folder, asked.files)
         for program in asked.programs:
             prover.compile(folder, program)
             for each in program.checks:
