@@ -42,7 +42,9 @@ ros1:
 	@command -v rosmaster >/dev/null && command -v catkin_make >/dev/null || \
 	! command -v apt-get >/dev/null || tools/setup_ros1.sh
 
-# The generated C is proved; without CBMC 6 these tests are skipped, and say so.
+# The generated C is proved; without CBMC 6 these tests are skipped, and say so. Where Debian has no
+# package of it, it is in this folder.
+PROGRAMS = $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/rossmarie/prover/programs
 prover: $(READY)
 	@tools/setup_prover.sh
 
@@ -101,7 +103,7 @@ bench: $(READY) compiler ros1 prover
 	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/ros_nodes.py --out docs/reference/performance-nodes.md
 	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md
 	$(RUN)/python benchmarks/replaying.py --out docs/reference/performance-replay.md
-	$(RUN)/python benchmarks/proofs.py --out docs/reference/performance-proofs.md
+	PATH=$(PROGRAMS):$$PATH $(RUN)/python benchmarks/proofs.py --out docs/reference/performance-proofs.md
 	$(RUN)/python benchmarks/heron_run.py --out docs/reference/performance-heron.md
 	$(RUN)/python benchmarks/ezskiros_run.py --out docs/reference/performance-ezskiros.md
 

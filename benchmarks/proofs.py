@@ -20,7 +20,6 @@ from proved_examples import EXAMPLES
 
 from rossmarie.driver.verifying import prove, questions_of
 from rossmarie.verification.prover import PROGRAMS, Prover, Verdict
-from rossmarie.verification.setup import provide_prover
 
 ROOT = Path(__file__).parents[1]
 SECONDS = 120
@@ -115,7 +114,9 @@ def main() -> int:
     out: Path = arguments.out
     known = written(out.read_text(encoding="utf-8")) if out.is_file() else {}
     wanted = arguments.examples or EXAMPLES
-    prover = provide_prover(print)
+    prover = Prover()
+    if reason := prover.lacking():
+        parser.error(f"{reason}; `make prover` sets it up")
     for example in wanted:
         known[example] = proved(prover, example)
         rows = (known[each] for each in EXAMPLES if each in known)

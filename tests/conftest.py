@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, settings
 
 from support.lacking import Lacking
 from support.order import arranged
-from support.parts import PARTS
+from support.parts import PARTS, prover_programs
 
 _SLOW_MACHINE = (HealthCheck.too_slow,)
 
@@ -58,6 +58,7 @@ def pytest_configure(config: pytest.Config) -> None:
     """Choose how many examples are tried, and refuse to bless where nobody looks."""
     config.pluginmanager.register(Lacking(PARTS))
     config.addinivalue_line("markers", "deep: too slow for each run; `make deep` runs it")
+    os.environ["PATH"] = os.pathsep.join([str(prover_programs()), os.environ["PATH"]])
     settings.load_profile("deep" if config.getoption("--deep") else "usual")
     if config.getoption("--bless") and os.environ.get("CI"):
         raise pytest.UsageError("--bless is for people; it is refused where CI is set")

@@ -1,8 +1,9 @@
 #!/bin/sh
-# Makes CBMC 6 ready for the tests that prove: from Debian 13, or in a Debian 13 of its own in the
-# cache folder. Without it these tests are skipped, and say so. Never fails.
+# Makes CBMC 6 ready for the tests that prove: from Debian 13, or from a Debian 13 in the cache folder
+# (setup_prover_debian.sh), which tests put on their PATH. Without it these tests are skipped, and say
+# so. Never fails.
 set -u
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")"
 
 has_package() { # whether this Debian is one that has it
     [ "$(. /etc/os-release && echo "${ID:-}")" = debian ] &&
@@ -12,9 +13,10 @@ has_package() { # whether this Debian is one that has it
 if ! cbmc --version 2>/dev/null | grep -q '^6\.' || ! command -v cadical >/dev/null ||
     ! command -v z3 >/dev/null; then
     if has_package 2>/dev/null; then
-        tools/setup_debian.sh cbmc cadical z3 gcc libc6-dev
-    elif ! command -v debootstrap >/dev/null && command -v apt-get >/dev/null; then
-        tools/setup_debian.sh debootstrap
+        ./setup_debian.sh cbmc cadical z3 gcc libc6-dev
+    else
+        ! command -v apt-get >/dev/null || command -v debootstrap >/dev/null ||
+            ./setup_debian.sh debootstrap
+        ./setup_prover_debian.sh || echo "setup: without CBMC 6 proofs are not tested"
     fi
 fi
-.venv/bin/rossmarie verify --set-up || echo "setup: without CBMC 6 proofs are not tested"

@@ -62,15 +62,6 @@ def kept(name: str, make: Callable[[], bytes], *, anew: bool = False) -> bytes:
     return content
 
 
-def belongs_to_us(folder: Path) -> bool:
-    """Whether a folder belongs to this user, and nobody else can write to it."""
-    try:
-        found = folder.lstat()
-    except OSError:
-        return False
-    return stat.S_ISDIR(found.st_mode) and _is_own(found) and not found.st_mode & _OTHERS_WRITE
-
-
 def _read(name: str) -> bytes | None:
     try:
         key = _key()

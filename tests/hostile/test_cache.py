@@ -18,8 +18,6 @@ import pytest
 
 import rossmarie
 from rossmarie.syntax.grammar import load_grammar
-from rossmarie.verification.prover import find_prover
-from rossmarie.verification.setup import NoProverError, provide_prover
 from support.parts import C_COMPILER, ROOT, needs
 
 pytestmark = needs(C_COMPILER)
@@ -341,50 +339,3 @@ def test_a_kill_before_a_file_is_in_its_place_leaves_no_half_file(cache: Path, r
     assert state.exists()
     done_again = loaded(rules)
     assert (done_again.stdout, done_again.stderr) == ("native", "")
-
-
-# --- the prover ----------------------------------------------------------------------------------
-
-
-@needs(ROOT)
-def test_no_prover_of_another_user_is_entered(
-    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    mark = tmp_path / "mark"
-    root = cache / "prover"
-    (root / "usr/bin").mkdir(parents=True)
-    (root / "usr/bin/cbmc").touch()
-    monkeypatch.setenv("PATH", str(stand_in_for_chroot(tmp_path, mark)))
-    find_prover()
-    assert mark.exists(), "one of ours is"
-    mark.unlink()
-    os.chown(root, NOBODY, NOBODY)
-    find_prover()
-    assert not mark.exists()
-    os.chown(root, 0, 0)
-    cache.chmod(0o777)
-    find_prover()
-    assert not mark.exists()
-
-
-@needs(ROOT)
-def test_no_prover_is_set_up_in_a_folder_of_another_user(
-    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    folder = stand_in_for_chroot(tmp_path, tmp_path / "mark")
-    shutil.copy(folder / "chroot", folder / "debootstrap")
-    monkeypatch.setenv("PATH", str(folder))
-    cache.mkdir(parents=True)
-    os.chown(cache, NOBODY, NOBODY)
-    with pytest.raises(NoProverError, match="other users can change"):
-        provide_prover(lambda _: None)
-    assert list(cache.iterdir()) == []
-
-
-def stand_in_for_chroot(tmp_path: Path, mark: Path) -> Path:
-    """A folder of programs, in which `chroot` only says that it was called."""
-    folder = tmp_path / "bin"
-    folder.mkdir()
-    (folder / "chroot").write_text(f"#!/bin/sh\n: > {mark}\n")
-    (folder / "chroot").chmod(0o755)
-    return folder

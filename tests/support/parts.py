@@ -24,6 +24,7 @@ from pathlib import Path
 import pytest
 
 from ezskiros.hosts.skiros2_versions import unfit
+from rossmarie.cache import cache_folder
 from support.shared import HUSKY_DRIVE, SHARED, SKIROS2_ONTOLOGIES, SKIROS2_TRACES
 
 
@@ -109,10 +110,15 @@ def _seccomp() -> str | None:
     return None
 
 
-def _prover() -> str | None:
-    from rossmarie.verification.prover import find_prover
+def prover_programs() -> Path:
+    """Where `tools/setup_prover_debian.sh` puts CBMC and its solvers."""
+    return cache_folder() / "prover" / "programs"
 
-    return None if find_prover() else "neither installed with its solvers nor set up in the cache"
+
+def _prover() -> str | None:
+    from rossmarie.verification.prover import Prover
+
+    return Prover().lacking()
 
 
 def _ros1() -> str | None:

@@ -1,4 +1,4 @@
-"""Provers for tests: one that answers as it is told, and a Debian made in no time."""
+"""Provers for tests: the real one, and one that answers as it is told."""
 
 from __future__ import annotations
 
@@ -6,21 +6,17 @@ import os
 import signal
 import subprocess
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-
-import pytest
 
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.prover import (
-    PROGRAMS,
     Outcome,
     Prover,
     ProverError,
     Verdict,
-    find_prover,
 )
 from support.parts import PROVER, require
 
@@ -28,9 +24,7 @@ from support.parts import PROVER, require
 def real_prover() -> Prover:
     """CBMC; without it the test is skipped."""
     require(PROVER)
-    found = find_prover()
-    assert found is not None
-    return found
+    return Prover()
 
 
 @dataclass(frozen=True)
@@ -41,7 +35,6 @@ class StandIn(Prover):
     beside it, which notes its number in the file of that name in `folder`.
     """
 
-    root: Path | None = None
     refuted: tuple[tuple[str, str], ...] = ()
     undecided: tuple[tuple[str, str], ...] = ()
     fails: str = ""
@@ -84,54 +77,12 @@ class StandIn(Prover):
                 beside.kill()
 
 
-_SCRIPT = """\
-#!/bin/sh
-# debootstrap, but quick: a folder in which sh runs, and provers answer.
-for folder; do :; done
-echo called >> {calls}
-{before}
-for file in /bin/sh $(ldd /bin/sh | grep -o '/[^ ]*'); do
-    mkdir -p "$folder$(dirname "$file")"
-    cp "$file" "$folder$file"
-done
-mkdir -p "$folder/usr/bin" "$folder/tmp"
-for program in cbmc cadical z3; do
-    printf '#!/bin/sh\\necho 6.6.0\\n' > "$folder/usr/bin/$program"
-    chmod +x "$folder/usr/bin/$program"
-done
-"""
-
-
-@dataclass(frozen=True)
-class QuickDebian:
-    """A debootstrap on the path, and an empty cache."""
-
-    programs: Path
-    cache: Path
-    calls: Path
-
-    def write(self, before: str = "") -> None:
-        """Install it; `before` is what it does at first."""
-        script = self.programs / "debootstrap"
-        script.write_text(_SCRIPT.format(calls=self.calls, before=before))
-        script.chmod(0o755)
-
-    def count(self) -> int:
-        """How often it was called."""
-        return self.calls.read_text().count("called") if self.calls.exists() else 0
-
-
-def quick_debian(folder: Path, monkeypatch: pytest.MonkeyPatch) -> QuickDebian:
-    """In a folder of its own; nothing else of the system's provers is found."""
-    made = QuickDebian(folder / "bin", folder / "cache" / "rossmarie", folder / "calls")
-    made.programs.mkdir()
-    made.write()
-    for name in PROGRAMS:  # those of the system do not answer
-        (made.programs / name).write_text("#!/bin/sh\nexit 1\n")
-        (made.programs / name).chmod(0o755)
-    monkeypatch.setenv("XDG_CACHE_HOME", str(folder / "cache"))
-    monkeypatch.setenv("PATH", f"{made.programs}:/usr/sbin:/usr/bin:/sbin:/bin")
-    return made
+def programs(folder: Path, versions: Mapping[str, str]) -> None:
+    """Programs that say these versions of themselves, and do nothing else."""
+    folder.mkdir()
+    for name, version in versions.items():
+        (folder / name).write_text(f"#!/bin/sh\necho {version}\n")
+        (folder / name).chmod(0o755)
 
 
 def wait_for(condition: Callable[[], bool], seconds: float = 30.0) -> None:

@@ -43,14 +43,6 @@ app = typer.Typer(
 )
 
 
-def _set_up(wanted: bool) -> None:
-    if wanted:
-        from rossmarie.cli.verification import prover
-
-        prover()
-        raise typer.Exit
-
-
 @app.callback()
 def rossmarie(version: Annotated[bool, output.version_option()] = False) -> None:
     """Safety rules for robots: check them, build their monitor, replay a recording."""
@@ -349,12 +341,6 @@ def verify(
             metavar="DIR", help="Write what the prover gets here, to ask again.", parser=written
         ),
     ] = None,
-    _ready: Annotated[
-        bool,
-        typer.Option(
-            "--set-up", help="Only make the prover ready.", is_eager=True, callback=_set_up
-        ),
-    ] = False,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:

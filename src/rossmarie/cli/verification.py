@@ -28,7 +28,6 @@ from rossmarie.report.proofs import Proofs, refutations, write_proofs
 from rossmarie.report.safety.errors import at_file
 from rossmarie.verification.errors import NoProver, ProgramRefused
 from rossmarie.verification.prover import Prover, ProverError
-from rossmarie.verification.setup import NoProverError, provide_prover
 
 
 def run_verify(
@@ -88,11 +87,12 @@ def _proofs(questions: Questions, seconds: int) -> Proofs:
 
 
 def prover() -> Prover:
-    """The prover, made ready if that is needed and can be; otherwise the run ends."""
-    try:
-        return provide_prover(output.complain)
-    except NoProverError as error:
-        _give_up(NoProver(reason=str(error), advice=error.advice))
+    """The prover; without one the run ends."""
+    found = Prover()
+    reason = found.lacking()
+    if reason is not None:
+        _give_up(NoProver(reason=reason))
+    return found
 
 
 def _give_up(finding: Template) -> NoReturn:

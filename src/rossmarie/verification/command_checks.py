@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rossmarie.ir import reactions
-from rossmarie.targets.c99.types import number
 from rossmarie.verification.check import Check, Passes, Written
+from rossmarie.verification.formulas import literal
 from rossmarie.verification.program import claim
 from rossmarie.verification.reactor_invariants import in_force
 
@@ -121,7 +121,7 @@ class CommandChecks:
         lines = [
             ANY_REACTOR,
             _IN_RANGE,
-            f"    const double way = moved(r, {task}, {number(ramp)}, t_ns);",
+            f"    const double way = moved(r, {task}, {literal(ramp)}, t_ns);",
             claim("way >= 0.0", "it moves apart"),
             claim(f"!{holds} || way == 0.0", "what is in force has not moved"),
         ]
@@ -146,10 +146,10 @@ class CommandChecks:
         yield claim(f"{b}.low <= 0.0 && 0.0 <= {b}.high", "zero is in bounds")
         yield claim(f"0.0 <= {b}.factor && {b}.factor <= 1.0", "a factor makes nothing larger")
         for end in self._limits(command, field):
-            kept = f"{number(end.low)} <= {b}.low && {b}.high <= {number(end.high)}"
+            kept = f"{literal(end.low)} <= {b}.low && {b}.high <= {literal(end.high)}"
             yield claim(f"!{in_force(end.task)} || ({kept})", "a limit in force is kept")
         for task, scale in self._scales(command):
-            kept = f"{b}.factor <= {number(scale.factor)}"
+            kept = f"{b}.factor <= {literal(scale.factor)}"
             yield claim(f"!{in_force(task)} || {kept}", "a scale in force is kept")
         if not any(self._limits(command, field)):
             free = f"{b}.low == -INFINITY && {b}.high == INFINITY"

@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
 
-from rossmarie import ir
 from rossmarie.core import Function, View, may_be_infinite, sampling_row
-from rossmarie.targets.c99.layout import Layout, Window
-from rossmarie.targets.c99.types import number
-from rossmarie.verification import formulas
+from rossmarie.ir import model as ir
+from rossmarie.verification import formulas, supports
+from rossmarie.verification.formulas import literal
+from rossmarie.verification.layout import Layout
 
 HELPERS = """\
 /* Two numbers that nobody can tell apart. */
@@ -39,6 +39,19 @@ static unsigned spec_or(unsigned a, unsigned b)
 """
 
 
+CONSTANTS = """\
+/* The range of instants and durations, and truths and states as the header calls them. */
+_Static_assert(EARLIEST == -INT64_C(0x2000000000000000), "instants lie above -2^61");
+_Static_assert(LATEST == INT64_C(0x4000000000000000), "instants lie below 2^62");
+_Static_assert(LONGEST == INT64_C(0x2000000000000000), "durations lie below 2^61");
+_Static_assert(FALSE == {name}_FALSE && TRUE == {name}_TRUE, "what is known");
+_Static_assert(UNKNOWN == {name}_UNKNOWN && LOST == {name}_LOST, "what is not known");
+_Static_assert(NEVER_RECEIVED == {name}_NEVER_RECEIVED, "the state before the first message");
+_Static_assert(FRESH == {name}_FRESH && EXPIRED == {name}_EXPIRED, "states of inputs");
+"""
+"""What the C calls by a name of its own. CBMC takes no program in which one of these is wrong."""
+
+
 class Definitions:
     """Writes the definitions of one machine."""
 
@@ -48,9 +61,17 @@ class Definitions:
 
     def text(self) -> str:
         """All of them, each after those that it uses."""
-        functions = [formulas.definition(*each) for each in ir.functions(self._machine)]
-        functions += map(formulas.definition_of_samples, ir.samplings(self._machine))
-        parts = [HELPERS, *functions, *self._elements(), *self._signals(), *self._truths()]
+        functions = [formulas.definition(*each) for each in supports.functions(self._machine)]
+        functions += map(formulas.definition_of_samples, supports.samplings(self._machine))
+        constants = CONSTANTS.format(name=self._layout.name)
+        parts = [
+            constants,
+            HELPERS,
+            *functions,
+            *self._elements(),
+            *self._signals(),
+            *self._truths(),
+        ]
         return "\n".join(parts)
 
     def is_whole(self, truth: int) -> bool:
@@ -63,7 +84,7 @@ class Definitions:
         """A signal where it is kept, or a constant."""
         node = self._machine.signals[signal].node
         if isinstance(node, ir.Constant):
-            return number(node.value)
+            return literal(node.value)
         return f"m->value[{self._layout.value_of_signal[signal]}]"
 
     def computed(self) -> Iterator[int]:
@@ -104,7 +125,7 @@ class Definitions:
         match node:
             case ir.Apply(function=function, operands=operands):
                 return applied(function, [self.number(operand) for operand in operands])
-            case ir.Sampled() if not self._layout.supports.signals[index].channels:
+            case ir.Sampled() if not self._layout.support_of_signal(index).channels:
                 return "NAN"  # it is never sampled
             case ir.Sampled(function=function):
                 declared = sampling_row(function)
@@ -125,7 +146,7 @@ class Definitions:
                 k = self._layout.sampled.index(node.signal)
                 return f"((double)(m->latest_ns[{k}] - m->before_ns[{k}]) / 0x1.dcd65p+29)"
             case View.LOWER | View.UPPER:
-                k = self._layout.windows.index(Window(node.signal, node.window_ns))
+                k = self._layout.windows.index((node.signal, node.window_ns))
                 return f"__CPROVER_uninterpreted_middle({k}, {int(view is View.UPPER)})"
 
     # --- elements of arrays ------------------------------------------------------------------
@@ -157,7 +178,7 @@ class Definitions:
 
     def _element_number(self, signal: int) -> str:
         node = self._machine.signals[signal].node
-        return number(node.value) if isinstance(node, ir.Constant) else f"spec_element_{signal}(e)"
+        return literal(node.value) if isinstance(node, ir.Constant) else f"spec_element_{signal}(e)"
 
     def _element_signal(self, index: int) -> str:
         node = self._machine.signals[index].node
@@ -208,7 +229,7 @@ class Definitions:
                 reached = f"t_ns - m->stamp_ns[{used}] >= INT64_C({age_ns}) ? TRUE : FALSE"
                 return f"m->state[{used}] == NEVER_RECEIVED ? {unknown} : {reached}"
             case ir.Quantified():
-                x = f"m->value[{self._layout.value_of_test[index]}]"
+                x = f"m->value[{self._layout.places.value_of_test[index]}]"
                 return f"isnan({x}) ? {unknown} : {x} != 0.0 ? TRUE : FALSE"
             case ir.Compare() | ir.Between() | ir.Flag():
                 return compared(node, self.number, unknown)
@@ -240,7 +261,7 @@ class Definitions:
             case ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates():
                 whole = False
         lacking = list(self._lacking(index))
-        timed = any(map(self._layout.has_timeout, self._layout.supports.truths[index].inputs))
+        timed = any(map(self._layout.has_timeout, self._layout.support_of_truth(index).inputs))
         if timed:
             lacking.append("true" if whole else f"({self._nothing_missing(index)})")
         lost = " || ".join(lacking) or "false"
@@ -250,18 +271,18 @@ class Definitions:
         )
 
     def _lacking(self, index: int) -> Iterator[str]:
-        support = self._layout.supports.truths[index]
+        support = self._layout.support_of_truth(index)
         for slot in sorted(support.slots):
             if self._layout.has_timeout(self._machine.slots[slot].input):
-                yield f"isnan(m->value[{self._layout.value_of_slot[slot]}])"
+                yield f"isnan(m->value[{self._layout.places.value_of_slot[slot]}])"
         for fold in sorted(support.folds):
-            if any(map(self._layout.has_timeout, self._layout.supports.signals[fold].inputs)):
+            if any(map(self._layout.has_timeout, self._layout.support_of_signal(fold).inputs)):
                 yield f"isnan(m->value[{self._layout.value_of_signal[fold]}])"
 
     def _nothing_missing(self, index: int) -> str:
-        support = self._layout.supports.truths[index]
-        kept = [self._layout.value_of_slot[slot] for slot in sorted(support.slots)]
-        kept += [self._layout.value_of_signal[s] for s in sorted(support.folds | support.samples)]
+        support = self._layout.support_of_truth(index)
+        kept = [self._layout.places.value_of_slot[slot] for slot in sorted(support.slots)]
+        kept += [self._layout.value_of_signal[s] for s in sorted(support.folds | support.waiting)]
         return " && ".join(f"m->value[{value}] < INFINITY" for value in kept) or "true"
 
 
@@ -271,7 +292,7 @@ class Definitions:
 def converted(raw: str, scale: float, offset: float) -> str:
     """S7: a number as it arrives, in SI."""
     is_plain = scale == 1.0 and offset == 0.0
-    return raw if is_plain else f"(({raw} * {number(scale)}) + {number(offset)})"
+    return raw if is_plain else f"(({raw} * {literal(scale)}) + {literal(offset)})"
 
 
 def applied(function: Function, operands: Sequence[str]) -> str:

@@ -7,13 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie import ir
-from rossmarie.targets.c99.layout import Layout
-from rossmarie.targets.c99.state import is_small
+from rossmarie.ir import model as ir
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.events import Events
 from rossmarie.verification.frames import Frames
+from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import ANY, claim
 from rossmarie.verification.stages import (
     COUNTED_PARTS,
@@ -72,7 +71,7 @@ class EngineChecks:
             self._frames.visited(node),
         ]
         pending = ""
-        if not is_small(self._layout):
+        if not self._layout.is_small:
             pending = "    m->pending = true;\n"
             claims.append(claim("m->pending", "it is left to `evaluate` to say that all is done"))
         return f"""\

@@ -27,15 +27,14 @@ class PartRefuted(Error, code="ROSS790", name="part-refuted"):
 class NoProver(Error, code="ROSS791", name="no-prover"):
     """A system on which nothing can be proved."""
 
-    title = "nothing can be proved here: CBMC 6 or a solver of it is missing, and cannot be set up"
+    title = "nothing can be proved here: CBMC 6 or a solver of it is missing"
     label = "{reason}"
-    note = (
-        "cbmc, cadical and z3 are packages of Debian 13; elsewhere a Debian 13 in the cache folder "
-        "runs them"
+    note = "cbmc, cadical and z3 are packages of Debian 13"
+    help = (
+        "install these packages, use the Docker image debian:trixie, or on another Linux run "
+        "`tools/setup_prover_debian.sh` of ROSSMARie's sources as root"
     )
-    help = "{advice}"
     reason: str
-    advice: str
 
 
 class ProgramRefused(Error, code="ROSS792", name="program-refused"):

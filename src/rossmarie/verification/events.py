@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.targets.c99.layout import Layout
 from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import claim
+from rossmarie.verification.supports import told
 
 
 class Events:
@@ -45,14 +46,13 @@ class Events:
     def _said(self, rule: int) -> Iterator[str]:
         yield f"(said->at_ns == t_ns && said->from_ns == t_ns && said->rule == {rule})"
         yield "said->change == change"
-        machine, told = self._layout.machine, self._rules[rule]
-        for place, term in enumerate(told.terms):
+        found = told(self._layout.machine, self._rules[rule].condition)
+        for place, term in enumerate(found.terms):
             yield f"said->truths[{place}] == {self._definitions.truth(term)}"
             yield f"said->since_ns[{place}] == {self._definitions.since(term)}"
-        for place, signal in enumerate(told.signals):
+        for place, signal in enumerate(found.signals):
             yield f"spec_same(said->values[{place}], {self._definitions.number(signal)})"
-        for place, used in enumerate(told.inputs):
-            assert used < len(machine.inputs), "a rule rests on inputs of its machine"
+        for place, used in enumerate(found.inputs):
             yield f"said->inputs[{place}] == m->state[{used}]"
 
     def changed(self, rule: int) -> str:

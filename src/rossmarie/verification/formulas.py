@@ -6,6 +6,7 @@ The generator of the C that is proved has a writer of its own; nothing is shared
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from rossmarie.core import Function, Sampling, defined, parameters, row, sampling_row
@@ -65,7 +66,11 @@ def _definition(name: str, names: Sequence[str], expression: Expression, remark:
 
 def literal(value: float) -> str:
     """A number in C, exactly."""
-    return f"({value.hex()})" if value == value else "NAN"
+    if math.isnan(value):
+        return "NAN"
+    if math.isinf(value):
+        return "INFINITY" if value > 0 else "(-INFINITY)"
+    return f"({value.hex()})"
 
 
 def _text(expression: Expression, names: Sequence[str]) -> str:

@@ -8,12 +8,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from rossmarie import ir
-from rossmarie.targets.c99.coverage import covered_values
-from rossmarie.targets.c99.layout import Layout
-from rossmarie.targets.c99.state import members
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import first_turn, oscillation, remark_of
+from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import claim
 from rossmarie.verification.turning_points import followed_on, forgotten
 
@@ -32,10 +29,10 @@ class Frames:
         self._layout = layout
         self._definitions = definitions
         self._machine = layout.machine
-        self._covered = covered_values(layout)
+        self._covered = layout.places.kept_raw
         self._doubles: set[str] = set()
         self._places: dict[str, list[str]] = {}
-        for member in members(layout):
+        for member in layout.places.members:
             found = _MEMBER.fullmatch(member)
             assert found is not None, f"{member} is no member"
             name, count = found["name"], found["count"]
@@ -200,17 +197,7 @@ class Frames:
 
     def _is_sampled(self, value: int) -> bool:
         """Whether a number rests on what another one was before."""
-        found = self._layout.values[value]
-        if found.test is not None:
-            compared = ir.compared_signals(self._machine.truths[found.test].node)
-            return any(map(self._rests, compared))
-        return found.signal is not None and self._rests(found.signal)
-
-    def _rests(self, signal: int) -> bool:
-        node = self._machine.signals[signal].node
-        if isinstance(node, ir.Sampled):
-            return True
-        return any(map(self._rests, ir.signal_operands(node)))
+        return bool(self._layout.values[value].support.sampled)
 
     def received(self, channel: int) -> str:
         """Of `receive_X`: numbers of a message, and what is computed from them."""

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from rossmarie.targets.c99.coverage import covered_values
-from rossmarie.targets.c99.layout import Guard, Layout
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import Invariants, Sentence, remark_of, users_of
+from rossmarie.verification.layout import Layout
+from rossmarie.verification.places import Watched
 from rossmarie.verification.program import ANY, assertions, assumptions, claim, predicate
 
 _LOOPS_OVER_LIMITS = ("cross_far.0", "cross_far.1", "flip.0", "gain_sight.1")
@@ -47,7 +47,7 @@ class GuardChecks:
             remark = remark_of(self._layout.values[guard.value])
             about = f"a new `{remark}` is compared with its limits"
             parts = (("set_truth", f"contract_set_{number}"),)
-            most = len(guard.limits) + 2
+            most = guard.limit_count + 2
             loops = tuple((loop, most) for loop in _LOOPS_OVER_LIMITS)
             check = Check(f"cross_{number}", about, parts, loops)
             yield Written(check, self._check(number, guard))
@@ -96,17 +96,17 @@ class GuardChecks:
     def _finite(self) -> Iterator[Sentence]:
         """Numbers that no guard makes so are kept as finite or unknown, but for those of arrays."""
         watched = [guard.value for guard in self._layout.guards]
-        others = covered_values(self._layout) | {
+        others = self._layout.places.kept_raw | {
             value
             for signal, value in self._layout.value_of_signal.items()
             if self._definitions.can_be_infinite(signal)
         }
-        for value in dict.fromkeys([*self._layout.value_of_slot, *watched]):
+        for value in dict.fromkeys([*self._layout.places.value_of_slot, *watched]):
             if value not in others:
                 remark = remark_of(self._layout.values[value])
                 yield Sentence(f"`{remark}` is finite or unknown", f"!isinf(m->value[{value}])")
 
-    def _probe(self, number: int, guard: Guard) -> str:
+    def _probe(self, number: int, guard: Watched) -> str:
         """Whether truths are right for the largest number that a guard lets pass."""
         right = " && ".join(
             f"{self._definitions.truth(truth)} == "
@@ -124,7 +124,7 @@ class GuardChecks:
             f"    return {right};\n}}\n"
         )
 
-    def _kept(self, number: int, guard: Guard) -> Sentence:
+    def _kept(self, number: int, guard: Watched) -> Sentence:
         place, low, high = f"m->place[{number}]", f"m->low[{number}]", f"m->high[{number}]"
         first, last = self._invariants.places(number)
         truths = [self._definitions.truth(truth) for truth in guard.leaves]
@@ -143,7 +143,7 @@ class GuardChecks:
 
     # --- what changes ------------------------------------------------------------------------
 
-    def _change(self, number: int, guard: Guard) -> str:
+    def _change(self, number: int, guard: Watched) -> str:
         """Looking at a number that may have left its guard: truths change, and what depends on them
         is marked; nothing else. A number inside it changes nothing, which is one case of that.
         """
@@ -169,11 +169,11 @@ class GuardChecks:
         """Numbers that are kept as they arrive until somebody looks (S4): one is not finite."""
         lines = [
             f"        m->value[{value}] = spec_finite(m->value[{value}]);"
-            for value in covered_values(self._layout)
+            for value in self._layout.places.kept_raw
         ]
         return "\n".join(["    if (!isfinite(x)) {", *lines, "    }"]) if lines else "    (void)x;"
 
-    def _consequences(self, guard: Guard) -> Iterator[str]:
+    def _consequences(self, guard: Watched) -> Iterator[str]:
         for truth in guard.leaves:
             node = self._layout.node_of_truth[truth]
             yield f"    if (m->truth[{node}] != old.truth[{node}]) {{"
@@ -212,7 +212,7 @@ class GuardChecks:
 
     # --- the check ---------------------------------------------------------------------------
 
-    def _check(self, number: int, guard: Guard) -> str:
+    def _check(self, number: int, guard: Watched) -> str:
         """What it leaves behind is what the contract makes of the memory before."""
         nodes = [self._layout.node_of_truth[truth] for truth in guard.leaves]
         copied = [f"{name}[{number}]" for name in ("place", "low", "high")]
@@ -240,7 +240,7 @@ class GuardChecks:
             ]
         )
 
-    def _inside(self, number: int, guard: Guard) -> str:
+    def _inside(self, number: int, guard: Watched) -> str:
         """Memory as it is fits what `look` leaves behind."""
         return "\n".join(
             [

@@ -11,9 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-from rossmarie import ir
-from rossmarie.targets.c99.layout import Layout, lay_out
-from rossmarie.targets.c99.state import is_small
+from rossmarie.ir import model as ir
+from rossmarie.ir.limits import MOST_EVALUATIONS
 from rossmarie.verification.check import Check
 from rossmarie.verification.contracts import CONTRACTS, NONDETERMINISM
 from rossmarie.verification.definitions import Definitions
@@ -22,6 +21,7 @@ from rossmarie.verification.events import Events
 from rossmarie.verification.frames import Frames
 from rossmarie.verification.guard_checks import GuardChecks
 from rossmarie.verification.invariants import Invariants, Sentence
+from rossmarie.verification.layout import Layout, layout_of
 from rossmarie.verification.message_checks import ELEMENTS, MessageChecks
 from rossmarie.verification.program import (
     PRELUDE,
@@ -85,7 +85,7 @@ class _Writer:
 
     def __init__(self, machine: ir.Machine) -> None:
         self._machine = machine
-        self._layout: Layout = lay_out(machine)
+        self._layout: Layout = layout_of(machine)
         self._definitions = Definitions(self._layout)
         self._invariants = Invariants(self._layout, self._definitions)
         self._groups = self._invariants.groups()
@@ -100,7 +100,7 @@ class _Writer:
             *guards.written(),
             *messages.written(),
         ]
-        most_events = (ir.most_evaluations(self._machine) + 1) * (len(self._machine.rules) + 1)
+        most_events = (MOST_EVALUATIONS + 1) * (len(self._machine.rules) + 1)
         parts = [
             PRELUDE,
             f'#include "{self._layout.name}_monitor.c"\n',
@@ -119,7 +119,7 @@ class _Writer:
         return Harness("\n".join(parts), tuple(each.check for each in written), self._passes())
 
     def _nondeterminism(self) -> str:
-        small = is_small(self._layout)
+        small = self._layout.is_small
         return NONDETERMINISM.format(
             name=self._layout.name,
             rules=max(1, len(self._machine.rules)),
@@ -129,14 +129,14 @@ class _Writer:
 
     def _pending(self) -> str:
         """Where marks are many, a flag says that there are some, until all are evaluated."""
-        if is_small(self._layout):
+        if self._layout.is_small:
             return ""
         return claim("m->pending", "where something is evaluated, something is pending") + "\n"
 
     def _passes(self) -> int:
         """Loops run over the parts of a machine, or over what is marked."""
         layout = self._layout
-        limits = sum(len(guard.limits) + 2 for guard in layout.guards)
+        limits = sum(guard.limit_count + 2 for guard in layout.guards)
         nodes = layout.truth_count + len(self._machine.rules)
         return max(nodes, len(layout.values), limits, ELEMENTS) + 2
 
@@ -174,7 +174,7 @@ class _Writer:
             *(Sentence("no duration has begun", f"m->held_due_ns[{k}] == NEVER")
               for k in range(len(self._layout.held))),
             *(Sentence("no channel is quiet", f"!m->quiet[{c}]")
-              for c in range(len(self._layout.channel_names))),
+              for c in range(len(self._machine.channels))),
             *(Sentence("ages are looked at", f"{self._definitions.truth(truth)} == UNSET")
               for truth in self._layout.ages),
         ]  # fmt: skip

@@ -11,10 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rossmarie import ir
-from rossmarie.targets.c99.layout import Guard, Layout, Value
-from rossmarie.targets.c99.state import is_small
+from rossmarie.ir import model as ir
 from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.layout import Layout, Value
+from rossmarie.verification.places import Watched
+from rossmarie.verification.supports import truths_of
 
 _OLDEST = "(-LATEST)"
 
@@ -33,7 +34,7 @@ def users_of(layout: Layout, truth: int) -> list[int]:
     found = [
         layout.node_of_truth[index]
         for index in layout.derived
-        if truth in ir.truth_operands(machine.truths[index].node)
+        if truth in truths_of(machine.truths[index].node)
     ]
     for number, rule in enumerate(machine.rules):
         if truth in (rule.condition, rule.release):
@@ -70,13 +71,13 @@ class Invariants:
 
     def marked(self, node: int) -> str:
         """Whether a truth or rule is to be evaluated."""
-        if is_small(self._layout):
+        if self._layout.is_small:
             return f"((m->dirty >> {node} & 1) != 0)"
         return f"((m->dirty[{node // 64}] >> {node % 64} & 1) != 0)"
 
     def nothing_marked(self) -> str:
         """Whether no truth and no rule is to be evaluated."""
-        if is_small(self._layout):
+        if self._layout.is_small:
             return "m->dirty == 0"
         words = (self._layout.truth_count + len(self._machine.rules) + 63) // 64
         return " && ".join([*(f"m->dirty[{word}] == 0" for word in range(words)), "!m->pending"])
@@ -85,7 +86,7 @@ class Invariants:
         """Whether only truths that are evaluated when marked, and rules, are marked."""
         first = self._layout.leaf_count
         last = self._layout.truth_count + len(self._machine.rules)
-        if is_small(self._layout):
+        if self._layout.is_small:
             mask = (1 << last) - (1 << first)
             return f"(m->dirty & ~UINT64_C({mask:#x})) == 0"
         parts = []
@@ -126,7 +127,7 @@ class Invariants:
             held = f"!m->quiet[{used.channel}] || {state} == FRESH"
             yield Sentence(f"a quiet channel means that {used.name} is fresh", held)
         for slot, declared in enumerate(self._machine.slots):
-            value = f"m->value[{self._layout.value_of_slot[slot]}]"
+            value = f"m->value[{self._layout.places.value_of_slot[slot]}]"
             path = ".".join(map(str, declared.path))
             held = f"!isinf({value}) && (m->state[{declared.input}] == FRESH || isnan({value}))"
             yield Sentence(f"`{path}` is a number or unknown, and forgotten with its input", held)
@@ -156,7 +157,7 @@ class Invariants:
         for truth in self._layout.literals:
             yield self._is_right(truth)
 
-    def guard(self, number: int, guard: Guard) -> Iterator[Sentence]:
+    def guard(self, number: int, guard: Watched) -> Iterator[Sentence]:
         """A guard lies around its number, and its truths are what that is now."""
         for truth in guard.leaves:
             yield self._is_right(truth)
@@ -180,7 +181,7 @@ class Invariants:
         about = remark_of(self._layout.values[guard.value])
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")
 
-    def tests(self, guard: Guard) -> Iterator[Sentence]:
+    def tests(self, guard: Watched) -> Iterator[Sentence]:
         """What a guard watches may be a flag or a comparison, kept as a number: 0, 1 or unknown."""
         x = f"m->value[{guard.value}]"
         for truth in guard.leaves:
@@ -196,12 +197,12 @@ class Invariants:
     def is_test(self, truth: int) -> bool:
         """Whether the number from which a truth is told is only 0, 1 or unknown."""
         is_flag = isinstance(self._machine.truths[truth].node, ir.Flag)
-        return is_flag or truth in self._layout.value_of_test
+        return is_flag or truth in self._layout.places.value_of_test
 
     def places(self, number: int) -> tuple[int, int]:
         """The first and the last place that a guard can have."""
-        first = sum(len(other.limits) + 2 for other in self._layout.guards[:number])
-        return first, first + len(self._layout.guards[number].limits)
+        first = sum(other.limit_count + 2 for other in self._layout.guards[:number])
+        return first, first + self._layout.guards[number].limit_count
 
     def _is_right(self, truth: int) -> Sentence:
         text = self._machine.truths[truth].text
@@ -332,7 +333,7 @@ class Invariants:
             about = f"the window of `{self._machine.truths[truth].text}` ends ahead"
             yield Sentence(about, f"{marked} || ({true} && {gap})")
 
-    def guards(self) -> dict[str, Guard]:
+    def guards(self) -> dict[str, Watched]:
         """The guards, by the names of their predicates."""
         return {f"guard_{number}": guard for number, guard in enumerate(self._layout.guards)}
 

@@ -8,16 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from rossmarie import ir
-from rossmarie.targets.c99 import types
-from rossmarie.targets.c99.coverage import covered_values
-from rossmarie.targets.c99.layout import Layout
-from rossmarie.verification import opaque
+from rossmarie.ir import model as ir
+from rossmarie.verification import fields, opaque
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions, converted
 from rossmarie.verification.frames import Frames
 from rossmarie.verification.guard_checks import unlooked
 from rossmarie.verification.invariants import remark_of
+from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import ANY, claim
 from rossmarie.verification.stages import (
     COUNTED_PARTS,
@@ -64,7 +62,7 @@ class MessageChecks:
 
     def text(self) -> str:
         """What takes in a message where it matters only that it is handed on as it is."""
-        received = map(self._received, range(len(self._layout.channel_names)))
+        received = map(self._received, range(len(self._layout.places.channel_names)))
         contracts = [opaque.contract(*each) for each in self._opaque]
         contracts += opaque.contracts_of_samples(self._layout)
         return "\n".join([*contracts, *received, _COMPUTED])
@@ -75,7 +73,7 @@ class MessageChecks:
             about = f"{function.value} is unknown of what is not known"
             check = Check(opaque.name(function, count), about)
             yield Written(check, opaque.kept(function, count))
-        for channel, name in enumerate(self._layout.channel_names):
+        for channel, name in enumerate(self._layout.places.channel_names):
             topic = self._machine.channels[channel].topic
             about = f"the numbers of a message on {topic}"
             numbers = Check(f"numbers_{name}", about, self._windows, is_arithmetic=True)
@@ -94,7 +92,7 @@ class MessageChecks:
             about = f"a message on {topic}"
             yield from self._ways(f"update_{name}", about, lines, call, received, guards)
         call = f"{self._layout.name}_step(m, t_ns, &v)"
-        for channel, name in enumerate(self._layout.channel_names):
+        for channel, name in enumerate(self._layout.places.channel_names):
             about = f"the numbers of messages on {self._machine.channels[channel].topic} and others"
             parts = tuple(
                 (part, "change_nothing" if part in ("catch_up", "evaluate") else contract)
@@ -157,7 +155,7 @@ class MessageChecks:
         for number, field in enumerate(self._fields(channel)):
             if field.slot is not None:
                 kind = self._machine.slots[field.slot].kind
-                declared = f"const {types.SLOT_TYPES[kind]} field_{number}"
+                declared = f"const {fields.SLOT_TYPES[kind]} field_{number}"
                 lines.append(f"    {declared} = {self._any(field.slot)};")
                 arguments.append(f"field_{number}")
             else:
@@ -169,7 +167,7 @@ class MessageChecks:
     def _values(self) -> Iterator[str]:
         """Declares any messages on some topics."""
         yield f"    {self._layout.name}_values v;"
-        for channel, topic in enumerate(self._layout.channel_names):
+        for channel, topic in enumerate(self._layout.places.channel_names):
             yield f"    v.has_{topic} = nondet_number() % 2 != 0;"
             yield f"    is_told[{channel}] = v.has_{topic};"
             for number, field in enumerate(self._fields(channel)):
@@ -186,12 +184,12 @@ class MessageChecks:
 
     def _received(self, channel: int) -> str:
         """It remembers how often it was called, and is given what it is to be called with."""
-        name = self._layout.channel_names[channel]
+        name = self._layout.places.channel_names[channel]
         parameters = ["monitor *m", "int64_t t_ns"]
         given, claims = [], []
         for number, field in enumerate(self._fields(channel)):
             for declared, word in zip(
-                types.plain_parameters(field), types.arguments(field), strict=True
+                fields.plain_parameters(field), fields.arguments(field), strict=True
             ):
                 kept = f"given_{channel}_{number}{word.removeprefix(field.name)}"
                 kind = declared.removesuffix(word)
@@ -223,9 +221,8 @@ class MessageChecks:
         lines, arguments = self._message(channel)
         names = [f"field_{number}" for number in range(len(self._fields(channel)))]
         counts = [name.replace("field", "count") for name in names]
-        arrived = ", ".join(
-            str(int(each == channel)) for each in range(len(self._layout.channel_names))
-        )
+        channels = range(len(self._machine.channels))
+        arrived = ", ".join(str(int(each == channel)) for each in channels)
         lines.append(f"    const bool arrived[CHANNELS] = {{{arrived}}};")
         call = f"receive_{name}({arguments});\n    compute(m, arrived, t_ns)"
         claims = [*self._meant(channel, names, counts), self._frames.received(channel)]
@@ -250,8 +247,8 @@ class MessageChecks:
             *self._turning_points(channel),
         ]
 
-    def _fields(self, channel: int) -> tuple[types.Field, ...]:
-        return types.fields_of(self._machine, channel)
+    def _fields(self, channel: int) -> tuple[fields.Field, ...]:
+        return fields.fields_of(self._layout, channel)
 
     def _arrived(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> Iterator[str]:
         """S7; numbers that are watched may be kept as they arrive until somebody looks (S4)."""
@@ -261,7 +258,7 @@ class MessageChecks:
                 yield from self._folded(field.array, name, count)
                 continue
             slot = self._machine.slots[field.slot]
-            kept = f"spec_finite(m->value[{self._layout.value_of_slot[field.slot]}])"
+            kept = f"spec_finite(m->value[{self._layout.places.value_of_slot[field.slot]}])"
             meant = f"spec_finite({converted(name, slot.scale, slot.offset)})"
             path = ".".join(map(str, slot.path))
             yield claim(f"spec_same({kept}, {meant})", f"{path} is kept as it arrived, in SI")
@@ -273,7 +270,7 @@ class MessageChecks:
                 kept = f"m->value[{self._layout.value_of_signal[index]}]"
                 meant = f"spec_fold_{index}({pointer}, {count})"
                 yield claim(f"spec_same({kept}, {meant})", f"`{signal.text}` is what it means")
-        for truth, value in self._layout.value_of_test.items():
+        for truth, value in self._layout.places.value_of_test.items():
             node = self._machine.truths[truth].node
             if not isinstance(node, ir.Quantified):
                 continue
@@ -292,9 +289,9 @@ class MessageChecks:
                 return False
 
     def _computed(self, channel: int) -> Iterator[str]:
-        covered = covered_values(self._layout)
+        covered = self._layout.places.kept_raw
         for index in self._definitions.computed():
-            if channel in self._layout.supports.signals[index].channels:
+            if channel in self._layout.support_of_signal(index).channels:
                 value = self._layout.value_of_signal[index]
                 kept = f"m->value[{value}]"
                 if value in covered and not self._definitions.is_never_infinite(index):
@@ -304,8 +301,8 @@ class MessageChecks:
 
     def _tests(self, channel: int) -> Iterator[str]:
         """Comparisons that are kept as numbers: 0, 1 or unknown."""
-        for truth, value in self._layout.value_of_test.items():
-            is_here = channel in self._layout.supports.truths[truth].channels
+        for truth, value in self._layout.places.value_of_test.items():
+            is_here = channel in self._layout.support_of_truth(truth).channels
             if is_here and not isinstance(self._machine.truths[truth].node, ir.Quantified):
                 kept, meant = f"m->value[{value}]", f"spec_truth_{truth}(m, t_ns)"
                 known = f"{kept} == ({meant} == TRUE ? 1.0 : 0.0)"
@@ -315,7 +312,7 @@ class MessageChecks:
     def _samples(self, channel: int) -> Iterator[str]:
         """S18."""
         for k, signal in enumerate(self._layout.sampled):
-            if channel in self._layout.supports.signals[signal].channels:
+            if channel in self._layout.support_of_signal(signal).channels:
                 before = f"old.latest_ns[{k}] == t_ns ? old.before[{k}] : old.latest[{k}]"
                 taken = (
                     f"m->latest_ns[{k}] == t_ns && "

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from rossmarie import ir
-from rossmarie.core import Function, may_be_infinite, parameters, row
-from rossmarie.targets.c99.layout import Layout
-from rossmarie.targets.formulas import definition_of, definition_of_samples
+from rossmarie.core import Function, Sampling, may_be_infinite, parameters, row, sampling_row
+from rossmarie.ir import model as ir
 from rossmarie.verification.check import Parts
+from rossmarie.verification.layout import Layout
+from rossmarie.verification.places import function_of, function_of_samples
+from rossmarie.verification.supports import samplings
 
 
 def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[Function, int], ...]:
@@ -26,7 +27,7 @@ def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[Function, int], 
 
 def name(function: Function, count: int) -> str:
     """The C function of a function."""
-    return definition_of(function, count).name
+    return function_of(function, count)
 
 
 def _is_possible(function: Function, count: int) -> str:
@@ -89,17 +90,21 @@ void ignore_sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
 
 def parts_of_samples(machine: ir.Machine) -> Parts:
     """The functions of samples, where it does not matter which number they give."""
-    definitions = map(definition_of_samples, ir.samplings(machine))
-    return tuple((each.name, f"any_{each.name}") for each in definitions if not each.is_inline)
+    return tuple((name, f"any_{name}") for name in _functions_of_samples(machine).values())
+
+
+def _functions_of_samples(machine: ir.Machine) -> dict[Sampling, str]:
+    """Their names in C, of those that have one."""
+    named = {each: function_of_samples(each) for each in samplings(machine)}
+    return {each: name for each, name in named.items() if name is not None}
 
 
 def contracts_of_samples(layout: Layout) -> Iterator[str]:
     """The contracts of these functions, and of windows."""
-    for definition in map(definition_of_samples, ir.samplings(layout.machine)):
-        if definition.is_inline:
-            continue
-        head = ", ".join(f"double {each}" for each in definition.parameters)
-        unused = "".join(f"    (void){each};\n" for each in definition.parameters)
-        yield f"double any_{definition.name}({head})\n{{\n{unused}    return nondet_double();\n}}\n"
+    for function, name in _functions_of_samples(layout.machine).items():
+        views = [view.value for view in sampling_row(function).views]
+        head = ", ".join(f"double {each}" for each in views)
+        unused = "".join(f"    (void){each};\n" for each in views)
+        yield f"double any_{name}({head})\n{{\n{unused}    return nondet_double();\n}}\n"
     if layout.windows:
         yield _WINDOWS

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
-from rossmarie import ir
+from rossmarie.ir import model as ir
 from rossmarie.verification.check import Check, Parts, Passes, Written
 from rossmarie.verification.invariants import Sentence
 from rossmarie.verification.order_contracts import CONTRACTS, PERFORM, TOLD

@@ -1,7 +1,6 @@
 """CBMC, as a program beside us: where it is, and what it says of one check.
 
-CBMC 6 is a package of Debian 13. Where the system itself has none, one in a folder with a whole
-Debian of its own (as debootstrap makes it) is run by chroot, which needs root.
+CBMC 6 and its solvers are looked for on the PATH; they are packages of Debian 13.
 """
 
 from __future__ import annotations
@@ -16,12 +15,11 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from rossmarie.cache import belongs_to_us, cache_folder
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.solver_scripts import SCRIPTS
@@ -100,29 +98,30 @@ class ProverError(Exception):
 
 @dataclass(frozen=True)
 class Prover:
-    """CBMC of the system (`root` is None), or in a Debian of its own below `root`."""
-
-    root: Path | None
+    """CBMC and its solvers, on the PATH."""
 
     def version(self, program: str = "cbmc") -> str:
         """What CBMC, or a solver of it, says of itself, as `6.6.0`; empty if it does not run."""
         try:
-            done = self._must([program, "--version"], self.root or Path("/"))
+            done = self._must([program, "--version"], Path("/"))
         except (OSError, ProverError):
             return ""
         found = re.search(r"\d+(\.\d+)+", done)
         return found[0] if found else ""
 
-    def is_complete(self) -> bool:
-        """Whether CBMC 6 and its solvers run."""
-        versions = [self.version(program) for program in PROGRAMS]
-        return all(versions) and versions[0].startswith("6.")
+    def lacking(self) -> str | None:
+        """What is missing, so that nothing can be proved; None if CBMC 6 and its solvers run."""
+        for program in PROGRAMS:
+            if not self.version(program):
+                is_there = shutil.which(program) is not None
+                return f"{program} does not run" if is_there else f"{program} is not on the PATH"
+        found = self.version()
+        return None if found.startswith("6.") else f"cbmc is version {found}, not 6"
 
     @contextmanager
     def workshop(self) -> Iterator[Path]:
-        """A folder that the prover can see, for as long as it is needed."""
-        inside = None if self.root is None else self.root / "tmp"
-        with tempfile.TemporaryDirectory(prefix="rossmarie_", dir=inside) as folder:
+        """A folder for programs and questions, for as long as it is needed."""
+        with tempfile.TemporaryDirectory(prefix="rossmarie_") as folder:
             for name, text in SCRIPTS.items():
                 script = Path(folder) / name
                 script.write_text(text, encoding="utf-8")
@@ -236,13 +235,7 @@ class Prover:
         # Seconds of a processor, so that a busy machine does not change the answer. The workshop's
         # own scripts of solvers come first.
         script = f'ulimit -t {seconds} && cd "$0" && PATH=.:$PATH exec "$@"'
-        shell, inside = ["/bin/sh", "-c", script], folder
-        if self.root is not None:
-            shell, inside = (
-                ["chroot", str(self.root), *shell],
-                Path("/") / folder.relative_to(self.root),
-            )
-        return _Started([*shell, str(inside), *command], folder)
+        return _Started(["/bin/sh", "-c", script, str(folder), *command], folder)
 
 
 @dataclass(frozen=True)
@@ -299,26 +292,6 @@ class _Started:
         """What it has said so far."""
         self._said.seek(0)
         return self._said.read()
-
-
-def own_root() -> Path:
-    """Where the Debian of `find_prover` is, if there is one. Raises `OSError` without a home."""
-    return cache_folder() / "prover"
-
-
-def find_prover() -> Prover | None:
-    """CBMC 6 with its solvers, of the system or in the cache of ROSSMARie; None if neither is."""
-    known = [Prover(None)] if shutil.which("cbmc") else []
-    with suppress(OSError):
-        known += [Prover(own_root())] if _can_enter(own_root()) else []
-    return next((prover for prover in known if prover.is_complete()), None)
-
-
-def _can_enter(root: Path) -> bool:
-    """Whether this is root, who alone may, and nobody else had a hand in what is there."""
-    is_root = hasattr(os, "geteuid") and os.geteuid() == 0
-    is_ours = belongs_to_us(root.parent) and belongs_to_us(root)
-    return is_root and is_ours and (root / "usr/bin/cbmc").exists()
 
 
 def _unwound(check: Check) -> list[str]:

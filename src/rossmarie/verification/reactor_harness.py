@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from rossmarie import ir
+from rossmarie.ir import model as ir
 from rossmarie.ir import reactions
-from rossmarie.targets.c99.layout import lay_out
 from rossmarie.verification.check import Check, Written
 from rossmarie.verification.command_checks import ANY_REACTOR, CONTRACTS, CommandChecks
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.order_checks import OrderChecks
+from rossmarie.verification.places import name_of
 from rossmarie.verification.program import PRELUDE, assertions, assumptions, claim
 from rossmarie.verification.reactor_definitions import overruler
 from rossmarie.verification.reactor_invariants import ReactorInvariants
@@ -30,7 +30,7 @@ class _Writer:
     def __init__(self, machine: ir.Machine) -> None:
         self._machine = machine
         self._found = machine.reactions
-        self._name = lay_out(machine).name
+        self._name = name_of(machine)
         self._invariants = ReactorInvariants(machine.reactions)
         self._orders = OrderChecks(machine, self._name)
 

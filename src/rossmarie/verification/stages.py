@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.targets.c99.layout import Layout
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.guard_checks import unlooked
+from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import ANY
 
 _SOMEHOW = (("catch_up", "caught_up_somehow"), ("tick", "ticked_somehow"))

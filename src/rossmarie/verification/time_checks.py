@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.targets.c99.layout import Layout
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.frames import Frames
+from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import ANY
 from rossmarie.verification.stages import AS_IT_WAS, REFUSED, RESTS, WAITS
 

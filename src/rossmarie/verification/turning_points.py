@@ -6,17 +6,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.targets.c99.layout import Layout
-from rossmarie.targets.c99.types import number
 from rossmarie.verification.definitions import Definitions
+from rossmarie.verification.formulas import literal
 from rossmarie.verification.invariants import first_turn, oscillation
+from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import claim
 
 
 def followed_on(layout: Layout, channel: int) -> list[int]:
     """The oscillations that a message on a channel brings a sample of."""
     signals = [oscillation(layout, k).signal for k in range(len(layout.oscillations))]
-    supports = [layout.supports.signals[signal] for signal in signals]
+    supports = map(layout.support_of_signal, signals)
     return [k for k, support in enumerate(supports) if channel in support.channels]
 
 
@@ -52,7 +52,7 @@ def followed(layout: Layout, definitions: Definitions, k: int) -> Iterator[str]:
     ]
     yield _MOVES.format(
         x=definitions.number(node.signal),
-        swing=number(node.swing),
+        swing=literal(node.swing),
         extreme=extreme,
         heading=heading,
         claims="\n".join(claim(each, about) for each in claims),

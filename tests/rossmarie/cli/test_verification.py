@@ -10,6 +10,7 @@ import shlex
 import signal
 import subprocess
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +24,7 @@ from support import transcript
 from support.command_line import TIME_LIMIT_S
 from support.golden import assert_golden
 from support.markdown import blocks
-from support.provers import StandIn, is_running, quick_debian, wait_for
+from support.provers import StandIn, is_running, programs, wait_for
 
 GOLDEN = Path(__file__).parent / "golden"
 RULES = """\
@@ -60,7 +61,7 @@ def prove_by(monkeypatch: pytest.MonkeyPatch) -> Any:
     monkeypatch.setattr(multiprocessing, "get_context", lambda _: forks)
 
     def use(prover: Prover) -> None:
-        monkeypatch.setattr(verification, "provide_prover", lambda _: prover)
+        monkeypatch.setattr(verification, "prover", lambda: prover)
 
     use(StandIn())
     return use
@@ -143,7 +144,7 @@ def test_the_page_shows_what_is_printed(rules: Path, prove_by: Any) -> None:
     steps = [
         step for block in shown if block.language == "text" for step in transcript.steps(block.text)
     ]
-    assert len(steps) == 4
+    assert len(steps) == 3
     for step in steps:
         done = CliRunner().invoke(app, shlex.split(step.command)[1:])
         assert done.exit_code == 0
@@ -170,19 +171,29 @@ def test_a_program_that_the_prover_does_not_take_is_told(rules: Path, prove_by: 
     assert f"| {reason}\n" in printed
 
 
-@pytest.mark.parametrize("arguments", [["fast.ross"], ["--set-up"]])
+@pytest.mark.parametrize(
+    ("versions", "reason"),
+    [
+        ({}, "cbmc is not on the PATH"),
+        ({"cbmc": "5.12", "cadical": "1.7.3", "z3": "4.13.3"}, "cbmc is version 5.12, not 6"),
+        ({"cbmc": "6.6.0", "cadical": "1.7.3"}, "z3 is not on the PATH"),
+        ({"cbmc": "6.6.0", "cadical": "no"}, "cadical does not run"),
+    ],
+)
 def test_without_a_prover_it_says_how_to_get_one(
     rules: Path,
-    arguments: list[str],
+    versions: Mapping[str, str],
+    reason: str,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    quick_debian(tmp_path, monkeypatch)
-    monkeypatch.setattr(os, "geteuid", lambda: 65534)
-    code, printed = verify(*arguments)
+    programs(tmp_path / "bin", versions)
+    monkeypatch.setenv("PATH", str(tmp_path / "bin"))
+    code, printed = verify(rules)
     assert code == 1
     assert "error[ROSS791]: nothing can be proved here" in printed
-    assert "install the packages cbmc, cadical and z3 of Debian 13" in printed
+    assert f"| {reason}\n" in printed
+    assert "install these packages" in printed
 
 
 @pytest.mark.parametrize("read", ["fast.ross", "other.ross"])
@@ -273,6 +284,7 @@ def test_what_the_prover_gets_is_kept_but_replaces_nothing_foreign(
 
 HANGING = """\
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 from rossmarie.cli import verification
 from rossmarie.cli.main import main
@@ -280,7 +292,7 @@ from support.markdown import blocks
 from support.provers import StandIn
 
 if __name__ == "__main__":
-    verification.provide_prover = lambda tell: StandIn(hangs="tick", folder=Path.cwd())
+    verification.prover = lambda: StandIn(hangs="tick", folder=Path.cwd())
     main()
 """
 
@@ -293,10 +305,10 @@ def test_a_run_that_is_ended_leaves_nothing_behind(rules: Path, number: int, cod
     Path("run.py").write_text(HANGING)
     workshops = Path("workshops")
     workshops.mkdir()
-    tests = Path(__file__).parents[2]
+    search = os.pathsep.join([str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")])
     with subprocess.Popen(
         [sys.executable, "run.py", "verify", "fast.ross"],
-        env={**os.environ, "PYTHONPATH": str(tests), "TMPDIR": str(workshops.absolute())},
+        env={**os.environ, "PYTHONPATH": search, "TMPDIR": str(workshops.absolute())},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         text=True,

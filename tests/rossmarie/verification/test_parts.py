@@ -11,7 +11,7 @@ from rossmarie import ir
 from rossmarie.driver import compile_file
 from rossmarie.targets import c99
 from rossmarie.verification.harness import harness
-from rossmarie.verification.prover import Outcome, Prover, Verdict
+from rossmarie.verification.prover import Outcome, Prover, ProverError, Verdict
 from support.damage import damaged
 from support.depth import deep
 from support.provers import real_prover
@@ -149,6 +149,23 @@ def test_numbers_and_timers_are_what_they_mean(
     prover: Prover, machine: ir.Machine, parts: str
 ) -> None:
     assert outcomes(prover, machine, NO_CHANGE, parts) == set()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        ("#define LATEST (INT64_C(1) << 62)", "#define LATEST (INT64_C(1) << 61)"),
+        (
+            "enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };",
+            "enum { FALSE, TRUE, LOST, UNKNOWN, UNSET };",
+        ),
+    ],
+)
+def test_a_constant_that_means_something_else_is_refused(
+    prover: Prover, machine: ir.Machine, change: tuple[str, str]
+) -> None:
+    with pytest.raises(ProverError, match="static assertion"):
+        outcomes(prover, machine, change, "init")
 
 
 QUICK_FAULTS = (

@@ -97,7 +97,7 @@ def answered(
     for script in programs.iterdir():
         script.chmod(0o755)
     monkeypatch.setenv("PATH", f"{programs}:/usr/bin:/bin")
-    prover = Prover(None)
+    prover = Prover()
     with prover.workshop() as workshop:
         program = Harness("", (), passes=1)
         prover.compile(workshop, program)

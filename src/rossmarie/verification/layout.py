@@ -1,0 +1,222 @@
+"""The parts of a monitor, sorted by what they mean, each with its place in the generated C.
+
+Takes a machine. What a part is, and what it rests on, is read off the machine; where it is kept is
+what the generator says (`places.py`). Each part has to have a place of its own, so that nothing is
+left out of what is asked: else there are no questions, and nothing is proved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Hashable, Iterable, Mapping
+from dataclasses import dataclass
+
+from rossmarie.ir import model as ir
+from rossmarie.verification import supports
+from rossmarie.verification.places import Places, Watched, places_of
+from rossmarie.verification.supports import Elements, Support
+
+_WORD = 64
+"""How many marks fit one word."""
+
+
+class MisplacedError(Exception):
+    """The generator has no place for a part, or one for two: a fault of this tool."""
+
+
+@dataclass(frozen=True)
+class Value:
+    """A number that a monitor keeps: of a slot, of a signal, or of a comparison (`test`)."""
+
+    remark: str
+    support: Support
+    slot: int | None = None
+    signal: int | None = None
+    test: int | None = None
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The layout of one machine. Lists of truths are in the order in which a monitor has them.
+
+    `held`, `oscillations`, `sampled` and `windows` (signals, each with how long its samples are
+    remembered) are in the order of what is remembered of them.
+    """
+
+    machine: ir.Machine
+    places: Places
+    elements: Elements
+    values: tuple[Value, ...]
+    value_of_signal: Mapping[int, int]
+    guards: tuple[Watched, ...]
+    literals: tuple[int, ...]
+    ages: tuple[int, ...]
+    oscillations: tuple[int, ...]
+    derived: tuple[int, ...]
+    held: tuple[int, ...]
+    sampled: tuple[int, ...]
+    windows: tuple[tuple[int, int], ...]
+    node_of_truth: Mapping[int, int]
+
+    @property
+    def name(self) -> str:
+        """What the names of all public functions begin with."""
+        return self.places.name
+
+    @property
+    def leaf_count(self) -> int:
+        """How many truths are set where a number or an age is looked at, without being marked."""
+        return self.truth_count - len(self.oscillations) - len(self.derived)
+
+    @property
+    def truth_count(self) -> int:
+        """How many truths a monitor keeps."""
+        return len(self.node_of_truth)
+
+    @property
+    def is_small(self) -> bool:
+        """Whether the marks of all truths and rules fit one word."""
+        return self.truth_count + len(self.machine.rules) <= _WORD
+
+    # --- meanings ----------------------------------------------------------------------------
+
+    def support_of_signal(self, signal: int) -> Support:
+        """What a signal rests on."""
+        return supports.support(self.machine, (signal,), ())
+
+    def support_of_truth(self, truth: int) -> Support:
+        """What a truth rests on."""
+        return supports.support(self.machine, (), (truth,))
+
+    def has_timeout(self, used: int) -> bool:
+        """Whether an input expires."""
+        return self.machine.inputs[used].timeout_ns is not None
+
+    def aged_inputs(self) -> set[int]:
+        """The inputs whose age a truth asks."""
+        nodes = (self.machine.truths[index].node for index in self.ages)
+        return {node.input for node in nodes if isinstance(node, ir.AgeReaches)}
+
+    def guards_of(self, channel: int) -> list[Watched]:
+        """The guards that a message on a channel can leave."""
+        return [g for g in self.guards if channel in self.values[g.value].support.channels]
+
+
+def layout_of(machine: ir.Machine) -> Layout:
+    """The parts of a machine. Raises `MisplacedError`."""
+    return _Sorted(machine).layout()
+
+
+class _Sorted:
+    """The parts of a machine, by what they are."""
+
+    def __init__(self, machine: ir.Machine) -> None:
+        self._machine = machine
+        self._places = places_of(machine)
+        self._elements = supports.elements(machine)
+        arrays = self._elements
+        self._truths = [index for index, array in enumerate(arrays.truths) if array is None]
+        self._signals = [index for index, array in enumerate(arrays.signals) if array is None]
+
+    def layout(self) -> Layout:
+        swings = self._of(ir.Oscillates)
+        still = [index for index in swings if not self._channels(index)]
+        derived = self._of(ir.Not, ir.And, ir.Or, ir.Held)
+        self._check([index for index in swings if index not in still])
+        return Layout(
+            machine=self._machine,
+            places=self._places,
+            elements=self._elements,
+            values=self._values(),
+            value_of_signal=self._value_of_signal(),
+            guards=self._places.guards,
+            literals=(*self._of(ir.Literal), *still),
+            ages=tuple(self._of(ir.AgeReaches)),
+            oscillations=self._places.oscillations,
+            derived=tuple(sorted(derived, key=self._places.node_of_truth.__getitem__)),
+            held=self._places.held,
+            sampled=self._places.sampled,
+            windows=self._places.windows,
+            node_of_truth=self._places.node_of_truth,
+        )
+
+    def _of(self, *kinds: type[ir.TruthNode]) -> list[int]:
+        return [i for i in self._truths if isinstance(self._machine.truths[i].node, kinds)]
+
+    def _channels(self, truth: int) -> frozenset[int]:
+        """What a truth hears of; an oscillation that rests on no input never swings (S32)."""
+        return supports.support(self._machine, (), (truth,)).channels
+
+    # --- numbers -----------------------------------------------------------------------------
+
+    def _value_of_signal(self) -> dict[int, int]:
+        """A signal that reads a slot is kept where the slot is."""
+        found = {}
+        for index in self._signals:
+            match self._machine.signals[index].node:
+                case ir.Constant():
+                    pass
+                case ir.Read(slot=slot):
+                    found[index] = self._places.value_of_slot[slot]
+                case ir.Apply() | ir.Sampled() | ir.Fold() | ir.Count() | ir.Element():
+                    found[index] = _place(self._places.value_of_signal, index, "a number")
+        return found
+
+    def _values(self) -> tuple[Value, ...]:
+        remarks, machine = self._places.remarks, self._machine
+        found: dict[int, list[Value]] = {}
+
+        def keep(place: int, support: Support, **index: int) -> None:
+            _must(0 <= place < len(remarks), "a number is kept outside of its array")
+            found.setdefault(place, []).append(Value(remarks[place], support, **index))
+
+        _must(len(self._places.value_of_slot) == len(machine.slots), "a slot has no place")
+        for slot, place in enumerate(self._places.value_of_slot):
+            keep(place, supports.of_slot(machine, slot), slot=slot)
+        for signal, place in self._value_of_signal().items():
+            if not isinstance(machine.signals[signal].node, ir.Read):
+                keep(place, supports.support(machine, (signal,), ()), signal=signal)
+        for truth, place in self._places.value_of_test.items():
+            keep(place, supports.support(machine, (), (truth,)), test=truth)
+        _must(sorted(found) == list(range(len(remarks))), "a place stands for no number")
+        _must(all(len(each) == 1 for each in found.values()), "two numbers have the same place")
+        return tuple(found[place][0] for place in range(len(remarks)))
+
+    # --- what has to have a place ------------------------------------------------------------
+
+    def _check(self, moving: list[int]) -> None:
+        """Nothing is forgotten, and nothing has the place of another."""
+        places, machine = self._places, self._machine
+        nodes = places.node_of_truth
+        _same(nodes, self._truths, "truths")
+        _same(nodes.values(), range(len(self._truths)), "places of truths")
+        leaves = [leaf for guard in places.guards for leaf in guard.leaves]
+        _same(leaves, self._of(ir.Compare, ir.Between, ir.Flag, ir.Quantified), "leaves of guards")
+        _same(places.held, self._of(ir.Held), "durations")
+        _same(places.oscillations, moving, "oscillations")
+        samplings = [
+            (node.signal, node.window_ns)
+            for node in (signal.node for signal in machine.signals)
+            if isinstance(node, ir.Sampled)
+            and supports.support(machine, (node.signal,), ()).channels
+        ]
+        last = {signal for signal, window_ns in samplings if not window_ns}
+        _same(places.sampled, last, "signals of which samples are remembered")
+        _same(places.windows, {each for each in samplings if each[1]}, "windows")
+        names = range(len(machine.channels))
+        _must(len(set(places.channel_names)) == len(names), "two channels have the same name")
+
+
+def _place(places: Mapping[int, int], index: int, what: str) -> int:
+    _must(index in places, f"{what} has no place")
+    return places[index]
+
+
+def _same(found: Iterable[Hashable], wanted: Collection[Hashable], what: str) -> None:
+    """The same things, each once."""
+    listed = list(found)
+    _must(len(listed) == len(wanted) and set(listed) == set(wanted), f"{what} are misplaced")
+
+
+def _must(is_so: bool, otherwise: str) -> None:
+    if not is_so:
+        raise MisplacedError(otherwise)

@@ -1,0 +1,98 @@
+"""Where the generated C keeps what a machine is about: names and numbers of parts, no meanings.
+
+Takes a machine. This is all that the proofs read of the generator. What is here says which member
+of memory stands for which part; what that member has to hold is said elsewhere, from the machine.
+`layout.py` refuses places in which a part has none, or two parts have the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rossmarie.core import Function, Sampling
+from rossmarie.ir import model as ir
+from rossmarie.targets import formulas
+from rossmarie.targets.c99 import layout as generated
+from rossmarie.targets.c99.coverage import covered_values
+from rossmarie.targets.c99.state import members
+from rossmarie.targets.c99.types import fields_of
+
+
+@dataclass(frozen=True)
+class Watched:
+    """A guard: the number that it watches, the truths that it tells, how many limits it has."""
+
+    value: int
+    leaves: tuple[int, ...]
+    limit_count: int
+
+
+@dataclass(frozen=True)
+class Places:
+    """The places of one machine.
+
+    `remarks` tell people what each number is. `kept_raw` are the numbers that may be kept as they
+    arrive until a guard looks at them. Names of fields are by slot and by array.
+    """
+
+    name: str
+    remarks: tuple[str, ...]
+    value_of_slot: tuple[int, ...]
+    value_of_signal: Mapping[int, int]
+    value_of_test: Mapping[int, int]
+    node_of_truth: Mapping[int, int]
+    guards: tuple[Watched, ...]
+    held: tuple[int, ...]
+    oscillations: tuple[int, ...]
+    sampled: tuple[int, ...]
+    windows: tuple[tuple[int, int], ...]
+    kept_raw: frozenset[int]
+    members: tuple[str, ...]
+    channel_names: tuple[str, ...]
+    slot_names: Mapping[int, str]
+    array_names: Mapping[int, str]
+
+
+def places_of(machine: ir.Machine) -> Places:
+    """Read them off what the generator has laid out."""
+    found = generated.lay_out(machine)
+    fields = [
+        each for channel in range(len(machine.channels)) for each in fields_of(machine, channel)
+    ]
+    return Places(
+        name=found.name,
+        remarks=tuple(value.remark for value in found.values),
+        value_of_slot=found.value_of_slot,
+        value_of_signal=found.value_of_signal,
+        value_of_test=found.value_of_test,
+        node_of_truth=found.node_of_truth,
+        guards=tuple(
+            Watched(guard.value, tuple(guard.leaves), len(guard.limits)) for guard in found.guards
+        ),
+        held=found.held,
+        oscillations=found.oscillations,
+        sampled=found.sampled,
+        windows=found.windows,
+        kept_raw=covered_values(found),
+        members=tuple(members(found)),
+        channel_names=found.channel_names,
+        slot_names={each.slot: each.name for each in fields if each.slot is not None},
+        array_names={each.array: each.name for each in fields if each.array is not None},
+    )
+
+
+def name_of(machine: ir.Machine) -> str:
+    """What the names of all public functions begin with."""
+    return generated.lay_out(machine).name
+
+
+def function_of(function: Function, count: int) -> str:
+    """The C function that computes a function of numbers."""
+    return formulas.definition_of(function, count).name
+
+
+def function_of_samples(function: Sampling) -> str | None:
+    """The C function that computes a function of samples; none if it stands where it is used."""
+    found = formulas.definition_of_samples(function)
+    return None if found.is_inline else found.name

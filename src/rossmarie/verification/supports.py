@@ -1,0 +1,257 @@
+"""What a number, a truth or a rule rests on, read off the nodes of a machine.
+
+`docs/explanation/semantics.md` says what is done with it: what a message computes anew (S7), what
+is forgotten with an input (S9), which unknown truths are lost (S30), what a verdict tells (S41).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rossmarie.core import Function, Sampling, sampling_row
+from rossmarie.ir import model as ir
+
+Node = ir.SignalNode | ir.TruthNode
+
+
+def numbers_of(node: Node) -> tuple[int, ...]:
+    """The signals that a node names."""
+    match node:
+        case ir.Apply(operands=operands):
+            return operands
+        case ir.Compare(left=left, right=right):
+            return left, right
+        case ir.Between(signal=signal, low=low, high=high):
+            return signal, low, high
+        case ir.Sampled(signal=signal) | ir.Flag(signal=signal) | ir.Oscillates(signal=signal):
+            return (signal,)
+        case ir.Fold(element=element):
+            return (element,)
+        case (
+            ir.Constant() | ir.Read() | ir.Element() | ir.Count() | ir.Literal() | ir.AgeReaches()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+        ):  # fmt: skip
+            return ()
+
+
+def truths_of(node: Node) -> tuple[int, ...]:
+    """The truths that a node names."""
+    match node:
+        case ir.And(operands=operands) | ir.Or(operands=operands):
+            return operands
+        case ir.Not(operand=operand) | ir.Held(operand=operand):
+            return (operand,)
+        case ir.Count(element=element) | ir.Quantified(element=element):
+            return (element,)
+        case (
+            ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled() | ir.Element() | ir.Fold()
+            | ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
+            | ir.Oscillates()
+        ):  # fmt: skip
+            return ()
+
+
+@dataclass(frozen=True)
+class Below:
+    """Signals and truths: some, and all from which these are made, elements of arrays as well."""
+
+    signals: tuple[int, ...]
+    truths: tuple[int, ...]
+
+
+def below(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]) -> Below:
+    """These, and all that they are made of, in order."""
+    found_signals, found_truths = set(signals), set(truths)
+    waiting: list[Node] = [machine.signals[index].node for index in signals]
+    waiting += [machine.truths[index].node for index in truths]
+    while waiting:
+        node = waiting.pop()
+        for index in set(numbers_of(node)) - found_signals:
+            found_signals.add(index)
+            waiting.append(machine.signals[index].node)
+        for index in set(truths_of(node)) - found_truths:
+            found_truths.add(index)
+            waiting.append(machine.truths[index].node)
+    return Below(tuple(sorted(found_signals)), tuple(sorted(found_truths)))
+
+
+@dataclass(frozen=True)
+class Support:
+    """What a value can depend on, as indexes into the machine. `folds` are signals over arrays,
+    `sampled` those of samples, of which `waiting` are unknown until there are enough.
+    """
+
+    slots: frozenset[int]
+    folds: frozenset[int]
+    sampled: frozenset[int]
+    waiting: frozenset[int]
+    inputs: frozenset[int]
+    channels: frozenset[int]
+
+
+def support(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]) -> Support:
+    """What some signals and truths rest on."""
+    made_of = below(machine, signals, truths)
+    slots: set[int] = set()
+    folds: set[int] = set()
+    sampled: set[int] = set()
+    inputs: set[int] = set()
+    for index in made_of.signals:
+        match machine.signals[index].node:
+            case ir.Read(slot=slot):
+                slots.add(slot)
+                inputs.add(machine.slots[slot].input)
+            case ir.Element(array=array):
+                inputs.add(machine.arrays[array].input)
+            case ir.Fold() | ir.Count():
+                folds.add(index)
+            case ir.Sampled():
+                sampled.add(index)
+            case ir.Constant() | ir.Apply():
+                pass
+    for index in made_of.truths:
+        node = machine.truths[index].node
+        if isinstance(node, ir.AgeReaches):
+            inputs.add(node.input)
+    return Support(
+        slots=frozenset(slots),
+        folds=frozenset(folds),
+        sampled=frozenset(sampled),
+        waiting=frozenset(index for index in sampled if _waits(machine.signals[index].node)),
+        inputs=frozenset(inputs),
+        channels=frozenset(machine.inputs[used].channel for used in inputs),
+    )
+
+
+def of_slot(machine: ir.Machine, slot: int) -> Support:
+    """What a slot rests on: its input."""
+    used = machine.slots[slot].input
+    channel = machine.inputs[used].channel
+    none: frozenset[int] = frozenset()
+    return Support(frozenset({slot}), none, none, none, frozenset({used}), frozenset({channel}))
+
+
+def _waits(node: ir.SignalNode) -> bool:
+    return isinstance(node, ir.Sampled) and sampling_row(node.function).waits
+
+
+# --- elements of arrays ----------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Elements:
+    """For every signal and truth the array of which it takes one element; None if it has one value
+    for the whole machine (S22).
+    """
+
+    signals: tuple[int | None, ...]
+    truths: tuple[int | None, ...]
+
+
+def elements(machine: ir.Machine) -> Elements:
+    """The array of each."""
+    signals: list[int | None] = []
+    truths: list[int | None] = []
+    for signal in machine.signals:
+        signals.append(_array(signal.node, signals, truths))
+    for truth in machine.truths:
+        truths.append(_array(truth.node, signals, truths))
+    return Elements(tuple(signals), tuple(truths))
+
+
+def _array(node: Node, signals: list[int | None], truths: list[int | None]) -> int | None:
+    match node:
+        case ir.Element(array=array):
+            return array
+        case (
+            ir.Apply() | ir.Compare() | ir.Between() | ir.Flag() | ir.Not() | ir.And() | ir.Or()
+        ):  # fmt: skip
+            named = [signals[index] for index in numbers_of(node)]
+            named += [truths[index] for index in truths_of(node)]
+            return next((array for array in named if array is not None), None)
+        case (
+            ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count() | ir.Literal()
+            | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()
+        ):  # fmt: skip
+            return None
+
+
+# --- rules -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Told:
+    """What a verdict of a rule tells: truths, the signals at which leaves look, and inputs."""
+
+    terms: tuple[int, ...]
+    signals: tuple[int, ...]
+    inputs: tuple[int, ...]
+
+
+def told(machine: ir.Machine, condition: int) -> Told:
+    """S41: the named conditions, the leaves and the durations; the signals and the inputs."""
+    whole = _whole(machine, condition)
+    leaves = [index for index in whole if is_leaf(machine.truths[index].node)]
+    looked_at = {index for leaf in leaves for index in numbers_of(machine.truths[leaf].node)}
+    return Told(
+        terms=tuple(index for index in whole if index in leaves or _tells(machine.truths[index])),
+        signals=tuple(
+            index
+            for index in sorted(looked_at)
+            if not isinstance(machine.signals[index].node, ir.Constant)
+        ),
+        inputs=tuple(sorted(support(machine, (), (condition,)).inputs)),
+    )
+
+
+def _whole(machine: ir.Machine, condition: int) -> list[int]:
+    """A truth and those that it is made of; what is asked of elements of arrays is left out."""
+    found, waiting = {condition}, [condition]
+    while waiting:
+        node = machine.truths[waiting.pop()].node
+        if not isinstance(node, ir.Quantified):
+            new = set(truths_of(node)) - found
+            found |= new
+            waiting += new
+    return sorted(found)
+
+
+def _tells(truth: ir.Truth) -> bool:
+    return truth.name is not None or isinstance(truth.node, ir.Held)
+
+
+def is_leaf(node: ir.TruthNode) -> bool:
+    """Whether a truth looks at numbers, arrays or ages itself (S30)."""
+    match node:
+        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+            return False
+        case (
+            ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
+            | ir.Quantified()
+        ):  # fmt: skip
+            return True
+
+
+# --- functions -------------------------------------------------------------------------------
+
+
+def functions(machine: ir.Machine) -> tuple[tuple[Function, int], ...]:
+    """The functions that signals apply, each with how many operands."""
+    found: dict[tuple[Function, int], None] = {}
+    for signal in machine.signals:
+        match signal.node:
+            case ir.Apply(function=function, operands=operands):
+                found[function, len(operands)] = None
+            case ir.Fold(folding=folding):
+                found[folding.function, 2] = None
+            case (
+                ir.Constant() | ir.Read() | ir.Sampled() | ir.Element() | ir.Count()
+            ):  # fmt: skip
+                pass
+    return tuple(found)
+
+
+def samplings(machine: ir.Machine) -> tuple[Sampling, ...]:
+    """The functions of samples that signals are."""
+    nodes = (signal.node for signal in machine.signals)
+    return tuple(dict.fromkeys(node.function for node in nodes if isinstance(node, ir.Sampled)))
