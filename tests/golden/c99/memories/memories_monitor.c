@@ -7,7 +7,7 @@
 
 #include "engine/tables.h"
 #include "engine/version.h"
-#if ROSSMARIE_ENGINE != 0xef41b3ef
+#if ROSSMARIE_ENGINE != 0x00000000
 #error "generated for another version of engine/: generate it again"
 #endif
 

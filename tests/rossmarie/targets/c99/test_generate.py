@@ -36,7 +36,8 @@ def test_looks_as_when_somebody_last_looked(case: str, bless: bool) -> None:
     # Of rules that do something only the reactor: the others show what a monitor looks like.
     reactor = {name: text for name, text in files.items() if "_reactor." in name}
     for name, text in (reactor or files).items():
-        assert_golden(GOLDEN / case / name, text, bless=bless)
+        unversioned = text.replace(engine.version(), "0x00000000")
+        assert_golden(GOLDEN / case / name, unversioned, bless=bless)
 
 
 @pytest.mark.parametrize("case", sorted(CASES))
