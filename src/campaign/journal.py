@@ -33,7 +33,7 @@ class Journal:
         self._subject = subject
         self._file: IO[bytes] | None = None
         self.values: dict[str, Value] = {}
-        """What is in it, by key."""
+        """The rows that are in it, by key."""
 
     def __enter__(self) -> Journal:
         self._path.parent.mkdir(parents=True, exist_ok=True)

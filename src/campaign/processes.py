@@ -19,7 +19,7 @@ from campaign.workers import Result, Work
 # Spawned, not forked: what draws the bar in this process has threads.
 _CONTEXT = multiprocessing.get_context("spawn")
 _LOOK_S = 0.2
-"""How often processes are looked at that say nothing."""
+"""The time between two looks at processes that say nothing."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Processes:
 
     @staticmethod
     def cores() -> int:
-        """How many there can be at a time."""
+        """The number of processes that can run at a time."""
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
 
     def results(self, work: Work, keys: Sequence[str]) -> Generator[Result, None, None]:

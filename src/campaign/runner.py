@@ -21,7 +21,7 @@ class Failure:
 
 @dataclass(frozen=True)
 class Campaign:
-    """What came of it: rows by key, in the order of the keys."""
+    """The outcome: rows by key, in the order of the keys."""
 
     values: Mapping[str, Value]
     failures: tuple[Failure, ...]

@@ -8,7 +8,7 @@ from typing import Protocol
 
 Scalar = str | float | bool | None
 Value = dict[str, Scalar]
-"""What comes of an episode: one row, as JSON has it."""
+"""The outcome of an episode: one row, as JSON has it."""
 
 Work = Callable[[str], Value]
 """Runs the episode of a key. To be found by its name in other processes."""
@@ -20,7 +20,7 @@ class UnreachableError(Exception):
 
 @dataclass(frozen=True)
 class Result:
-    """What became of an episode: its row, or why there is none."""
+    """The end of an episode: its row, or the reason why there is none."""
 
     key: str
     value: Value | None

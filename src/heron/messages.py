@@ -148,7 +148,7 @@ def stamped_pose(at_ns: int, x: float, y: float, yaw: float) -> Message:
 
 
 def wrench(at_ns: int, force: tuple[float, float, float]) -> Message:
-    """What pushes the hand; torques are not measured."""
+    """The force that pushes the hand; torques are not measured."""
     return WrenchStamped(_header(at_ns, "wrist"), Wrench(Vector3(*force), Vector3(0.0, 0.0, 0.0)))
 
 

@@ -1,4 +1,4 @@
-"""What connects the robot, what drives it and what guards it: topics, action servers, parameters.
+"""Connections of the robot, what drives it and what guards it: topics, action servers, parameters.
 
 A `Carrier` carries messages by the name and the type of their topic, and nothing else is known of
 who speaks and who listens. `InProcess` hands each message over at once.
@@ -71,7 +71,7 @@ class Parameter:
 
 
 class Carrier(Protocol):
-    """What carries messages."""
+    """The carrier of messages."""
 
     def publisher(self, topic: Topic) -> Publish:
         """A function that sends a message on a topic."""

@@ -1,4 +1,4 @@
-"""What there is to choose from. Needs no simulation."""
+"""The variants to choose from. Needs no simulation."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 
 class Arm(str, enum.Enum):
-    """What guards the robot in an experiment."""
+    """The guard of the robot in an experiment."""
 
     NONE = "none"
     COLLISION_MONITOR = "collision_monitor"  # zones of a range scan slow it down and stop it
@@ -16,7 +16,7 @@ class Arm(str, enum.Enum):
 
 
 class Terrain(str, enum.Enum):
-    """What is in the way of the base."""
+    """The obstacle in the way of the base."""
 
     FLAT = "flat"  # neither bump nor ramps: whatever a monitor restricts here is without need
     GENTLE = "gentle"  # a bump, and a ramp of 12 degrees into the room

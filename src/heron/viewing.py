@@ -20,7 +20,7 @@ from heron.robot.physics import Physics
 from heron.topics import InProcess
 
 _PATIENCE_S = 5.0
-"""How long a window may take to close."""
+"""The time that a window may take to close."""
 
 
 def trouble() -> str | None:

@@ -10,8 +10,10 @@ from pathlib import Path
 
 SRC = Path(__file__).parents[2] / "src"
 ROOMS = (
+    "campaign",
     "dslkit",
     "ezskiros",
+    "heron",
     "rossmarie/analysis",
     "rossmarie/check",
     "rossmarie/core",

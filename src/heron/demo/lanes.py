@@ -34,7 +34,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Lanes:
-    """What an arm has to show of one kind."""
+    """The rows of one kind that an arm has to show."""
 
     arm: Arm
     rows: tuple[Row, ...]

@@ -1,4 +1,4 @@
-"""What is expected of the arms, and whether it came out so.
+"""Expectations of the arms, and verdicts on them.
 
 The thesis says: without a monitor the robot finishes fast, with harm; DeROS is safe and waits for
 its operator; ROSSMARie is as safe and finishes without one.
@@ -22,7 +22,7 @@ _MARGIN = 0.1
 
 
 class Verdict(enum.Enum):
-    """How an expectation fared."""
+    """The verdict on an expectation."""
 
     HOLDS = "as expected"
     FAILS = "not as expected"

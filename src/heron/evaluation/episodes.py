@@ -17,7 +17,7 @@ from heron.experiments import EXPERIMENTS, STUDIES, USUAL, Experiment
 from heron.variants import Arm
 
 _KINDS = (".action", ".c", ".h", ".j2", ".lark", ".py", ".ross", ".ttl", ".turtle")
-# What has no say in how an episode goes.
+# These have no say in how an episode goes.
 _TELLING = (
     *("heron/appearance", "heron/cli", "heron/demo", "heron/evaluation", "heron/films"),
     *("ezskiros/cli", "ezskiros/drawing", "rossmarie/cli", "rossmarie/report"),

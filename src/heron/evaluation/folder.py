@@ -25,7 +25,7 @@ class Folder:
 
     @property
     def journal(self) -> Path:
-        """What is done."""
+        """The journal of the episodes that are done."""
         return self.path / _REST / "episodes.jsonl"
 
     def rows(self, name: str) -> Path:

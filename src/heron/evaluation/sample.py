@@ -50,7 +50,7 @@ class Sample:
         return [row.numbers[name] for row in self._of(arm) if name in row.numbers]
 
     def count(self, arm: Arm) -> int:
-        """How many episodes there are."""
+        """The number of episodes."""
         return len(self._of(arm))
 
     def completed(self, arm: Arm) -> int:

@@ -1,4 +1,4 @@
-"""What many episodes say together, and how sure that is: intervals of 95 %."""
+"""Summaries of many episodes, and how sure these are: intervals of 95 %."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What takes part in every episode of the arm."""
+"""The parts that every episode of the arm has."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ class ArmCell:
 
     @property
     def visits(self) -> int:
-        """How often the operator had to come."""
+        """The number of times that the operator had to come."""
         return 0 if self.operator is None else self.operator.summons.visits
 
     @property
     def occurrences(self) -> Sequence[Occurrence]:
-        """What the guard did."""
+        """The deeds of the guard."""
         return () if self.guard is None else self.guard.occurrences

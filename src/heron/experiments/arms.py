@@ -1,4 +1,4 @@
-"""Which rules guard the robot in which arm of an experiment."""
+"""The rules that guard the robot in each arm of an experiment."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ class BaseOperator:
             self._by_hand = None
 
     def _way_out(self) -> Callable[[], bool]:
-        """What he does; the function says whether he is still at it."""
+        """Choose his way; the function that comes back says whether he is still at it."""
         start = self._physics.position.copy()
         is_too_steep = self._is_before_steep_ramp()
         pace = -self._parameters.pace if is_too_steep else self._parameters.pace
@@ -83,7 +83,7 @@ class BaseOperator:
         return drive
 
     def _is_before_steep_ramp(self) -> bool:
-        """Whether the robot is on, or right before, a ramp that nobody should drive up."""
+        """Say whether the robot is on, or right before, a ramp that nobody should drive up."""
         x, y, _ = self._physics.position
         return any(
             slope.start_x - 1.0 < x < slope.end_x

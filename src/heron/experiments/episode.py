@@ -1,4 +1,4 @@
-"""What all episodes have in common."""
+"""The parts that all episodes have in common."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def seeded(names: Sequence[str], seed: int) -> dict[str, np.random.Generator]:
 
 
 def acting(guard: Guard | None) -> Callable[[], bool]:
-    """Whether a guard, if there is one, does anything at the moment."""
+    """A function that says whether a guard, if there is one, does anything at the moment."""
     return lambda: guard is not None and guard.is_acting
 
 

@@ -88,7 +88,7 @@ class HumanEpisode:
 
 @dataclass
 class _Cell(ArmCell):
-    """What is measured, too."""
+    """The arm, and the measuring of people near it."""
 
     witness: ProximityWitness
 

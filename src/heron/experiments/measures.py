@@ -1,4 +1,4 @@
-"""What is measured in the navigation experiment, from the truth and from what the guard did."""
+"""The measures of the navigation experiment, from the truth and from the deeds of the guard."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def _on_bump(trace: Trace, course: Course, base: BaseParameters) -> Flags:
 
 
 def _reach(course: Course, base: BaseParameters) -> float:
-    """How far before the bump a wheel touches it."""
+    """The distance before the bump at which a wheel touches it."""
     found, wheel = course.parameters, base.wheel_radius
     low, high = course.bump or (0.0, 0.0)
     apart = found.bump_radius + wheel
@@ -142,7 +142,7 @@ def onsets(trace: Trace, present: Mapping[str, Flags]) -> dict[str, float]:
 
 
 def time_of(flags: Flags) -> float:
-    """How long something was so."""
+    """The time for which something was so."""
     return float(np.count_nonzero(flags)) * STEP_NS * 1e-9
 
 

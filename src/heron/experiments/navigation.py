@@ -79,7 +79,7 @@ class _Robot:
     nodes: list[Node]
 
     def standing(self) -> Standing:
-        """What of it goes on when the base has arrived."""
+        """The part of it that goes on when the base has arrived."""
         over = (self.task, self.operator)
         nodes = [node for node in self.nodes if node not in over]
         return Standing(self.physics, nodes, self.guard)
@@ -121,7 +121,7 @@ def run_navigation(
 
 
 def varied(generator: np.random.Generator) -> CourseParameters:
-    """What differs from seed to seed of the course."""
+    """The parameters of the course that differ from seed to seed."""
     return replace(
         CourseParameters(),
         bump_x=float(generator.uniform(2.3, 2.9)),

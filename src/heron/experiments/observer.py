@@ -17,7 +17,7 @@ class Observer(Protocol):
     """
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:
-        """What has its turn, after all others."""
+        """The nodes that have their turn after all others."""
 
 
 def attended(

@@ -40,7 +40,7 @@ _SETTLING_STEPS = 250
 
 @dataclass(frozen=True)
 class Picked:
-    """Whether the arm has the block in the end, and how long that took (s)."""
+    """The end of the picking: whether the arm has the block, and the time that this took (s)."""
 
     is_held: bool
     seconds: float

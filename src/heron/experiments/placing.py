@@ -87,7 +87,7 @@ class PlacingEpisode:
 
 @dataclass
 class _Cell(ArmCell):
-    """What is measured, too."""
+    """The arm, and the measuring of where it places the block."""
 
     controller: ArmController
     witness: ArmWitness
@@ -123,7 +123,7 @@ def run_placing(
 
 
 def varied(table: Table, generator: np.random.Generator) -> TableParameters:
-    """What differs from seed to seed of the table."""
+    """The parameters of the table that differ from seed to seed."""
     too_high = float(generator.uniform(0.02, 0.06))
     return TableParameters(
         too_high=too_high if table is Table.HIGH else 0.0,
@@ -172,7 +172,9 @@ def _assembled(
 
 
 def _places(home: Floats, believed: float) -> dict[str, Floats]:
-    """What the controller calls what; `believed` is how high the block has to be placed."""
+    """The places, by the names that the controller has for them; `believed` is the height at which
+    the block has to be placed.
+    """
     place = home.copy()
     place[2] = believed
     return {PLACE: place, "aside": home + np.array(_ASIDE), "above": home + np.array(_ABOVE)}
@@ -181,7 +183,7 @@ def _places(home: Floats, believed: float) -> dict[str, Floats]:
 def _remedy(
     guard: InProcessGuard, controller: ArmController, table: TableParameters, arm: ArmParameters
 ) -> Callable[[], None]:
-    """What the operator does: he turns an arm down that was too fast, and leads one up that
+    """The remedy of the operator: he turns an arm down that was too fast, leads one up that
     hammered, and tells it where the table is.
     """
 
@@ -228,7 +230,7 @@ def _hazards(trace: Trace, table: TableParameters) -> dict[str, Flags]:
 
 
 def _is_placed(cell: _Cell, table: TableParameters) -> bool:
-    """Whether the block lies on the table, where it was to."""
+    """Say whether the block lies on the table, where it was to."""
     x, y, z = cell.arm.block.tolist()
     is_on_table = abs(z - ArmParameters().block_half - table.height) < 0.005
     return is_on_table and math.dist((x, y), table.place) < 0.03

@@ -1,4 +1,6 @@
-"""How near the arm and a person came, and how fast the arm was then: the truth, at every step."""
+"""The distance between the arm and a person, and the speed of the arm then: the truth, at every
+step.
+"""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ class Node(Protocol):
 
     @property
     def period_ns(self) -> int:
-        """How often."""
+        """The time between two turns."""
 
     def tick(self, now_ns: int) -> None:
         """Its turn."""

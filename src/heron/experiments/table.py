@@ -24,11 +24,11 @@ from heron.variants import ARMS, VARIANTS, Arm, Person, Table, Terrain
 
 
 class Measures(Protocol):
-    """What is measured in every experiment. Times in s."""
+    """The measures of every experiment. Times in s."""
 
     @property
     def is_completed(self) -> bool:
-        """Whether the task was done."""
+        """True if the task was done."""
 
     @property
     def duration(self) -> float:
@@ -36,7 +36,7 @@ class Measures(Protocol):
 
     @property
     def interventions(self) -> int:
-        """How often an operator came."""
+        """The number of times that an operator came."""
 
     @property
     def reactions(self) -> Mapping[str, float]:
@@ -52,11 +52,11 @@ class Measures(Protocol):
 
 
 class Episode(Protocol):
-    """What is known of every episode."""
+    """The facts that are known of every episode."""
 
     @property
     def arm(self) -> Arm:
-        """What guarded the robot."""
+        """The arm of the experiment, which says what guarded the robot."""
 
     @property
     def seed(self) -> int:
@@ -64,15 +64,15 @@ class Episode(Protocol):
 
     @property
     def outcome(self) -> Outcome:
-        """How it ended."""
+        """The way in which it ended."""
 
     @property
     def measures(self) -> Measures:
-        """What was measured."""
+        """The measures that were taken."""
 
     @property
     def told(self) -> tuple[tuple[float, str], ...]:
-        """What the guard said, with its instants (s)."""
+        """The messages of the guard, with their instants (s)."""
 
     @property
     def onsets(self) -> Mapping[str, float]:
@@ -80,11 +80,11 @@ class Episode(Protocol):
 
     @property
     def tree(self) -> tuple[TreeSkill, ...]:
-        """What became of the skills of the task."""
+        """The skills of the task, and what became of them."""
 
     @property
     def trace(self) -> Trace:
-        """What really happened."""
+        """The truth about the episode."""
 
 
 ARM_NAMES: Mapping[Arm, str] = {

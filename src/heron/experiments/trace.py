@@ -1,4 +1,4 @@
-"""What really happened in an episode: the truth that no sensor tells, at every step."""
+"""The truth about an episode, which no sensor tells, at every step."""
 
 from __future__ import annotations
 

@@ -47,7 +47,9 @@ class Walk:
 
 
 def varied(person: Person, generator: np.random.Generator) -> Walk:
-    """What differs from seed to seed: when they come, how fast, how close, for how long."""
+    """The part of the walk that differs from seed to seed: when they come, how fast, how close, for
+    how long.
+    """
     begin_s = float(generator.uniform(3.0, 9.0))
     pace = float(generator.uniform(0.9, 1.4))
     radius = float(generator.uniform(0.85, 1.1))
@@ -113,7 +115,7 @@ class Visitor:
         data.xfrc_applied[self._hand, :2] = push
 
     def _push(self, now_s: float) -> Point:
-        """What they push the hand with: away from them."""
+        """The force with which they push the hand: away from them."""
         if self._walk.stay_s is None:
             return (0.0, 0.0)
         since_s = now_s - self._walk.stay_s[0]

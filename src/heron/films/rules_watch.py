@@ -1,4 +1,4 @@
-"""Which rules were active when."""
+"""The rules that were active, and the times at which they were."""
 
 from __future__ import annotations
 

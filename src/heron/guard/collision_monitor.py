@@ -56,7 +56,7 @@ class _CollisionMonitor:
 
     @property
     def is_acting(self) -> bool:
-        """Whether any zone is in force; a robot that waits for its first scan does not move."""
+        """True while any zone is in force; a robot that waits for its first scan does not move."""
         return bool(self.active)
 
     @property
@@ -96,7 +96,7 @@ class BaseCollisionMonitor(_CollisionMonitor):
         self._send = carrier.publisher(COMMAND)
         self._command: Message | None = None
         self.is_restricting = False
-        """Whether what was sent last is not what a program commanded."""
+        """True if the last command that was sent is not the one that a program gave."""
         carrier.subscribe(Topic(unfiltered(COMMAND.name), COMMAND.type), self._receive)
 
     def tick(self, now_ns: int) -> None:
@@ -129,7 +129,7 @@ class ArmCollisionMonitor(_CollisionMonitor):
 
     @property
     def is_restricting(self) -> bool:
-        """Whether the arm is slower than it would be."""
+        """True while the arm is slower than it would be."""
         return self.is_acting
 
     def tick(self, now_ns: int) -> None:

@@ -37,7 +37,7 @@ class CommandFilter:
         self._sent: Bounds = ()
         self._is_taken_over = self._is_blocked = False
         self.is_restricting = False
-        """Whether what was sent last is not what a program commanded."""
+        """True if the last command that was sent is not the one that a program gave."""
 
     def receive(self, now_ns: int, message: Message) -> None:
         """A command of a program; while a rule commands, nobody hears it."""
@@ -85,7 +85,7 @@ class CommandFilter:
         return self._is_taken_over or now_ns - self._received_ns < _TIMEOUT_NS
 
     def _tightens(self, bounds: Bounds) -> bool:
-        """Whether anything is held back that was let through at last: that cannot wait."""
+        """Say whether bounds hold anything back that was let through at last: that cannot wait."""
         return any(
             new.factor < old.factor or new.low > old.low or new.high < old.high
             for new, old in zip(bounds, self._sent, strict=True)

@@ -40,7 +40,7 @@ class InProcessGuard:
         self._intake = Intake(self._monitor)
         self._reactor = Reactor(machine.reactions)
         self.is_acting = False
-        """Whether any task of a rule is in force."""
+        """True while any task of a rule is in force."""
         self.verdicts: list[Verdict] = []
         self.occurrences: list[Occurrence] = []
         self._awaited = {used.channel for used in machine.inputs if used.timeout_ns is not None}
@@ -77,7 +77,7 @@ class InProcessGuard:
 
     @property
     def is_restricting(self) -> bool:
-        """Whether any command topic is bounded, or taken over by a rule."""
+        """True while any command topic is bounded, or taken over by a rule."""
         return any(each.is_restricting for each in self._filters.values())
 
     @property
@@ -151,12 +151,12 @@ class InProcessGuard:
         self._follow(now_ns)
 
     def _plan_wake(self) -> None:
-        """What is due first, after what only the monitor knows has changed."""
+        """Plan the next wake, after a change that only the monitor knows of."""
         wake_ns = self._monitor.next_wake()
         self._wake_ns = self._due_ns if wake_ns is None else min(wake_ns, self._due_ns)
 
     def _plan_rest(self) -> None:
-        """What is due by itself in the reactor, and for tasks."""
+        """Plan what is due by itself in the reactor, and for tasks."""
         due = [performer.due_ns for performer in self._performers]
         wake_ns = self._reactor.next_wake()
         self._due_ns = min([*due, *([] if wake_ns is None else [wake_ns])], default=NEVER)
@@ -164,7 +164,7 @@ class InProcessGuard:
     # --- what follows ------------------------------------------------------------------------
 
     def _follow(self, now_ns: int) -> None:
-        """What follows from the monitor: after each of its calls, at the same instant."""
+        """Do what follows from the monitor: after each of its calls, at the same instant."""
         active = set(self._monitor.active)
         flags = [rule.name in active for rule in self._machine.rules]
         self._is_following = True
@@ -260,11 +260,11 @@ class InProcessLink:
     period_ns = 1_000_000_000
 
     def carrier(self, clock: Callable[[], int]) -> InProcess:  # noqa: ARG002
-        """What the robot and its programs speak by."""
+        """The carrier by which the robot and its programs speak."""
         return InProcess()
 
     def guard(self, machine: Machine, carrier: InProcess, clock: Callable[[], int]) -> Guard:
-        """What guards the robot by rules."""
+        """The guard that keeps the robot safe by rules."""
         return InProcessGuard(machine, carrier, clock)
 
     def tick(self, now_ns: int) -> None:

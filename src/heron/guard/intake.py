@@ -75,7 +75,7 @@ class Intake:
 
 
 def _are_plain(paths: Sequence[FieldPath], message_type: str) -> bool:
-    """Whether all fields are numbers or flags that stand for themselves."""
+    """Say whether all fields are numbers or flags that stand for themselves."""
     empty = messages.new_message(message_type)
     return all(_is_plain(empty, path) for path in paths)
 
@@ -103,7 +103,7 @@ def _read_all(paths: Sequence[FieldPath]) -> Callable[[Message], Sequence[float]
 
 
 def _field(message: Message, path: FieldPath) -> Any:
-    """What a path leads to; NaN for an element that is not there."""
+    """The value to which a path leads; NaN for an element that is not there."""
     value = message
     for part in path:
         if isinstance(part, str):

@@ -1,4 +1,4 @@
-"""What everybody else knows of a guard, wherever it is: in this process, or a node of ROS."""
+"""The outside of a guard, wherever it is: in this process, or a node of ROS."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ class Guard(Protocol):
 
     @property
     def period_ns(self) -> int:
-        """How often."""
+        """The time between two turns."""
 
     @property
     def is_acting(self) -> bool:
-        """Whether any task of a rule is in force."""
+        """True while any task of a rule is in force."""
 
     @property
     def is_restricting(self) -> bool:
-        """Whether any command topic is bounded, or taken over by a rule."""
+        """True while any command topic is bounded, or taken over by a rule."""
 
     @property
     def active(self) -> tuple[str, ...]:
@@ -61,17 +61,19 @@ class Guard(Protocol):
 
 
 class Link(Protocol):
-    """What carries messages in an episode, and where the guard is."""
+    """The carrier of messages in an episode, and the place of the guard."""
 
     def carrier(self, clock: Callable[[], int]) -> InProcess:
-        """What the robot and its programs speak by. `clock` is the time of the robot, in ns."""
+        """The carrier by which the robot and its programs speak. `clock` is the time of the robot,
+        in ns.
+        """
 
     def guard(self, machine: Machine, carrier: InProcess, clock: Callable[[], int]) -> Guard:
-        """What guards the robot by rules."""
+        """The guard that keeps the robot safe by rules."""
 
     @property
     def period_ns(self) -> int:
-        """How often it has its turn, after all who speak."""
+        """The time between two turns, each after all who speak."""
 
     def tick(self, now_ns: int) -> None:
         """All that there was to say at this instant has been said."""

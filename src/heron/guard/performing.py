@@ -1,4 +1,4 @@
-"""What this guard does for the tasks of rules; limits and scales need no doing."""
+"""The deeds of this guard for the tasks of rules; limits and scales need no doing."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class UnsupportedEffectError(ValueError):
 
 
 class Performer(Protocol):
-    """What performs one task. `due_ns` is when `tick` has something to do."""
+    """The performer of one task. `due_ns` is when `tick` has something to do."""
 
     due_ns: int
 
@@ -184,7 +184,7 @@ class Sending:
 
 @dataclass(frozen=True)
 class Workshop:
-    """What performers are made with."""
+    """The parts with which performers are made."""
 
     machine: Machine
     carrier: Carrier

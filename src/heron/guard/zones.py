@@ -80,7 +80,7 @@ class ZoneWatch:
 
     @property
     def has_begun(self) -> bool:
-        """Whether any scan has come."""
+        """True once any scan has come."""
         return self._scanned_ns is not None
 
     def in_force(self, now_ns: int) -> dict[str, float]:

@@ -90,7 +90,7 @@ class Arm(Physics):
         return found
 
     def force(self) -> Floats:
-        """What acts on the hand at its flange, in the directions of the world; weight included."""
+        """The force on the hand at its flange, in the directions of the world; weight included."""
         turned = self.data.site_xmat[self._flange].reshape(3, 3)
         found: Floats = -(turned @ self.sensor("force"))
         return found

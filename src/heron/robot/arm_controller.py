@@ -42,7 +42,7 @@ class ArmControllerParameters:
     carrying_speed: float = 0.5
     carrying_acceleration: float = 1.5
     rescaling: float = 5.0
-    """How fast the scale of its speed may change, per s: it stops within a fifth of a second."""
+    """The fastest change of the scale of its speed, per s: it stops within a fifth of a second."""
     speed: float = 0.08
     careful_speed: float = 0.02
     careful_from: float = 0.02
@@ -220,7 +220,7 @@ class ArmController:
             self._end(is_reached=True)
 
     def _most(self) -> float:
-        """How far it goes in one period."""
+        """The longest way that it goes in one period."""
         found = self._parameters
         left = float(np.linalg.norm(self._target - self._wanted))
         is_slow = self._goal == PLACE and self._is_careful and left < found.careful_from

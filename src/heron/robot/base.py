@@ -26,13 +26,13 @@ class Base(Physics):
 
     @property
     def quaternion(self) -> Floats:
-        """How the base is turned: w, x, y, z."""
+        """The orientation of the base: w, x, y, z."""
         found: Floats = self.data.qpos[3:7]
         return found
 
     @property
     def wheel_angles(self) -> tuple[float, float]:
-        """How far the left and the right wheel have turned (rad)."""
+        """The angles by which the left and the right wheel have turned (rad)."""
         left, right = (float(self.data.qpos[index]) for index in self._angles)
         return left, right
 
@@ -47,5 +47,5 @@ class Base(Physics):
         self.data.ctrl[self._servos] = (left, right)
 
     def limit_torque(self, most: float) -> None:
-        """How much the servo of each wheel may give (Nm)."""
+        """Limit the torque that the servo of each wheel may give (Nm)."""
         self.model.actuator_forcerange[self._servos] = (-most, most)

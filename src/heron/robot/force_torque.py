@@ -26,7 +26,7 @@ class ForceTorqueParameters:
     bandwidth: float = 40.0
     noise: float = 0.3
     bias: float = 0.2
-    """What is left of the error after zeroing."""
+    """The error that is left after zeroing."""
 
 
 class ForceTorque:

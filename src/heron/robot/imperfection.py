@@ -1,4 +1,4 @@
-"""What keeps sensors from saying the truth: noise, slow errors, bandwidth and latency."""
+"""The reasons why sensors do not say the truth: noise, slow errors, bandwidth and latency."""
 
 from __future__ import annotations
 

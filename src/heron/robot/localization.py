@@ -27,7 +27,7 @@ class LocalizationParameters:
     position_error: float = 0.02
     yaw_error: float = math.radians(0.5)
     error_time: float = 2.0
-    """How long errors stay alike."""
+    """The time for which errors stay alike."""
 
 
 class Localization:

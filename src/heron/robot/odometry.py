@@ -23,7 +23,7 @@ class WheelOdometryParameters:
     ticks: int = 4096
     """Of the encoder, for one turn of the wheel."""
     radius_error: float = 0.005
-    """How far the radius that the odometry believes in is off, as a share: tires wear."""
+    """The error of the radius that the odometry believes in, as a share: tires wear."""
 
 
 class WheelOdometry:

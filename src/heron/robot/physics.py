@@ -17,7 +17,7 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Attitude:
-    """How a body is turned (rad)."""
+    """The orientation of a body (rad)."""
 
     roll: float
     pitch: float

@@ -31,7 +31,7 @@ class Trajectory:
 
     @property
     def is_over(self) -> bool:
-        """Whether its end is reached."""
+        """True once its end is reached."""
         return self._passed >= self._duration
 
 

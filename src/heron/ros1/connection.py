@@ -39,7 +39,7 @@ class Connection:
         self.send(b"".join(len(line).to_bytes(_LENGTH, "little") + line for line in lines))
 
     def header(self) -> Header:
-        """What the other side says. Raises `ConnectionError` for a refusal."""
+        """The header that the other side sends. Raises `ConnectionError` for a refusal."""
         body, found = self.receive(), {}
         while body:
             line, body = _cut(body)

@@ -1,4 +1,4 @@
-"""What goes wrong with others."""
+"""The errors that others make."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ class Ros1Guard:
         self._reset: Service | None = None
         self._is_commanding = False
         self.has_begun = False
-        """Whether it has told anything of itself."""
+        """True once it has told anything of itself."""
 
     @property
     def latched(self) -> tuple[str, ...]:
@@ -55,12 +55,13 @@ class Ros1Guard:
 
     @property
     def is_restricting(self) -> bool:
-        """Whether what passed last on a command topic is not what a program wanted."""
+        """True while the last message that passed on a command topic is not what a program wanted.
+        """
         return any(self._wanted.get(topic) != passed for topic, passed in self._passed.items())
 
     @property
     def owes(self) -> bool:
-        """Whether it has not let anything pass for a command of a program, as it does while no rule
+        """True while it has let nothing pass for a command of a program, as it does while no rule
         commands.
         """
         return bool(self._owed) and not self._is_commanding

@@ -48,13 +48,13 @@ class Ros1Link:
         self._node.close()
 
     def carrier(self, clock: Callable[[], int]) -> InProcess:
-        """What the robot and its programs speak by."""
+        """The carrier by which the robot and its programs speak."""
         self._clock = clock
         self._node.advertise(CLOCK)
         return Ros1Carrier(self._node, self._announce)
 
     def guard(self, machine: Machine, carrier: InProcess, clock: Callable[[], int]) -> Guard:  # noqa: ARG002
-        """What guards the robot by rules."""
+        """The guard that keeps the robot safe by rules."""
         self._machine = machine
         self._guard = Ros1Guard(machine, self._node, carrier, self._announce)
         return self._guard

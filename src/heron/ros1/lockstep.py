@@ -1,4 +1,4 @@
-"""How to tell that the node on guard has heard all, and that what it said of that has come.
+"""Tell that the node on guard has heard all, and that what it said of that has come.
 
 roscpp looks at its connections turn by turn, and what came in goes into a queue: so a call of a
 service should be answered after all that had come before the turn of an earlier call. What the node

@@ -116,7 +116,7 @@ class Node:
                 listener.close()
 
     def is_heard(self, topic: str, by: str) -> bool:
-        """Whether another node is connected to a topic of this one."""
+        """Say whether another node is connected to a topic of this one."""
         return topic in self._published and by in self._published[topic].listeners.values()
 
     # --- what comes in -----------------------------------------------------------------------
@@ -128,7 +128,7 @@ class Node:
         heard.publishers = heard.publishers or list(found)
 
     def hears(self, topic: str) -> bool:
-        """Whether somebody who publishes a topic is connected."""
+        """Say whether somebody who publishes a topic is connected."""
         return bool(self._heard[topic].connections)
 
     def deliver(self) -> None:
@@ -254,7 +254,7 @@ class Service:
         self._name, self._connection = name, connection
 
     def call(self, request: bytes = b"") -> bytes:
-        """What it answers. Raises `Ros1Error`."""
+        """The answer of the service. Raises `Ros1Error`."""
         try:
             self._connection.send(request)
             has_worked = self._connection.take(1) != b"\0"

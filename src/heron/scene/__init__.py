@@ -1,4 +1,4 @@
-"""What is in the world: builders of MJCF, from parameters in SI units."""
+"""The things in the world: builders of MJCF, from parameters in SI units."""
 
 from heron.scene.arm import ArmParameters
 from heron.scene.base import AXLES, BaseParameters, add_base

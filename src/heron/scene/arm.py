@@ -65,9 +65,9 @@ class ArmParameters:
     block_half: float = 0.025
     block_mass: float = 0.5
     contact_time: float = 0.01
-    """How soft the block is on a table (s)."""
+    """The softness of the block on a table (s)."""
     grip_time: float = 0.004
-    """How soft the fingers are (s)."""
+    """The softness of the fingers (s)."""
 
 
 def add_arm(spec: Any, arm: ArmParameters) -> None:

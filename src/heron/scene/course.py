@@ -50,7 +50,7 @@ class CourseParameters:
     junction_x: float = 4.2
     ramp_width: float = 2.0
     block_away: float = 0.5
-    """How far the block is from where the base has to go."""
+    """The distance between the block and the place to which the base has to go."""
 
 
 Point = tuple[float, float]

@@ -17,7 +17,7 @@ SEEN_GROUP = 1
 
 @dataclass(frozen=True)
 class Contact:
-    """How two surfaces meet.
+    """The contact of two surfaces.
 
     `friction` is that of a rubber wheel on the ground; `time_constant` (s) says how soft contacts
     are: with the default of MuJoCo, 0.02 s, a hard wheel sinks into a bump that it should climb.
@@ -78,7 +78,7 @@ def ramp_pieces(slope: float, height: float, transition: float, transitions: int
 
 
 def run_of(pieces: Sequence[Piece]) -> float:
-    """How far a ramp reaches on a map."""
+    """The length of a ramp on a map."""
     return sum(piece.length * math.cos(piece.slope) for piece in pieces)
 
 

@@ -43,7 +43,7 @@ class RoomParameters:
         return self.table_radius * math.cos(angle), self.table_radius * math.sin(angle)
 
     def is_inside(self, x: float, y: float) -> bool:
-        """Whether a place is in the room."""
+        """Say whether a place is in the room."""
         return abs(x) < self.half and abs(y) < self.half
 
 

@@ -1,4 +1,4 @@
-"""What the robot can do: each is a goal for an action server."""
+"""The motions of the robot: each is a goal for an action server."""
 
 from ezskiros import INFERRED, SkillDescription
 from heron.skills.servers import Sent

@@ -1,4 +1,4 @@
-"""How primitive skills reach the robot: by the carrier of whoever ticks them."""
+"""The way of primitive skills to the robot: by the carrier of whoever ticks them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the robot is there for: tasks, as programs that know topics and action servers only."""
+"""The tasks of the robot, as programs that know topics and action servers only."""
 
 from heron.tasks.navigation import Navigation, NavigationParameters
 from heron.tasks.outcome import Outcome

@@ -151,7 +151,7 @@ class Navigation:
 
 
 def _along(start: Point, end: Point, here: Point) -> float:
-    """How far along a leg a place is."""
+    """The distance of a place along a leg."""
     length = math.dist(start, end)
     across = (here[0] - start[0]) * (end[0] - start[0]) + (here[1] - start[1]) * (end[1] - start[1])
     return across / length

@@ -1,4 +1,4 @@
-"""How it stands with a task."""
+"""The state of a task."""
 
 from __future__ import annotations
 

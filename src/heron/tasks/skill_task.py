@@ -46,7 +46,7 @@ class SkillTask:
 
     @property
     def tree(self) -> tuple[TreeSkill, ...]:
-        """What has become of its skills."""
+        """The skills of the task, and what has become of them."""
         return tree_over_time(self._task.root, self._events)
 
     def go_on(self, carrier: Carrier, began_ns: int) -> None:

@@ -16,7 +16,7 @@ from ezskiros.trees.tree import ThingReference, ValueReference
 
 
 class Status(enum.Enum):
-    """How it stands with a skill that has started."""
+    """The state of a skill that has started."""
 
     RUNNING = "running"
     SUCCEEDED = "succeeded"
