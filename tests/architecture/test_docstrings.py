@@ -16,12 +16,28 @@ ROOMS = (
     "heron",
     "rossmarie/analysis",
     "rossmarie/check",
+    "rossmarie/cli",
     "rossmarie/core",
+    "rossmarie/driver",
+    "rossmarie/interpreter",
+    "rossmarie/ir",
+    "rossmarie/lowering",
+    "rossmarie/naming",
+    "rossmarie/native",
+    "rossmarie/recordings",
     "rossmarie/report",
+    "rossmarie/syntax",
+    "rossmarie/targets",
+    "rossmarie/testing",
+    "rossmarie/types",
+    "rossmarie/units",
     "rossmarie/verification/formulas.py",
     "rossmarie/verification/opaque.py",
 )
 """The rooms that are done. Others join them; none leaves."""
+
+COPIED = "rossmarie/targets/python/parts.py"
+"""Its docstrings stand in generated modules, which stay as they are."""
 
 CLAUSE = re.compile(r"(What|Whether|How|Which)\b")
 
@@ -59,6 +75,7 @@ def test_docstrings_and_comments_begin_with_no_clause() -> None:
     found = [
         f"{path.relative_to(SRC)}:{line}: {text.splitlines()[0]}"
         for path in files()
+        if path != SRC / COPIED
         for line, text in (*docstrings(path), *comments(path))
         if CLAUSE.match(text)
     ]
@@ -67,3 +84,4 @@ def test_docstrings_and_comments_begin_with_no_clause() -> None:
 
 def test_every_room_is_there() -> None:
     assert [room for room in ROOMS if not (SRC / room).exists()] == []
+    assert (SRC / COPIED).exists()

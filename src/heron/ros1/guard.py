@@ -55,8 +55,7 @@ class Ros1Guard:
 
     @property
     def is_restricting(self) -> bool:
-        """True while the last message that passed on a command topic is not what a program wanted.
-        """
+        """True while what passed last on a command topic is not what a program wanted."""
         return any(self._wanted.get(topic) != passed for topic, passed in self._passed.items())
 
     @property

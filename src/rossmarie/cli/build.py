@@ -22,7 +22,7 @@ from rossmarie.targets.manifest import OWN_PACKAGE, Person, Placement
 
 @dataclass(frozen=True)
 class PackageOptions:
-    """What was said about the package of a node."""
+    """The options of the command line about the package of a node."""
 
     licenses: tuple[str, ...]
     maintainers: tuple[Person, ...]

@@ -57,7 +57,7 @@ def run_check(
 def _for_target(
     path: Path, target: str, systems: Sequence[Path], folders: Sequence[Path]
 ) -> Sequence[Diagnostic]:
-    """What a target cannot do, and all findings of the check once more."""
+    """Find what a target cannot do, and return all findings of the check once more."""
     from rossmarie.driver.build import check_for
 
     return check_for(target, path, systems=systems, message_folders=folders)

@@ -1,4 +1,4 @@
-"""What options of the `rossmarie` command choose from."""
+"""The choices that options of the `rossmarie` command offer."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import enum
 
 
 class TargetName(str, enum.Enum):
-    """What `build` can generate."""
+    """The targets that `build` can generate."""
 
     C99 = "c99"
     PYTHON = "python"
@@ -24,7 +24,7 @@ class StageName(str, enum.Enum):
 
 
 class GraphFormat(str, enum.Enum):
-    """How `graph` draws."""
+    """The formats in which `graph` draws."""
 
     TEXT = "text"
     SVG = "svg"
@@ -32,7 +32,7 @@ class GraphFormat(str, enum.Enum):
 
 
 class DumpFormat(str, enum.Enum):
-    """How `dump` writes."""
+    """The formats in which `dump` writes."""
 
     TEXT = "text"
     JSON = "json"

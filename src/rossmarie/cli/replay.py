@@ -67,7 +67,9 @@ def refusing() -> Iterator[None]:
 
 @contextmanager
 def told_progress(what: str) -> Iterator[Callable[[float], None]]:
-    """What to tell how much is done, from 0 to 1: a bar on standard error if it is a terminal."""
+    """A function to call with the share that is done, from 0 to 1: it moves a bar on standard error
+    if that is a terminal.
+    """
     console = Console(stderr=True)
     bar = Progress(
         TextColumn(what),
@@ -84,7 +86,7 @@ def told_progress(what: str) -> Iterator[Callable[[float], None]]:
 
 
 def topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:
-    """What `--topic-map` says; the run ends if it contradicts itself."""
+    """The pairs that `--topic-map` states; the run ends if it contradicts itself."""
     pairs: dict[str, str] = {}
     for text in topic_map:
         wanted, recorded = _pair(text)

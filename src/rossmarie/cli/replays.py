@@ -30,8 +30,8 @@ from rossmarie.report.wording import format_length
 
 @dataclass(frozen=True)
 class Job:
-    """What is the same for all recordings. `warnings` are so many of the rules, which were told
-    already; `width` is that of the terminal, if there is one.
+    """The part of a job that is the same for all recordings. `warnings` are so many of the rules,
+    which were told already; `width` is that of the terminal, if there is one.
     """
 
     rules: Path
@@ -118,7 +118,7 @@ def _campaign(keys: Sequence[str], job: Job) -> Campaign:
 
 
 def replay_one(job: Job, key: str) -> Value:
-    """What is to be said of a recording."""
+    """Replay a recording, and return what is to be said of it."""
     text = io.StringIO()
     console = Console(
         file=text, width=job.width, force_terminal=job.width is not None, highlight=False

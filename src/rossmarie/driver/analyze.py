@@ -14,7 +14,7 @@ from rossmarie.driver.pipeline import Compiled, RulesError, check_file, compile_
 from rossmarie.ir import Machine
 
 TOGGLE_NS = 1_000_000_000
-"""How soon a rule may not toggle, where nothing else is said, in nanoseconds."""
+"""The time within which a rule may not toggle, where nothing else is said, in nanoseconds."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,7 @@ def analyzed(
 
 
 def _is_told(machine: Machine, found: Diagnostic, checked: Sequence[Diagnostic]) -> bool:
-    """Whether the check has said of a rule by its text that nothing clears it (ROSS408)."""
+    """Say whether the check has said of a rule by its text that nothing clears it (ROSS408)."""
     if found.code != "ROSS707":
         return False
     rule = next(rule for rule in machine.rules if rule.head == found.primary.span)

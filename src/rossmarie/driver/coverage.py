@@ -1,4 +1,4 @@
-"""What recordings exercise of a rules file, and how much its thresholds leave to spare."""
+"""Coverage of a rules file by recordings, and the room that they leave to its thresholds."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ Progress = Callable[[float], None]
 
 @dataclass(frozen=True)
 class Exercised:
-    """What recordings cover, why some goals cannot be reached, how far each threshold can go, and
-    the findings on rules and recordings. `sources` are the files of the rules, `length_ns` is how
-    long the recordings are together.
+    """The goals that recordings cover, why some goals cannot be reached, how far each threshold can
+    go, and the findings on rules and recordings. `sources` are the files of the rules. `length_ns`
+    is the time that the recordings take together.
     """
 
     coverage: Coverage
@@ -115,7 +115,7 @@ def trace_of(
     topic_map: Mapping[str, str],
     collector: Collector,
 ) -> Trace:
-    """What the monitor would get of a recording."""
+    """The updates that the monitor would get of a recording."""
     with open_recording(path, message_folders) as recording:
         collector.extend(recording.findings)
         batches = recording.batches(machine, collector, topic_map)
@@ -143,7 +143,9 @@ def _replay(
     traces: Sequence[Trace],
     histories: Sequence[History],
 ) -> Replay:
-    """What runs whatever rests on a threshold: all of the machine if that cannot be told apart."""
+    """A function that runs whatever rests on a threshold: all of the machine if that cannot be told
+    apart.
+    """
     cone = cone_of(machine, threshold.truths)
     if cone is None:
         return lambda candidate: replayed(candidate, traces)
@@ -153,7 +155,7 @@ def _replay(
 
 
 def replayed(machine: Machine, traces: Sequence[Trace]) -> Verdicts:
-    """What all rules of a machine say of traces."""
+    """The verdicts of all rules of a machine on traces."""
     source = python.source(machine)
     found = []
     for trace in traces:

@@ -1,4 +1,4 @@
-"""What the compiler holds after each of its stages, as readable text or as JSON."""
+"""The results of each stage of the compiler, as readable text or as JSON."""
 
 from __future__ import annotations
 

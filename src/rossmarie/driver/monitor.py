@@ -45,11 +45,11 @@ NATIVE = "native"
 PYTHON = "python"
 
 Value: TypeAlias = float | bool | str | Sequence[float]
-"""What a message field holds: a number, a flag, a string, or the elements of an array."""
+"""The content of a message field: a number, a flag, a string, or the elements of an array."""
 
 
 class Run(Protocol):
-    """What a run over whole columns found; worked out when it is asked for."""
+    """The findings of a run over whole columns; worked out when they are asked for."""
 
     @property
     def events(self) -> list[Event]:
@@ -57,7 +57,7 @@ class Run(Protocol):
 
     @property
     def active(self) -> NDArray[np.bool_]:
-        """Which rules were active after each row: of shape (rows, rules).
+        """The rules that were active after each row: of shape (rows, rules).
 
         Raises `ValueError` if the run was not asked for it.
         """

@@ -1,4 +1,4 @@
-"""Which files and folders were generated from which rules, so that nothing else is replaced."""
+"""The rules from which files and folders were generated, so that nothing else is replaced."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def check_own(path: Path, present: bytes, text: str, rules: Path) -> None:
 
 
 def is_of(present: str, text: str, rules: Path) -> bool:
-    """Whether the file with the text `present` was generated from the rules that gave `text`."""
+    """Say whether the file with the text `present` is from the rules that gave `text`."""
     of_these = {rules.name, rules.stem, *origins(text)}
     return not origins(present).isdisjoint(of_these)
 

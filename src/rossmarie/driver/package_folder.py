@@ -1,4 +1,4 @@
-"""Whether a package may be generated into a folder that holds one already."""
+"""Decide whether a package may be generated into a folder that holds one already."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ PACKAGE_XML = "package.xml"
 LARGEST_FILE = 256 << 10
 """Bytes of a `package.xml`."""
 DEEPEST = 50
-"""How deep its elements may lie in each other."""
+"""The most elements that may lie in each other."""
 
 
 class Generation(enum.Enum):

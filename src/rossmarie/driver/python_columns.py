@@ -14,14 +14,14 @@ from rossmarie.native import FLAG_VALUES, Columns
 
 @dataclass(frozen=True, eq=False)
 class PythonRun:
-    """What a run over some rows said."""
+    """The findings of a run over some rows."""
 
     events: list[Event]
     asked_active: NDArray[np.bool_] | None
 
     @property
     def active(self) -> NDArray[np.bool_]:
-        """Which rules were active after each row: of shape (rows, rules).
+        """The rules that were active after each row: of shape (rows, rules).
 
         Raises `ValueError` if the run was not asked for it.
         """

@@ -42,7 +42,7 @@ class PythonMonitor:
 
     @property
     def active(self) -> tuple[bool, ...]:
-        """Which rules are active, by index."""
+        """The rules that are active, by index."""
         active: tuple[bool, ...] = self._generated.active()
         return active
 

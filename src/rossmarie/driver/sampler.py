@@ -61,7 +61,7 @@ class Sampler:
         self._noted = 0
 
     def plots(self, start_ns: int) -> tuple[Plot, ...]:
-        """What has been sampled."""
+        """The plots of what has been sampled."""
         self._thin()
         first_ns = start_ns if self._first_ns is None else self._first_ns
         return tuple(

@@ -1,4 +1,4 @@
-"""What is shown of very many findings: the first of each file, and that there are more."""
+"""The part of very many findings that is shown: the first of each file, and that there are more."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ from rossmarie.verification.reactor_harness import reactor_harness
 
 @dataclass(frozen=True)
 class Questions:
-    """What is to be shown of a rules file: `programs`, each with its checks, about `files`."""
+    """The questions about a rules file: `programs`, each with its checks, about `files`."""
 
     compiled: Compiled
     files: Mapping[str, str]

@@ -58,7 +58,7 @@ def witness_tests(
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
 ) -> WitnessTests | None:
-    """What shows the findings on rules as a file of tests at `path`; None if nothing does. Raises
+    """A file of tests at `path` that shows the findings on rules; None if nothing does. Raises
     `RulesError`.
     """
     showing = list(_with_witness(analysis.findings))
@@ -98,7 +98,7 @@ def witness_tests(
 
 
 def is_foreign(path: Path) -> bool:
-    """Whether there is a file that none of these would replace. Raises `OSError`."""
+    """Say whether there is a file that none of these would replace. Raises `OSError`."""
     if not path.exists():
         return False
     with path.open(encoding="utf-8", errors="replace") as stream:

@@ -91,8 +91,8 @@ class _Loader:
         stack.append((module, _imports(module, path.parent)))
 
     def _is_rules_file(self, path: Path) -> bool:
-        """Whether it may be read as rules. `main` may be called as its user likes, but must not be
-        a link to a file of another kind.
+        """Say whether a file may be read as rules. `main` may be called as its user likes, but must
+        not be a link to a file of another kind.
         """
         return ending(path) in (_RULES, self.main.suffix.lower() if path == self.main else _RULES)
 

@@ -29,13 +29,13 @@ _BLOCKED = FieldBounds(1.0, 0.0, 0.0)
 
 @dataclass
 class Force:
-    """Whether a limit is in force, and since when it is being lifted if it is not."""
+    """The state of a limit: in force, or since when it is being lifted."""
 
     is_on: bool = False
     lifted_ns: int | None = None
 
     def moved(self, ramp: float | None, at_ns: int) -> float:
-        """How far what the limit bounds has moved out of its way."""
+        """The way that what the limit bounds has moved out of its way."""
         if self.is_on:
             return 0.0
         if self.lifted_ns is None or ramp is None:
@@ -44,7 +44,7 @@ class Force:
 
 
 class Filter:
-    """What lies on the command topics: limits in force, and those that are being lifted."""
+    """The limits on the command topics: those in force, and those that are being lifted."""
 
     def __init__(self, reactions: Reactions) -> None:
         self._reactions = reactions

@@ -38,7 +38,7 @@ class Interpreter:
 
     @property
     def active(self) -> tuple[bool, ...]:
-        """Which rules are active, by index."""
+        """The rules that are active, by index."""
         return tuple(self._active)
 
     @property
@@ -57,17 +57,17 @@ class Interpreter:
 
     @property
     def watches(self) -> tuple[TruthValue, ...]:
-        """What the watched truths are worth, by index; unknown before the first event."""
+        """The values of the watched truths, by index; unknown before the first event."""
         found = (self._memory.truths[truth] for truth in self._machine.watches)
         return tuple(TruthValue.UNKNOWN if value is None else value for value in found)
 
     @property
     def input_states(self) -> tuple[InputState, ...]:
-        """What is known of each input, by index."""
+        """The states of the inputs, by index."""
         return tuple(present.state for present in self._memory.inputs)
 
     def age_ns(self, used: int) -> int | None:
-        """How old the last message of an input is; None before the first."""
+        """The age of the last message of an input; None before the first."""
         present = self._memory.inputs[used]
         if present.state is InputState.NEVER or self._memory.now_ns is None:
             return None
@@ -148,7 +148,7 @@ class Interpreter:
         return Change.CLEARED if self._truth(rule.release) is TruthValue.TRUE else None
 
     def _is_over(self, index: int) -> bool:
-        """Whether a rule is active and its condition false."""
+        """Say whether a rule is active and its condition false."""
         condition = self._machine.rules[index].condition
         return self._active[index] and self._truth(condition) is TruthValue.FALSE
 

@@ -1,4 +1,4 @@
-"""What a monitor remembers between two evaluations. Bounded: nothing here grows with the trace."""
+"""The memory of a monitor between two evaluations. Bounded: nothing here grows with the trace."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ class Oscillation:
         self.extreme = NAN
 
     def look(self, window_ns: int, at_ns: int) -> TruthValue:
-        """Whether enough turning points lie in the window, the signal being finite."""
+        """Say whether enough turning points lie in the window, the signal being finite."""
         if self.gap_end_ns is None:
             self.gap_end_ns = at_ns
         oldest_ns = self.oldest_ns()

@@ -43,7 +43,7 @@ _IN_FORCE = frozenset((State.RUNNING, State.HOLDING))
 
 @dataclass
 class Progress:
-    """What is remembered of a task."""
+    """The memory of a task."""
 
     state: State = State.IDLE
     started_ns: int = 0
@@ -52,7 +52,7 @@ class Progress:
 
 @dataclass
 class Engagement:
-    """What is remembered of an engaged rule: the stage it is at, and its tasks as they started."""
+    """The memory of an engaged rule: the stage it is at, and its tasks as they started."""
 
     stage: int = 0
     started: list[int] = field(default_factory=list)
@@ -124,7 +124,7 @@ class Reactor:
         return min((due_ns for due_ns in ends if due_ns > self._now_ns), default=None)
 
     def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
-        """What lies on the fields of a command topic at an instant (R11)."""
+        """The bounds on the fields of a command topic at an instant (R11)."""
         return self._filter.bounds(at_ns, command)
 
     def _engaged(self, active: Sequence[bool]) -> list[bool]:
@@ -327,7 +327,7 @@ class Reactor:
         return self._reactions.tasks[task].effect
 
     def _rests(self, rule: int) -> bool:
-        """Whether a rule is not engaged."""
+        """Say whether a rule is not engaged."""
         return self._engagements[rule] is None
 
     def _engagement(self, rule: int) -> Engagement:

@@ -39,7 +39,7 @@ class Batch:
 
 
 class Taken(NamedTuple):
-    """What a monitor found in a batch: events, and samples of some signals.
+    """The findings of a monitor in a batch: events, and samples of some signals.
 
     `values` has the shape (samples, signals): the values after each update, and before it wherever
     a timer was due. They are in SI units, and NaN where they are unknown.

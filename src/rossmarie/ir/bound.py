@@ -1,4 +1,5 @@
-"""How many evaluations one call of a monitor can take, from the structure of its machine alone.
+"""Bound the evaluations that one call of a monitor can take, from the structure of its machine
+alone.
 
 Before an event the wakes that fell due are run (S13), each at an instant of its own at which at
 least one timer is due; after a jump backwards there are none (S17). So there are at most as many as
@@ -37,8 +38,9 @@ def most_evaluations(machine: ir.Machine) -> int:
 
 
 def wakes(machine: ir.Machine) -> Iterator[tuple[ir.Input | ir.Truth, int]]:
-    """How many evaluations each input and each truth adds, from left to right: how often its timer
-    falls due in one call, 0 if it has none or shares that of one before it.
+    """The evaluations that each input and each truth adds, from left to right: the number of times
+    that its timer falls due in one call. It is 0 if there is no timer, or if it shares that of one
+    before it.
     """
     counted = _Counted(machine)
     for declared in machine.inputs:

@@ -24,17 +24,17 @@ def raw_of(source: Slot | Array, si: float) -> float:
 
 
 def carries(source: Slot | Array, si: float) -> bool:
-    """Whether a field can carry a value in SI."""
+    """Say whether a field can carry a value in SI."""
     return source.limits is None or is_carried(source.limits, (si - source.offset) / source.scale)
 
 
 def holds_flags(array: Array) -> bool:
-    """Whether the elements are truths."""
+    """Say whether the elements are truths."""
     return array.limits == FLAG_LIMITS
 
 
 def is_carried(limits: Limits, raw: float) -> bool:
-    """Whether a field with such limits can carry a number, up to rounding."""
+    """Say whether a field with such limits can carry a number, up to rounding."""
     if not math.isfinite(raw):
         return False
     near = round(raw)

@@ -19,7 +19,7 @@ from rossmarie.ir.verdict import Change, InputState, TruthValue, Verdict
 
 @dataclass(frozen=True)
 class Reading:
-    """What a signal was, in the unit in which the user sees it; `shown` is value and unit."""
+    """The value of a signal, in the unit in which the user sees it; `shown` is value and unit."""
 
     signal: int
     text: str
@@ -126,7 +126,7 @@ def explain(machine: ir.Machine, verdict: Verdict) -> Explanation:
 
 
 class _Snapshot:
-    """What a verdict tells, by the indexes of the machine."""
+    """The content of a verdict, by the indexes of the machine."""
 
     def __init__(self, machine: ir.Machine, verdict: Verdict) -> None:
         rule = machine.rules[verdict.rule]
@@ -137,7 +137,7 @@ class _Snapshot:
         self._inputs = dict(zip(rule.inputs, verdict.inputs, strict=True))
 
     def causes(self, condition: int) -> Iterator[Cause]:
-        """What decided a condition, from left to right."""
+        """The causes that decided a condition, from left to right."""
         waiting: list[tuple[int, str | None]] = [(condition, None)]
         while waiting:
             truth, around = waiting.pop()
@@ -182,7 +182,7 @@ class _Snapshot:
                 return ()
 
     def _is_unit(self, truth: int) -> bool:
-        """Whether a truth is told as a whole: a leaf, a duration, or the negation of one."""
+        """Say whether a truth is told as a whole: a leaf, a duration, or the negation of one."""
         node = self._machine.truths[truth].node
         while isinstance(node, ir.Not):
             node = self._machine.truths[node.operand].node
@@ -218,7 +218,7 @@ class _Snapshot:
         return next(self._since_ns[i] for i in self._chain(truth) if i in self._since_ns)
 
     def _compared(self, truth: int, *, constant: bool) -> Iterator[int]:
-        """What the leaves that decided compare, each signal once."""
+        """The signals that the leaves that decided compare, each once."""
         signals: dict[int, None] = {}
         waiting = [truth]
         while waiting:

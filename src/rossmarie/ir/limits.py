@@ -1,5 +1,5 @@
-"""How far apart instants may lie, so that a target can compute with 64-bit integers, and how long
-a call may take.
+"""Limits of instants, so that a target can compute with 64-bit integers, and of the time that a
+call may take.
 
 An instant plus a duration, and the difference of two instants, never leave the range of int64.
 """
@@ -16,4 +16,5 @@ LONGEST_NS = 2**61
 """Durations lie below this (73 years)."""
 
 MOST_EVALUATIONS = 10_000
-"""What one call of a monitor may take, however long the silence before it was."""
+"""The most evaluations that one call of a monitor may take, however long the silence before it was.
+"""

@@ -1,4 +1,4 @@
-"""How a machine that breaks its own rules is refused: the first defect, where it is and what."""
+"""The refusal of a machine that breaks its own rules: the first defect, where it is and what."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What one message brings to a monitor; the same for every target."""
+"""The content of one message for a monitor; the same for every target."""
 
 from __future__ import annotations
 

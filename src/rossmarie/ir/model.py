@@ -21,7 +21,7 @@ from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 
 
 class Kind(enum.Enum):
-    """What the message field behind a slot or array holds."""
+    """The kind of message field behind a slot or array."""
 
     REAL = "real"
     FLAG = "flag"
@@ -127,7 +127,7 @@ class Element:
 
 
 class Folding(enum.Enum):
-    """How the elements of an array become one number."""
+    """The ways in which the elements of an array become one number."""
 
     MINIMUM = "minimum"
     MAXIMUM = "maximum"
@@ -347,7 +347,7 @@ class Rule:
 
 @dataclass(frozen=True)
 class Hazard:
-    """What may happen, in words, that rules are there to mitigate (ISO 12100, 3.6)."""
+    """A hazard, in words, that rules are there to mitigate (ISO 12100, 3.6)."""
 
     name: str
     text: str

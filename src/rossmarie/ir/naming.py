@@ -1,4 +1,5 @@
-"""What users call the fields that a machine reads: by input, and by as much path as it takes.
+"""Names that users give to the fields that a machine reads: by input, and by as much path as it
+takes.
 
 An input that carries one field is called by its name alone (`speed`); where there are several,
 the last words of the path tell them apart (`orientation.x`). Any longer ending is good as well.

@@ -1,4 +1,4 @@
-"""What becomes of tasks that wait while another rule has what they need: when they have failed.
+"""The fate of tasks that wait while another rule has what they need: when they have failed.
 
 Written down in `docs/explanation/reactions.md` (R7, R8, R15).
 """
@@ -10,21 +10,21 @@ from rossmarie.ir.reactions import Effect, Reactions, Task
 
 
 def fails_at_once(task: Task) -> bool:
-    """Whether it fails as soon as it waits. Nobody awaits its end, so no time says when it has
-    waited too long; and something follows.
+    """Say whether a task fails as soon as it waits. Nobody awaits its end, so no time says when it
+    has waited too long; and something follows.
     """
     is_awaited = reactions.timeout_ns(task.effect) is not None
     return reactions.waits(task.effect) and not is_awaited and bool(task.otherwise)
 
 
 def may_be_overdue(task: Task) -> bool:
-    """Whether it can fail while it waits."""
+    """Say whether a task can fail while it waits."""
     is_awaited = reactions.timeout_ns(task.effect) is not None
     return fails_at_once(task) or (reactions.waits(task.effect) and is_awaited)
 
 
 def can_fail(task: Task) -> bool:
-    """Whether it can ever get the order FAILED."""
+    """Say whether a task can ever get the order FAILED."""
     is_awaited = reactions.timeout_ns(task.effect) is not None
     is_lost = task.resource is not None and not reactions.waits(task.effect)
     return is_awaited or is_lost or fails_at_once(task)
@@ -34,7 +34,7 @@ Deed = tuple[object, ...]
 
 
 def deed(effect: Effect) -> Deed | None:
-    """What an effect does to its resource, if several tasks can do that together, or one in the
+    """The deed of an effect on its resource, if several tasks can do that together, or one in the
     place of another.
     """
     match effect:
@@ -54,14 +54,14 @@ def deed(effect: Effect) -> Deed | None:
 
 
 def only_deed(found: Reactions, rule: int, resource: int) -> Deed | None:
-    """What a rule does with a resource, if it does one thing only."""
+    """The deed of a rule on a resource, if it does one thing only."""
     tasks = (found.tasks[task] for task in found.plans[rule].tasks)
     first, *others = {deed(task.effect) for task in tasks if task.resource == resource}
     return None if others else first
 
 
 def does_the_same(found: Reactions, task: int, owner: int) -> bool:
-    """Whether all that the owner does with the resource of a task is what the task itself does."""
+    """Say whether the owner does with the resource of a task only what the task itself does."""
     declared = found.tasks[task]
     own = deed(declared.effect)
     if own is None or declared.resource is None:
@@ -70,6 +70,6 @@ def does_the_same(found: Reactions, task: int, owner: int) -> bool:
 
 
 def is_shared(found: Reactions, task: int, owner: int) -> bool:
-    """Whether the owner of what a task needs lets it do so: both only publish the same (R2)."""
+    """Say whether the owner of what a task needs lets it do so: both only publish the same (R2)."""
     is_published = isinstance(found.tasks[task].effect, reactions.Publish)
     return is_published and does_the_same(found, task, owner)

@@ -131,7 +131,7 @@ class SwitchControllers:
 
 
 class Interrupted(enum.Enum):
-    """What becomes of the goal that was interrupted, on release."""
+    """The fate of the goal that was interrupted, on release."""
 
     DROP = "drop"
     RESEND = "resend"
@@ -162,7 +162,7 @@ class CancelGoal:
 
 
 class Level(enum.Enum):
-    """How bad it is."""
+    """The gravity of a message."""
 
     DEBUG = "debug"  # logs only
     INFORMATION = "info"
@@ -233,7 +233,7 @@ class Action:
 
 @dataclass(frozen=True)
 class Plan:
-    """What a rule does: stages one after the other; the tasks of a stage side by side.
+    """The plan of a rule: stages one after the other; the tasks of a stage side by side.
 
     `tasks` are all of it in the order in which they stand in the file, escalations included. It is
     not carried out while one of the rules `unless` is active.
@@ -246,9 +246,9 @@ class Plan:
 
 @dataclass(frozen=True)
 class Reactions:
-    """What the rules of a machine do. `plans` has one entry for each rule; `order` are the rules
-    from the first to the last that gets a resource that several need; `priorities` are the pairs of
-    rules of which the first was put over the second.
+    """The reactions of the rules of a machine. `plans` has one entry for each rule; `order` are the
+    rules from the first to the last that gets a resource that several need; `priorities` are the
+    pairs of rules of which the first was put over the second.
     """
 
     commands: tuple[CommandTopic, ...]
@@ -267,7 +267,7 @@ NO_REACTIONS = Reactions((), (), (), (), (), ())
 
 
 def timeout_ns(effect: Effect) -> int | None:
-    """How long the end of an effect is awaited; None if nothing is."""
+    """The time for which the end of an effect is awaited; None if nothing is."""
     match effect:
         case Call() | SetParameter() | SwitchControllers() | SendGoal() | CancelGoal():
             return effect.timeout_ns
@@ -276,7 +276,9 @@ def timeout_ns(effect: Effect) -> int | None:
 
 
 def is_lasting(effect: Effect) -> bool:
-    """Whether it stays in force after it is done, so that something is undone on release."""
+    """Say whether an effect stays in force after it is done, so that something is undone on
+    release.
+    """
     match effect:
         case Publish(period_ns=period_ns):
             return period_ns is not None
@@ -293,8 +295,8 @@ def is_lasting(effect: Effect) -> bool:
 
 @dataclass(frozen=True)
 class Target:
-    """What an effect needs for itself: `controller manager /controller_manager`. `name` is the
-    ROS name; a parameter is told apart by its own behind that.
+    """The target that an effect needs for itself: `controller manager /controller_manager`. `name`
+    is the ROS name; a parameter is told apart by its own behind that.
     """
 
     kind: str
@@ -306,7 +308,7 @@ class Target:
 
 
 def target_of(effect: Effect) -> Target | None:
-    """What an effect needs for itself; None if it shares (R2)."""
+    """The target that an effect needs for itself; None if it shares (R2)."""
     match effect:
         case Publish(topic=topic):
             return Target("topic", topic)
@@ -323,7 +325,7 @@ def target_of(effect: Effect) -> Target | None:
 
 
 def waits(effect: Effect) -> bool:
-    """Whether it waits for its resource while another rule has it; others fail then."""
+    """Say whether an effect waits for its resource while another rule has it; others fail then."""
     match effect:
         case Publish(period_ns=period_ns):
             return period_ns is not None
@@ -349,7 +351,7 @@ def confirmation(effect: Effect) -> int | None:
 
 
 class OrderKind(enum.Enum):
-    """What is to be done with a task, or has become of it."""
+    """The things to do with a task, or the things that have become of it."""
 
     START = "start"
     STOP = "stop"  # its rule was released: undo it
@@ -359,7 +361,7 @@ class OrderKind(enum.Enum):
 
 @dataclass(frozen=True)
 class Order:
-    """What whoever performs has to do, or to know. `by` is the rule that overrules."""
+    """An order to whoever performs: a thing to do, or to know. `by` is the rule that overrules."""
 
     kind: OrderKind
     task: int
@@ -368,7 +370,7 @@ class Order:
 
 @dataclass(frozen=True)
 class FieldBounds:
-    """What lies on a field of a command: x becomes `min(max(x * factor, low), high)`, and 0 if it
+    """The bounds on a field of a command: x becomes `min(max(x * factor, low), high)`, and 0 if it
     is not finite.
     """
 

@@ -70,9 +70,9 @@ class Expectation:
 
 @dataclass(frozen=True)
 class CommandExpectation:
-    """What the safety filter lets through in a field of a command lies in `[low, high]`, whatever
-    comes in, at every instant from `first_ns` to `last_ns`, both included; in the unit of the
-    message, which is `unit`.
+    """The expectation that what the safety filter lets through in a field of a command lies in
+    `[low, high]`, whatever comes in, at every instant from `first_ns` to `last_ns`, both included;
+    in the unit of the message, which is `unit`.
     """
 
     topic: str

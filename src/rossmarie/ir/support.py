@@ -1,4 +1,4 @@
-"""What a signal or a truth rests on: questions about a machine that every target asks.
+"""The support of a signal or a truth: questions about a machine that every target asks.
 
 Takes a machine whose operands stand before their users; answers never depend on values.
 """
@@ -93,7 +93,7 @@ def compared_signals(node: ir.TruthNode) -> tuple[int, ...]:
 
 
 def is_leaf(node: ir.TruthNode) -> bool:
-    """Whether a truth looks at numbers, arrays or ages instead of other truths."""
+    """Say whether a truth looks at numbers, arrays or ages instead of other truths."""
     match node:
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
@@ -105,7 +105,7 @@ def is_leaf(node: ir.TruthNode) -> bool:
 
 
 def supports(machine: ir.Machine) -> Supports:
-    """What every signal and truth rests on; an elementwise one rests on its array."""
+    """The support of every signal and truth; an elementwise one rests on its array."""
     elements = _element_truth_supports(machine)
     signals: list[Support] = []
     for index, signal in enumerate(machine.signals):
@@ -197,7 +197,7 @@ class ElementArrays:
 
 
 def element_arrays(machine: ir.Machine) -> ElementArrays:
-    """Which signals and truths exist once for each element, and of which array.
+    """The signals and truths that exist once for each element, and the array of each.
 
     Raises `ValueError` if one takes elements of two arrays.
     """

@@ -1,4 +1,4 @@
-"""What a monitor says: which rule became active or cleared, when, and why.
+"""The verdicts of a monitor: a rule that became active or cleared, when, and why.
 
 Every target yields these same values, bit for bit.
 """
@@ -22,7 +22,7 @@ class TruthValue(enum.IntEnum):
 
 
 class Change(enum.IntEnum):
-    """What happened to a rule."""
+    """The change of a rule."""
 
     CLEARED = 0
     ACTIVATED = 1
@@ -30,7 +30,7 @@ class Change(enum.IntEnum):
 
 
 class InputState(enum.IntEnum):
-    """What is known of an input."""
+    """The state of an input."""
 
     NEVER = 0
     FRESH = 1

@@ -1,4 +1,4 @@
-"""Whether a machine is well formed: run between passes, so that no target has to ask again.
+"""Verify that a machine is well formed: run between passes, so that no target has to ask again.
 
 Takes any machine. When `verify` returns, every index is in range, every operand stands before its
 user, elementwise nodes stand only below a fold, a count or a quantifier, constants and scales are

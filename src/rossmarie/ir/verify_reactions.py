@@ -1,4 +1,4 @@
-"""Whether the reactions of a machine are well formed. A part of `verify`.
+"""Verify that the reactions of a machine are well formed. A part of `verify`.
 
 Afterwards every index is in range, every task stands in the plan of one rule and starts at one
 place of it, bounds let zero pass and are finite, and durations are as those of the machine.

@@ -19,7 +19,7 @@ from rossmarie.units import DIMENSIONLESS, Unit
 
 @dataclass(frozen=True)
 class Shown:
-    """How a signal or truth looks to the user, and where it stands."""
+    """The look of a signal or truth to the user, and the place where it stands."""
 
     text: str
     span: Span

@@ -45,7 +45,7 @@ class Plans:
     _drafts: list[_Draft] = field(default_factory=list)
 
     def lower(self) -> ir.Reactions:
-        """What the rules do; truths are added to the machine for the confirmations."""
+        """The reactions of the rules; truths are added to the machine for the confirmations."""
         plans = tuple(
             self._plan(rule, unless)
             for rule, unless in zip(self.program.rules, self.program.unless, strict=True)

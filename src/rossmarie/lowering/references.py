@@ -1,4 +1,4 @@
-"""Which named conditions an expression refers to."""
+"""The named conditions to which an expression refers."""
 
 from __future__ import annotations
 

@@ -15,5 +15,5 @@ _PIECE = re.compile(
 
 
 def words(span: Span) -> str:
-    """What stands at a span, without comments and line breaks."""
+    """The text at a span, without comments and line breaks."""
     return _PIECE.sub(lambda piece: piece["literal"] or " ", span.text).strip()

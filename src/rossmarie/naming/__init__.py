@@ -1,4 +1,4 @@
-"""What the parts of a guard are called, by which its users, other nodes and reports know them."""
+"""Names of the parts of a guard, by which its users, other nodes and reports know them."""
 
 from rossmarie.naming.effects import effect_words
 from rossmarie.naming.identifiers import c_identifier, public_prefix

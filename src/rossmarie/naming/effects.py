@@ -1,4 +1,4 @@
-"""What effects are called: in messages of the node, in its README, in comments and in reports."""
+"""Names of effects: in messages of the node, in its README, in comments and in reports."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the public names of the generated C begin with: the name of a rules file as an identifier.
+"""The prefix of the public names of the generated C: the name of a rules file as an identifier.
 
 Takes any text; gives a word that C and C++ do not have, and that the generated C does not use.
 """
@@ -23,7 +23,7 @@ _LANGUAGE = """
     xor_eq linux unix
 """
 
-# What the generated functions call and name themselves, where a field of a message is a parameter.
+# Names that the generated functions call and have, where a field of a message is a parameter.
 _GENERATED = """
     arrive arrived asin atan2 before begin both catch_up compute cross either element_truth events
     every evaluate fabs first follow how_many i index_t is_calm is_inside is_pending isfinite isnan
@@ -31,7 +31,7 @@ _GENERATED = """
     sqrt t_ns tick visit window_middle
 """
 
-# What the names that the generated C keeps to itself begin with, up to the first underscore; a test
+# Beginnings, up to the first underscore, of names that the generated C keeps to itself; a test
 # collects them.
 _PRIVATE = """
     above age always append are arithmetic array at before begins below by catch change channel
@@ -63,7 +63,7 @@ def c_identifier(text: str) -> str:
 
 
 def public_prefix(program: str) -> str:
-    """What all public names of a monitor begin with: the name of its rules file, unless that makes
+    """The prefix of all public names of a monitor: the name of its rules file, unless that makes
     names that the monitor has inside, as `rule_values` of `rule.ross` would be.
     """
     word = c_identifier(program)

@@ -1,4 +1,6 @@
-"""What others call the node that is built from a machine, and where commands and goals enter it."""
+"""The names by which others call the node that is built from a machine, and the names where
+commands and goals enter it.
+"""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ class SampleTable:
 
     @property
     def is_full(self) -> bool:
-        """Whether there is no room left."""
+        """True if there is no room left."""
         return bool(self.pointer.count == self.pointer.room)
 
     def move_out(self) -> tuple[NDArray[np.int64], NDArray[np.float64]]:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from rossmarie import ir
 
 FLAG_VALUES = (0.0, 1.0, float("nan"))
-"""What the bytes of a column of flags stand for; `host.c` has the same table."""
+"""The values that the bytes of a column of flags stand for; `host.c` has the same table."""
 
 _UNKNOWN_FLAG = 2
 _WANTED = {ir.Kind.REAL: "numbers", ir.Kind.FLAG: "flags"}
@@ -76,7 +76,7 @@ def fit(
 def _chosen(
     given: Mapping[str, NDArray[np.generic]], fields: tuple[frozenset[str], ...]
 ) -> list[str]:
-    """Which of the given columns feeds each field."""
+    """The given column that feeds each field."""
     chosen = []
     for names in fields:
         fitting = sorted(names & given.keys())

@@ -17,7 +17,7 @@ from typing import Any
 
 import cffi
 
-# What cffi gives out has no static types; it does not leave this file but as `Pointer`.
+# Things that cffi gives out have no static types; they leave this file only as `Pointer`.
 Pointer = Any
 
 
@@ -54,7 +54,7 @@ class Library:
         return self._ffi.new(kind, initial)
 
     def is_null(self, pointer: Pointer) -> bool:
-        """Whether a pointer leads nowhere."""
+        """Say whether a pointer leads nowhere."""
         return bool(pointer == self._ffi.NULL)
 
     def text_at(self, pointer: Pointer) -> str | None:

@@ -111,7 +111,7 @@ class NativeMonitor:
 
     @property
     def active(self) -> tuple[bool, ...]:
-        """Which rules are active, by index."""
+        """The rules that are active, by index."""
         bits = self.library.bytes_at(self._call("host_active"), self.active_bytes)
         rules = range(len(self._machine.rules))
         return tuple(bool(bits[rule // 8] >> rule % 8 & 1) for rule in rules)
@@ -259,7 +259,7 @@ class NativeMonitor:
         return rows
 
     def result(self, log: bytes, packed: NDArray[np.uint8] | None) -> RunResult:
-        """What a run says."""
+        """The findings of a run."""
         return RunResult(self._machine, self._reader, log, packed)
 
     # --- calls -------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""What comes back from a run over many rows, worked out when it is asked for."""
+"""The findings of a run over many rows, worked out when they are asked for."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rossmarie.native.events import EventReader
 
 @dataclass(eq=False)
 class RunResult:
-    """What a run over many rows said.
+    """The findings of a run over many rows.
 
     `packed_active` has a row of bytes for every row of the run, with the bit of rule r at bit
     `r % 8` of byte `r // 8`; it is None if it was not asked for.
@@ -33,7 +33,7 @@ class RunResult:
 
     @cached_property
     def active(self) -> NDArray[np.bool_]:
-        """Which rules were active after each row: of shape (rows, rules).
+        """The rules that were active after each row: of shape (rows, rules).
 
         Raises `ValueError` if the run was not asked for it.
         """

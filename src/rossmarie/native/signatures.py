@@ -59,7 +59,7 @@ size_t host_take(host *, size_t, host_batch *, host_samples *);
 
 @dataclass(frozen=True)
 class Fields:
-    """What the messages of one channel carry, as indexes of the machine."""
+    """The fields that the messages of one channel carry, as indexes of the machine."""
 
     slots: tuple[int, ...]
     arrays: tuple[int, ...]

@@ -46,7 +46,7 @@ _NO_CLOCK = "their stamps are out of range: no clock runs that long"
 
 @dataclass(frozen=True)
 class _Reading:
-    """How the messages of one topic are decoded, and which channels read them.
+    """The decoding of the messages of one topic, and the channels that read them.
 
     `unfit` counts the messages that are passed over, by the reason.
     """
@@ -151,7 +151,7 @@ class BagRecording:
             self._report_unfit(topic, reading, collector)
 
     def _fit(self, stored: Packed, readings: Mapping[str, _Reading]) -> NDArray[np.bool_]:
-        """Which messages are not passed over; the others are counted."""
+        """The messages that are not passed over; the others are counted."""
         is_odd_type = np.array([self._odd_type(each) is not None for each in stored.connections])
         is_early, is_late = stored.times_ns <= EARLIEST_NS, stored.times_ns >= LATEST_NS
         is_unfit = is_odd_type[stored.senders] | is_early | is_late
@@ -222,8 +222,8 @@ class _Last:
         self._counts.update(batch.connections[sender].topic for sender in senders)
 
     def is_before(self, batch: Packed) -> NDArray[np.bool_]:
-        """Which messages come after those that were read: of one topic at one instant they are
-        stored in one order, however a file is read.
+        """The messages that come after those that were read. Messages of one topic at one instant
+        are stored in one order, however a file is read.
         """
         is_after = batch.times_ns >= self._at_ns
         for row in np.flatnonzero(batch.times_ns == self._at_ns).tolist():
@@ -235,7 +235,7 @@ class _Last:
 
 
 def _is_on(topic: str, messages: Packed) -> NDArray[np.bool_]:
-    """Which messages came on a topic."""
+    """The messages that came on a topic."""
     is_there = np.array([each.topic == topic for each in messages.connections], np.bool_)
     return is_there[messages.senders]
 

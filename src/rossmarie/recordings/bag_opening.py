@@ -73,7 +73,7 @@ def _span(storage: Storage) -> tuple[int, int] | None:
 
 
 def _setbacks(storage: Storage, path: Path) -> tuple[Diagnostic, ...]:
-    """What is found out about the clock, as long as the file is not damaged there."""
+    """The findings on the clock, as long as the file is not damaged there."""
     try:
         return find_setbacks(storage.arrivals(), path)
     except _ARRIVAL_FAILURES:
@@ -110,7 +110,7 @@ def _unpacked(file: Path, folder: Path, allowance: Allowance) -> Path:
 
 
 def _salvage(path: Path, files: Sequence[Path]) -> tuple[Storage, list[str]]:
-    """What is left of some files, and what is missing. Raises `RecordingError` if it is all."""
+    """The readable rest of some files, and the loss. Raises `RecordingError` if that is all."""
     parts: list[SalvageableStorage] = []
     losses = []
     with ExitStack() as opened:

@@ -75,7 +75,7 @@ class _Form:
             raise ValueError("a record of another kind")
 
     def fits(self, heads: NDArray[np.uint8]) -> NDArray[np.bool_]:
-        """Which heads are of this form."""
+        """The heads that are of this form."""
         found: NDArray[np.bool_] = np.all((heads == self._shown) | self._is_value, axis=1)
         return found
 

@@ -85,7 +85,7 @@ class _Waiting:
 
     @property
     def are_enough(self) -> bool:
-        """Whether so many are new that it is worth to look for those that are due."""
+        """True if so many are new that it is worth to look for those that are due."""
         is_batch = self._size >= _ENOUGH_BYTES or self._count >= _MOST_MESSAGES
         return is_batch and self._count >= len(self._old) // 2
 
@@ -113,7 +113,7 @@ def _in_batches(chunks: Chunks, rows: Rows) -> Iterator[Packed]:
 
 
 class Contents:
-    """What is in chunks; the last few are kept. `load` may raise one of `READER_FAILURES`."""
+    """The contents of chunks; the last few are kept. `load` may raise one of `READER_FAILURES`."""
 
     def __init__(self, load: Callable[[int], bytes]) -> None:
         self._load = load

@@ -21,7 +21,9 @@ from dslkit.diagnostics import Diagnostic
 from rossmarie.recordings.errors import ClockSetBack, at_file
 
 TOLERANCE_NS = 1_000_000_000
-"""How late a message may be stored: recorders write in several threads, and from caches."""
+"""The longest delay with which a message may be stored: recorders write in several threads, and
+from caches.
+"""
 
 Stamps: TypeAlias = "NDArray[np.int64] | NDArray[np.object_]"
 """Instants in nanoseconds; objects where one is beyond 64 bits."""

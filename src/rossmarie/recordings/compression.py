@@ -89,7 +89,7 @@ class _Stream:
 
     @property
     def is_whole(self) -> bool:
-        """Whether it could end here."""
+        """True if it could end here."""
         return self._current.eof
 
     def feed(self, data: bytes) -> Iterator[bytes]:
@@ -112,7 +112,7 @@ def decompress(compression: str, data: bytes, allowance: Allowance) -> bytes:
 
 
 def unpacked(file: Path, folder: Path, allowance: Allowance) -> Path:
-    """What a file that is compressed as a whole holds, as a file in `folder`.
+    """The content of a file that is compressed as a whole, as a file in `folder`.
 
     Raises one of `DECOMPRESSION_FAILURES`, `LimitError` among them.
     """

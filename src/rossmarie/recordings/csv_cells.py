@@ -74,7 +74,7 @@ class ChannelReader:
         self._text_numbers = {text: float(number) for number, text in enumerate(machine.texts)}
 
     def read(self, at_ns: int, cells: Sequence[str]) -> ChannelValues | None:
-        """What a row says; None if all cells of this channel are blank."""
+        """The values in a row; None if all cells of this channel are blank."""
         if not any(cells[column] for column in self._used):
             return None
         slots = {i: self._number(at_ns, cells, column) for i, column in self._numbers.items()}

@@ -1,4 +1,4 @@
-"""Which column of a CSV file holds which field, by the names of the columns."""
+"""The columns of a CSV file that hold the fields, by their names."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rossmarie.recordings.matching import Match
 
 _COMPARED = 200
 _ALIKE = 0.7
-"""How alike two names are, from 0 to 1, for one to be a slip of the other."""
+"""The likeness of two names, from 0 to 1, from which one may be a slip of the other."""
 
 
 @dataclass(frozen=True)
@@ -103,8 +103,8 @@ def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Co
 
 
 def _arrivals(match: Match, machine: Machine, has_fields: bool) -> Iterator[str]:
-    """What the column may be called that says that a message came. One that is called like an input
-    is meant for what that reads, if it reads anything.
+    """The names that the column may have that says that a message came. A column that is called
+    like an input is meant for what that reads, if it reads anything.
     """
     reads_nothing = not match.slots and not match.arrays
     if has_fields or reads_nothing:
@@ -122,7 +122,7 @@ def _elements(name: str, keys: Mapping[str, int]) -> tuple[int, ...]:
 
 
 def _names(match: Match, field: Slot | Array, machine: Machine) -> Iterator[str]:
-    """What the column of a field may be called, the most explicit first.
+    """The names that the column of a field may have, the most explicit first.
 
     How much of the path an input selects is not known here: behind the name of an input may stand
     any end of the path by which no other field of this input ends.

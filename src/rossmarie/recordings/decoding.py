@@ -32,15 +32,15 @@ DECODE_FAILURES: tuple[type[Exception], ...] = (
     TypeError,
     ValueError,
 )
-"""What decoding raises on content that does not match its definition."""
+"""The exceptions that decoding raises on content that does not match its definition."""
 
 _NOT_READ = float("nan")
 
 
 @dataclass(frozen=True, eq=False)
 class Decoded:
-    """What is read of each message, by slot and by array of the machine. `failures` are the
-    messages that cannot be decoded, of which nothing is known, with the reasons.
+    """The values that are read of each message, by slot and by array of the machine. `failures` are
+    the messages that cannot be decoded, of which nothing is known, with the reasons.
     """
 
     slots: Mapping[int, NDArray[np.float64]]
@@ -67,7 +67,7 @@ class Decoder:
         self._texts = {text.encode(): float(number) for number, text in enumerate(texts)}
 
     def decode(self, messages: Packed) -> Decoded:
-        """What is read of some messages."""
+        """The values that are read of some messages."""
         found = self._walked(messages)
         failures = []
         for row in np.flatnonzero(~found.is_done).tolist():

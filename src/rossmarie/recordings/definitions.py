@@ -46,7 +46,7 @@ def full_type(name: str) -> str:
 
 
 def is_standard(message_type: str) -> bool:
-    """Whether a type such as `sensor_msgs/Imu` is in a standard package of ROS 1 or ROS 2."""
+    """Say whether a type such as `sensor_msgs/Imu` is in a standard package of ROS 1 or ROS 2."""
     name = full_type(message_type)
     return any(name in _store(store).fielddefs for stores in _STANDARD.values() for store in stores)
 

@@ -28,7 +28,9 @@ Message = Any
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a machine reads of messages: slots and arrays with their indices in the machine."""
+    """The part of messages that a machine reads: slots and arrays with their indices in the
+    machine.
+    """
 
     slots: Mapping[int, Slot]
     arrays: Mapping[int, Array]

@@ -1,4 +1,4 @@
-"""Which files a path to a recording stands for."""
+"""The files for which a path to a recording stands."""
 
 from __future__ import annotations
 

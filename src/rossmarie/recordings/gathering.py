@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 
 def values_at(content: bytes, kind: str | np.dtype[Any], places: NDArray[np.int64]) -> NDArray[Any]:
-    """What stands at the places, each inside the content, as values of a kind of numpy."""
+    """The values at the places, each inside the content, as values of a kind of numpy."""
     if not len(places):
         return np.empty(0, kind)
     size = np.dtype(kind).itemsize

@@ -19,7 +19,7 @@ BYTES_OF_A_MESSAGE = 8
 LONGEST_LINE = 16 << 20
 """Characters of a line of a CSV file."""
 DEEPEST_TYPE = 50
-"""How deep message types may lie in each other."""
+"""The most message types that may lie in each other."""
 LONGEST_FIXED_ARRAY = 1000
 """Elements of an array of fixed length in a definition, unless they are numbers."""
 MOST_FIELDS = 100_000
@@ -35,15 +35,17 @@ class LimitError(ValueError):
 
 
 class Allowance:
-    """What the files of one recording, of so many bytes in all, may still be decompressed to."""
+    """The most bytes to which the files of one recording, of so many bytes in all, may still be
+    decompressed.
+    """
 
     def __init__(self, size: int) -> None:
         self._left = SMALL_RECORDING + HIGHEST_RATIO * size
         self.messages = MOST_MESSAGES + size // BYTES_OF_A_MESSAGE
-        """How many messages may be in it."""
+        """The most messages that may be in it."""
 
     def chunk(self, size: int) -> int:
-        """How many bytes `size` compressed ones may become."""
+        """The most bytes that `size` compressed ones may become."""
         return min(LARGEST_CHUNK, max(SMALL_CHUNK, HIGHEST_RATIO * size))
 
     def take(self, size: int) -> None:

@@ -1,4 +1,4 @@
-"""Which recorded topic each channel of a machine reads, and what is wrong with it."""
+"""The recorded topic that each channel of a machine reads, and what is wrong with it."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Match:
     arrays: Mapping[int, Array]
 
     def fields_of(self, reader: int) -> list[Slot | Array]:
-        """What one of the inputs reads."""
+        """The fields that one of the inputs reads."""
         fields: list[Slot | Array] = [*self.slots.values(), *self.arrays.values()]
         return [field for field in fields if field.input == reader]
 
@@ -78,7 +78,7 @@ class Unreadable:
 
 
 def channel_match(machine: Machine, channel: int, topic: str) -> Match:
-    """What a channel reads, from a recorded topic."""
+    """The match of a channel with the recorded topic that it reads."""
     inputs = tuple(i for i, found in enumerate(machine.inputs) if found.channel == channel)
     slots = {i: slot for i, slot in enumerate(machine.slots) if slot.input in inputs}
     arrays = {i: array for i, array in enumerate(machine.arrays) if array.input in inputs}
@@ -143,8 +143,8 @@ def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
 def _trouble(
     topics: Mapping[str, Topic], channel: Channel, name: str
 ) -> tuple[Template | None, Remark | None]:
-    """What keeps a channel from reading the recorded topic `name`, with a better help than the
-    usual one if there is.
+    """The trouble that keeps a channel from reading the recorded topic `name`, with a better help
+    than the usual one if there is.
     """
     wanted = channel.message_type
     topic = topics.get(name)
@@ -180,7 +180,7 @@ def field_text(path: Sequence[str | int]) -> str:
 
 
 def kind_text(wanted: Slot | Array) -> str:
-    """What is expected of a field, in words."""
+    """The kind that is expected of a field, in words."""
     if isinstance(wanted, Array):
         return "an array of numbers"
     return "a string" if wanted.kind is Kind.TEXT else "a number"

@@ -88,7 +88,7 @@ class McapChunks:
         return storage_mcap.decompress(stored, about.compression, about.uncompressed_size, checksum)
 
     def _trouble_with(self, about: ChunkInfo) -> Exception:
-        """What rosbags says of a chunk with records that make no sense."""
+        """The exception of rosbags for a chunk with records that make no sense."""
         bio = self._file.bio
         assert bio is not None, "the file is open"
         try:
@@ -100,7 +100,7 @@ class McapChunks:
 
 
 def has_chunks(part: object) -> bool:
-    """Whether the messages of a file are in chunks, each of which its index names once."""
+    """Say whether the messages of a file are in chunks, each of which its index names once."""
     if not isinstance(part, McapReader) or not part.chunks:
         return False
     return len({chunk.chunk_start_offset for chunk in part.chunks}) == len(part.chunks)

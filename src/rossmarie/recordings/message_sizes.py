@@ -1,4 +1,4 @@
-"""What messages of a type cost: a few bytes of a message, or of a definition, can stand for any
+"""The cost of messages of a type: a few bytes of a message, or of a definition, can stand for any
 number of objects.
 
 rosbags writes Python code for a definition, a line for each element of an array of fixed length,
@@ -46,8 +46,8 @@ class Sizes:
         self._type(name, 0)
 
     def largest_message(self, name: str) -> int | None:
-        """How many bytes a message may have, so that its arrays of texts and messages do not have
-        too many elements; None if it has no such array.
+        """The most bytes that a message may have, so that its arrays of texts and messages do not
+        have too many elements; None if it has no such array.
         """
         self._type(name, 0)
         return min(self._elements) * MOST_ELEMENTS if self._elements else None

@@ -1,4 +1,4 @@
-"""What every recording offers, whatever file it came from.
+"""The interface of every recording, whatever file it came from.
 
 Instants are integers in nanoseconds: the stamps at which messages were received (ROS: log time),
 not those in their headers.
@@ -28,7 +28,7 @@ class Topic:
 
 
 class Update(NamedTuple):
-    """What arrives at one instant, by channel: one message, or one row of a CSV file."""
+    """The values that arrive at one instant, by channel: one message, or one row of a CSV file."""
 
     at_ns: int
     channels: Mapping[int, ChannelValues]
@@ -43,7 +43,7 @@ class Recording(Protocol):
 
     @property
     def topics(self) -> Mapping[str, Topic]:
-        """What was recorded, by name."""
+        """The topics that were recorded, by name."""
 
     @property
     def start_ns(self) -> int:
@@ -55,12 +55,12 @@ class Recording(Protocol):
 
     @property
     def findings(self) -> tuple[Diagnostic, ...]:
-        """What is wrong with the file as a whole, although it can be read."""
+        """The faults of the file as a whole, although it can be read."""
 
     def batches(
         self, machine: Machine, collector: Collector, topic_map: Mapping[str, str]
     ) -> Iterator[Batch]:
-        """What the recording says to a machine: messages in the order of their stamps, rows of a
+        """The messages for a machine: those of a recording in the order of their stamps, rows of a
         CSV file in the order of the file.
 
         `topic_map` leads from topics of the rules to recorded ones. What does not fit is reported

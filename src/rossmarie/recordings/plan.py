@@ -13,7 +13,7 @@ from typing import NamedTuple, TypeAlias
 
 
 class Part(enum.Enum):
-    """What of a slot a number is."""
+    """The part of a slot that a number is."""
 
     ALL = "all"
     SECONDS = "seconds"

@@ -43,7 +43,7 @@ _COUNT = 4
 """Bytes of the number in front of a text or an array."""
 _WIDEST = 8
 _FILLER = "structure_needs_at_least_one_member"
-"""What a type without fields has in ROS 2, and has not in ROS 1."""
+"""The member that a type without fields has in ROS 2, and has not in ROS 1."""
 
 
 class _Wanted(NamedTuple):
@@ -99,7 +99,7 @@ class _Planner:
         self._reads: list[Number | Row] = []
 
     def steps(self) -> tuple[Step, ...]:
-        """What has been gone through."""
+        """The steps that have been gone through."""
         self._close()
         return tuple(self._done)
 
@@ -209,7 +209,7 @@ class _Planner:
 
 
 def _below(wanted: Iterable[_Wanted], step: str | int) -> list[_Wanted]:
-    """What is wanted behind a step of the path."""
+    """The things that are wanted behind a step of the path."""
     found = (each for each in wanted if each.path and each.path[0] == step)
     return [each._replace(path=each.path[1:]) for each in found]
 

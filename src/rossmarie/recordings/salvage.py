@@ -1,4 +1,4 @@
-"""What the salvage of damaged chunked files (.bag, .mcap) has in common.
+"""Common parts of the salvage of damaged chunked files (.bag, .mcap).
 
 A first pass reads the records one after the other, up to where they end or make no sense, and notes
 where messages are. Then they are read in the order of time.
@@ -44,7 +44,7 @@ class Chunk(NamedTuple):
 
 @dataclass
 class Scan:
-    """What the first pass has found; `loss` says what is missing, None if all is there."""
+    """The findings of the first pass; `loss` says what is missing, None if all is there."""
 
     allowance: Allowance
     connections: dict[int, Connection] = field(default_factory=dict)

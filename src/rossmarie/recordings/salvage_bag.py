@@ -32,7 +32,7 @@ _TIME = struct.Struct("<II")
 
 
 def salvage_bag(path: Path) -> SalvagedStorage:
-    """What is left of a ROS 1 bag. Raises `ValueError` if it is not one."""
+    """The readable rest of a ROS 1 bag. Raises `ValueError` if it is not one."""
     return SalvagedStorage(path, _scan)
 
 
@@ -116,7 +116,7 @@ def _fields(header: bytes) -> dict[bytes, bytes]:
 
 
 def _is_complete(fields: dict[bytes, bytes]) -> bool:
-    """Whether a record has what is read of it, in the right size."""
+    """Say whether a record has what is read of it, in the right size."""
     operation = fields.get(b"op", b"")
     return operation in _OPERATIONS and all(
         name in fields and size in (_ANY_SIZE, len(fields[name]))

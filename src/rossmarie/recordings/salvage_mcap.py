@@ -37,7 +37,7 @@ _DEFINITION_FORMATS = {
 
 
 def salvage_mcap(path: Path) -> SalvagedStorage:
-    """What is left of an MCAP file. Raises `ValueError` if it is not one."""
+    """The readable rest of an MCAP file. Raises `ValueError` if it is not one."""
     return SalvagedStorage(path, _scan)
 
 

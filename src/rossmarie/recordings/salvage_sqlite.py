@@ -22,7 +22,7 @@ _UNDEFINED = MessageDefinition(MessageDefinitionFormat.NONE, "")
 
 
 def salvage_sqlite(path: Path) -> SalvagedRows:
-    """What is left of a .db3 file. Raises `ValueError` if it is no recording."""
+    """The readable rest of a .db3 file. Raises `ValueError` if it is no recording."""
     return SalvagedRows(path)
 
 

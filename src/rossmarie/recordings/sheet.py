@@ -1,4 +1,4 @@
-"""What a walk through many messages finds: a column for each slot, and the arrays."""
+"""The findings of a walk through many messages: a column for each slot, and the arrays."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Found:
 
 
 def nothing_found(count: int, slots: Iterable[int], arrays: Iterable[int]) -> Found:
-    """What is found where nobody walks."""
+    """The findings where nobody walks."""
     return Found(
         np.zeros(count, np.bool_),
         {slot: np.full(count, np.nan) for slot in slots},
@@ -62,7 +62,7 @@ class Sheet:
         return found != 0 if is_flag else found
 
     def are_texts(self, starts: NDArray[np.int64], ends: NDArray[np.int64]) -> NDArray[np.bool_]:
-        """Whether each of some stretches is a text in UTF-8."""
+        """Say of each of some stretches whether it is a text in UTF-8."""
         lengths = ends - starts
         if len(lengths) and lengths[0] <= _SHORT and np.all(lengths == lengths[0]):
             letters = self.numbers(f"V{lengths[0]}", starts) if lengths[0] else _NOTHING
@@ -146,5 +146,7 @@ class Sheet:
 
 
 def _stored_as(kind: str) -> tuple[str, bool]:
-    """How a number is stored, and whether it is a flag: of these, all that are not 0 are true."""
+    """The form in which a number is stored, and whether it is a flag: of these, all that are not 0
+    are true.
+    """
     return ("u1", True) if kind.endswith("?") else (kind, False)

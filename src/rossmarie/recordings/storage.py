@@ -50,11 +50,11 @@ class Storage(Protocol):
 
 
 class SalvageableStorage(Storage, Protocol):
-    """What is left of a damaged file."""
+    """The readable rest of a damaged file."""
 
     @property
     def loss(self) -> str | None:
-        """What is missing, in words; None if nothing is."""
+        """The loss, in words; None if nothing is missing."""
 
 
 class IntactStorage:
@@ -122,7 +122,7 @@ def _asked(
 
 
 def _is_same(one: RosbagsConnection, other: RosbagsConnection) -> bool:
-    """Whether two files mean the same: as rosbags sees it."""
+    """Say whether two files mean the same: as rosbags sees it."""
     if (one.topic, one.msgtype, one.ext) != (other.topic, other.msgtype, other.ext):
         return False
     return not (one.digest and other.digest) or one.digest == other.digest

@@ -38,8 +38,8 @@ READER_FAILURES: tuple[type[Exception], ...] = (
     TypeError,
     ValueError,
 )
-"""What rosbags raises on damaged files: it takes much of their content for granted, so that a byte
-that is wrong shows up as whatever Python makes of it.
+"""The exceptions that rosbags raises on damaged files. It takes much of their content for granted,
+so that a byte that is wrong shows up as whatever Python makes of it.
 """
 
 
@@ -86,7 +86,7 @@ class Packed:
     ends: NDArray[np.int64]
 
     def __len__(self) -> int:
-        """How many messages there are."""
+        """The number of messages."""
         return len(self.times_ns)
 
     def only(self, chosen: NDArray[np.bool_] | NDArray[np.intp]) -> Packed:

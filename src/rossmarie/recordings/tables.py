@@ -1,4 +1,4 @@
-"""What a .db3 file calls tables: those that hold what is stored, and nothing that is computed.
+"""The tables of a .db3 file: those that hold what is stored, and nothing that is computed.
 
 A view, a virtual table or a generated column can give any number of rows and bytes from a few
 words.
@@ -13,7 +13,7 @@ from rossmarie.recordings.limits import LimitError
 
 _READ = ("messages", "topics", "message_definitions", "schema")
 _STORED = 0
-"""How SQLite marks a column that is neither hidden nor generated."""
+"""The mark that SQLite gives to a column that is neither hidden nor generated."""
 
 
 def check_tables(execute: Callable[[str], Iterable[Any]]) -> None:

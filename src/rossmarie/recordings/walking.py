@@ -28,7 +28,7 @@ from rossmarie.recordings.sheet import Found, Sheet
 _HEADER = 4
 """Bytes in front of a message in CDR: how it is encoded, and options."""
 _ORDERS = {0: ">", 1: "<"}
-"""How a message in CDR is encoded, and the order of its bytes."""
+"""The order of the bytes of a message in CDR, by the mark of its encoding."""
 _SLACK = 3
 """Bytes that may follow a message in CDR."""
 _COUNT = 4
@@ -44,7 +44,7 @@ def walk(
     starts: NDArray[np.int64],
     ends: NDArray[np.int64],
 ) -> Found:
-    """What the plan finds in messages, of which message i is `content[starts[i] : ends[i]]`.
+    """The findings of the plan in messages, of which message i is `content[starts[i] : ends[i]]`.
     `texts` are the numbers of those that slots are compared with.
     """
     sheet = Sheet(plan, texts, content, len(starts))

@@ -1,4 +1,5 @@
-"""What the grammar recognised -> the tree. One method per rule of ross.lark, called bottom up.
+"""Build the tree from what the grammar recognised. One method per rule of ross.lark, called bottom
+up.
 
 Each method gets the parts of its rule: tokens, nodes, or small records. Never raises on what a
 user wrote: what is recognised but not accepted (`&&`, `a < b < c`, a number beyond the range of a
@@ -211,5 +212,5 @@ class Builder(TestBuilder):
 
 
 def _is(parts: list[Any], index: int, text: str) -> bool:
-    """Whether there is a token of that text at that place."""
+    """Say whether there is a token of that text at that place."""
     return index < len(parts) and isinstance(parts[index], Token) and parts[index].text == text

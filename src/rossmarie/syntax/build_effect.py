@@ -1,4 +1,4 @@
-"""What the grammar recognised of the body of an action -> its effects.
+"""Build the effects of an action from what the grammar recognised of its body.
 
 One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
 """
@@ -178,7 +178,7 @@ class EffectBuilder(ExpressionBuilder):
 
 
 def clause(parts: list[Any], word: str) -> Any:
-    """What stands behind a word among the parts of an effect; None if it is not there."""
+    """The part that stands behind a word among the parts of an effect; None if it is not there."""
     return next(
         (part.value for part in parts if isinstance(part, Part) and part.word == word), None
     )

@@ -1,4 +1,4 @@
-"""What the grammar recognised of an expression -> its nodes.
+"""Build the nodes of an expression from what the grammar recognised of it.
 
 One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
 """
@@ -277,7 +277,7 @@ class ExpressionBuilder:
 
 
 def _is_monotonic(signs: list[Token | _Comparator]) -> bool:
-    """Whether all comparisons of a chain say the same: less, or greater, or equal."""
+    """Say whether all comparisons of a chain say the same: less, or greater, or equal."""
     meant = {FOREIGN.get(sign.text, sign.text) for sign in signs}
     return meant <= {"<", "<="} or meant <= {">", ">="} or meant == {"=="}
 

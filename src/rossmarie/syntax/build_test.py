@@ -1,4 +1,4 @@
-"""What the grammar recognised of a test -> its statements.
+"""Build the statements of a test from what the grammar recognised of it.
 
 One method per rule of ross.lark, as in `build`, which says what they get and what they promise.
 """

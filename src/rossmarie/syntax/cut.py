@@ -102,7 +102,7 @@ class _Cutter:
         return index
 
     def _brace_is_missing(self, first: int, kind: str | None) -> bool:
-        """Whether an entity or system is written `entity NAME CONDITION : ...`."""
+        """Say whether an entity or system is written `entity NAME CONDITION : ...`."""
         behind = first + 2
         if kind == "entity":
             return self._text(behind) != "{" and self._text(behind + 1) == ":"
@@ -131,7 +131,7 @@ class _Cutter:
         return self._source.begins_line(index) or (self._ends_item(index - 1) and not is_name)
 
     def _begins_unknown(self, first: int, index: int, kind: str | None) -> bool:
-        """Whether a word that begins no item is meant to: `entitty imu {` on a line of its own."""
+        """Say whether a word that begins no item is meant to: a line such as `entitty imu {`."""
         token, before = self._tokens[index], self._tokens[index - 1]
         if token.kind != "word" or not self._source.begins_line(index):
             return False
@@ -148,11 +148,11 @@ class _Cutter:
         return self._names_something(index + 1)
 
     def _names_something(self, index: int) -> bool:
-        """Whether a token stands behind a word as behind `entitty` or `limit`."""
+        """Say whether a token stands behind a word as behind `entitty` or `limit`."""
         return self._text(index) in (":", "=") or self._is_word(index)
 
     def _is_word(self, index: int) -> bool:
-        """Whether a token is a text, or a word that neither carries on nor begins an item."""
+        """Say whether a token is a text, or a word that neither carries on nor begins an item."""
         if index == len(self._tokens):
             return False
         token = self._tokens[index]
@@ -178,7 +178,7 @@ class _Cutter:
         return token.text == "}" or is_value or self._is_field(index)
 
     def _is_field(self, index: int) -> bool:
-        """Whether a token is a word behind a dot, which means nothing but itself."""
+        """Say whether a token is a word behind a dot, which means nothing but itself."""
         behind_dot = index > 0 and self._tokens[index - 1].text == "."
         return behind_dot and self._tokens[index].kind == "word"
 

@@ -107,12 +107,12 @@ def reserved_word(source: Scan, token: Token) -> Diagnostic:
 
 
 def is_name(token: Token) -> bool:
-    """Whether a token can be the name of something."""
+    """Say whether a token can be the name of something."""
     return token.kind == "word" and token.text.isascii() and token.text not in RESERVED
 
 
 def is_part_word(token: Token) -> bool:
-    """Whether a token is, or looks like, a word that carries on an item."""
+    """Say whether a token is, or looks like, a word that carries on an item."""
     return nearest(token.text, PART_WORDS) is not None
 
 
@@ -145,7 +145,7 @@ def hash_comment(source: Scan, token: Token) -> Diagnostic:
 
 
 def is_foreign(token: Token) -> bool:
-    """Whether a token contains a character that no token may contain."""
+    """Say whether a token contains a character that no token may contain."""
     if token.kind == "sign":
         return token.text[0] not in _SIGNS
     return token.kind == "word" and not token.text.isascii()
@@ -290,7 +290,7 @@ class _Case:
         return self._tokens[behind].text if behind < self._last else ""
 
     def _is_only(self, sign: str) -> bool:
-        """Whether that sign is what has to come, rather than one of many things that may."""
+        """Say whether that sign is what has to come, rather than one of many things that may."""
         return sign in self._expected and len(self._expected) <= 3
 
     def _misplaced(self, before: Token) -> Diagnostic:

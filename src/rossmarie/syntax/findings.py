@@ -21,10 +21,10 @@ class Findings:
 
     @property
     def count(self) -> int:
-        """How many different findings there are."""
+        """The number of different findings."""
         return len(self._seen)
 
     @property
     def is_full(self) -> bool:
-        """Whether there are too many: reading on stops to be of use."""
+        """True if there are too many: reading on stops to be of use."""
         return len(self._seen) > MAXIMUM_ERRORS

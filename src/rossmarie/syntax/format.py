@@ -91,8 +91,8 @@ class _Formatter:
         return _EMPTY_LINE.search(between) is not None
 
     def _is_apart(self, entries: list[_Entry], index: int) -> bool:
-        """Whether an empty line is due behind a statement: in front of its successor's comments,
-        unless the author has set one further down.
+        """Say whether an empty line is due behind a statement: in front of its successor's
+        comments, unless the author has set one further down.
         """
         before = entries[index - 1]
         if before.group is None:
@@ -151,7 +151,7 @@ class _Formatter:
         return comment.end
 
     def _is_next(self, offset: int) -> bool:
-        """Whether the next comment stands in front of the next token behind an offset."""
+        """Say whether the next comment stands in front of the next token behind an offset."""
         if self._next_trivium == len(self._trivia):
             return False
         trivium = self._trivia[self._next_trivium]
@@ -238,7 +238,7 @@ class _Formatter:
             is_first = False
 
     def _is_glued(self, before: Token | None, token: Token) -> bool:
-        """Whether no space stands in front of a token."""
+        """Say whether no space stands in front of a token."""
         if before is None or before.end in self._style.tight_behind:
             return True
         if token.text == ".":

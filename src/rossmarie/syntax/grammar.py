@@ -196,7 +196,7 @@ class Recognizer:
         return fitting
 
     def _feed(self, parser: Any, symbol: str, token: Token) -> bool:
-        """Whether the token fits as that symbol; the parser has then taken it."""
+        """Say whether the token fits as that symbol; the parser has then taken it."""
         terminal: Any = _Terminal(*token)
         terminal.type = self._grammar.terminals.get(symbol, symbol.removeprefix("$"))
         try:
@@ -206,7 +206,9 @@ class Recognizer:
         return True
 
     def _classify(self, index: int, fitting: Collection[str]) -> tuple[str, Token, int]:
-        """What the token is here, the token (several joined, in a unit or topic), and the next."""
+        """The symbol of the token here, the token (several joined, in a unit or topic), and the
+        next.
+        """
         token = self._tokens[index]
         kind, text = token.kind, token.text
         if text in fitting:
@@ -266,5 +268,5 @@ class _Assemble(Transformer[Any, Any]):
         self._builder = builder
 
     def __default__(self, data: str, children: list[Any], _: object) -> Any:
-        """What a rule yields; lark calls this for every node of its tree."""
+        """The result of a rule; lark calls this for every node of its tree."""
         return getattr(self._builder, data)(children)

@@ -1,4 +1,4 @@
-"""What people write out of habit, and from other languages -> the tokens that were meant.
+"""Replace what people write out of habit, and from other languages, by the tokens that were meant.
 
 Each habit is a pattern over the tokens of a file, written with one space between two tokens (a
 line feed where a line ends between them). Its group `x` is the mistake; what is written instead

@@ -39,7 +39,7 @@ class _Reading(NamedTuple):
 
     @property
     def is_broken(self) -> bool:
-        """Whether it does not parse, or begins like no item."""
+        """True if it does not parse, or begins like no item."""
         return self.result is None or isinstance(self.result, Failure)
 
 
@@ -72,7 +72,7 @@ def read_items(source: Scan, findings: Findings) -> list[ast.Item]:
 
 
 def _first_readings(part: PartParser) -> tuple[dict[int, _Reading], list[str | None]]:
-    """What came of each item, by its start; and what each token's item is meant as, None where
+    """The reading of each item, by its start; and what each token's item is meant as, None where
     that item parses.
 
     Ends at so many broken items that reporting them will not reach any further.

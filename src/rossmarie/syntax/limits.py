@@ -59,12 +59,12 @@ def too_deep(tokens: Sequence[Token], first: int, last: int) -> int | None:
 
 
 def is_prefix(tokens: Sequence[Token], index: int, first: int) -> bool:
-    """Whether a `-` at this place has no value to its left."""
+    """Say whether a `-` at this place has no value to its left."""
     return index == first or not ends_value(tokens[index - 1])
 
 
 def ends_value(token: Token) -> bool:
-    """Whether a value can end with this token."""
+    """Say whether a value can end with this token."""
     if token.kind == "sign":
         return token.text in (")", "]", "%", "°")
     return token.text not in OPERATOR_WORDS and token.text not in ("if", "then")

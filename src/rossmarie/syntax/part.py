@@ -69,7 +69,7 @@ class PartParser:
             self.findings.add(long.at(self.source.span(tokens[first], tokens[last - 1])))
 
     def broken(self, first: int, last: int, behind: Span) -> ast.Broken:
-        """What stands for tokens that could not be parsed; `behind` if there are none."""
+        """The node that stands for tokens that could not be parsed; `behind` if there are none."""
         if first >= last:
             return ast.Broken(behind)
         tokens = self.source.tokens

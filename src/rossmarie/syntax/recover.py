@@ -30,7 +30,7 @@ from rossmarie.syntax.words import FORMS, MEMBER_WORDS
 
 
 def recover(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Item | None:
-    """What can be saved of an item that failed; `failure` is None if it exceeds a limit."""
+    """Save what can be saved of an item that failed; `failure` is None if it exceeds a limit."""
     before = part.findings.count
     saved: ast.Item | None
     if item.kind == "rule":

@@ -16,7 +16,7 @@ _BEHIND_FIELD = frozenset({"=", ".", "[", "in"})
 
 
 def recover_action(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Action | None:
-    """What can be saved of an action; `failure` is None if it exceeds a limit."""
+    """Save what can be saved of an action; `failure` is None if it exceeds a limit."""
     tokens = part.source.tokens
     start = start_of_body(part, item, failure)
     has_body = tokens[start - 1].text == "{"

@@ -1,4 +1,4 @@
-"""What the recoveries of items in braces share: where the body is, and its parts one by one."""
+"""Common parts of the recoveries of items in braces: the place of the body, and its parts."""
 
 from __future__ import annotations
 

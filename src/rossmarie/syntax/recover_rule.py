@@ -20,7 +20,7 @@ _CONTRACT_STARTS = {("clear", "when"), ("clear", "for"), ("latched", "until")}
 
 
 def recover_rule(part: PartParser, first: int, last: int, head: str | None) -> ast.Rule:
-    """What can be saved of the rule in the tokens from `first` up to, not including, `last`."""
+    """Save what can be saved of the rule in the tokens from `first` up to, but without, `last`."""
     return _Recovery(part, first, last).rule(head or part.source.tokens[first].text)
 
 

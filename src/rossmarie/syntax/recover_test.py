@@ -14,7 +14,7 @@ from rossmarie.syntax.words import STATEMENT_WORDS, nearest
 
 
 def recover_test(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Test | None:
-    """What can be saved of a test; `failure` is None if it exceeds a limit."""
+    """Save what can be saved of a test; `failure` is None if it exceeds a limit."""
     tokens = part.source.tokens
     start = start_of_body(part, item, failure)
     has_body = tokens[start - 1].text == "{"

@@ -92,7 +92,7 @@ def _number(text: str) -> str:
 
 
 def _is_behind_comma(found: Sequence[Token], token: Token) -> bool:
-    """Whether digits, a comma and digits follow each other without a space."""
+    """Say whether digits, a comma and digits follow each other without a space."""
     if len(found) < 2 or not token.text[0].isdigit() or "." in token.text:
         return False
     number, comma = found[-2:]
@@ -105,7 +105,7 @@ def _joined(whole: Token, rest: Token) -> Token:
 
 
 def _is_keyword(before: Sequence[Token], token: Token, after: Token | None, text: str) -> bool:
-    """Whether a word is a keyword in capitals; never true of a name in a correct file."""
+    """Say whether a word is a keyword in capitals; never so of a name in a correct file."""
     word = token.text.lower()
     if word == token.text or word not in _KEYWORDS:
         return False
@@ -136,7 +136,7 @@ def _ends_value(token: Token) -> bool:
 
 
 def _goes_on(after: Token | None) -> bool:
-    """Whether a text, or a word that is no keyword, follows: no name has that behind it."""
+    """Say whether a text, or a word that is no keyword, follows: no name has that behind it."""
     return after is not None and (
         after.kind == "text" or (after.kind == "word" and after.text not in _KEYWORDS)
     )

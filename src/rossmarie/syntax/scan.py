@@ -90,7 +90,7 @@ class Scan:
         return Span(self.file, first.start, (last or first).end)
 
     def begins_line(self, index: int) -> bool:
-        """Whether no other token stands before this one on its line."""
+        """Say whether no other token stands before this one on its line."""
         before = self.tokens[index - 1].end if index else 0
         return index == 0 or ends_line(self.file.text[before : self.tokens[index].start])
 
@@ -104,7 +104,7 @@ def scan(file: SourceFile) -> Scan:
 
 
 def ends_line(text: str) -> bool:
-    """Whether a line ends in a text between two tokens."""
+    """Say whether a line ends in a text between two tokens."""
     return "\n" in text or "\r" in text
 
 
@@ -114,7 +114,7 @@ def tokens_of(text: str) -> tuple[Token, ...]:
 
 
 def documentation_text(literal: str) -> str:
-    """What a documentation string says: without quotes, common indentation, trailing space."""
+    """The content of a documentation string: without quotes, common indentation, trailing space."""
     lines = inspect.cleandoc(literal[3:-3]).splitlines()
     return "\n".join(line.rstrip() for line in lines).strip()
 

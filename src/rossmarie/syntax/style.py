@@ -215,7 +215,7 @@ class Style:
 
 
 def _peeled(node: ast.Expression) -> ast.Expression:
-    """What stands inside parentheses, `not` and `for`."""
+    """The expression that stands inside parentheses, `not` and `for`."""
     while True:
         match node:
             case ast.Parenthesized(inner=node) | ast.Held(condition=node) | ast.Unary(operand=node):

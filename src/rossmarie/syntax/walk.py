@@ -41,7 +41,7 @@ def walk(expression: ast.Expression) -> Iterator[ast.Expression]:
 
 
 def depth(expression: ast.Expression) -> int:
-    """How many expressions stand inside each other: 1 for a name, 2 for `-x`."""
+    """The number of expressions that stand inside each other: 1 for a name, 2 for `-x`."""
     deepest = 0
     pending = [(expression, 1)]
     while pending:

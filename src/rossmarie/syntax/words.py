@@ -151,4 +151,4 @@ FORMS = {
     "hook": "a function of your own is called by `hook NAME;`",
     "reset_rules": "all latched rules are reset by `reset;`",
 }
-"""How each part of a file is written, for messages."""
+"""The words for each part of a file, in messages."""

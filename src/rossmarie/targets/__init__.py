@@ -1,1 +1,1 @@
-"""What a machine can be compiled to."""
+"""The targets to which a machine can be compiled."""

@@ -1,4 +1,4 @@
-"""What a target is: a name, what it cannot do, and how it writes files.
+"""The interface of a target: a name, what it cannot do, and how it writes files.
 
 A target takes a machine that `ir.verify` has passed. What it cannot do it says with ordinary
 diagnostics, before it writes anything.

@@ -33,7 +33,7 @@ _INFIX = {
 
 @dataclass(frozen=True)
 class Dialect:
-    """How a language writes what languages write differently.
+    """The way in which a language writes what languages write differently.
 
     `calls` are the functions for operations; those between numbers have none where the language has
     an operator that does as IEEE 754 says. `chosen` is a choice of a condition and two numbers.
@@ -105,7 +105,7 @@ class Definition:
 
     @property
     def is_inline(self) -> bool:
-        """Whether it is one operation on its operands, or one of them: that needs no function."""
+        """True if it is one operation on its operands, or one of them: that needs no function."""
         operands = tuple(map(Operand, range(len(self.parameters))))
         match self.expression:
             case Operand():

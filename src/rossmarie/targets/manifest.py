@@ -1,4 +1,5 @@
-"""What a generated package says about itself, and what it is a part of, for targets that make one.
+"""The words of a generated package about itself, and about the whole of which it is a part, for
+targets that make one.
 
 A manifest is taken as it is: whoever makes one uses the functions here, which check its texts.
 """

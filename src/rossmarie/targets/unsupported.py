@@ -1,4 +1,6 @@
-"""What no target can do: keep a call short where timers start each other again and again."""
+"""The limit of every target: none can keep a call short where timers start each other again and
+again.
+"""
 
 from __future__ import annotations
 

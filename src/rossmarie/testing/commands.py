@@ -1,4 +1,4 @@
-"""What the safety filter lets through in a test, on the interpreter: the bounds of commands.
+"""The commands that the safety filter lets through in a test, on the interpreter: their bounds.
 
 The filter is opened once every input with a timeout has arrived. Nobody answers: services, action
 servers and parameters run out of time.
@@ -68,7 +68,7 @@ class _Guard:
         self._look(self._script.end_ns + 1)
 
     def _pass_to(self, at_ns: int) -> None:
-        """What is due by itself before an instant happens."""
+        """Do what is due by itself before an instant happens."""
         while (wake_ns := self._next_wake()) is not None and wake_ns < at_ns:
             self._monitor.advance(wake_ns)
             self._react(wake_ns)

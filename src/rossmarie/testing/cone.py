@@ -1,4 +1,4 @@
-"""What rests on a threshold, run again by itself.
+"""The cone of a threshold: what rests on it, run again by itself.
 
 A moved threshold leaves most of a machine as it was. What it changes, the truths above it and the
 rules on them, makes a machine of its own, whose inputs are the truths that those rest on: as they
@@ -39,8 +39,8 @@ _FLAGS = {
 
 @dataclass(frozen=True)
 class Cone:
-    """What rests on moved truths, by the indexes of the whole machine: the truths `inside`, the
-    `rules`, and what is fed in, the `boundary`.
+    """The part of a machine that rests on moved truths, by the indexes of the whole machine: the
+    truths `inside`, the `rules`, and what is fed in, the `boundary`.
     """
 
     moved: tuple[int, ...]
@@ -50,8 +50,8 @@ class Cone:
 
 
 def cone_of(machine: ir.Machine, moved: Sequence[int]) -> Cone | None:
-    """What rests on truths whose thresholds, or durations, are moved; None where that cannot be
-    told apart: elements that are counted, or in several conditions.
+    """The cone of truths whose thresholds, or durations, are moved. None where that cannot be told
+    apart: elements that are counted, or in several conditions.
     """
     if not all(_is_apart(machine, truth, moved) for truth in moved):
         return None
@@ -85,7 +85,7 @@ def _is_apart(machine: ir.Machine, truth: int, moved: Sequence[int]) -> bool:
 
 
 def _is_alone(machine: ir.Machine, node: ir.Quantified, moved: Sequence[int]) -> bool:
-    """Whether nothing but what is moved rests on the truth that is quantified."""
+    """Say whether nothing but what is moved rests on the truth that is quantified."""
     counted = {each.node.element for each in machine.signals if isinstance(each.node, ir.Count)}
     users = {
         index
@@ -155,8 +155,8 @@ def _placed_rule(rule: ir.Rule, places: dict[int, int]) -> ir.Rule:
 
 
 def told_by(cone: Cone, moved: ir.Machine, history: History) -> Iterator[Told]:
-    """What the rules of a cone say of a trace, as part of the machine `moved`, in the order of the
-    trace.
+    """The verdicts of the rules of a cone on a trace, as part of the machine `moved`, in the order
+    of the trace.
     """
     at_ns = history.at_ns
     columns = np.column_stack([_column(cone, moved, history, truth) for truth in cone.boundary])

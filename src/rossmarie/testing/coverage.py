@@ -1,4 +1,4 @@
-"""What traces show of the rules of a machine: which goals they reach.
+"""Coverage of the rules of a machine by traces: the goals that they reach.
 
 Every evaluation of the interpreter is looked at, also those at wakes between messages.
 """
@@ -40,7 +40,7 @@ class Coverage:
 
 
 def cover(machine: ir.Machine, scripts: Iterable[Script]) -> Coverage:
-    """What scripts cover together."""
+    """The goals that scripts cover together."""
     watcher = Watcher(machine)
     for script in scripts:
         watcher.watch(steps_of(machine, script), script.end_ns)
@@ -72,7 +72,7 @@ class Watcher:
         ]
 
     def coverage(self) -> Coverage:
-        """What was seen so far."""
+        """The coverage by what was seen so far."""
         return Coverage(self.machine, tuple(goals(self.machine)), frozenset(self.reached))
 
     def watch(self, steps: Iterable[Step], end_ns: int, *, from_zero: bool = True) -> History:
@@ -88,7 +88,7 @@ class Watcher:
 
 
 class _Decision:
-    """What atoms do to one decision; remembers what it has worked out."""
+    """The effect of atoms on one decision; it remembers what it has worked out."""
 
     def __init__(self, machine: ir.Machine, rule: int, decision: int) -> None:
         self.rule = rule
@@ -264,14 +264,16 @@ class _Trace:
                     self._add(decision, aspect, atom, number)
 
     def _compared(self, atom: int, edge: Edge, signals: Sequence[float]) -> Sequence[float]:
-        """What a threshold was compared with: a number, or the elements of an array as they are."""
+        """The value that a threshold was compared with: a number, or the elements of an array as
+        they are.
+        """
         if not isinstance(self._machine.truths[atom].node, ir.Quantified):
             return (signals[edge.signal],)
         element = self._machine.signals[edge.signal].node
         return self._elements.get(element.array, ()) if isinstance(element, ir.Element) else ()
 
     def _elapsed(self, held: int, truths: Sequence[TruthValue], at_ns: int) -> int | None:
-        """How long the operand of a `for` was true when it ended; None if it goes on."""
+        """The time for which the operand of a `for` was true when it ended; None if it goes on."""
         node = self._machine.truths[held].node
         assert isinstance(node, ir.Held)
         timer = self._timers.setdefault(held, _Timer())
@@ -308,7 +310,7 @@ class _Trace:
 
 
 def side_of(edge: Edge, value: float) -> Aspect | None:
-    """Whether a value is at a threshold, or within a step beside it."""
+    """Say whether a value is at a threshold, or within a step beside it."""
     distance = value - edge.threshold
     if distance == 0.0:
         return Aspect.AT

@@ -1,4 +1,4 @@
-"""What went wrong in a test -> findings at its lines."""
+"""Turn what went wrong in a test into findings at its lines."""
 
 from __future__ import annotations
 

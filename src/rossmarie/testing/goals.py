@@ -1,4 +1,4 @@
-"""What there is to cover in a rule: its conditions to MC/DC, thresholds, deadlines, lost inputs.
+"""Goals of the coverage of a rule: its conditions to MC/DC, thresholds, deadlines, lost inputs.
 
 A rule has *decisions*: its condition, what clears it, and what stands in front of each `for`. A
 decision is made of *atoms*, joined by `and`, `or` and `not`: comparisons and other leaves, and
@@ -26,7 +26,7 @@ from rossmarie.testing.whole import whole_step
 
 
 class Aspect(enum.Enum):
-    """What is to be seen of a rule, an atom or an input."""
+    """The aspect of a rule, an atom or an input that is to be seen."""
 
     ACTIVE = "active"
     CLEARED = "cleared"
@@ -117,7 +117,7 @@ def decisions(machine: ir.Machine, rule: ir.Rule) -> list[int]:
 
 
 def _plain(machine: ir.Machine, truth: int) -> int:
-    """What a chain of `not` negates."""
+    """The truth that a chain of `not` negates."""
     node = machine.truths[truth].node
     while isinstance(node, ir.Not):
         truth, node = node.operand, machine.truths[node.operand].node
@@ -193,7 +193,7 @@ def visible_step(number: float) -> float:
 
 
 def deadline_ns(node: ir.TruthNode) -> int | None:
-    """How long an atom takes to become true, if it is a matter of time."""
+    """The time that an atom takes to become true, if it is a matter of time."""
     match node:
         case ir.Held(duration_ns=duration_ns) | ir.AgeReaches(age_ns=duration_ns):
             return duration_ns

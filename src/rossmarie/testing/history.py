@@ -1,4 +1,4 @@
-"""What an interpreter held after each evaluation of a trace, in columns: the truths, and the
+"""The state of an interpreter after each evaluation of a trace, in columns: the truths, and the
 numbers that are compared with constants.
 """
 
@@ -65,7 +65,7 @@ class Recorder:
         self._truths = bytearray()
 
     def keep(self, at_ns: int, interpreter: Interpreter) -> None:
-        """What the interpreter holds after an evaluation at an instant."""
+        """Keep what the interpreter holds after an evaluation at an instant."""
         self._at_ns.append(at_ns)
         self._truths.extend(interpreter.watches)
         signals = interpreter.signals

@@ -1,4 +1,5 @@
-"""How far a threshold or a duration could be moved before what the rules say of traces changes.
+"""Margins of thresholds and durations: how far one can move before what the rules say of traces
+changes.
 
 A comparison changes only where its threshold passes a value that was seen, a duration only where
 it passes a length that was seen. So there are finitely many places to look at, on each side of it.
@@ -46,7 +47,7 @@ class Reach:
 
 @dataclass(frozen=True)
 class Margin:
-    """How far a threshold can go. Within `same`, every verdict stays as it is, to the instant;
+    """The margin of a threshold. Within `same`, every verdict stays as it is, to the instant;
     within `as_often`, every rule becomes active and is cleared as often, earlier or later.
     """
 
@@ -138,7 +139,7 @@ def _with_constant(node: ir.TruthNode, old: int, new: int) -> ir.TruthNode:
 def margin(
     machine: ir.Machine, threshold: Threshold, seen: Sequence[float], replay: Replay
 ) -> Margin:
-    """How far a threshold can go; `seen` are the values, or lengths, that it could pass."""
+    """The margin of a threshold; `seen` are the values, or lengths, that it could pass."""
     usual = replay(machine)
 
     @cache
@@ -161,7 +162,7 @@ def margin(
 
 
 def _changes(verdicts: Verdicts) -> list[list[tuple[int, int]]]:
-    """What becomes of each rule in each trace, without the instants."""
+    """The changes of each rule in each trace, without the instants."""
     return [
         sorted(((rule, change) for rule, change, _ in told), key=lambda found: found[0])
         for told in verdicts

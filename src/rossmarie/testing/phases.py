@@ -53,7 +53,7 @@ def _is_rate(node: ir.SignalNode) -> bool:
 
 @dataclass(frozen=True)
 class Stage:
-    """What the phases of one rule are played with."""
+    """The things with which the phases of one rule are played."""
 
     world: World
     machine: ir.Machine
@@ -184,7 +184,7 @@ class Stage:
     def _moves(
         self, variable: Variable, value: float, values: Values
     ) -> Iterator[tuple[int, list[Setting]]]:
-        """What to set how long after the beginning of a phase."""
+        """The settings to make, each with the time after the beginning of a phase."""
         slot = self._slot_of(variable)
         if slot < 0:
             return
@@ -220,7 +220,7 @@ class Stage:
 
 
 def _visible_swing(slot: ir.Slot, swing: float, now: float) -> float:
-    """How far a field goes to and fro, from what it is now: clearly far enough, if it can."""
+    """The way that a field goes to and fro, from what it is now: clearly far enough, if it can."""
     sizes = [factor * swing for factor in (2.0, 1.25, 1.0)] if swing else [1.0]
     if slot.limits is not None:
         step = abs(slot.scale)
@@ -230,13 +230,13 @@ def _visible_swing(slot: ir.Slot, swing: float, now: float) -> float:
 
 
 def ramp_of(machine: ir.Machine, rule: int, beat: int) -> Ramp:
-    """How a rate lasts: over one message, or as long as the longest `for`."""
+    """The ramp of a rate: over one message, or as long as the longest `for`."""
     longest_ns = delay_ns(machine, machine.rules[rule].condition)
     return Ramp(beat / 1e9, min(math.ceil(longest_ns / beat), 63))
 
 
 def delay_ns(machine: ir.Machine, truth: int, *, value: bool = True) -> int:
-    """How long after its leaves a truth has come to be `value`, at most."""
+    """The time after which a truth is `value` once its leaves are so, at most."""
     node = machine.truths[truth].node
     own_ns = 0
     match node:

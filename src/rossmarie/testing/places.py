@@ -1,5 +1,5 @@
-"""What was seen of thresholds in traces: the values that they were compared with, and how long
-what durations wait for has lasted.
+"""Places of thresholds in traces: the values that they were compared with, and the times that what
+durations wait for has lasted.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def _values(history: History, signal: int) -> NDArray[np.float64]:
 
 
 def _lengths(history: History, is_on: NDArray[np.bool_]) -> Iterator[float]:
-    """How long something was so, each time, in seconds; a jump of the clock ends it."""
+    """The times for which something was so, in seconds; a jump of the clock ends each."""
     begun: int | None = None
     rows = zip(
         history.at_ns.tolist(), is_on.tolist(), backwards(history.at_ns).tolist(), strict=True
@@ -79,7 +79,9 @@ def _lengths(history: History, is_on: NDArray[np.bool_]) -> Iterator[float]:
 
 
 def _ages(history: History, node: ir.AgeReaches) -> Iterator[float]:
-    """How old the messages of an input have become, in seconds: until the next one, or the end."""
+    """The ages that the messages of an input have reached, in seconds: until the next one, or the
+    end.
+    """
     ages_ns = history.ages_ns[node.input]
     gone_ns = np.maximum(np.diff(history.at_ns), 0)
     is_over = (ages_ns[1:] < ages_ns[:-1] + gone_ns) & (ages_ns[:-1] >= 0)

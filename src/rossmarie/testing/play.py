@@ -21,7 +21,7 @@ _Field = tuple[str, tuple[str | int, ...]]
 
 @dataclass(frozen=True)
 class Step:
-    """What happens at one instant: messages, by channel, and after them resets."""
+    """The events at one instant: messages, by channel, and after them resets."""
 
     at_ns: int
     messages: Mapping[int, ChannelValues]

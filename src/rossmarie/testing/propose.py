@@ -99,7 +99,7 @@ class _Proposer:
             true, false = (self._world.formula(root, {truth: value}) for value in (True, False))
             ways.append(true != false)
         if decision is None and len(ways) > 1:
-            # What clears a rule counts while its condition is false.
+            # A way to clear a rule counts while its condition is false.
             ways[1] = z3.And(ways[1], z3.Not(self._condition))
         return z3.Or(ways)
 
@@ -221,7 +221,7 @@ class _Proposer:
         yield self._proposal(name, [self._phase(each, self._hold_ns) for each in phases])
 
     def _has_own_release(self) -> bool:
-        """Whether a leaf that the condition does not have clears the rule."""
+        """Say whether a leaf that the condition does not have clears the rule."""
         condition = ir.leaf_truths(self._machine, self._rule.condition)
         return any(leaf not in condition for leaf in self._leaves)
 

@@ -13,7 +13,7 @@ from rossmarie.testing.play import Step, steps_of
 
 
 class Engine(Protocol):
-    """What the interpreter and a monitor in C have in common."""
+    """The common interface of the interpreter and a monitor in C."""
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
         """Messages arrive."""
@@ -92,7 +92,7 @@ def _first_violation(expected: Expectation, changes: Sequence[Verdict]) -> int |
 
 
 def stretches(changes: Sequence[Verdict]) -> Iterator[Stretch]:
-    """How one rule was, from its changes; of several at one instant the last counts."""
+    """The stretches of one rule, from its changes; of several at one instant the last counts."""
     is_active, first_ns = False, 0
     for change in changes:
         now_active = change.change is not Change.CLEARED
@@ -105,7 +105,7 @@ def stretches(changes: Sequence[Verdict]) -> Iterator[Stretch]:
 
 
 def expectations_of(machine: Machine, script: Script, rule: int, end_ns: int) -> list[Expectation]:
-    """What the interpreter says of a rule, up to an instant."""
+    """The expectations that follow from the interpreter's verdicts on a rule, up to an instant."""
     verdicts = play(Interpreter(machine), steps_of(machine, script), end_ns)
     changes = [verdict for verdict in verdicts if verdict.rule == rule]
     expectations: list[Expectation] = []

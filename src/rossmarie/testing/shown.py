@@ -41,7 +41,7 @@ def script_of(
 
 
 def is_shown(machine: ir.Machine, witness: Witness, script: Script, rule: int) -> bool:
-    """Whether a rule becomes active and is cleared in a script as it does in a witness."""
+    """Say whether a rule becomes active and is cleared in a script as it does in a witness."""
     # Of several evaluations at one instant the last counts.
     seen = {0: False} | {view.at_ns: view.active[rule] for view in views(machine, witness)}
     before = [None, *seen.values()]
@@ -105,7 +105,7 @@ class _Teller:
     # --- fields ------------------------------------------------------------------------------
 
     def _news(self, channel: int, values: ir.ChannelValues) -> Iterator[Setting]:
-        """What is not as it was in the message before."""
+        """The settings that are not as they were in the message before."""
         for setting in self._settings(channel, values):
             key = (setting.topic, setting.path, setting.angle)
             usual: object = _UNSET if setting.angle is None else 0.0

@@ -85,7 +85,7 @@ class World:
             self.formula(truth)
 
     def _length(self) -> int:
-        """How many elements arrays have: enough for what is counted."""
+        """The number of elements that arrays have: enough for what is counted."""
         counted = [
             edge.threshold
             for truth in self.truths
@@ -237,7 +237,7 @@ class World:
         return self.variables[variable]
 
     def _carried(self, variable: Variable, term: z3.ArithRef, name: str) -> list[z3.BoolRef]:
-        """What follows for a variable from its field holding only whole numbers."""
+        """The facts about a variable that follow from its field holding only whole numbers."""
         machine = self.machine
         source: ir.Slot | ir.Array | None = None
         if variable.kind == "element":
@@ -281,7 +281,7 @@ class World:
         return {variable: self._round(solver, variable) for variable in self.variables}
 
     def is_impossible(self, wanted: Sequence[z3.BoolRef]) -> bool:
-        """Whether no values at all, in real arithmetic, make all of `wanted` hold."""
+        """Say whether no values at all, in real arithmetic, make all of `wanted` hold."""
         solver = z3.Solver()
         solver.set("timeout", TIME_LIMIT_MS)
         solver.add(*self._side, *wanted)

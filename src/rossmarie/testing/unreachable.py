@@ -42,8 +42,8 @@ def _reasons(machine: ir.Machine, missing: Iterable[Goal]) -> Iterator[tuple[Goa
 
 
 def _ends_late(machine: ir.Machine, truth: int) -> bool:
-    """Whether `not (C for e) for d` has an e that is not below d: C is false at the beginning, and
-    has to be true for e before the outer `for` can end.
+    """Say whether `not (C for e) for d` has an e that is not below d. C is false at the beginning,
+    and has to be true for e before the outer `for` can end.
     """
     node = machine.truths[truth].node
     if not isinstance(node, ir.Held):

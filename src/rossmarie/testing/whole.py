@@ -116,7 +116,7 @@ def _representable(step: float) -> float | None:
 
 
 def _is_one(steps: list[float]) -> bool:
-    """Whether each step is a multiple of the least."""
+    """Say whether each step is a multiple of the least."""
     ratios = [step / min(steps) for step in steps]
     return all(math.isclose(ratio, round(ratio)) for ratio in ratios)
 
@@ -133,7 +133,7 @@ def slot_behind(machine: ir.Machine, sampled: int) -> int | None:
 
 
 def is_carried(machine: ir.Machine, script: Script) -> bool:
-    """Whether messages can carry all that a script sets."""
+    """Say whether messages can carry all that a script sets."""
     sources: list[ir.Slot | ir.Array] = [*machine.slots, *machine.arrays]
     fields = {
         (machine.channels[machine.inputs[each.input].channel].topic, each.path): each

@@ -1,4 +1,4 @@
-"""What z3 has to know of fields of whole numbers, in SI.
+"""Facts about fields of whole numbers, in SI, that z3 has to know.
 
 Where a message is converted, the result is rounded, which formulas leave room for: with `is_wide`
 enough for the greatest numbers of the field, so that what they exclude cannot be.

@@ -23,7 +23,7 @@ SEPARATOR = "=" * 80 + "\nMSG: "
 
 _NAME = re.compile(r"([A-Za-z]\w*)/(?:(?:msg|srv|action)/)?([A-Za-z]\w*)", re.ASCII)
 _END_OF_SENT = "---"
-# What rosbags puts into messages without fields, as the IDL of ROS 2 does.
+# The member that rosbags puts into messages without fields, as the IDL of ROS 2 does.
 _PADDING = "structure_needs_at_least_one_member"
 _LARGEST_FILE = 64 * 1024
 
@@ -42,7 +42,9 @@ Definition = Mapping[str, Field]
 
 
 class Kind(enum.Enum):
-    """What a file defines; the value is its suffix, and the folder of the package it is in."""
+    """The things that a file defines; the value is its suffix, and the folder of the package it is
+    in.
+    """
 
     MESSAGE = "msg"
     SERVICE = "srv"

@@ -91,7 +91,7 @@ Rule = Callable[..., Outcome]
 
 @dataclass(frozen=True)
 class Signature:
-    """How many operands there may be (`most` None: any number), and what becomes of them."""
+    """The number of operands that there may be (`most` None: any), and what becomes of them."""
 
     least: int
     most: int | None
@@ -125,7 +125,9 @@ def _absorbed(operator: Operator, operands: tuple[Type, ...]) -> Outcome:
 
 
 def unit_faults(left: Quantity, right: Quantity) -> tuple[Fault, ...]:
-    """Whether two numbers may be compared. One of unstated unit goes with plain numbers."""
+    """The reasons why two numbers may not be compared. One of unstated unit goes with plain
+    numbers.
+    """
     if left.unit is None or right.unit is None:
         other = left.unit or right.unit or DIMENSIONLESS
         return () if other.dimension == DIMENSIONLESS.dimension else (Fault.UNSTATED_UNIT,)
@@ -137,7 +139,7 @@ def _fault(*faults: Fault) -> Outcome:
 
 
 def _unfit(*operands: Type) -> Outcome:
-    """What to say of operands of which at least one is no number."""
+    """The finding on operands of which at least one is no number."""
     if any(isinstance(operand, (Interval, Box)) for operand in operands):
         return _fault(Fault.RANGE)
     numbers = all(isinstance(operand, (Vector, Quantity)) for operand in operands)
@@ -145,7 +147,7 @@ def _unfit(*operands: Type) -> Outcome:
 
 
 def _elementwise(rule: Rule, *operands: Type) -> Outcome:
-    """What follows for arrays from a rule for scalars."""
+    """The outcome for arrays that follows from a rule for scalars."""
     if not any(isinstance(operand, Array) for operand in operands):
         return rule(*operands)
     elements = (operand.element if isinstance(operand, Array) else operand for operand in operands)

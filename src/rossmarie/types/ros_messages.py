@@ -94,8 +94,8 @@ class MessageCatalog:
         return self._found[short]
 
     def find_sent(self, name: str, kind: Kind) -> Message | None:
-        """What is sent to a service (its request) or to an action server (its goal); None if it is
-        unknown. The goals of ROS 1 are also known as messages, `PACKAGE/NAMEGoal`.
+        """The message that is sent to a service (its request) or to an action server (its goal);
+        None if it is unknown. The goals of ROS 1 are also known as messages, `PACKAGE/NAMEGoal`.
 
         Raises `MessageDefinitionError` like `find`.
         """
@@ -225,7 +225,7 @@ class MessageCatalog:
 
 
 def message_value(message: Message) -> Type:
-    """What a whole message is as a value: a vector, a quaternion, else the message itself."""
+    """The value of a whole message: a vector, a quaternion, else the message itself."""
     if message.name in VECTORS:
         element = message.fields["x"]
         return Vector(element) if isinstance(element, Quantity) else message

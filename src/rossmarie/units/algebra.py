@@ -98,7 +98,7 @@ def _parse(text: str) -> Factors:
 
 
 def _is_unit(text: str) -> bool:
-    """Whether all of `text` is made of known symbols; never asks for suggestions."""
+    """Say whether all of `text` is made of known symbols; never ask for suggestions."""
     matches = [_FACTOR.fullmatch(part) for part in _SEPARATOR.split(text)[::2]]
     return all(match is not None and _expand(match["symbol"]) is not None for match in matches)
 

@@ -28,7 +28,7 @@ def _power(name: str, exponent: int) -> str:
 
 @dataclass(frozen=True)
 class Dimension:
-    """What is measured: an exponent for each of `BASE_DIMENSIONS`, in their order."""
+    """The dimension of a quantity: an exponent for each of `BASE_DIMENSIONS`, in their order."""
 
     exponents: tuple[int, ...]
 

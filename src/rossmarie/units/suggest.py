@@ -1,4 +1,4 @@
-"""What unit may have been meant."""
+"""Suggest the unit that may have been meant."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def suggest(text: str, is_unit: Callable[[str], bool]) -> tuple[str, ...]:
 
 
 def factor_of(text: str) -> str | None:
-    """What a unit that there is not is in units that there are: `1 inch is 2.54 cm`."""
+    """The value, in units that there are, of a unit that there is not: `1 inch is 2.54 cm`."""
     return FACTORS.get(text.lower())
 
 
@@ -47,7 +47,7 @@ def _respell(text: str) -> str:
 
 
 def _replacements(part: str, is_unit: Callable[[str], bool]) -> list[str]:
-    """What to put for one factor; the factor itself if there is nothing wrong with it."""
+    """The replacements for one factor; the factor itself if there is nothing wrong with it."""
     if is_unit(part):
         return [part]
     symbol, caret, exponent = part.partition("^")

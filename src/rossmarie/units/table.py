@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 
 class Definition(NamedTuple):
-    """What a symbol stands for; an empty product marks a base unit or a plain number."""
+    """The meaning of a symbol; an empty product marks a base unit or a plain number."""
 
     meaning: str
     product: str = ""
@@ -119,7 +119,7 @@ ALIASES: Mapping[str, str] = {
 """Other spellings, and products that are written without a sign."""
 
 PREFERRED = ("Hz", "N", "N*m", "Pa", "W", "V", "ohm", "T", "lx")
-"""What to call an SI unit, where its product of base units is not what people say."""
+"""The names of SI units whose products of base units are not what people say."""
 
 SPELLED_OUT: Mapping[str, str] = {
     "C": "degC",
@@ -138,7 +138,7 @@ SPELLED_OUT: Mapping[str, str] = {
     "seconds": "s",
     "secs": "s",
 }
-"""What to suggest for spellings that are not accepted, beside the meanings of `SYMBOLS`."""
+"""The suggestions for spellings that are not accepted, beside the meanings of `SYMBOLS`."""
 
 EVERYDAY: Mapping[str, str] = {
     "mps": "m/s",

@@ -1,4 +1,4 @@
-"""What the user wrote, as a tree. Every node remembers its span; nothing is resolved or checked.
+"""The text of the user, as a tree. Every node remembers its span; nothing is resolved or checked.
 
 Comes out of `parse`; goes into `check` and `format`. `Broken` stands where text could not be
 parsed: the finding is already reported and later stages pass over it in silence.

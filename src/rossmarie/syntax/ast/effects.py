@@ -1,4 +1,5 @@
-"""What an action does: the effects in its body. Times are expressions, not yet known to be times.
+"""The effects in the body of an action, which say what it does. Times are expressions, not yet
+known to be times.
 
 `topic` is a topic as written, or its alias; services, action servers, controller managers and nodes
 are named in the same way.

@@ -1,4 +1,4 @@
-"""What guards make superfluous.
+"""Find what guards make superfluous.
 
 Takes a layout. A number inside its guard is finite, so a scalar that nothing but guards look at
 need not be checked on arrival. A guarded number that never arrived, or expired, is outside its
@@ -37,7 +37,7 @@ def covered_values(layout: Layout) -> frozenset[int]:
 
 
 def is_seen_by_guards(layout: Layout, channel: int) -> bool:
-    """Whether every input of a channel has a guarded number of its own, and no age is asked."""
+    """Say whether every input of a channel has a guarded number of its own, and no age is asked."""
     seen: set[int] = set()
     for guard in layout.guards:
         support = layout.values[guard.value].support

@@ -1,4 +1,4 @@
-"""What the generated C says of its rules to whoever runs it."""
+"""Words of the generated C about its rules, for whoever runs it."""
 
 from __future__ import annotations
 

@@ -159,7 +159,7 @@ class Expressions:
     # --- comparisons -------------------------------------------------------------------------
 
     def comparison(self, node: ir.TruthNode, write: Callable[[int], str]) -> tuple[str, str]:
-        """Whether an operand is NaN, and what the comparison says where none is."""
+        """Say whether an operand is NaN, and what the comparison says where none is."""
         match node:
             case ir.Compare(comparison=comparison, left=left, right=right):
                 holds = f"{write(left)} {comparison.value} {write(right)}"

@@ -10,7 +10,7 @@ from rossmarie.targets.c99.text import call, indented, table
 
 
 def blanks(layout: Layout, messages: Messages) -> dict[str, object]:
-    """What the template leaves open."""
+    """The blanks that the template leaves open."""
     return {
         "value_of_signal": _value_of_signal(layout),
         "updates": "\n".join(_update(layout, messages, c) for c in _channels(layout)),
@@ -101,7 +101,7 @@ def _column(name: str, kind: str, place: int) -> str:
 
 
 def _is_single(layout: Layout, messages: Messages) -> bool:
-    """Whether every row is one message on the only channel."""
+    """Say whether every row is one message on the only channel."""
     return len(layout.channel_names) == 1 and bool(messages.fields[0])
 
 

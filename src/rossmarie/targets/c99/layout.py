@@ -36,7 +36,7 @@ class Value:
 
 @dataclass
 class Guard:
-    """What watches a value; `leaves` are truth indexes in the order of their nodes."""
+    """The guard that watches a value; `leaves` are truth indexes in the order of their nodes."""
 
     name: str
     value: int
@@ -79,12 +79,14 @@ class Layout:
 
     @property
     def leaf_count(self) -> int:
-        """How many truths are set where a number or an age is looked at, without being marked."""
+        """The number of truths that are set where a number or an age is looked at, without being
+        marked.
+        """
         return len(self.node_of_truth) - len(self.oscillations) - len(self.derived)
 
     @property
     def truth_count(self) -> int:
-        """How many truths a monitor keeps."""
+        """The number of truths that a monitor keeps."""
         return len(self.node_of_truth)
 
     def aged_inputs(self) -> set[int]:
@@ -97,7 +99,7 @@ class Layout:
         return sorted(self.node_of_truth, key=self.node_of_truth.__getitem__)
 
     def has_timeout(self, used: int) -> bool:
-        """Whether an input expires."""
+        """Say whether an input expires."""
         return self.machine.inputs[used].timeout_ns is not None
 
     def value_index(self, signal: int) -> int | None:
@@ -265,7 +267,7 @@ class _Builder:
         return tuple(i for i in self.whole if isinstance(self.machine.truths[i].node, kinds))
 
     def _is_still(self, index: int) -> bool:
-        """Whether an oscillation rests on no input, so that it never swings (S32)."""
+        """Say whether an oscillation rests on no input, so that it never swings (S32)."""
         return not self.supports.truths[index].channels
 
     def _truth_name(self, index: int) -> str:

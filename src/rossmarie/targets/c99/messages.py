@@ -81,7 +81,7 @@ class Messages:
         return "\n".join(parts)
 
     def _constants(self) -> str:
-        """What is computed from constants only, once."""
+        """Compute, once, what rests on constants only."""
         pieces = (*self.expressions.signals(), *self.expressions.tests())
         lines = [line for piece in pieces if not piece.channels for line in piece.lines]
         if not lines:
@@ -89,7 +89,7 @@ class Messages:
         return f"static void set_constants(monitor *m)\n{{\n{indented(lines)}\n}}\n"
 
     def _compute(self) -> str:
-        """What is computed from the numbers of messages, once all of them are stored."""
+        """Compute what rests on the numbers of messages, once all of them are stored."""
         lines = list(self._guarded(self._computed()))
         unused = [] if lines else ["    (void)arrived;\n"]
         return (
@@ -182,7 +182,7 @@ class Messages:
         )
 
     def _unchanged(self) -> Iterator[str]:
-        """What says of messages on several channels that they change no truth."""
+        """The conditions on which messages on several channels change no truth."""
         yield "before == CALM"
         if self._layout.oscillations:
             yield "!is_pending(m)"

@@ -1,4 +1,4 @@
-"""What the templates of the reactor leave open: sizes, and the tables of tasks, plans and limits.
+"""The blanks of the templates of the reactor: sizes, and the tables of tasks, plans and limits.
 
 Takes a layout; gives C text. Every entry that a user's words stand behind carries them.
 """
@@ -16,7 +16,7 @@ from rossmarie.targets.c99.types import duration, number
 
 
 def blanks(layout: Layout) -> dict[str, object]:
-    """What both templates leave open."""
+    """The blanks that both templates leave open."""
     found = layout.machine.reactions
     return {
         "guard": f"{layout.name.upper()}_REACTOR_H",
@@ -31,7 +31,7 @@ def blanks(layout: Layout) -> dict[str, object]:
 
 
 def _counts(found: reactions.Reactions) -> dict[str, int]:
-    """How many there are of what a reactor has; of what is not named here it has none."""
+    """The sizes of what a reactor has; of what is not named here it has none."""
     used = {
         "COMMANDS": len(found.commands),
         "CONFIRMED": sum(
@@ -140,7 +140,7 @@ def _unless_table(found: reactions.Reactions) -> list[str]:
 
 
 def _is_yielding(found: reactions.Reactions) -> bool:
-    """Whether any rule is not carried out while another one is active."""
+    """Say whether any rule is not carried out while another one is active."""
     return any(plan.unless for plan in found.plans)
 
 

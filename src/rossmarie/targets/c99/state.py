@@ -8,12 +8,12 @@ from rossmarie.targets.c99.layout import Layout
 
 
 def is_small(layout: Layout) -> bool:
-    """Whether the marks of all truths and rules fit one word."""
+    """Say whether the marks of all truths and rules fit one word."""
     return layout.truth_count + len(layout.machine.rules) <= 64
 
 
 def turns(layout: Layout) -> list[int]:
-    """How many turning points each oscillation remembers."""
+    """The number of turning points that each oscillation remembers."""
     nodes = [layout.machine.truths[index].node for index in layout.oscillations]
     return [node.count for node in nodes if isinstance(node, ir.Oscillates)]
 

@@ -37,7 +37,7 @@ def tables(layout: Layout) -> str:
 
 
 def _sizes(layout: Layout) -> dict[str, int]:
-    """How many there are of what a monitor has; of what is not named here it has none."""
+    """The sizes of what a monitor has; of what is not named here it has none."""
     machine = layout.machine
     always = {
         "INPUTS": len(machine.inputs),
@@ -157,7 +157,7 @@ def _rule_node(layout: Layout, rule: int) -> str:
 
 
 def _node_tables(layout: Layout) -> str:
-    """Which nodes depend on each truth, rules included."""
+    """The nodes that depend on each truth, rules included."""
     users: list[set[int]] = [set() for _ in range(layout.truth_count)]
     for index in layout.derived:
         for operand in ir.truth_operands(layout.machine.truths[index].node):

@@ -1,4 +1,4 @@
-"""How numbers and parameters are written in C."""
+"""The forms of numbers and parameters in C."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rossmarie.naming import c_identifier
 from rossmarie.targets.c99 import names
 
 SLOT_TYPES = {ir.Kind.REAL: "double", ir.Kind.FLAG: "bool", ir.Kind.TEXT: "int32_t"}
-"""What a slot is in a public function."""
+"""The types of slots in public functions."""
 
 
 def number(value: float) -> str:
@@ -36,7 +36,7 @@ class Field:
 
 
 def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
-    """What the messages of a channel carry: its slots, then its arrays."""
+    """The fields that the messages of a channel carry: its slots, then its arrays."""
     # The functions that have fields as parameters call functions named after channels.
     called = [
         f"{step}_{c_identifier(topic.topic)}"

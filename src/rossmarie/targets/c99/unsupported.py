@@ -1,4 +1,4 @@
-"""What the C99 target cannot do: machines that its tables cannot hold."""
+"""Limits of the C99 target: machines that its tables cannot hold."""
 
 from __future__ import annotations
 

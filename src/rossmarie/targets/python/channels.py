@@ -189,7 +189,7 @@ class _Calm:
         return [f"{local} - {local} == 0.0"]
 
     def _shows(self, node: ir.Apply, name: str) -> bool:
-        """Whether a number is finite wherever a function of it is."""
+        """Say whether a number is finite wherever a function of it is."""
         named = (operand for operand in node.operands if self._layout.value(operand) == name)
         return any(expressions.is_shown(node, operand) for operand in named)
 
@@ -202,7 +202,7 @@ class _Calm:
         return {signal for rule in rules if rule.release is None for signal in rule.signals}
 
     def is_only_compared(self, name: str) -> bool:
-        """Whether only guards look at a number or at its absolute value: then it may stay the
+        """Say whether only guards look at a number or at its absolute value. Then it may stay the
         integer that it may be, for that is compared alike.
         """
         for index, node in self._users.get(name, ()):

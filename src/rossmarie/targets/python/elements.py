@@ -69,7 +69,7 @@ def _finish(layout: Layout, array: int, function: Function) -> None:
 
 
 class _Element:
-    """How the nodes of one element are written."""
+    """The writer of the nodes of one element."""
 
     def __init__(self, layout: Layout) -> None:
         self._layout = layout

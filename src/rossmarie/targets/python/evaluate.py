@@ -41,7 +41,7 @@ def evaluate(layout: Layout) -> list[str]:
 
 
 def _parts(layout: Layout) -> list[Function]:
-    """What there is to evaluate, in its order, cut into functions."""
+    """The steps of an evaluation, in their order, cut into functions."""
     parts = [Function("evaluate_0(at_ns, updated)")]
     for step in _steps(layout):
         if parts[-1].length + step.length > _MOST_LINES:

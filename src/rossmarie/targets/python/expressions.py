@@ -14,7 +14,7 @@ from rossmarie.targets.python.functions import PYTHON
 from rossmarie.targets.python.layout import Layout, memory
 
 Write = Callable[[int], str]
-"""How a signal or a truth is written, by its index."""
+"""A function that writes a signal or a truth, given its index."""
 
 
 def applied(layout: Layout, node: ir.Apply, write: Write) -> str:
@@ -41,13 +41,13 @@ def of_samples(node: ir.Sampled) -> str:
 
 
 def is_shown(node: ir.Apply, operand: int) -> bool:
-    """Whether a signal is finite wherever a function of it and others is."""
+    """Say whether a signal is finite wherever a function of it and others is."""
     places = [place for place, each in enumerate(node.operands) if each == operand]
     return not core.shown_by(node.function, len(node.operands)).isdisjoint(places)
 
 
 def may_be_infinite(layout: Layout, signal: int) -> bool:
-    """Whether a signal can be an element of an array that is out of range (S8)."""
+    """Say whether a signal can be an element of an array that is out of range (S8)."""
     match layout.machine.signals[signal].node:
         case ir.Element() | ir.Fold():
             return True
@@ -62,7 +62,7 @@ def may_be_infinite(layout: Layout, signal: int) -> bool:
 
 
 def holds(node: ir.TruthNode, write: Write) -> str:
-    """What a comparison says where nothing is unknown (S27 to S29)."""
+    """The value of a comparison where nothing is unknown (S27 to S29)."""
     match node:
         case ir.Compare(comparison=comparison, left=left, right=right):
             return f"{write(left)} {comparison.value} {write(right)}"
@@ -78,7 +78,7 @@ def holds(node: ir.TruthNode, write: Write) -> str:
 
 
 def is_unknown(layout: Layout, node: ir.TruthNode, write: Write) -> str:
-    """Whether a side of a comparison is NaN; empty if none can be."""
+    """A condition: a side of a comparison is NaN. It is empty if none can be."""
     signals = dict.fromkeys(ir.compared_signals(node))
     nodes = layout.machine.signals
     variable = [s for s in signals if not isinstance(nodes[s].node, ir.Constant)]

@@ -36,7 +36,7 @@ class Function:
 
     @property
     def length(self) -> int:
-        """How many lines there are."""
+        """The number of lines."""
         return len(self._lines)
 
     def text(self) -> list[str]:

@@ -127,7 +127,7 @@ class Layout:
         return [index for index, array in arrays if self.channel(array.input) == channel]
 
     def is_timed(self, inputs: Iterable[int]) -> bool:
-        """Whether any of the inputs expires."""
+        """Say whether any of the inputs expires."""
         return any(self.machine.inputs[used].timeout_ns is not None for used in inputs)
 
     # --- memories ----------------------------------------------------------------------------

@@ -110,7 +110,7 @@ def _functions(machine: ir.Machine, body: str) -> Iterator[str]:
 
 
 def _descriptions(machine: ir.Machine) -> Iterator[str]:
-    """What the indexes in verdicts mean, in the words of the rules file."""
+    """The meaning of the indexes in verdicts, in the words of the rules file."""
     yield "RULES: tuple[Rule, ...] = ("
     for rule in machine.rules:
         yield f"{INDENT}Rule("

@@ -1,4 +1,5 @@
-"""What a generated module may need, word for word: the generator copies these by their source.
+"""Parts that a generated module may need, word for word: the generator copies these by their
+source.
 
 They mean what `docs/explanation/semantics.md` says, with 0 for false, 1 for true, 2 for unknown and
 3 for lost.

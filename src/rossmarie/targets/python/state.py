@@ -1,4 +1,4 @@
-"""What a monitor remembers, how time changes it, and when (S10, S15, S17).
+"""The memory of a monitor, how time changes it, and when (S10, S15, S17).
 
 Takes a layout. Instants and durations are in nanoseconds.
 """

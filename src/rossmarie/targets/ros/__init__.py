@@ -1,1 +1,3 @@
-"""What the targets for ROS 1 and ROS 2 share: a node that monitors, acts, and filters commands."""
+"""Common parts of the targets for ROS 1 and ROS 2: a node that monitors, acts, and filters
+commands.
+"""

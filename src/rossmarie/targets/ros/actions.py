@@ -1,4 +1,4 @@
-"""What each task does, as C++: an object for each, made by `make_tasks`."""
+"""The deeds of each task, as C++: an object for each, made by `make_tasks`."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class TasksText:
     dialect: Dialect
 
     def blanks(self) -> dict[str, object]:
-        """What the template leaves open."""
+        """The blanks that the template leaves open."""
         machine = self.machine
         tasks = range(len(machine.reactions.tasks))
         return {
@@ -164,7 +164,7 @@ class TasksText:
                 raise AssertionError(effect)
 
     def _doing(self, index: int, effect: Doing) -> list[str]:
-        """What is done at the start, and at the end if anything is."""
+        """The deeds at the start of a task, and at its end if there are any."""
         match effect:
             case reactions.Log(level=level, text=text):
                 rule = self.machine.rules[rule_of_task(self.machine)[index]].name
@@ -213,7 +213,7 @@ def _call(head: str, arguments: Sequence[str], tail: str) -> list[str]:
 
 
 def _is_resent(effect: reactions.SendGoal | reactions.CancelGoal) -> str:
-    """Whether the goal that is interrupted is sent again."""
+    """Say whether the goal that is interrupted is sent again."""
     return str(effect.interrupted is reactions.Interrupted.RESEND).lower()
 
 
@@ -228,7 +228,7 @@ def _texts(values: Sequence[str]) -> str:
 
 
 def _report(index: int) -> str:
-    """What is to be called when the end of a task is known."""
+    """The function to call when the end of a task is known."""
     return f"[&host](bool success) {{ host.report({index}, success); }}"
 
 

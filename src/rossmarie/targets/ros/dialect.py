@@ -1,4 +1,4 @@
-"""What differs between ROS 1 and ROS 2 in generated C++: how types and their headers are called."""
+"""Differences between ROS 1 and ROS 2 in generated C++: the names of types and of their headers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rossmarie.ir import reactions
 
 
 class Interface(Enum):
-    """What a type is the type of; the value is the folder of its definition."""
+    """The kind of interface of a type; the value is the folder of its definition."""
 
     MESSAGE = "msg"
     SERVICE = "srv"

@@ -1,4 +1,4 @@
-"""How messages come into the monitor, and which numbers of commands are bounded, as C++."""
+"""The way of messages into the monitor, and the numbers of commands that are bounded, as C++."""
 
 from __future__ import annotations
 

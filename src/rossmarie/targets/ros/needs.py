@@ -1,4 +1,4 @@
-"""What only some effects need: headers, packages, objects that tasks share, other nodes."""
+"""The needs of some effects only: headers, packages, objects that tasks share, other nodes."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def parts(machine: ir.Machine, dialect: Dialect) -> list[Part]:
 
 
 class SharedObject(NamedTuple):
-    """What the tasks of one target share: a variable, its class, and what it is made of."""
+    """An object that the tasks of a target share: a variable, its class, and what it is made of."""
 
     name: str
     kind: str
@@ -68,7 +68,7 @@ def _shared_kind(
 
 
 class Other(NamedTuple):
-    """What another node has to offer: a service, or a topic that says that it is there."""
+    """An offer that another node has to make: a service, or a topic that says that it is there."""
 
     title: str
     name: str
@@ -76,7 +76,7 @@ class Other(NamedTuple):
 
 
 def others(machine: ir.Machine, dialect: Dialect) -> list[Other]:
-    """What has to be there besides the node, in the order of the tasks."""
+    """The things that have to be there besides the node, in the order of the tasks."""
     found: dict[str, Other] = {}
     for task in machine.reactions.tasks:
         offered = _offered(task.effect, dialect)

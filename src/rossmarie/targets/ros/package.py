@@ -34,7 +34,7 @@ _FIXED = (
     "srv/Reset.srv", "srv/Why.srv", "srv/Exempt.srv",
 )  # fmt: skip
 
-# What the node calls of the C; the last two are there where commands are bounded.
+# The functions of the C that the node calls; the last two are there where commands are bounded.
 _FUNCTIONS = (
     "init", "latch", "step", "advance", "reset", "next_wake", "is_active", "input_state",
     "has_all_inputs", "reactor_init", "reactor_open", "react", "report", "reactor_next_wake",
@@ -127,7 +127,7 @@ class PackageWriter:
         return {path: self.fill(path, **each) for path, each in blanks.items()}
 
     def _rules(self) -> dict[str, object]:
-        """What the template of `rules.cpp` leaves open."""
+        """The blanks that the template of `rules.cpp` leaves open."""
         machine, dialect = self._machine, self._dialect
         return {
             "includes": "\n".join(f"#include <{header}>" for header in self._message_headers()),
@@ -141,7 +141,7 @@ class PackageWriter:
         }
 
     def _core(self) -> dict[str, object]:
-        """What the template of `rules.h` leaves open."""
+        """The blanks that the template of `rules.h` leaves open."""
         has_commands = bool(self._machine.reactions.commands)
         return {
             "arrays": messages.arrays(self._layout),

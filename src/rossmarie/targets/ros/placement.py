@@ -1,4 +1,4 @@
-"""What a placement means for a node: the blanks that name its package, and its package.xml."""
+"""The meaning of a placement for a node: the blanks that name its package, and its package.xml."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from rossmarie.targets.c99.text import indented
 
 
 def blanks(machine: ir.Machine, name: str) -> dict[str, object]:
-    """What the template leaves open; C has no empty tables, so each has a row at least."""
+    """The blanks of the template; C has no empty tables, so each has a row at least."""
     starts = [_start(machine, rule, task) for rule, task in _first(machine)]
     limits = [row for rule, task in _first(machine) for row in _limits(machine, rule, task)]
     commands = machine.reactions.commands

@@ -11,7 +11,7 @@ from rossmarie.targets.ros.dialect import Dialect
 
 
 def blanks(machine: ir.Machine, dialect: Dialect) -> dict[str, object]:
-    """What the template leaves open."""
+    """The blanks that the template leaves open."""
     return {
         "inputs": "\n".join(_input(machine, used) for used in machine.inputs) or "- none",
         "commands": "\n".join(_ways(machine, dialect)) or "- none",
@@ -27,7 +27,7 @@ def _input(machine: ir.Machine, used: ir.Input) -> str:
 
 
 def _ways(machine: ir.Machine, dialect: Dialect) -> Iterator[str]:
-    """What goes through the node."""
+    """The ways that go through the node."""
     for command in machine.reactions.commands:
         yield _way(command.topic, command.message_type)
     for server, action_type in (relayed_servers(machine) if dialect.relay else {}).items():

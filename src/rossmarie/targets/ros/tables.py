@@ -20,7 +20,7 @@ _KINDS = {
 
 
 def blanks(machine: ir.Machine, dialect: Dialect, name: str) -> dict[str, object]:
-    """What the template leaves open; `name` is that of the C."""
+    """The blanks that the template leaves open; `name` is that of the C."""
     rules = range(len(machine.rules))
     return {
         "texts": block(f"{name}_texts[{index}]," for index in range(len(machine.texts))),

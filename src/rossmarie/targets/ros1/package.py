@@ -13,12 +13,12 @@ from rossmarie.targets.manifest import Placement
 from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros1.dialect import ROS1
 
-# What the node itself uses.
+# The packages that the node itself uses.
 _ALWAYS = {"roscpp", "std_msgs"}
 
 
 def next_step(_: ir.Machine) -> str:
-    """How the package is built."""
+    """Say how the package is built."""
     return "build it where ROS 1 is: `catkin_make` in its workspace"
 
 

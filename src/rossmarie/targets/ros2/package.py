@@ -12,10 +12,10 @@ from rossmarie.targets.ros.package import PackageWriter
 from rossmarie.targets.ros2 import security
 from rossmarie.targets.ros2.dialect import ROS2
 
-# What stands behind the name of an action server: ROS 2 renames topics and services, not actions.
+# The words behind the name of an action server: ROS 2 renames topics and services, not actions.
 _OF_ACTIONS = ("send_goal", "cancel_goal", "get_result", "feedback", "status")
 
-# What the node itself uses.
+# The packages that the node itself uses.
 _ALWAYS = {
     "bondcpp", "builtin_interfaces", "lifecycle_msgs", "rcl_interfaces", "rclcpp",
     "rclcpp_components", "rclcpp_lifecycle", "std_msgs",
@@ -23,7 +23,7 @@ _ALWAYS = {
 
 
 def next_step(machine: ir.Machine) -> str:
-    """How the package is built."""
+    """Say how the package is built."""
     package = node_name(machine)
     return f"build it where ROS 2 is: `colcon build --packages-select {package}` in its workspace"
 

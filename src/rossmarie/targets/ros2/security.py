@@ -23,7 +23,7 @@ _BEHIND = (
     "'planner', and add what else the node uses."
 )
 
-# What each node of rclcpp and rclpy has.
+# The services that each node of rclcpp and rclpy has.
 _SERVICES_OF_EACH = (
     "describe_parameters", "get_parameter_types", "get_parameters", "list_parameters",
     "set_parameters", "set_parameters_atomically", "get_type_description",
@@ -31,7 +31,7 @@ _SERVICES_OF_EACH = (
 _PUBLISHED_BY_EACH = ("/parameter_events", "/rosout")
 _SUBSCRIBED_BY_EACH = ("/clock", "/parameter_events")
 
-# What the node has besides: the life cycle, the bond with its manager, and its own.
+# The services that the node has besides: the life cycle, the bond with its manager, and its own.
 _SERVICES = (
     "change_state", "get_available_states", "get_available_transitions", "get_state",
     "get_transition_graph", "exempt", "reset", "why",
@@ -41,7 +41,7 @@ _SUBSCRIBED = ("/bond",)
 
 
 class _Grant(NamedTuple):
-    """What a node may do with these topics, services or actions, or may not."""
+    """The deeds that a node may, or may not, do with these topics, services or actions."""
 
     right: str
     names: Iterable[str]

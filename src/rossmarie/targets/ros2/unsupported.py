@@ -1,4 +1,4 @@
-"""What the ROS 2 target cannot do, and what its core cannot."""
+"""Limits of the ROS 2 target, and of its core."""
 
 from __future__ import annotations
 
