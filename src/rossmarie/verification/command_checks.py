@@ -1,4 +1,4 @@
-"""What is to be shown of the bounds that lie on commands (R11, R12).
+"""Checks of the bounds that lie on commands (R11, R12).
 
 Takes the reactions of a machine; gives C functions. The numbers come from the effects as the rules
 state them, not from the tables that the generator makes.
@@ -46,7 +46,7 @@ _MOVED = (("moved", "contract_moved"),)
 
 @dataclass(frozen=True)
 class _End:
-    """What a task does to a field while it is in force."""
+    """The bounds that a task puts on a field while it is in force."""
 
     task: int
     low: float

@@ -1,4 +1,4 @@
-"""What stands in for a part of the generated code that has a check of its own.
+"""Contracts: each stands in for a part of the generated code that has a check of its own.
 
 A contract asserts what its part needs, forgets all that the part may change, and assumes what the
 check of the part has shown. The text is the same for every machine, but for a few numbers.

@@ -1,4 +1,4 @@
-"""What the semantics say of every number and every truth, as C over the memory of a monitor.
+"""The semantics of every number and every truth, as C over the memory of a monitor.
 
 Takes a layout, which tells where things are kept; what they mean is read off the machine, by the
 rules of `docs/explanation/semantics.md`, and not off anything that the generator made of it. These
@@ -49,7 +49,9 @@ _Static_assert(UNKNOWN == {name}_UNKNOWN && LOST == {name}_LOST, "what is not kn
 _Static_assert(NEVER_RECEIVED == {name}_NEVER_RECEIVED, "the state before the first message");
 _Static_assert(FRESH == {name}_FRESH && EXPIRED == {name}_EXPIRED, "states of inputs");
 """
-"""What the C calls by a name of its own. CBMC takes no program in which one of these is wrong."""
+"""The numbers that the C calls by names of its own. CBMC takes no program in which one of these is
+wrong.
+"""
 
 
 class Definitions:
@@ -75,7 +77,7 @@ class Definitions:
         return "\n".join(parts)
 
     def is_whole(self, truth: int) -> bool:
-        """Whether a truth is about a monitor and not about one element of an array."""
+        """Say whether a truth is about a monitor and not about one element of an array."""
         return self._layout.elements.truths[truth] is None
 
     # --- numbers -----------------------------------------------------------------------------
@@ -95,14 +97,14 @@ class Definitions:
                 yield index
 
     def is_never_infinite(self, signal: int) -> bool:
-        """Whether a signal is finite or unknown by itself."""
+        """Say whether a signal is finite or unknown by itself."""
         node = self._machine.signals[signal].node
         if not isinstance(node, ir.Apply):
             return False
         return not may_be_infinite(node.function, len(node.operands), of_infinite=True)
 
     def can_be_infinite(self, signal: int) -> bool:
-        """Whether a signal keeps infinities: those out of arrays are ordinary numbers (S8)."""
+        """Say whether a signal keeps infinities: those out of arrays are ordinary numbers (S8)."""
         match self._machine.signals[signal].node:
             case ir.Fold():
                 return True
@@ -136,7 +138,7 @@ class Definitions:
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
 
     def _view(self, node: ir.Sampled, view: View) -> str:
-        """What is found among samples; how windows are put in order is not proved."""
+        """The result of a search among samples; the order of windows is not proved."""
         match view:
             case View.NEWEST:
                 return f"m->latest[{self._layout.sampled.index(node.signal)}]"
@@ -152,7 +154,7 @@ class Definitions:
     # --- elements of arrays ------------------------------------------------------------------
 
     def _elements(self) -> Iterator[str]:
-        """What is computed for one element `e` (S22), then for all of them (S23 to S25)."""
+        """Compute one element `e` (S22), then all of them (S23 to S25)."""
         for index, array in enumerate(self._layout.elements.signals):
             if array is not None:
                 text = self._element_signal(index)

@@ -1,4 +1,4 @@
-"""What is to be shown of evaluation, of rules, and of the functions that no message is in.
+"""Checks of evaluation, of rules, and of the functions that no message is in.
 
 Takes the invariants of a machine; gives C functions that begin in any state that fits them.
 """

@@ -1,4 +1,4 @@
-"""What a monitor reports when a rule changes, or when time goes backwards.
+"""The reports of a monitor when a rule changes, or when time goes backwards.
 
 Takes a layout and its definitions; gives C that compares what was reported with what a monitor
 knows. What is reported is kept by `observe` of the contracts.
@@ -56,7 +56,7 @@ class Events:
             yield f"said->inputs[{place}] == m->state[{used}]"
 
     def changed(self, rule: int) -> str:
-        """Whether a rule is not what it was in `old`."""
+        """State that a rule is not what it was in `old`."""
         return f"({_bit('m->', rule)} != {_bit('old.', rule)})"
 
     def reported(self, rules: set[int]) -> Iterator[str]:

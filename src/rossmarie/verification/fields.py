@@ -1,5 +1,5 @@
-"""What the messages of a channel carry, and how it is handed over in C: by the slots of the machine
-in their order, then its arrays.
+"""The fields that the messages of a channel carry, in the order in which C takes them: the slots of
+the machine in their order, then its arrays.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from rossmarie.naming.identifiers import c_identifier
 from rossmarie.verification.layout import Layout, MisplacedError
 
 SLOT_TYPES = {ir.Kind.REAL: "double", ir.Kind.FLAG: "bool", ir.Kind.TEXT: "int32_t"}
-"""What a slot is in a public function."""
+"""The types of slots in public functions."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""What a function leaves alone, and what a message makes of inputs.
+"""Frames: the part that a function leaves alone, and the changes of inputs that a message makes.
 
 Takes a layout; gives C that compares a monitor with what it has to be, member by member.
 """
@@ -83,7 +83,7 @@ class Frames:
         return _TOLD.format(channels=channels, lines="\n".join(lines))
 
     def _is_stamped(self, index: int) -> bool:
-        """Whether somebody looks at the age of an input."""
+        """Say whether somebody looks at the age of an input."""
         has_timeout = self._machine.inputs[index].timeout_ns is not None
         return has_timeout or index in self._layout.aged_inputs()
 
@@ -196,7 +196,7 @@ class Frames:
         return self.kept(lines)
 
     def _is_sampled(self, value: int) -> bool:
-        """Whether a number rests on what another one was before."""
+        """Say whether a number rests on what another one was before."""
         return bool(self._layout.values[value].support.sampled)
 
     def received(self, channel: int) -> str:

@@ -1,4 +1,4 @@
-"""What is to be shown of a look at a number that is watched, and what stands in for that elsewhere.
+"""Checks of a look at a number that is watched, and the contract that stands in for it elsewhere.
 
 Takes the invariants of a machine; gives for each guard a check of `cross` and one of `is_inside`,
 and the contract that all other checks call instead, which covers both. What a guard and its truths
@@ -20,7 +20,7 @@ from rossmarie.verification.program import ANY, assertions, assumptions, claim, 
 _LOOPS_OVER_LIMITS = ("cross_far.0", "cross_far.1", "flip.0", "gain_sight.1")
 
 _LOOKS: Parts = (("is_inside", "always_outside"), ("cross", "contract_look"))
-"""What stands in for a look at a guard."""
+"""The functions that stand in for a look at a guard."""
 
 
 def unlooked(parts: Parts) -> Parts:
@@ -38,7 +38,7 @@ class GuardChecks:
         self._invariants = invariants
 
     def parts(self) -> Parts:
-        """What other checks call instead."""
+        """The parts that other checks call instead."""
         return _LOOKS if self._layout.guards else ()
 
     def written(self) -> Iterator[Written]:
@@ -107,7 +107,7 @@ class GuardChecks:
                 yield Sentence(f"`{remark}` is finite or unknown", f"!isinf(m->value[{value}])")
 
     def _probe(self, number: int, guard: Watched) -> str:
-        """Whether truths are right for the largest number that a guard lets pass."""
+        """State that truths are right for the largest number that a guard lets pass."""
         right = " && ".join(
             f"{self._definitions.truth(truth)} == "
             + (
@@ -185,7 +185,7 @@ class GuardChecks:
     # --- truths ------------------------------------------------------------------------------
 
     def _set(self, name: str, truths: Sequence[int]) -> str:
-        """What it means to give one of some truths a value."""
+        """The function that gives one of some truths a value."""
         cases = []
         for truth in truths:
             node = self._layout.node_of_truth[truth]
@@ -213,7 +213,7 @@ class GuardChecks:
     # --- the check ---------------------------------------------------------------------------
 
     def _check(self, number: int, guard: Watched) -> str:
-        """What it leaves behind is what the contract makes of the memory before."""
+        """The check that a look leaves behind what the contract makes of the memory before."""
         nodes = [self._layout.node_of_truth[truth] for truth in guard.leaves]
         copied = [f"{name}[{number}]" for name in ("place", "low", "high")]
         copied += [f"truth[{node}]" for node in nodes]

@@ -157,8 +157,8 @@ class _Writer:
         return {"leaves": (*self._invariants.guards(), "literals"), **_MOMENTS}
 
     def _unlooked(self, word: str, write: Callable[[Sequence[Sentence]], str]) -> str:
-        """What holds before timers are looked at: what was right at the last evaluation still is,
-        and no timer was due since.
+        """The sentences that hold before timers are looked at: what was right at the last
+        evaluation still is, and no timer was due since.
         """
         groups = ("clock", "marks", "just_in_time", "leaves", "swings", "rules", "ahead", "woken")
         lines = [f"    {word}_{group}(m, t_ns);" for group in groups]
@@ -181,7 +181,7 @@ class _Writer:
 
 
 def _told(invariants: Invariants, layout: Layout) -> list[Sentence]:
-    """What is told of each oscillation was right at the last evaluation, or it is marked."""
+    """Each truth told of an oscillation was right at the last evaluation, or it is marked."""
     found = []
     for k, truth in enumerate(layout.oscillations):
         told = invariants.told(k).replace("t_ns -", "m->now_ns -")

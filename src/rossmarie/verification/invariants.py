@@ -1,4 +1,4 @@
-"""What is true of the memory of a monitor between its functions, as C.
+"""Invariants of the memory of a monitor between its functions, as C.
 
 Takes a layout and its definitions; gives predicates. Three moments matter: a monitor *at rest*
 between two calls; one that has *caught up* with an instant, so that no timer is due before it; and
@@ -43,7 +43,7 @@ def users_of(layout: Layout, truth: int) -> list[int]:
 
 
 def remark_of(value: Value) -> str:
-    """What a value is, without the place that says so."""
+    """The words for a value, without the place that says so."""
     return value.remark.split("  ", 1)[-1]
 
 
@@ -70,20 +70,20 @@ class Invariants:
     # --- marks -------------------------------------------------------------------------------
 
     def marked(self, node: int) -> str:
-        """Whether a truth or rule is to be evaluated."""
+        """State that a truth or rule is to be evaluated."""
         if self._layout.is_small:
             return f"((m->dirty >> {node} & 1) != 0)"
         return f"((m->dirty[{node // 64}] >> {node % 64} & 1) != 0)"
 
     def nothing_marked(self) -> str:
-        """Whether no truth and no rule is to be evaluated."""
+        """State that no truth and no rule is to be evaluated."""
         if self._layout.is_small:
             return "m->dirty == 0"
         words = (self._layout.truth_count + len(self._machine.rules) + 63) // 64
         return " && ".join([*(f"m->dirty[{word}] == 0" for word in range(words)), "!m->pending"])
 
     def marks_are_in_range(self) -> str:
-        """Whether only truths that are evaluated when marked, and rules, are marked."""
+        """State that only truths that are evaluated when marked, and rules, are marked."""
         first = self._layout.leaf_count
         last = self._layout.truth_count + len(self._machine.rules)
         if self._layout.is_small:
@@ -182,7 +182,7 @@ class Invariants:
         yield Sentence(f"the guard of `{about}`", f"isnan({x}) ? {unknown} : {around}")
 
     def tests(self, guard: Watched) -> Iterator[Sentence]:
-        """What a guard watches may be a flag or a comparison, kept as a number: 0, 1 or unknown."""
+        """A guarded value may be a flag or a comparison, kept as a number: 0, 1 or unknown."""
         x = f"m->value[{guard.value}]"
         for truth in guard.leaves:
             if not self.is_test(truth):
@@ -195,7 +195,7 @@ class Invariants:
             yield Sentence(f"`{self._machine.truths[truth].text}` as a number", holds)
 
     def is_test(self, truth: int) -> bool:
-        """Whether the number from which a truth is told is only 0, 1 or unknown."""
+        """Say whether the number from which a truth is told is only 0, 1 or unknown."""
         is_flag = isinstance(self._machine.truths[truth].node, ir.Flag)
         return is_flag or truth in self._layout.places.value_of_test
 
@@ -290,7 +290,7 @@ class Invariants:
             yield Sentence(about, f"{end} == NEVER || ({end} >= EARLIEST && {end} <= t_ns)")
 
     def swinging(self) -> Iterator[Sentence]:
-        """What was seen of oscillations is what there is to see, and they are that or marked."""
+        """Each oscillation was seen as it is now, and its truth is that, or it is marked."""
         for k, truth in enumerate(self._layout.oscillations):
             text = self._machine.truths[truth].text
             seen = f"m->swinging[{k}] == {self.seen(k)}"
@@ -301,7 +301,7 @@ class Invariants:
             yield Sentence(f"`{text}` is what it means", f"{marked} || {self.told(k)}")
 
     def seen(self, k: int) -> str:
-        """Whether enough turning points lie within the window now."""
+        """The truth that enough turning points lie within the window now."""
         truth, node = self._layout.oscillations[k], oscillation(self._layout, k)
         x = self._definitions.number(node.signal)
         within = f"(m->turns[{k}] == {node.count} && t_ns < {self._window_end(k)})"
@@ -313,7 +313,7 @@ class Invariants:
         return f"{oldest} + INT64_C({oscillation(self._layout, k).window_ns})"
 
     def told(self, k: int) -> str:
-        """What is told of what is seen: nothing until a gap is a window ago."""
+        """State that a monitor tells what is seen: nothing until a gap is a window ago."""
         truth, node = self._layout.oscillations[k], oscillation(self._layout, k)
         value, seen = self._definitions.truth(truth), f"m->swinging[{k}]"
         gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"

@@ -16,7 +16,7 @@ from rossmarie.verification.places import Places, Watched, places_of
 from rossmarie.verification.supports import Elements, Support
 
 _WORD = 64
-"""How many marks fit one word."""
+"""The number of marks that fit one word."""
 
 
 class MisplacedError(Exception):
@@ -59,36 +59,38 @@ class Layout:
 
     @property
     def name(self) -> str:
-        """What the names of all public functions begin with."""
+        """The prefix of the names of all public functions."""
         return self.places.name
 
     @property
     def leaf_count(self) -> int:
-        """How many truths are set where a number or an age is looked at, without being marked."""
+        """The number of truths that are set where a number or an age is looked at, without being
+        marked.
+        """
         return self.truth_count - len(self.oscillations) - len(self.derived)
 
     @property
     def truth_count(self) -> int:
-        """How many truths a monitor keeps."""
+        """The number of truths that a monitor keeps."""
         return len(self.node_of_truth)
 
     @property
     def is_small(self) -> bool:
-        """Whether the marks of all truths and rules fit one word."""
+        """True if the marks of all truths and rules fit one word."""
         return self.truth_count + len(self.machine.rules) <= _WORD
 
     # --- meanings ----------------------------------------------------------------------------
 
     def support_of_signal(self, signal: int) -> Support:
-        """What a signal rests on."""
+        """The support of a signal."""
         return supports.support(self.machine, (signal,), ())
 
     def support_of_truth(self, truth: int) -> Support:
-        """What a truth rests on."""
+        """The support of a truth."""
         return supports.support(self.machine, (), (truth,))
 
     def has_timeout(self, used: int) -> bool:
-        """Whether an input expires."""
+        """Say whether an input expires."""
         return self.machine.inputs[used].timeout_ns is not None
 
     def aged_inputs(self) -> set[int]:
@@ -143,7 +145,9 @@ class _Sorted:
         return [i for i in self._truths if isinstance(self._machine.truths[i].node, kinds)]
 
     def _channels(self, truth: int) -> frozenset[int]:
-        """What a truth hears of; an oscillation that rests on no input never swings (S32)."""
+        """The channels of which a truth hears; an oscillation that rests on no input never swings
+        (S32).
+        """
         return supports.support(self._machine, (), (truth,)).channels
 
     # --- numbers -----------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""What is to be shown of the functions that take messages in.
+"""Checks of the functions that take messages in.
 
 Takes the definitions of a machine; gives C functions. For each channel there are two checks: that
 its numbers are what they mean, and that the monitor is right about them once the function is done.
@@ -37,7 +37,7 @@ _ANY_OF_KIND = {
     ir.Kind.FLAG: "nondet_number() % 2 != 0",
     ir.Kind.TEXT: "nondet_integer()",
 }
-"""What a field may hold."""
+"""Any value that a field of a kind may hold."""
 
 
 class MessageChecks:
@@ -61,7 +61,9 @@ class MessageChecks:
         self._parts = (*parts, *self._windows, *((name, f"any_{name}") for name in names))
 
     def text(self) -> str:
-        """What takes in a message where it matters only that it is handed on as it is."""
+        """The contracts of what takes in a message, where it matters only that it is handed on as
+        it is.
+        """
         received = map(self._received, range(len(self._layout.places.channel_names)))
         contracts = [opaque.contract(*each) for each in self._opaque]
         contracts += opaque.contracts_of_samples(self._layout)
@@ -238,7 +240,9 @@ class MessageChecks:
         return "\n".join([_ANY_NUMBERS, *lines, _KEPT, f"    {call};", *claims])
 
     def _meant(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> list[str]:
-        """What a message on a channel makes of numbers; its fields have these names."""
+        """The claims about the numbers that a message on a channel makes; its fields have these
+        names.
+        """
         return [
             *self._arrived(channel, names, counts),
             *self._computed(channel),
@@ -354,7 +358,7 @@ void ignore_compute(monitor *m, const bool arrived[], int64_t t_ns)
     m->now_ns = t_ns;
 }
 """
-"""What is computed from messages does not matter."""
+"""The contract of a computation from messages where its results do not matter."""
 
 _HANDED = """\
     received_{channel} = 0;

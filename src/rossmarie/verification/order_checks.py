@@ -1,4 +1,4 @@
-"""What is to be shown of the orders of a reactor: which it gives, and that it knows what follows.
+"""Checks of the orders of a reactor: which it gives, and that it knows what follows.
 
 Takes the reactions of a machine; gives C functions. Each part of a call has a check of its own, and
 stands in the others as what its check has shown (its contract). What a call decides on is counted

@@ -1,4 +1,4 @@
-"""What stands for the parts of a call of a reactor, as C text."""
+"""Contracts that stand for the parts of a call of a reactor, as C text."""
 
 from __future__ import annotations
 

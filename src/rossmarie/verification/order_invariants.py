@@ -1,4 +1,4 @@
-"""What holds of the orders of one call of a reactor, as sentences.
+"""Invariants of the orders of one call of a reactor, as sentences.
 
 Takes the reactions of a machine. `r` is the memory of the reactor; `told` counts the orders that
 the call has decided on so far, and knows what was in force when it began. `old` and `was` are both
@@ -35,7 +35,7 @@ class OrderInvariants:
     # --- what holds within a call ------------------------------------------------------------
 
     def told(self) -> Iterator[Sentence]:
-        """What was decided so far fits where the tasks stand."""
+        """The decisions so far fit where the tasks stand."""
         for task in self._tasks:
             yield from self._counted(task)
             yield from self._silent(task)
@@ -239,7 +239,9 @@ class OrderInvariants:
                        f"{idle} || {succeeds} || {is_over} || {state} == RUNNING")  # fmt: skip
 
     def _waited(self, task: int, timeout: int | None) -> Iterator[Sentence]:
-        """What waits fails when its time is up, unless what it is there for is so without it."""
+        """A task that waits fails when its time is up, unless what it is there for is so without
+        it.
+        """
         state, due = f"r->state[{task}]", f"(old->since_ns[{task}] + INT64_C({timeout}))"
         fails = f"(old->now_ns >= {due} && !{self._answered(task)})" if timeout else "false"
         waits = f"(old->state[{task}] == WAITING)"

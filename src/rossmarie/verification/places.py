@@ -83,7 +83,7 @@ def places_of(machine: ir.Machine) -> Places:
 
 
 def name_of(machine: ir.Machine) -> str:
-    """What the names of all public functions begin with."""
+    """The prefix of the names of all public functions."""
     return generated.lay_out(machine).name
 
 

@@ -1,4 +1,4 @@
-"""How sentences and calls become C text."""
+"""Write sentences and calls as C text."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PRELUDE = """\
 #define isfinite(x) __CPROVER_isfinited(x)
 #define signbit(x) __CPROVER_signd(x)
 """
-"""What CBMC knows of numbers."""
+"""The functions of CBMC on numbers, by the names that C has for them."""
 
 ANY = """\
     monitor s = any();

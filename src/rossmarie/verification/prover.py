@@ -25,7 +25,7 @@ from rossmarie.verification.harness import Harness
 from rossmarie.verification.solver_scripts import SCRIPTS
 
 PROGRAMS = ("cbmc", "cadical", "z3")
-"""What has to be there: CBMC and the solvers that it asks."""
+"""The programs that have to be there: CBMC and the solvers that it asks."""
 
 _SAT = ("--external-sat-solver", "cadical")
 """A SAT solver, which decides hundreds of claims about states and instants at once."""
@@ -48,7 +48,7 @@ _LISTING = 10
 """For how many seconds claims that do not hold are looked for, once it is known that some do."""
 
 _MOST = 600
-"""How many seconds anything that answers no question may take."""
+"""The most seconds that anything may take that answers no question."""
 
 
 class _Step(NamedTuple):
@@ -72,7 +72,7 @@ _SENTENCES = (_Step(40, 15, (_ANY_ARITHMETIC,)), _Step(40, 15, (_ENDING,)), *_LA
 
 
 class Verdict(enum.Enum):
-    """What became of a check."""
+    """The outcome of a check."""
 
     PROVED = "proved"
     REFUTED = "refuted"
@@ -101,7 +101,7 @@ class Prover:
     """CBMC and its solvers, on the PATH."""
 
     def version(self, program: str = "cbmc") -> str:
-        """What CBMC, or a solver of it, says of itself, as `6.6.0`; empty if it does not run."""
+        """The version of CBMC, or of a solver, as `6.6.0`; empty if it does not run."""
         try:
             done = self._must([program, "--version"], Path("/"))
         except (OSError, ProverError):
@@ -110,7 +110,7 @@ class Prover:
         return found[0] if found else ""
 
     def lacking(self) -> str | None:
-        """What is missing, so that nothing can be proved; None if CBMC 6 and its solvers run."""
+        """The reason why nothing can be proved; None if CBMC 6 and its solvers run."""
         for program in PROGRAMS:
             if not self.version(program):
                 is_there = shutil.which(program) is not None
@@ -240,7 +240,7 @@ class Prover:
 
 @dataclass(frozen=True)
 class _Question:
-    """How CBMC is called, where, and for how long."""
+    """The call of CBMC: its arguments, the place, and the time that it may take."""
 
     command: Sequence[str]
     folder: Path
@@ -281,7 +281,7 @@ class _Started:
         self._said.close()
 
     def has_ended(self) -> bool:
-        """Whether it ends within a moment."""
+        """Say whether it ends within a moment."""
         try:
             self.process.wait(0.02)
         except subprocess.TimeoutExpired:
@@ -289,7 +289,7 @@ class _Started:
         return True
 
     def text(self) -> str:
-        """What it has said so far."""
+        """The text that it has written so far."""
         self._said.seek(0)
         return self._said.read()
 
@@ -325,7 +325,7 @@ def _first(started: Sequence[_Started]) -> _Answer | None:
 
 
 def _messages(text: str) -> list[Any]:
-    """What CBMC says, as data; nothing if it was cut off."""
+    """The messages of CBMC, as data; nothing if it was cut off."""
     try:
         messages = json.loads(text)
     except ValueError:

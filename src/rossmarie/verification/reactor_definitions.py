@@ -1,4 +1,5 @@
-"""What reactions mean, as C: who has what a task needs, what releases undo, when a stage is over.
+"""The meaning of reactions, as C: who has what a task needs, what releases undo, when a stage is
+over.
 
 Takes the reactions of a machine; by the rules of `docs/explanation/reactions.md`, and not by the
 tables that the generator makes of them.
@@ -30,7 +31,7 @@ def overruler(found: reactions.Reactions) -> str:
 
 
 def releases(found: reactions.Reactions) -> str:
-    """What `release` does, task by task (R9)."""
+    """The body of `release`, as C, task by task (R9)."""
     lines = []
     for rule, plan in enumerate(found.plans):
         lines.append(f"    if (rule == {rule}) {{")
@@ -42,7 +43,7 @@ def releases(found: reactions.Reactions) -> str:
 
 
 def stages(found: reactions.Reactions) -> str:
-    """Whether a rule can go on to its next stage (R5)."""
+    """The C that says whether a rule can go on to its next stage (R5)."""
     cases = []
     for rule, plan in enumerate(found.plans):
         for place, stage in enumerate(plan.stages):

@@ -1,4 +1,4 @@
-"""What holds of a reactor, between two calls and within one, as sentences over its memory.
+"""Invariants of a reactor, between two calls and within one, as sentences over its memory.
 
 Takes the reactions of a machine; what is claimed is read off them, by the rules of
 `docs/explanation/reactions.md`, and not off the tables that the generator makes of them.
@@ -14,17 +14,17 @@ from rossmarie.verification.invariants import Sentence
 
 
 def in_force(task: int) -> str:
-    """Whether a task runs or holds."""
+    """State that a task runs or holds."""
     return f"(r->state[{task}] == RUNNING || r->state[{task}] == HOLDING)"
 
 
 def lacks(task: int) -> str:
-    """Whether a task waits for what another rule has (R7, R8, R15)."""
+    """State that a task waits for what another rule has (R7, R8, R15)."""
     return f"(r->state[{task}] == WAITING || r->state[{task}] == OVERDUE)"
 
 
 def has_failed(task: int) -> str:
-    """Whether a task has failed, also while it waits (R6, R15)."""
+    """State that a task has failed, also while it waits (R6, R15)."""
     return f"(r->state[{task}] == FAILED || r->state[{task}] == OVERDUE)"
 
 
@@ -38,7 +38,7 @@ class ReactorInvariants:
         """The tasks that can fail."""
 
     def is_listed(self, task: int) -> str:
-        """Whether nothing has followed yet from the failure of a task."""
+        """State that nothing has followed yet from the failure of a task."""
         listed = [
             f"({place} < r->failed_count && r->failed[{place}] == {task})"
             for place in range(len(self.can_fail))
@@ -46,7 +46,7 @@ class ReactorInvariants:
         return f"({' || '.join(listed)})" if task in self.can_fail else "false"
 
     def is_noted(self, task: int, memory: str = "r") -> str:
-        """Whether a task is among those that its rule has started."""
+        """State that a task is among those that its rule has started."""
         rule = self._rules[task]
         first, count = self.first_started(rule), f"{memory}->started_count[{rule}]"
         noted = [
@@ -60,7 +60,7 @@ class ReactorInvariants:
         return sum(len(plan.tasks) for plan in self._found.plans[:rule])
 
     def always(self) -> list[Sentence]:
-        """What holds within a call as well."""
+        """The sentences that hold within a call as well."""
         rules, tasks = range(len(self._found.plans)), range(len(self._found.tasks))
         return [
             *self.clock(),
@@ -71,7 +71,7 @@ class ReactorInvariants:
         ]
 
     def at_rest(self) -> list[Sentence]:
-        """What holds between two calls only."""
+        """The sentences that hold between two calls only."""
         return [
             Sentence("no order is left to be given", "r->decided == 0 && r->failed_count == 0"),
             *self.owned(),
@@ -79,7 +79,7 @@ class ReactorInvariants:
         ]
 
     def clock(self) -> Iterator[Sentence]:
-        """What holds of instants."""
+        """The sentences that hold of instants."""
         yield Sentence("its clock is in range", "r->now_ns >= EARLIEST && r->now_ns < LATEST")
         for task in range(len(self._found.tasks)):
             since = f"r->since_ns[{task}]"
@@ -103,7 +103,7 @@ class ReactorInvariants:
                 )
 
     def in_time(self) -> Iterator[Sentence]:
-        """What runs has not run out of time."""
+        """A task that runs has not run out of time."""
         for task, declared in enumerate(self._found.tasks):
             if timeout := reactions.timeout_ns(declared.effect):
                 in_time = f"r->since_ns[{task}] > r->now_ns - INT64_C({timeout})"
@@ -168,7 +168,7 @@ class ReactorInvariants:
                        f"!{open_or_waits} || r->since_ns[{task}] != NEVER")  # fmt: skip
 
     def _escalations(self, task: int) -> Iterator[Sentence]:
-        """What is overdue may start again: what has followed from that goes on."""
+        """A task that is overdue may start again: what has followed from that goes on."""
         declared = self._found.tasks[task]
         for other in declared.otherwise:
             is_known = f"({has_failed(task)} && !{self.is_listed(task)})"

@@ -1,4 +1,4 @@
-"""How CBMC calls solvers: programs of a workshop that come before those of the system."""
+"""Programs that CBMC calls as solvers: those of a workshop come before those of the system."""
 
 _CADICAL = """\
 #!/bin/sh

@@ -21,7 +21,7 @@ COUNTED_PARTS = (
     ("arrive", "ignore_arrive"),
     ("set_wake", "ignore_wake"),
 )
-"""What stands in for the parts of a function that takes an instant, where only what it returns
+"""The contracts for the parts of a function that takes an instant, where only what it returns
 matters.
 """
 
@@ -41,7 +41,7 @@ def begin(layout: Layout) -> str:
 
 RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
 IN_RANGE = "    __CPROVER_assume(m->now_ns > EARLIEST && m->wake_ns <= LATEST);"
-"""What is known of the instants of any monitor at rest."""
+"""The instants of any monitor at rest lie in this range."""
 
 _CLOCK = '    __CPROVER_assert(m->now_ns == t_ns, "the clock is set");'
 RESTS = f"{_CLOCK}\n    must_be_at_rest(m, t_ns);"
@@ -54,7 +54,7 @@ REFUSED = """\
     const monitor old = s;
     __CPROVER_assert({call} < 0, "what is out of range is refused");
     must_be_same(m, &old);"""
-"""What becomes of a call at an instant out of range."""
+"""The outcome of a call at an instant out of range."""
 
 WAITS = "    __CPROVER_assume(t_ns >= m->now_ns && t_ns < m->wake_ns);"
 """No timer is due at an instant."""

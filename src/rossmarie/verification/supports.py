@@ -1,4 +1,4 @@
-"""What a number, a truth or a rule rests on, read off the nodes of a machine.
+"""The support of a number, a truth or a rule, read off the nodes of a machine.
 
 `docs/explanation/semantics.md` says what is done with it: what a message computes anew (S7), what
 is forgotten with an input (S9), which unknown truths are lost (S30), what a verdict tells (S41).
@@ -77,8 +77,8 @@ def below(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]
 
 @dataclass(frozen=True)
 class Support:
-    """What a value can depend on, as indexes into the machine. `folds` are signals over arrays,
-    `sampled` those of samples, of which `waiting` are unknown until there are enough.
+    """The things on which a value can depend, as indexes into the machine. `folds` are signals over
+    arrays, `sampled` those of samples, of which `waiting` are unknown until there are enough.
     """
 
     slots: frozenset[int]
@@ -90,7 +90,7 @@ class Support:
 
 
 def support(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]) -> Support:
-    """What some signals and truths rest on."""
+    """The support of some signals and truths."""
     made_of = below(machine, signals, truths)
     slots: set[int] = set()
     folds: set[int] = set()
@@ -124,7 +124,7 @@ def support(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ..
 
 
 def of_slot(machine: ir.Machine, slot: int) -> Support:
-    """What a slot rests on: its input."""
+    """The support of a slot: its input."""
     used = machine.slots[slot].input
     channel = machine.inputs[used].channel
     none: frozenset[int] = frozenset()
@@ -181,7 +181,7 @@ def _array(node: Node, signals: list[int | None], truths: list[int | None]) -> i
 
 @dataclass(frozen=True)
 class Told:
-    """What a verdict of a rule tells: truths, the signals at which leaves look, and inputs."""
+    """The content of a verdict of a rule: truths, the signals at which leaves look, and inputs."""
 
     terms: tuple[int, ...]
     signals: tuple[int, ...]
@@ -221,7 +221,7 @@ def _tells(truth: ir.Truth) -> bool:
 
 
 def is_leaf(node: ir.TruthNode) -> bool:
-    """Whether a truth looks at numbers, arrays or ages itself (S30)."""
+    """Say whether a truth looks at numbers, arrays or ages itself (S30)."""
     match node:
         case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
             return False

@@ -1,4 +1,4 @@
-"""What is to be shown of time: of timers, and of where it begins.
+"""Checks of time: of timers, and of where it begins.
 
 Takes the invariants of a machine; gives C functions that begin in any state that fits them.
 """

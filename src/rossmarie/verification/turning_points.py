@@ -1,5 +1,5 @@
-"""What a sample makes of the turning points of a number (S32), as C claims about a monitor `m` that
-was `old` before it.
+"""The turning points of a number after a sample (S32), as C claims about a monitor `m` that was
+`old` before it.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ def followed_on(layout: Layout, channel: int) -> list[int]:
 
 
 def forgotten(layout: Layout, definitions: Definitions) -> Iterator[str]:
-    """What `expected` becomes of all turning points, those are forgotten of what gets unknown."""
+    """Make `expected` forget all turning points of numbers that get unknown."""
     for k in range(len(layout.oscillations)):
         x = definitions.number(oscillation(layout, k).signal)
         yield f"if (!isfinite({x})) {{"
