@@ -64,7 +64,7 @@ class Episode(Protocol):
 
     @property
     def outcome(self) -> Outcome:
-        """The way in which it ended."""
+        """The outcome of the task."""
 
     @property
     def measures(self) -> Measures:

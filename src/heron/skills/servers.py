@@ -1,4 +1,4 @@
-"""The way of primitive skills to the robot: by the carrier of whoever ticks them."""
+"""Primitive skills reach the robot by the carrier of whoever ticks them."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ class Force:
     lifted_ns: int | None = None
 
     def moved(self, ramp: float | None, at_ns: int) -> float:
-        """The way that what the limit bounds has moved out of its way."""
+        """The distance by which a bound of the limit has moved outward."""
         if self.is_on:
             return 0.0
         if self.lifted_ns is None or ramp is None:

@@ -162,7 +162,7 @@ class CancelGoal:
 
 
 class Level(enum.Enum):
-    """The gravity of a message."""
+    """The severity of a log line or diagnosis."""
 
     DEBUG = "debug"  # logs only
     INFORMATION = "info"
@@ -351,7 +351,7 @@ def confirmation(effect: Effect) -> int | None:
 
 
 class OrderKind(enum.Enum):
-    """The things to do with a task, or the things that have become of it."""
+    """The instruction about a task, or the news of it."""
 
     START = "start"
     STOP = "stop"  # its rule was released: undo it

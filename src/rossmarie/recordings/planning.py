@@ -209,7 +209,7 @@ class _Planner:
 
 
 def _below(wanted: Iterable[_Wanted], step: str | int) -> list[_Wanted]:
-    """The things that are wanted behind a step of the path."""
+    """The fields that are wanted behind a step of the path."""
     found = (each for each in wanted if each.path and each.path[0] == step)
     return [each._replace(path=each.path[1:]) for each in found]
 

@@ -33,7 +33,7 @@ _INFIX = {
 
 @dataclass(frozen=True)
 class Dialect:
-    """The way in which a language writes what languages write differently.
+    """The spellings of one language, where languages differ.
 
     `calls` are the functions for operations; those between numbers have none where the language has
     an operator that does as IEEE 754 says. `chosen` is a choice of a condition and two numbers.

@@ -117,7 +117,7 @@ def decisions(machine: ir.Machine, rule: ir.Rule) -> list[int]:
 
 
 def _plain(machine: ir.Machine, truth: int) -> int:
-    """The truth that a chain of `not` negates."""
+    """The truth at the end of a chain of `not`."""
     node = machine.truths[truth].node
     while isinstance(node, ir.Not):
         truth, node = node.operand, machine.truths[node.operand].node

@@ -53,7 +53,7 @@ def _is_rate(node: ir.SignalNode) -> bool:
 
 @dataclass(frozen=True)
 class Stage:
-    """The things with which the phases of one rule are played."""
+    """The setting in which the phases of one rule are played."""
 
     world: World
     machine: ir.Machine
@@ -220,7 +220,7 @@ class Stage:
 
 
 def _visible_swing(slot: ir.Slot, swing: float, now: float) -> float:
-    """The way that a field goes to and fro, from what it is now: clearly far enough, if it can."""
+    """The swing of a field from its present value: clearly far enough, if it can be."""
     sizes = [factor * swing for factor in (2.0, 1.25, 1.0)] if swing else [1.0]
     if slot.limits is not None:
         step = abs(slot.scale)

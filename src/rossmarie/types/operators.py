@@ -125,7 +125,7 @@ def _absorbed(operator: Operator, operands: tuple[Type, ...]) -> Outcome:
 
 
 def unit_faults(left: Quantity, right: Quantity) -> tuple[Fault, ...]:
-    """The reasons why two numbers may not be compared. One of unstated unit goes with plain
+    """The reasons why two numbers may not be compared. A number of unstated unit goes with plain
     numbers.
     """
     if left.unit is None or right.unit is None:

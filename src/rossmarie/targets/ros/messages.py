@@ -1,4 +1,4 @@
-"""The way of messages into the monitor, and the numbers of commands that are bounded, as C++."""
+"""C++ that brings messages into the monitor, and bounds the numbers of commands."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ _SUBSCRIBED = ("/bond",)
 
 
 class _Grant(NamedTuple):
-    """The deeds that a node may, or may not, do with these topics, services or actions."""
+    """A right of a node to these topics, services or actions, allowed or denied."""
 
     right: str
     names: Iterable[str]
