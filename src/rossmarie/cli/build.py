@@ -10,7 +10,8 @@ import typer
 
 from dslkit.command_line import Format
 from dslkit.writing import reason
-from rossmarie.cli.output import lines_of_written, output
+from rossmarie.cli.output import output
+from rossmarie.cli.written import lines_of_written
 from rossmarie.driver import RulesError
 from rossmarie.driver.build import TARGETS, Built, build_files
 from rossmarie.driver.manifest import Described, describe

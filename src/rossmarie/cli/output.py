@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
-from pathlib import Path
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from dslkit.command_line import CommandLine
 from dslkit.diagnostics import Diagnostic
-from rossmarie.targets.copies import SUMS
 
 if TYPE_CHECKING:  # for `explain` and SARIF only
     from dslkit.catalog import Catalog
@@ -38,16 +36,3 @@ def each_once(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
         place = (os.path.realpath(span.file.path), span.start, span.end)
         kept.setdefault((finding.code, finding.title, *place), finding)
     return tuple(kept.values())
-
-
-def lines_of_written(paths: Sequence[Path]) -> Iterator[str]:
-    """A line for each file that was written, and one for each folder of files that are the same for
-    all rules.
-    """
-    folders = [path.parent for path in paths if path.name == SUMS]
-    for path in paths:
-        if not any(path.is_relative_to(folder) for folder in folders):
-            yield f"wrote {path}"
-    for folder in folders:
-        count = sum(1 for path in paths if path.is_relative_to(folder))
-        yield f"wrote {folder}: {count} files that are the same for all rules"

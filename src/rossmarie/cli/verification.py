@@ -11,9 +11,10 @@ import typer
 
 from dslkit.diagnostics import Template
 from dslkit.source import Span
-from rossmarie.cli.output import lines_of_written, output
+from rossmarie.cli.output import output
 from rossmarie.cli.replay import told_progress
 from rossmarie.cli.saving import refuse_report
+from rossmarie.cli.written import lines_of_written
 from rossmarie.driver import RulesError
 from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.verifying import (
