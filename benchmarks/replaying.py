@@ -29,7 +29,7 @@ MESSAGES = 300_000
 RATE = 100  # Hz
 ROUNDS = 3
 WANTED = 1.5 / 3.1
-"""Of the CPU time of rosbags alone: 1.5 s, where that takes 3.1 s."""
+"""The share of the CPU time of rosbags alone: 1.5 s were wanted where rosbags takes 3.1 s."""
 IMU = "sensor_msgs/msg/Imu"
 START_NS = 1_700_000_000 * 10**9
 

@@ -56,7 +56,7 @@ def run_build(
         if path is not None and path.parent.is_dir():
             output.try_file(path)
         elif path is not None:
-            output.try_folder(path.parent)  # which the build may make
+            output.try_folder(path.parent)
     if review is not None and target == "python":
         output.fail("--review is for targets in C: c99, ros1 and ros2", exit_code=2)
     described, placement = _placement(rules, target, package)
@@ -76,11 +76,18 @@ def run_build(
     except ForeignFileError as error:
         output.fail(f"{error}; remove it, or choose another --out", exit_code=2)
     if sources is not None:
+        _make_folder_of(sources)
         output.save(sources, "".join(f"{Path(each.path).absolute()}\n" for each in built.sources))
     _tell(built, described)
     if review is not None:
+        _make_folder_of(review)
         output.save(review, render_review(built.sources, built.own_code))
         typer.echo(f"wrote {review}")
+
+
+def _make_folder_of(path: Path) -> None:
+    with output.writing_to(path.parent):
+        path.parent.mkdir(parents=True, exist_ok=True)
 
 
 def _placement(

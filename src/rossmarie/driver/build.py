@@ -94,7 +94,7 @@ def build_files(
 
 
 def own_code(files: Mapping[str, str]) -> dict[str, str]:
-    """Of generated files the rules' own part of the code in C and C++."""
+    """The rules' own part of the generated code in C and C++, by name."""
     return {
         name: text
         for name, text in files.items()

@@ -215,7 +215,7 @@ def _below(wanted: Iterable[_Wanted], step: str | int) -> list[_Wanted]:
 
 
 def _parts(wanted: _Wanted) -> tuple[_Wanted, ...]:
-    """Of an instant, its two numbers."""
+    """The two numbers of an instant."""
     if wanted.path:
         return (wanted,)
     return (

@@ -165,7 +165,7 @@ def test_build_writes_what_compiles_and_leaves_it_alone(rules: Path, tmp_path: P
 
 
 def test_build_writes_the_rules_beside_their_c(rules: Path, tmp_path: Path) -> None:
-    page = tmp_path / "review.html"
+    page = tmp_path / "pages" / "review.html"
     done = run("build", rules, "--out", tmp_path / "generated", "--review", page)
     assert done.stdout.endswith(f"wrote {page}\n")
     assert "rules_monitor.c:" in page.read_text(encoding="utf-8")

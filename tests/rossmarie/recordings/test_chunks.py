@@ -47,7 +47,7 @@ class _NotOpenError(Exception):
 
 
 def by_rosbags(path: Path, topics: tuple[str, ...]) -> Told:
-    """What rosbags itself gives, within our limits."""
+    """The messages that rosbags itself gives, within our limits."""
 
     def messages() -> Iterator[tuple[str, int, bytes]]:
         allowance = Allowance(path.stat().st_size)

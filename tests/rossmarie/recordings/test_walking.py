@@ -45,7 +45,7 @@ def packed_in_one(connection: Connection, contents: Sequence[bytes]) -> Packed:
 
 
 def one_by_one(of: Described, connection: Connection, contents: Sequence[bytes]) -> list[object]:
-    """What rosbags makes of each message, or why it does not."""
+    """Each message as rosbags decodes it, or the reason why rosbags does not."""
     is_ros1 = connection.encoding == "ros1"
     decode = of.store.deserialize_ros1 if is_ros1 else of.store.deserialize_cdr
     read = compile_extractor(of.store, connection.message_type, all_fields(of), TEXTS).read

@@ -66,7 +66,7 @@ class Fault:
 
 @dataclass(frozen=True)
 class Asked:
-    """What a prover gets: the generated files, and the programs with the questions."""
+    """The input of a prover: the generated files, and the programs with the questions."""
 
     files: Mapping[str, str]
     programs: tuple[Harness, ...]
@@ -86,7 +86,7 @@ def damaged(fault: Fault, folder: Path) -> Path:
 
 
 def written(sources: Path, folder: Path, text: str) -> Asked:
-    """What these sources make of rules."""
+    """The files and questions that these sources make of rules."""
     rules = folder / "small.ross"
     rules.write_text(text)
     search = os.pathsep.join([str(sources), os.environ.get("PYTHONPATH", "")])
@@ -100,7 +100,7 @@ def written(sources: Path, folder: Path, text: str) -> Asked:
 
 
 def verdicts(prover: Prover, asked: Asked, check: str) -> Iterator[Verdict]:
-    """What comes of the questions whose names begin so."""
+    """The outcomes of the questions whose names begin so."""
     with prover.workshop() as folder:
         write_texts(folder, asked.files)
         for program in asked.programs:
