@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 from dslkit.source import SourceFile
+from rossmarie.driver import compile_file
+from rossmarie.driver.build import generate
 from rossmarie.report.review import Made, render_review, side_by_side
 
 RULES = SourceFile("rules/a<b>.ross", "input x = topic /x;\n\nrule r: if x > 1 then { stop; };\n")
@@ -40,3 +45,18 @@ def test_names_of_users_are_text_on_the_page() -> None:
 def test_a_file_that_no_line_names_has_no_table() -> None:
     other = SourceFile("system.ross", "topic /x : std_msgs/Bool;\n")
     assert "system.ross" not in render_review([other, RULES], CODE)
+
+
+PAGE = Path(__file__).parents[3] / "docs" / "how-to" / "review-the-generated-c.md"
+
+
+def test_the_page_shows_what_stands_beside_a_rule(tmp_path: Path) -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    (listing,) = re.findall(r"```ross hasty.ross\n(.*?)```", text, re.DOTALL)
+    (shown,) = re.findall(r"Line 3 has these in\n`hasty_monitor.c`:\n\n((?:    .*\n)+)", text)
+    rules = tmp_path / "hasty.ross"
+    rules.write_text(listing, encoding="utf-8")
+    compiled = compile_file(rules)
+    code = {"hasty_monitor.c": generate(compiled.machine, "c99")["hasty_monitor.c"]}
+    third = side_by_side(compiled.sources[0], code)[2]
+    assert [each.text for each in third.made] == [line.strip() for line in shown.splitlines()]
