@@ -102,6 +102,22 @@ class NotARulesFile(Error, code="ROSS809", name="not-a-rules-file"):
     path: str
 
 
+class ForeignFile(Error, code="ROSS810", name="foreign-file"):
+    """A file of another kind, in the place of rules."""
+
+    title = "`{path}` is {kind}, not a rules file"
+    label = "it begins like this"
+    note = "the name of a file, or the signs that it begins with, say so; nothing else of it is read"
+    path: str
+    kind: str
+
+    class NameRules(Remark):
+        says = "name a file of rules, which ends in .ross; rules in this file need another name"
+
+    class Download(Remark):
+        says = "download the file itself and not the page that shows it: `raw` on most sites"
+
+
 ALL: tuple[type[Template], ...] = (
     FileUnreadable,
     NotUtf8,
@@ -112,4 +128,5 @@ ALL: tuple[type[Template], ...] = (
     MalformedPackageXml,
     BadPackageField,
     NotARulesFile,
+    ForeignFile,
 )

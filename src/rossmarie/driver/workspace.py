@@ -13,7 +13,14 @@ from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic, DidYouMean
 from dslkit.source import SourceFile, Span, ending, is_file, is_folder
-from rossmarie.driver.errors import FileUnreadable, ImportNotFound, NotARulesFile, NotUtf8
+from rossmarie.driver.errors import (
+    FileUnreadable,
+    ForeignFile,
+    ImportNotFound,
+    NotARulesFile,
+    NotUtf8,
+)
+from rossmarie.driver.foreign import WEB_PAGE, foreign_kind
 from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, parse
 
 SYSTEM_MODEL = "system.ross"
@@ -124,12 +131,17 @@ def read_source(path: Path, collector: Collector) -> SourceFile | None:
         collector.add(finding.at(Span(nothing, 0, 0)))
         return None
     try:
-        return SourceFile.decoded(str(path), content)
+        source = SourceFile.decoded(str(path), content)
     except UnicodeDecodeError as error:
         if error.reason == "unexpected end of data" and len(content) > MAXIMUM_FILE_SIZE:
             return SourceFile(str(path), content.decode("utf-8-sig", errors="ignore"))
         collector.add(_not_utf8(path, content, error))
         return None
+    kind = foreign_kind(path, source.text)
+    if kind is not None:
+        collector.add(_foreign(source, kind))
+        return None
+    return source
 
 
 def _not_utf8(path: Path, content: bytes, error: UnicodeDecodeError) -> Diagnostic:
@@ -139,6 +151,15 @@ def _not_utf8(path: Path, content: bytes, error: UnicodeDecodeError) -> Diagnost
     guess = "a binary file" if looks_binary else "text in another encoding, such as Latin-1"
     finding = NotUtf8(byte=f"0x{content[error.start]:02x}", guess=guess)
     return finding.at(Span(source, len(good), len(good) + 1))
+
+
+def _foreign(source: SourceFile, kind: str) -> Diagnostic:
+    finding = ForeignFile(path=source.path, kind=kind)
+    is_page = kind == WEB_PAGE and Path(source.path).suffix == _RULES
+    start = len(source.text) - len(source.text.lstrip())
+    end = source.text.find("\n", start)
+    span = Span(source, start, len(source.text) if end < 0 else end)
+    return finding.at(span, help=finding.Download() if is_page else finding.NameRules())
 
 
 def _imports(module: ast.Module, folder: Path) -> list[tuple[Path, Span]]:

@@ -78,6 +78,7 @@ _ACTIONS_IN_BRACES = "the actions of a rule stand in braces"
 _THEN = "the actions of a rule follow `then`"
 _NO_SEMICOLON = "a rule goes on after its condition"
 _DOCUMENTATION = "documentation is written `'''...'''`"
+_WHOLE_NAME = "a topic is called by its whole name, which begins with `/`"
 _CONTRACT = "a resume contract stands after the actions"
 
 HABITS = (
@@ -119,6 +120,19 @@ HABITS = (
         rf"\btopic\s[/\w ]{{1,200}}:\s(?P<x>{_STANDARD})(?=\s)(?!\s/)",
         "std_msgs/{x}",
         "the package of the message type is missing",
+        is_final=True,
+    ),
+    _habit(
+        rf"\btopic\s(?P<x>{_NAME}(?: /\s{ANY_NAME})+)(?=\s[:.;])",
+        "/{x}",
+        _WHOLE_NAME,
+        is_final=True,
+    ),
+    _habit(
+        rf"\btopic\s(?P<x>(?:/\s)?(?:\w+\s[/-]\s)*{ANY_NAME} - \w+(?:\s[/-]\s\w+)*)(?=\s[:.;])",
+        None,
+        "a topic of ROS has no `-` in its name",
+        "name it as its publisher does: letters, digits and `_`, in parts that begin with `/`",
         is_final=True,
     ),
     _habit(

@@ -93,13 +93,15 @@ def read_stored(name: str, kind: Kind = Kind.MESSAGE) -> Definition | None:
 
 def find_file(name: str, search_paths: Sequence[Path], kind: Kind = Kind.MESSAGE) -> Path | None:
     """The file of a definition, in the first folder that has it."""
+    return next((path for path in places(name, search_paths, kind) if path.is_file()), None)
+
+
+def places(name: str, search_paths: Sequence[Path], kind: Kind = Kind.MESSAGE) -> list[Path]:
+    """The paths at which the file of a definition is looked for, in this order."""
     package, _, short = name.partition("/")
-    for folder in search_paths:
-        for parts in ((package, kind.value), (package,)):
-            path = folder.joinpath(*parts, f"{short}.{kind.value}")
-            if path.is_file():
-                return path
-    return None
+    parents = ((package, kind.value), (package,))
+    file = f"{short}.{kind.value}"
+    return [folder.joinpath(*parts, file) for folder in search_paths for parts in parents]
 
 
 def names_in(search_path: Path, kind: Kind = Kind.MESSAGE) -> list[str]:

@@ -145,6 +145,11 @@ class MessageCatalog:
         """The search path that is the package of a message, where its parent should be given."""
         return definitions.package_among(self._search_paths, definitions.normalized(name) or name)
 
+    def places_of(self, name: str) -> list[Path]:
+        """Where the file of a message would be, in the folders that are searched."""
+        short = definitions.normalized(name)
+        return definitions.places(short, self._search_paths) if short is not None else []
+
     def _definition(self, name: str) -> definitions.Definition | None:
         if name not in self._definitions:
             self._definitions[name] = self._read(name, Kind.MESSAGE)

@@ -135,6 +135,38 @@ def test_binary_files_are_called_that(tmp_path: Path) -> None:
     assert "a binary file" in found.notes[0]
 
 
+@pytest.mark.parametrize(
+    ("name", "content", "kind"),
+    [
+        ("code.py", "import os\n\nos.system('x')\n", "a Python file"),
+        ("robot.launch", '<launch>\n  <node name="x"/>\n</launch>\n', "an XML file"),
+        ("rules.ross", "\n <!DOCTYPE html>\n<html></html>\n", "a web page"),
+        ("rules.ross", '{"rules": []}', "a JSON file"),
+        ("rules.txt", "#!/bin/sh\n", "a script"),
+        ("nothing.yaml", "", "a YAML file"),
+    ],
+)
+def test_a_file_of_another_kind_is_called_that_and_nothing_else(
+    tmp_path: Path, name: str, content: str, kind: str
+) -> None:
+    main = tmp_path / name
+    main.write_text(content)
+    (found,) = check_file(main).diagnostics
+    assert (found.code, f"is {kind}, not a rules file" in found.title) == ("ROSS810", True)
+
+
+def test_a_page_that_was_saved_in_the_place_of_rules(tmp_path: Path) -> None:
+    (tmp_path / "rules.ross").write_text("<html>\n")
+    (found,) = check_file(tmp_path / "rules.ross").diagnostics
+    assert found.help is not None
+    assert "raw" in found.help
+
+
+def test_rules_may_have_any_other_name(tmp_path: Path) -> None:
+    (tmp_path / "rules.txt").write_text(ACTION + RULE)
+    assert codes(check_file(tmp_path / "rules.txt")) == []
+
+
 def test_a_byte_order_mark_does_no_harm(tmp_path: Path) -> None:
     main = tmp_path / "main.ross"
     main.write_bytes(b"\xef\xbb\xbf" + (ACTION + RULE).encode())

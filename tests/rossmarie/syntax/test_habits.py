@@ -84,6 +84,8 @@ MENDED = [
     ("const a = +1", "+", "const a = 1"),
     ("const a = 1_000", "1_000", "const a = 1000"),
     ("input x = topic /x : std_msgs::Float64", "::", "input x = topic /x : std_msgs/Float64"),
+    ("input x = topic imu/data : p/T", "imu/data", "input x = topic /imu/data : p/T"),
+    ("system s { topic a/b/c : p/T; }", "a/b/c", "system s { topic /a/b/c : p/T; }"),
     ("input x = topic /x : Float64", "Float64", "input x = topic /x : std_msgs/Float64"),
     ("if x in (-10, 10) deg then { stop; }", "(", "if x in [-10, 10] deg then { stop; }"),
     ("if mode == 'auto' then { stop; }", "'auto'", 'if mode == "auto" then { stop; }'),
@@ -100,6 +102,9 @@ MENDED = [
 EXPLAINED = [
     ("input x, y = topic /t : p/T", ", y"),
     ("latched rule b: if flag then { stop; }", "latched"),
+    ("input x = topic /imu-data : p/T", "/imu-data"),
+    ("input x = topic front-left/scan : p/T", "front-left/scan"),
+    ("system s { topic /a/b-c-d : p/T; }", "/a/b-c-d"),
     ("if a xor b then { stop; }", "xor"),
     ("if cnt % 2 == 0 then { stop; }", "%"),
 ]

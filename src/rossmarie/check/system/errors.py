@@ -25,7 +25,15 @@ class UnknownMessageType(Error, code="ROSS109", name="unknown-message-type"):
         package: str
 
     class Folder(Remark):
-        says = 'name the folder of its .msg file in a system model: `messages "msg";`'
+        says = (
+            "give the folder that the package `{package}` is in by `--messages FOLDER`, or in a "
+            'system model: `messages "FOLDER";`'
+        )
+        package: str
+
+    class Tried(Remark):
+        says = "looked for {places}; put the file there, or name another folder"
+        places: str
 
 
 class TopicWithoutType(Error, code="ROSS110", name="topic-without-type"):

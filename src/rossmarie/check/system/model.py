@@ -82,13 +82,19 @@ class SystemModel:
         return near_name(name, [*self.aliases, *self.topics, *bare])
 
     def near_type(self, name: str) -> str | None:
-        """A known type of the same name in another package, else one spelled much alike."""
+        """A known type of the same name in another package, else one spelled much alike. Of a
+        package that is not known only a slip of the pen: else its folder is missing.
+        """
         known = self.messages.known_names()
         if not self.suggestions.take(len(known)):
             return None
-        own = name.rpartition("/")[2].lower()
-        same = [candidate for candidate in known if candidate.rpartition("/")[2].lower() == own]
-        return near_name(name, same) or next(iter(same), None) or near_name(name, known)
+        package, _, own = name.partition("/")
+        same = [each for each in known if each.partition("/")[2].lower() == own.lower()]
+        if any(each.startswith(f"{package}/") for each in known):
+            return near_name(name, same) or next(iter(same), None) or near_name(name, known)
+        packages = {each.partition("/")[0] for each in same}
+        meant = near_name(package, packages)
+        return next((each for each in same if each.startswith(f"{meant}/")), None)
 
 
 def full_name(topic: str) -> str:
@@ -156,8 +162,10 @@ def _report_unknown_type(name: ast.Name, model: SystemModel, collector: Collecto
         help = finding.Package(package=str(package))
     elif near is not None:
         help = DidYouMean(near=near)
+    elif tried := model.messages.places_of(name.text):
+        help = finding.Tried(places=", ".join(f"`{place}`" for place in tried))
     else:
-        help = finding.Folder()
+        help = finding.Folder(package=name.text.partition("/")[0])
     fix = rename(name, near) if near is not None else None
     collector.add(finding.at(name.span, help=help, fix=fix))
 
