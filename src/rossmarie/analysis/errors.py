@@ -189,9 +189,21 @@ class LimitHoldsCondition(Warning, code="ROSS710", name="limit-holds-condition")
 
     title = "rule `{rule}` keeps itself active: it {does}, which its condition reads"
     label = "so nothing clears the rule"
-    help = "read what the planner asks for or what the robot does, not what has passed the filter"
+    help = "read what the planner asks for ({asked}) or what the robot does, not what has passed"
     rule: str
     does: str
+    asked: str
+
+
+class LimitEndsCondition(Warning, code="ROSS720", name="limit-ends-condition"):
+    """A rule that is cleared by its own effect on a command, while its reason lasts."""
+
+    title = "rule `{rule}` switches itself off: it {does}, which its condition reads"
+    label = "the next command that passes clears the rule, and the one after it is free again"
+    help = "read what the planner asks for ({asked}) or what the robot does, not what has passed"
+    rule: str
+    does: str
+    asked: str
 
 
 class NeverItsTurn(Warning, code="ROSS711", name="never-its-turn"):
@@ -303,6 +315,7 @@ ALL: tuple[type[Template], ...] = (
     Chattering,
     RecoveryBlocked,
     LimitHoldsCondition,
+    LimitEndsCondition,
     NeverItsTurn,
     LossUnnoticed,
     LatchReleased,

@@ -1,4 +1,5 @@
-"""Rules that hold themselves: what they do to a command keeps them from being cleared.
+"""Rules that hold themselves, or switch themselves off: what they do to a command keeps them from
+being cleared, or clears them.
 
 An input may read the commands that have passed the filter. While a rule bounds such a command, or
 publishes it itself, the input brings numbers within known ends only.
@@ -13,7 +14,13 @@ from functools import partial
 import z3
 
 from dslkit.diagnostics import Diagnostic, Label
-from rossmarie.analysis.errors import Escalated, LimitHoldsCondition, LimitHoldsRelease, WhileActive
+from rossmarie.analysis.errors import (
+    Escalated,
+    LimitEndsCondition,
+    LimitHoldsCondition,
+    LimitHoldsRelease,
+    WhileActive,
+)
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
@@ -33,6 +40,7 @@ from rossmarie.ir.reactions import (
     SetParameter,
     SwitchControllers,
 )
+from rossmarie.naming.node import unfiltered
 
 
 @dataclass(frozen=True)
@@ -49,7 +57,9 @@ class Kept:
 
 
 def find_self_holding(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each rule that is not cleared as long as its own tasks are in force."""
+    """A warning of each rule that is not cleared as long as its own tasks are in force, or is
+    cleared by them.
+    """
     machine = inquiry.machine
     for rule, plan in enumerate(machine.reactions.plans):
         kept = [each for task in plan.tasks for each in _kept(machine, task)]
@@ -193,8 +203,8 @@ def _lies(source: Slot | Array, value: z3.ArithRef, kept: Kept) -> z3.BoolRef:
 
 
 def _judged(inquiry: Inquiry, rule: int, kept: Sequence[Kept]) -> Diagnostic | None:
-    """Tell what a rule cannot do while some fields are kept: have a false condition, or be
-    released.
+    """Tell what a rule cannot do while some fields are kept: have a false condition, be released,
+    or have a true condition.
     """
 
     def never(claim: Callable[[ArbitraryState], z3.BoolRef]) -> bool:
@@ -207,11 +217,17 @@ def _judged(inquiry: Inquiry, rule: int, kept: Sequence[Kept]) -> Diagnostic | N
     places = _places(machine, rule, kept)
     does = _does(machine, kept)
     if never(lambda state: state.truth(declared.condition).false):
-        finding = LimitHoldsCondition(rule=declared.name, does=does)
-        return finding.at(declared.head, *places)
+        asked = _asked(machine, kept)
+        holds = LimitHoldsCondition(rule=declared.name, does=does, asked=asked)
+        return holds.at(declared.head, *places)
     release = declared.release
-    if release is None or not never(partial(is_ended, rule=rule)):
+    if release is None:
         return None
+    if not never(partial(is_ended, rule=rule)):
+        if not never(lambda state: state.truth(declared.condition).true):
+            return None
+        ends = LimitEndsCondition(rule=declared.name, does=does, asked=_asked(machine, kept))
+        return ends.at(declared.head, *places)
     is_never = never(lambda state: state.truth(release).true)
     stuck = LimitHoldsRelease(
         rule=declared.name,
@@ -228,6 +244,12 @@ def _places(machine: Machine, rule: int, kept: Sequence[Kept]) -> Iterator[Label
     for task in dict.fromkeys(each.task for each in kept):
         when = WhileActive() if task in planned else Escalated()
         yield when.at(machine.reactions.tasks[task].span)
+
+
+def _asked(machine: Machine, kept: Sequence[Kept]) -> str:
+    """The topics on which commands enter the filter: `/unfil_cmd_vel`."""
+    topics = dict.fromkeys(machine.reactions.commands[each.command].topic for each in kept)
+    return ", ".join(f"`{unfiltered(topic)}`" for topic in topics)
 
 
 def _does(machine: Machine, kept: Sequence[Kept]) -> str:

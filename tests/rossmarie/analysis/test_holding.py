@@ -4,6 +4,7 @@ cleared.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -40,7 +41,18 @@ HELD = {
     "condition": ("slow;", "asked.x < 0.3 m/s", "", "ROSS710"),
     "latched": ("halt;", "asked.x < 0.3 m/s", "", "ROSS710"),
 }
+ENDED = {
+    "limit": ("slow;", "asked.x > 0.5 m/s", ""),
+    "for some time": ("slow;", "asked.x > 0.5 m/s for 1 sec", ""),
+    "in part": ("slow;", "speed > 1 m/s and asked.x > 0.5 m/s", ""),
+    "published": ("back;", "asked.x > 0.05 m/s", ""),
+    "scaled to zero": ("still;", "asked.x != 0 m/s", ""),
+}
 FREE = {
+    "inside": ("slow;", "asked.x > 0.1 m/s", ""),
+    "or another": ("slow;", "speed > 1 m/s or asked.x > 0.5 m/s", ""),
+    "another axis": ("slow;", "asked.y > 0.5 m/s", ""),
+    "latched by hand": ("slow;", "asked.x > 0.5 m/s", "latched until reset"),
     "room": ("slow;", "speed > 1 m/s", "clear when asked.x > 0.1 m/s"),
     "other field": ("slow;", "speed > 1 m/s", "clear when norm(asked) > 0.5 m/s"),
     "halved": ("halve;", "speed > 1 m/s", "clear when asked.x > 0.5 m/s"),
@@ -68,19 +80,25 @@ def passed(machine: Machine, reactor: Reactor, at_ns: int, asked: float) -> dict
     return {axis: bounds["linear", axis].of(value) for axis, value in asks.items()}
 
 
-def ways_out(machine: Machine, *, is_filtered: bool) -> int:
-    """How often the rule is cleared, or reset, while a planner asks for all kinds of speeds, and
-    the robot was fast once.
+def ways_out(
+    machine: Machine,
+    *,
+    is_filtered: bool,
+    asked_at: Callable[[int], float] = lambda tick: ((tick * 7) % 40 - 20) / 10,
+    speed_at: Callable[[int], float] = lambda tick: 2.0 if tick == 0 else 0.0,
+) -> int:
+    """How often the rule is cleared, or reset, while a planner asks for speeds (all kinds of them),
+    and the robot has some (it was fast once).
     """
     monitor, reactor = Interpreter(machine), Reactor(machine.reactions)
     reactor.open()
     topics = [channel.topic for channel in machine.channels]
     cleared = 0
     for tick in range(80):
-        at_ns, asked = tick * 10**8, ((tick * 7) % 40 - 20) / 10
+        at_ns, asked = tick * 10**8, asked_at(tick)
         free = dict.fromkeys(("x", "y", "z"), asked)
         sent = passed(machine, reactor, at_ns, asked) if is_filtered else free
-        odometry = {"x": 2.0 if tick == 0 else 0.0}
+        odometry = {"x": speed_at(tick)}
         values = {"/cmd_vel": sent, "/odom": odometry}
         slots: dict[int, dict[int, float]] = {index: {} for index in range(len(topics))}
         for index, slot in enumerate(machine.slots):
@@ -108,5 +126,19 @@ def test_a_rule_that_what_it_does_leaves_a_way_out_is_not_warned_of(
     way: str, tmp_path: Path
 ) -> None:
     machine, found = ask(tmp_path, *FREE[way])
-    assert not {"ROSS710", "ROSS717"} & set(found)
+    assert not {"ROSS710", "ROSS717", "ROSS720"} & set(found)
     assert ways_out(machine, is_filtered=True) > 0
+
+
+@pytest.mark.parametrize("way", ENDED)
+def test_a_rule_that_is_said_to_switch_itself_off_does(way: str, tmp_path: Path) -> None:
+    machine, found = ask(tmp_path, *ENDED[way])
+
+    def ended(*, is_filtered: bool) -> int:
+        return ways_out(
+            machine, is_filtered=is_filtered, asked_at=lambda _: 2.0, speed_at=lambda _: 2.0
+        )
+
+    assert "ROSS720" in found
+    assert ended(is_filtered=True) > 1
+    assert ended(is_filtered=False) == 0
