@@ -17,7 +17,7 @@ from rosbags.typesys.store import Typestore
 
 from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import Array, Channel, Input, Kind, Machine, Slot
+from rossmarie.ir import Array, Channel, Input, Kind, Machine, Slot, Step
 from rossmarie.recordings import Update, open_recording, updates_in
 
 START_NS = 1_700_000_000_000_000_000
@@ -37,7 +37,7 @@ def span_of(text: str) -> Span:
     return Span(RULES, start, start + len(text))
 
 
-def slot(reader: int, *path: str | int, kind: Kind = Kind.REAL) -> Slot:
+def slot(reader: int, *path: Step, kind: Kind = Kind.REAL) -> Slot:
     return Slot(reader, path, kind, 1.0, 0.0, "")
 
 

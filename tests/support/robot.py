@@ -13,7 +13,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from ears import Client, Ears, Server
 from geometry_msgs.msg import Twist, TwistStamped
 from rosgraph_msgs.msg import Clock
-from sensor_msgs.msg import Imu, LaserScan
+from sensor_msgs.msg import Imu, JointState, LaserScan
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 from vehicle_safety.msg import State, Verdict
@@ -37,6 +37,7 @@ class Robot(Ears):
         self.speed = None  # m/s, or "nan"; None: the planner is silent
         self.arm_speed = None  # m/s; None: nobody commands the arm
         self.near = None  # whether something is near; None: the scanner is silent
+        self.efforts = None  # pairs of a joint and its torque in Nm; None: the joints are silent
         self.mode = "driving"
         self.clock = None  # simulated time in s; None: there is none
         self.moving = False  # whether the arm moves, goal or not
@@ -51,6 +52,7 @@ class Robot(Ears):
         self._planner = self.publisher("/unfil_cmd_vel", Twist)
         self._arm_planner = self.publisher("/unfil_arm_vel", TwistStamped)
         self._scan = None  # nobody publishes it before something is to be near or not
+        self._joints = None
         self._clock = None
         self._mode = self.publisher("/mode", String)
         self._arm_moving = self.publisher("/arm/moving", Bool)
@@ -81,6 +83,11 @@ class Robot(Ears):
         if self.near is not None:
             self._scan = self._scan or self.sensor("/scan", LaserScan)
             self._scan.publish(LaserScan(ranges=[2.0, 0.1 if self.near else 1.0]))
+        if self.efforts is not None:
+            self._joints = self._joints or self.sensor("/joint_states", JointState)
+            names = [name for name, _ in self.efforts]
+            torques = [float(torque) for _, torque in self.efforts]
+            self._joints.publish(JointState(name=names, effort=torques))
         self._arm_moving.publish(Bool(data=self.moving))
         self._mode.publish(String(data=self.mode))
 

@@ -12,8 +12,7 @@ import numpy as np
 from heron import messages
 from heron.messages import Message
 from rossmarie.driver.monitor import Monitor, Value
-from rossmarie.ir import Array, Event, Slot, arrival_names, field_names
-from rossmarie.ir.reactions import FieldPath
+from rossmarie.ir import Array, Event, Path, Slot, arrival_names, field_names
 
 Take = Callable[[int, Message], Sequence[Event]]
 """An instant and a message; gives what the monitor has to tell."""
@@ -53,7 +52,7 @@ class Intake:
     def _values(self, channel: int, message: Message) -> dict[str, Value]:
         return {name: _value(message, path) for name, path in self._fields[channel].items()}
 
-    def _named_fields(self, channel: int) -> dict[str, FieldPath]:
+    def _named_fields(self, channel: int) -> dict[str, Path]:
         """The fields of a channel, as the monitor calls them; of an input of which only the age is
         read, the whole message.
         """
@@ -61,7 +60,7 @@ class Intake:
         slots, arrays = field_names(machine)
         named: list[tuple[frozenset[str], Slot | Array]]
         named = [*zip(slots, machine.slots, strict=True), *zip(arrays, machine.arrays, strict=True)]
-        fields: dict[str, FieldPath] = {
+        fields: dict[str, Path] = {
             max(names, key=len): field.path
             for names, field in named
             if machine.inputs[field.input].channel == channel
@@ -74,25 +73,25 @@ class Intake:
         return [field for field in fields if inputs[field.input].channel == channel]
 
 
-def _are_plain(paths: Sequence[FieldPath], message_type: str) -> bool:
+def _are_plain(paths: Sequence[Path], message_type: str) -> bool:
     """Say whether all fields are numbers or flags that stand for themselves."""
     empty = messages.new_message(message_type)
     return all(_is_plain(empty, path) for path in paths)
 
 
-def _is_plain(empty: Message, path: FieldPath) -> bool:
+def _is_plain(empty: Message, path: Path) -> bool:
     """Of elements, only those of arrays of numbers."""
     *parents, last = path
-    if any(isinstance(part, int) for part in parents):
+    if not all(isinstance(part, str) for part in parents):
         return False
-    if isinstance(last, int):
+    if not isinstance(last, str):
         return isinstance(_value(empty, tuple(parents)), np.ndarray)
     return isinstance(_value(empty, path), int | float)
 
 
-def _read_all(paths: Sequence[FieldPath]) -> Callable[[Message], Sequence[float]]:
+def _read_all(paths: Sequence[Path]) -> Callable[[Message], Sequence[float]]:
     """Like `attrgetter`, but always of numbers, and always several."""
-    if any(isinstance(path[-1], int) for path in paths):
+    if any(not isinstance(path[-1], str) for path in paths):
         return lambda message: [float(_field(message, path)) for path in paths]
     attributes = [".".join(map(str, path)) for path in paths]
     if len(paths) > 1:
@@ -102,20 +101,22 @@ def _read_all(paths: Sequence[FieldPath]) -> Callable[[Message], Sequence[float]
     return lambda message: () if read_one is None else (float(read_one(message)),)
 
 
-def _field(message: Message, path: FieldPath) -> Any:
+def _field(message: Message, path: Path) -> Any:
     """The value to which a path leads; NaN for an element that is not there."""
     value = message
     for part in path:
         if isinstance(part, str):
             value = getattr(value, part)
-        elif part < len(value):
-            value = value[part]
-        else:
+            continue
+        names = () if isinstance(part, int) else attrgetter(".".join(part.names))(message)
+        place = part if isinstance(part, int) else part.place(names)
+        if place is None or place >= len(value):
             return math.nan
+        value = value[place]
     return value
 
 
-def _value(message: Message, path: FieldPath) -> Value:
+def _value(message: Message, path: Path) -> Value:
     """A field; NaN for an element that is not there, seconds for an instant, 1 for a message."""
     if not path:
         return 1.0

@@ -20,9 +20,10 @@ from rossmarie.ir import (
     Machine,
     Order,
     OrderKind,
+    Path,
     TruthValue,
 )
-from rossmarie.ir.reactions import FieldPath, Publish, timeout_ns
+from rossmarie.ir.reactions import Publish, timeout_ns
 
 _TRANSIT_NS = 10_000_000
 _STEP_NS = 1_000_000
@@ -162,7 +163,8 @@ class Loop:
             return values
         fields = self.machine.reactions.commands[effect.command].fields
         lying = self._reactor.bounds(at_ns, effect.command)
-        bounds = dict(zip((each.path for each in fields), lying, strict=True))
+        paths: list[Path] = [each.path for each in fields]
+        bounds = dict(zip(paths, lying, strict=True))
         slots = {
             index: _bounded(bounds, self.machine.slots[index].path, value)
             for index, value in values.slots.items()
@@ -215,7 +217,7 @@ class Loop:
         return self._reactor.report(at_ns, task, self.ends_well, self._watches)
 
 
-def _bounded(bounds: Mapping[FieldPath, FieldBounds], path: FieldPath, value: float) -> float:
+def _bounded(bounds: Mapping[Path, FieldBounds], path: Path, value: float) -> float:
     """A number as the filter lets it pass; an element as its array."""
     lying = bounds.get(path) or bounds.get(path[:-1])
     return value if lying is None else lying.of(value)

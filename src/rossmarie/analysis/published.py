@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rossmarie.ir import Array, ChannelValues, Kind, Machine, Slot
-from rossmarie.ir.reactions import FieldPath, Publish, Scalar
+from rossmarie.ir import Array, ChannelValues, Kind, Machine, Path, Slot
+from rossmarie.ir.reactions import Publish, Scalar
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ def values_of(machine: Machine, task: int, channel: int) -> ChannelValues:
     """
     effect = machine.reactions.tasks[task].effect
     assert isinstance(effect, Publish)
-    given = {each.path: each.value for each in effect.assignments}
+    given: Given = {each.path: each.value for each in effect.assignments}
     slots = {
         index: _number(machine, slot, given)
         for index, slot in enumerate(machine.slots)
@@ -53,17 +53,24 @@ def values_of(machine: Machine, task: int, channel: int) -> ChannelValues:
     return ChannelValues(slots, arrays)
 
 
-Given = dict[FieldPath, Scalar | tuple[Scalar, ...]]
+Given = dict[Path, Scalar | tuple[Scalar, ...]]
 
 
 def _number(machine: Machine, slot: Slot, given: Given) -> float:
-    if slot.path and isinstance(slot.path[-1], int):
-        value = given.get(slot.path[:-1], ())
-        elements = value if isinstance(value, tuple) else (value,)
-        is_there = slot.path[-1] < len(elements)
-        return _raw(machine, slot.kind, elements[slot.path[-1]]) if is_there else math.nan
-    value = given.get(slot.path, "" if slot.kind is Kind.TEXT else 0.0)
-    return math.nan if isinstance(value, tuple) else _raw(machine, slot.kind, value)
+    last = slot.path[-1] if slot.path else ""
+    if isinstance(last, str):
+        value = given.get(slot.path, "" if slot.kind is Kind.TEXT else 0.0)
+        return math.nan if isinstance(value, tuple) else _raw(machine, slot.kind, value)
+    elements = _elements(slot.path[:-1], given)
+    names = [] if isinstance(last, int) else list(map(str, _elements(last.names, given)))
+    place = last if isinstance(last, int) else last.place(names)
+    is_there = place is not None and place < len(elements)
+    return _raw(machine, slot.kind, elements[place or 0]) if is_there else math.nan
+
+
+def _elements(path: Path, given: Given) -> tuple[Scalar, ...]:
+    value = given.get(path, ())
+    return value if isinstance(value, tuple) else (value,)
 
 
 def _raw(machine: Machine, kind: Kind, value: Scalar) -> float:
@@ -76,5 +83,4 @@ def _raw(machine: Machine, kind: Kind, value: Scalar) -> float:
 
 
 def _numbers(array: Array, given: Given) -> list[float]:
-    value = given.get(array.path, ())
-    return [float(each) for each in (value if isinstance(value, tuple) else (value,))]
+    return [float(each) for each in _elements(array.path, given)]

@@ -24,6 +24,7 @@ from rossmarie.ir import (
     Read,
     Sampled,
     TruthValue,
+    path_text,
 )
 from rossmarie.ir.duration_text import duration_text
 
@@ -160,22 +161,17 @@ def _fields(machine: Machine, channel: int, witness: Witness) -> Iterator[_Colum
     topic = machine.channels[channel].topic
     for index, slot in enumerate(machine.slots):
         if machine.inputs[slot.input].channel == channel:
-            yield _Column(_name(topic, slot.path), channel, index)
+            yield _Column(f"{topic}{path_text(slot.path)}", channel, index)
     for index, array in enumerate(machine.arrays):
         if machine.inputs[array.input].channel == channel:
             for element in range(_longest(witness, channel, index)):
-                name = _name(topic, (*array.path, element))
+                name = f"{topic}{path_text((*array.path, element))}"
                 yield _Column(name, channel, index, element)
 
 
 def _longest(witness: Witness, channel: int, array: int) -> int:
     found = (event.messages.get(channel) for event in witness.events)
     return max((len(values.arrays.get(array, ())) for values in found if values), default=1) or 1
-
-
-def _name(topic: str, path: Sequence[str | int]) -> str:
-    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
-    return topic + "".join(steps)
 
 
 # --- words -----------------------------------------------------------------------------------

@@ -107,9 +107,7 @@ class ForeignFile(Error, code="ROSS810", name="foreign-file"):
 
     title = "`{path}` is {kind}, not a rules file"
     label = "it begins like this"
-    note = (
-        "its name says so, or the signs that it begins with; nothing else of it is read"
-    )
+    note = "its name says so, or the signs that it begins with; nothing else of it is read"
     path: str
     kind: str
 

@@ -45,6 +45,7 @@ from rossmarie.ir.model import (
     TruthNode,
 )
 from rossmarie.ir.naming import arrival_names, field_names, near_name
+from rossmarie.ir.path import ByName, Path, Step, path_text
 from rossmarie.ir.reactions import NO_REACTIONS, FieldBounds, Order, OrderKind, Reactions
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.support import (
@@ -81,6 +82,7 @@ __all__ = [
     "Array",
     "Batch",
     "Between",
+    "ByName",
     "Cause",
     "Change",
     "Channel",
@@ -113,6 +115,7 @@ __all__ = [
     "Order",
     "OrderKind",
     "Oscillates",
+    "Path",
     "Quantified",
     "Quantifier",
     "Reactions",
@@ -124,6 +127,7 @@ __all__ = [
     "Signal",
     "SignalNode",
     "Slot",
+    "Step",
     "Support",
     "Supports",
     "Taken",
@@ -147,6 +151,7 @@ __all__ = [
     "machine_to_json",
     "most_evaluations",
     "near_name",
+    "path_text",
     "reachable_truths",
     "reactions",
     "rule_signals",

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 from dslkit.source import Span
 from rossmarie.core import Function, Sampling
+from rossmarie.ir.path import Path
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 
 
@@ -50,7 +51,7 @@ class Slot:
     """
 
     input: int
-    path: tuple[str | int, ...]
+    path: Path
     kind: Kind
     scale: float
     offset: float
@@ -65,7 +66,7 @@ class Array:
     """
 
     input: int
-    path: tuple[str | int, ...]
+    path: Path
     scale: float
     offset: float
     unit: str

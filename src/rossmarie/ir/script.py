@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from dslkit.source import Span
+from rossmarie.ir.path import Path
 
 SettingValue = float | bool | str | tuple[float | bool, ...] | None
 """In SI; a tuple is a whole array, None is unknown."""
@@ -25,7 +26,7 @@ class Setting:
 
     input: str
     topic: str
-    path: tuple[str | int, ...]
+    path: Path
     value: SettingValue
     angle: str | None = None
     unit: str = field(default="", compare=False)

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from rossmarie.ir import model as ir
 from rossmarie.ir.duration_text import duration_text
+from rossmarie.ir.path import Path, path_text
 from rossmarie.ir.reactions_text import reaction_sections
 
 _WIDTH = 44
@@ -57,9 +58,8 @@ def _sources(machine: ir.Machine) -> Iterator[str]:
         yield f"{line}{_in_unit(array.unit)}{conversion}{_within(array.limits)}"
 
 
-def _path(path: tuple[str | int, ...]) -> str:
-    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
-    return " " + "".join(steps) if path else ""
+def _path(path: Path) -> str:
+    return f" {path_text(path)}" if path else ""
 
 
 def _in_unit(unit: str) -> str:

@@ -10,10 +10,12 @@ from dataclasses import dataclass, field
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedInput, Gaps
+from rossmarie.check.names.parts import Part
 from rossmarie.types import (
     Array,
     Boolean,
     Box,
+    Entry,
     Interval,
     Message,
     Quantity,
@@ -26,19 +28,26 @@ from rossmarie.types import (
 )
 from rossmarie.units import DIMENSIONLESS, Unit
 
-Path = tuple[str | int, ...]
-
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """A part of a message: an input and the fields that lead on from its message."""
+    """A part of the message that an input reads."""
 
     input: CheckedInput
-    path: Path
+    part: Part
 
-    def at(self, *steps: str | int) -> Place:
-        """A part of this part."""
-        return Place(self.input, (*self.path, *steps))
+    @property
+    def path(self) -> ir.Path:
+        """The way from the message to the part."""
+        return self.part.path
+
+    def field(self, name: str, type_: Type) -> Place:
+        """A field of this part, which has a type."""
+        return Place(self.input, self.part.field(name, type_))
+
+    def element(self, index: int | str, owner: Type) -> Place:
+        """An element of this part, whose type is `owner`."""
+        return Place(self.input, self.part.element(index, owner))
 
 
 @dataclass
@@ -55,8 +64,8 @@ class Inputs:
     texts: list[str] = field(default_factory=list)
     _by_topic: dict[str, int] = field(default_factory=dict)
     _by_name: dict[str, int] = field(default_factory=dict)
-    _slots_by_place: dict[tuple[int, Path], int] = field(default_factory=dict)
-    _arrays_by_place: dict[tuple[int, Path], int] = field(default_factory=dict)
+    _slots_by_place: dict[tuple[int, ir.Path], int] = field(default_factory=dict)
+    _arrays_by_place: dict[tuple[int, ir.Path], int] = field(default_factory=dict)
 
     def channel(self, used: CheckedInput) -> int:
         """The topic that an input comes from."""
@@ -113,7 +122,7 @@ def _kind(type_: Type) -> ir.Kind:
             return ir.Kind.TEXT
         case (
             Quantity() | Vector() | Quaternion() | Array() | Interval() | Box() | Message()
-            | Unsupported() | Unknown()
+            | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return ir.Kind.REAL
 
@@ -133,7 +142,7 @@ def _limits(type_: Type) -> tuple[float, float] | None:
             return limits
         case (
             Text() | Vector() | Quaternion() | Array() | Interval() | Box() | Message()
-            | Unsupported() | Unknown()
+            | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return None
 

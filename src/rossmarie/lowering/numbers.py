@@ -11,6 +11,7 @@ from dataclasses import replace
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, Value
+from rossmarie.check.names.parts import Part
 from rossmarie.core import sampling_row
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs, Place
@@ -21,6 +22,7 @@ from rossmarie.types import (
     Array,
     Boolean,
     Box,
+    Entry,
     Interval,
     Message,
     Quantity,
@@ -117,13 +119,13 @@ class Numbers:
                 return self.place(inner)
             case ast.Reference(name=name):
                 used = self._program.symbols.inputs.get(name.text)
-                return None if used is None else Place(used, used.path)
+                return None if used is None else Place(used, Part(used.path))
             case ast.Member(value=value, member=member):
                 place = self.place(value)
-                return None if place is None else place.at(member.text)
+                return None if place is None else place.field(member.text, self.type_of(node))
             case ast.Index(value=value, index=index):
                 place = self.place(value)
-                return None if place is None else place.at(index)
+                return None if place is None else place.element(index, self.type_of(value))
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Call()
                 | ast.Oscillates() | ast.Unary() | ast.Binary() | ast.Membership() | ast.Held()
@@ -136,7 +138,9 @@ class Numbers:
             case Message(fields=fields):
                 # A std_msgs message stands for its data.
                 data = fields["data"]
-                return self._read(place.at("data"), data, replace(shown, unit=_unit_of(data)))
+                return self._read(
+                    place.field("data", data), data, replace(shown, unit=_unit_of(data))
+                )
             case Vector(element=element):
                 return tuple(self._read_part(place, axis, element, shown) for axis in "xyz")
             case Quaternion():
@@ -144,11 +148,14 @@ class Numbers:
             case Array():
                 array = self._inputs.array(place, type_)
                 return (self._nodes.signal(ir.Element(array), shown),)
-            case Boolean() | Text() | Quantity() | Interval() | Box() | Unsupported() | Unknown():
+            case (
+                Boolean() | Text() | Quantity() | Interval() | Box() | Entry() | Unsupported()
+                | Unknown()
+            ):  # fmt: skip
                 return (self._nodes.signal(ir.Read(self._inputs.slot(place, type_)), shown),)
 
     def _read_part(self, place: Place, axis: str, element: Quantity, shown: Shown) -> int:
-        slot = self._inputs.slot(place.at(axis), element)
+        slot = self._inputs.slot(place.field(axis, element), element)
         part = Shown(f"{shown.text}.{axis}", shown.span, element.unit)
         return self._nodes.signal(ir.Read(slot), part)
 
@@ -253,7 +260,7 @@ def _unit_of(type_: Type | None) -> Unit | None:
         ):
             return element.unit
         case (
-            Boolean() | Text() | Quaternion() | Array() | Message() | Unsupported() | Unknown()
-            | None
+            Boolean() | Text() | Quaternion() | Array() | Message() | Entry() | Unsupported()
+            | Unknown() | None
         ):  # fmt: skip
             return None

@@ -16,7 +16,7 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.base import normalize_fieldname
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import Array, ChannelValues, Kind, Slot
+from rossmarie.ir import Array, ByName, ChannelValues, Kind, Path, Slot
 from rossmarie.recordings.definitions import full_type
 
 _TEXTS = ("string", "wstring")
@@ -58,7 +58,7 @@ def compile_extractor(
         description = _describe(store, root, slot.path)
         if description is None or not _holds(description, slot.kind):
             missing.append(slot)
-        elif _is_number(description) and not _has_index(slot.path):
+        elif _is_number(description) and not _has_element(slot.path):
             numbers[index] = _attributes(slot.path)
         else:
             others[index] = _scalar_reader(slot, description, texts)
@@ -130,7 +130,7 @@ def _seconds(value: Any) -> float:
     return math.nan if value is None else value.sec + value.nanosec * 1e-9
 
 
-def _array_reader(path: Sequence[str | int]) -> Callable[[Message], list[float]]:
+def _array_reader(path: Path) -> Callable[[Message], list[float]]:
     get = _path_reader(path)
 
     def read(message: Message) -> list[float]:
@@ -140,42 +140,54 @@ def _array_reader(path: Sequence[str | int]) -> Callable[[Message], list[float]]
     return read
 
 
-def _path_reader(path: Sequence[str | int]) -> Callable[[Message], Any]:
-    """Reads along a path; None where an array is too short for an index."""
-    if not _has_index(path):
+def _path_reader(path: Path) -> Callable[[Message], Any]:
+    """Reads along a path; None where an array has no such element."""
+    if not _has_element(path):
         return attrgetter(_attributes(path))
 
     def read(message: Message) -> Any:
         value = message
         for part in path:
-            if isinstance(part, int):
-                if part >= len(value):
-                    return None
-                value = value[part]
-            else:
+            if isinstance(part, str):
                 value = getattr(value, normalize_fieldname(part))
+                continue
+            place = part if isinstance(part, int) else part.place(_names_at(message, part))
+            if place is None or place >= len(value):
+                return None
+            value = value[place]
         return value
 
     return read
 
 
-def _has_index(path: Sequence[str | int]) -> bool:
-    return any(isinstance(part, int) for part in path)
+def _names_at(message: Message, element: ByName) -> Sequence[str]:
+    names: Sequence[str] = attrgetter(_attributes(element.names))(message)
+    return names
 
 
-def _attributes(path: Sequence[str | int]) -> str:
+def _has_element(path: Path) -> bool:
+    """Say whether a path leads into an array."""
+    return not all(isinstance(part, str) for part in path)
+
+
+def _attributes(path: Path) -> str:
     return ".".join(normalize_fieldname(str(part)) for part in path)
 
 
 # --- what the definition says ----------------------------------------------------------------
 
 
-def _describe(store: Typestore, description: Any, path: Sequence[str | int]) -> Any:
-    """The type description (as rosbags writes it) of a field; None if there is no such field."""
+def _describe(store: Typestore, root: Any, path: Path) -> Any:
+    """The type description (as rosbags writes it) of a field of a message; None if there is no such
+    field.
+    """
+    description = root
     for part in path:
         kind, content = description
-        if isinstance(part, int):
+        if not isinstance(part, str):
             if kind not in (Nodetype.ARRAY, Nodetype.SEQUENCE):
+                return None
+            if isinstance(part, ByName) and not _are_names(_describe(store, root, part.names)):
                 return None
             description = content[0]
         else:
@@ -194,6 +206,14 @@ def _holds(description: Any, kind: Kind) -> bool:
     return _is_number(description) or (
         description[0] == Nodetype.NAME and description[1] in _INSTANTS
     )
+
+
+def _are_names(description: Any) -> bool:
+    """Say whether a description is that of a list of strings."""
+    if description is None or description[0] not in (Nodetype.ARRAY, Nodetype.SEQUENCE):
+        return False
+    kind, content = description[1][0]
+    return bool(kind == Nodetype.BASE and content[0] in _TEXTS)
 
 
 def _is_number(description: Any) -> bool:

@@ -10,7 +10,7 @@ from pathlib import Path
 from dslkit import diagnostics
 from dslkit.diagnostics import Collector, Diagnostic, Remark, Template, remarked
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import Array, Channel, Kind, Machine, Slot
+from rossmarie.ir import Array, Channel, Kind, Machine, Slot, Step, path_text
 from rossmarie.recordings.errors import (
     MessagesUnreadable,
     NothingToReplay,
@@ -173,10 +173,9 @@ def input_span(machine: Machine, number: int) -> Span:
     return machine.inputs[number].span
 
 
-def field_text(path: Sequence[str | int]) -> str:
+def field_text(path: Iterable[Step]) -> str:
     """A path as it is written: `position[0].x`."""
-    parts = (f"[{part}]" if isinstance(part, int) else f".{part}" for part in path)
-    return "".join(parts).removeprefix(".")
+    return path_text(path).removeprefix(".")
 
 
 def kind_text(wanted: Slot | Array) -> str:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import Kind
+from rossmarie.ir import ByName, Kind, Path
 from rossmarie.recordings import extraction
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.plan import (
@@ -49,7 +49,7 @@ _FILLER = "structure_needs_at_least_one_member"
 class _Wanted(NamedTuple):
     """A slot or an array, by its index in the machine, and the path to it from here."""
 
-    path: tuple[str | int, ...]
+    path: Path
     slot: int | None = None
     array: int | None = None
     part: Part = Part.ALL
@@ -67,6 +67,8 @@ def plan_for(
     """
     is_cdr = encoding == "cdr"
     planner = _Planner(store, is_cdr, multiple=_WIDEST)
+    if any(isinstance(step, ByName) for slot in wanted.slots.values() for step in slot.path):
+        return None  # where the element lies is known once the names are read
     slots = [_Wanted(slot.path, slot=index) for index, slot in wanted.slots.items()]
     arrays = [_Wanted(array.path, array=index) for index, array in wanted.arrays.items()]
     try:

@@ -87,12 +87,12 @@ class EffectBuilder(ExpressionBuilder):
         return ast.FieldAssignment(parts[0], parts[2], self._span(parts))
 
     def field_path(self, parts: list[Any]) -> ast.FieldPath:
-        """`WORD.WORD[0]`."""
+        """`WORD.WORD[0]`, `WORD["NAME"].WORD`."""
         steps: list[ast.Name | ast.Position] = []
         for part in parts:
             if part.kind == "word":
                 steps.append(self.name(part))
-            elif part.kind == "number":
+            elif part.kind in ("number", "text"):
                 steps.append(ast.Position(self.position(part) or 0, self._at(part)))
         return ast.FieldPath(tuple(steps), self._span(parts))
 

@@ -27,11 +27,11 @@ class _Comparator(NamedTuple):
 
 
 class _Trailer(NamedTuple):
-    """`.name`, `.name(...)` or `[0]` behind a value; the last part tells which."""
+    """`.name`, `.name(...)`, `[0]` or `["name"]` behind a value; the last part tells which."""
 
     name: ast.Name | None
     arguments: tuple[ast.Expression | Part, ...] | None
-    position: int | None
+    position: int | str | None
     span: Span
 
 
@@ -128,8 +128,8 @@ class ExpressionBuilder:
         for trailer in parts[1:]:
             span = value.span.to(trailer.span)
             if trailer.name is None:
-                known = trailer.position is not None
-                value = ast.Index(value, trailer.position or 0, span) if known else ast.Broken(span)
+                at = trailer.position
+                value = ast.Broken(span) if at is None else ast.Index(value, at, span)
             elif trailer.arguments is None:
                 value = ast.Member(value, trailer.name, span)
             else:
@@ -146,7 +146,7 @@ class ExpressionBuilder:
         return _Trailer(self.name(parts[1]), arguments, None, self._span(parts))
 
     def index(self, parts: list[Any]) -> _Trailer:
-        """`[0]`."""
+        """`[0]`, `["elbow"]`."""
         return _Trailer(None, None, self.position(parts[1]), self._span(parts))
 
     def reference(self, parts: list[Any]) -> ast.Reference:
@@ -232,8 +232,12 @@ class ExpressionBuilder:
 
     # --- parts -----------------------------------------------------------------------------------
 
-    def position(self, token: Token) -> int | None:
-        """The number of an element; None after reporting that there can be no such element."""
+    def position(self, token: Token) -> int | str | None:
+        """The place or the name of an element; None after reporting that there can be no such
+        element.
+        """
+        if token.kind == "text":
+            return token.text[1:-1]
         digits = token.text
         if digits.isdecimal() and len(digits) <= _MOST_DIGITS:
             return int(digits)

@@ -11,12 +11,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from rossmarie.ir import ChannelValues, Kind, Machine, Slot
+from rossmarie.ir import ByName, ChannelValues, Kind, Machine, Path, Slot
 from rossmarie.ir.carried import raw_of
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.orientation import UPRIGHT, with_angle
 
-_Field = tuple[str, tuple[str | int, ...]]
+_Field = tuple[str, Path]
 
 
 @dataclass(frozen=True)
@@ -128,12 +128,14 @@ class _Sender:
             case Kind.REAL:
                 return raw_of(slot, _number(value))
 
-    def _value(self, topic: str, path: tuple[str | int, ...]) -> SettingValue | object:
-        if path and isinstance(path[-1], int):
+    def _value(self, topic: str, path: Path) -> SettingValue | object:
+        last = path[-1] if path else ""
+        if isinstance(last, int):
             whole = self.values.get((topic, path[:-1]))
-            is_there = isinstance(whole, tuple) and path[-1] < len(whole)
-            return whole[path[-1]] if isinstance(whole, tuple) and is_there else None
-        return self.values.get((topic, path), _UNSET)
+            is_there = isinstance(whole, tuple) and last < len(whole)
+            return whole[last] if isinstance(whole, tuple) and is_there else None
+        # A message without a name has no element of that name.
+        return self.values.get((topic, path), None if isinstance(last, ByName) else _UNSET)
 
 
 _UNSET = object()

@@ -56,9 +56,7 @@ class _Teller:
 
     machine: ir.Machine
     is_plain: bool
-    last: dict[tuple[str, tuple[str | int, ...], str | None], SettingValue] = field(
-        default_factory=dict
-    )
+    last: dict[tuple[str, ir.Path, str | None], SettingValue] = field(default_factory=dict)
 
     def events(self, witness: Witness) -> list[ScriptedArrival]:
         """All messages, in their order; those without news as repetitions."""

@@ -7,10 +7,9 @@ from collections.abc import Iterator, Sequence
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from rossmarie import ir
+from rossmarie.ir import Path, path_text
 from rossmarie.ir.script import Script, ScriptedArrival, Setting
 from rossmarie.testing.errors import SettingUnread
-
-Field = tuple[str | int, ...]
 
 
 def unread(machine: ir.Machine, scripts: Sequence[Script]) -> Iterator[Diagnostic]:
@@ -33,9 +32,9 @@ def unread(machine: ir.Machine, scripts: Sequence[Script]) -> Iterator[Diagnosti
                 yield finding.at(span)
 
 
-def read_fields(machine: ir.Machine) -> dict[str, list[Field]]:
+def read_fields(machine: ir.Machine) -> dict[str, list[Path]]:
     """The fields that a machine reads of each topic."""
-    found: dict[str, list[Field]] = {}
+    found: dict[str, list[Path]] = {}
     carried = [(each.input, each.path) for each in machine.slots]
     carried += [(each.input, each.path) for each in machine.arrays]
     for used, path in carried:
@@ -44,15 +43,12 @@ def read_fields(machine: ir.Machine) -> dict[str, list[Field]]:
     return found
 
 
-def _is_read(setting: Setting, fields: Sequence[Field]) -> bool:
+def _is_read(setting: Setting, fields: Sequence[Path]) -> bool:
     """A field, one around it or one in it is read: an element or all of an array, an angle."""
     size = len(setting.path)
     return any(field[:size] == setting.path[: len(field)] for field in fields)
 
 
-def _listed(fields: Sequence[Field]) -> str:
-    names = dict.fromkeys(
-        "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in field) or "data"
-        for field in fields
-    )
+def _listed(fields: Sequence[Path]) -> str:
+    names = dict.fromkeys(path_text(field) or "data" for field in fields)
     return ", ".join(f"`{name.lstrip('.')}`" for name in names) or "only that it arrives"

@@ -67,9 +67,7 @@ def _sent(machine: ir.Machine, event: ScriptedArrival, bases: Bases) -> Iterator
 
 def _field(setting: Setting, bases: Bases) -> str:
     steps = setting.path[len(bases[setting.input]) :]
-    text = setting.input + "".join(
-        f"[{step}]" if isinstance(step, int) else f".{step}" for step in steps
-    )
+    text = f"{setting.input}{ir.path_text(steps)}"
     return text if setting.angle is None else f"{text}.{setting.angle}"
 
 

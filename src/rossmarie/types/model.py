@@ -47,9 +47,12 @@ class Quaternion:
 
 @dataclass(frozen=True)
 class Array:
-    """Any number of elements (`float32[] ranges`); `element` is a Quantity or Boolean."""
+    """Any number of elements (`float32[] ranges`); `element` is a Quantity or Boolean. `names` is
+    the field beside it with a name for each element, if there is one.
+    """
 
     element: Quantity | Boolean
+    names: str | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True)
@@ -68,13 +71,23 @@ class Box:
 
 @dataclass(frozen=True)
 class Message:
-    """A ROS message, `sensor_msgs/Imu`, with the types of its fields (and constants left out)."""
+    """A ROS message, `sensor_msgs/Imu`, with the types of its fields (and constants left out).
+    `names` is the field with the names of the elements of its arrays, if it has one.
+    """
 
     name: str
     fields: Mapping[str, Type]
+    names: str | None = None
 
     def __hash__(self) -> int:
         return hash(self.name)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """All that a message with names holds under one of them: `joints["elbow"]`."""
+
+    message: Message
 
 
 @dataclass(frozen=True)
@@ -99,6 +112,7 @@ Type = (
     | Interval
     | Box
     | Message
+    | Entry
     | Unsupported
     | Unknown
 )

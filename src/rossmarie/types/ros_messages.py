@@ -6,6 +6,7 @@ Definitions come from `definitions`, units from the overrides given and then fro
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -46,6 +47,7 @@ _LIMITS = {
 it arrives.
 """
 _TEXTS = frozenset(("string", "wstring"))
+_LISTS_OF_NAMES = ("name", "names", "joint_names")
 
 
 class Leaf(NamedTuple):
@@ -172,13 +174,17 @@ class MessageCatalog:
             outermost, _ = levels[0]
             path = definitions.find_file(outermost, self._search_paths) or Path(outermost)
             raise MessageDefinitionError(path, None, f"has more than {_MOST_FIELDS} fields")
-        return Message(
-            name,
-            {
-                field: self._type(type_, tuple((outer, (*path, field)) for outer, path in levels))
-                for field, type_ in definition.items()
-            },
-        )
+        names = _names_among(definition)
+        fields = {
+            field: self._type(type_, tuple((outer, (*path, field)) for outer, path in levels))
+            for field, type_ in definition.items()
+        }
+        named = {
+            field: replace(type_, names=names)
+            for field, type_ in fields.items()
+            if isinstance(type_, Array)
+        }
+        return Message(name, fields | named, names)
 
     def _type(self, field: Field, levels: tuple[Level, ...]) -> Type:
         base = field.base
@@ -227,6 +233,15 @@ class MessageCatalog:
                 symbol = fields[field]
                 return None if symbol is None else parse_unit(symbol)
         return None
+
+
+def _names_among(definition: definitions.Definition) -> str | None:
+    """The field that names the elements of the other arrays: the only list of strings, or the one
+    that is called so.
+    """
+    lists = [name for name, each in definition.items() if each.is_array and each.base in _TEXTS]
+    called = [name for name in lists if name in _LISTS_OF_NAMES]
+    return next(iter(lists if len(lists) == 1 else called), None)
 
 
 def message_value(message: Message) -> Type:

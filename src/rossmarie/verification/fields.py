@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from rossmarie.ir import model as ir
+from rossmarie.ir.path import Path
 from rossmarie.naming.identifiers import c_identifier
 from rossmarie.verification.layout import Layout, MisplacedError
 
@@ -42,7 +43,7 @@ def _arrays(layout: Layout, channel: int) -> Iterator[Field]:
             yield Field(_named(layout.places.array_names, index, array.path), array=index)
 
 
-def _named(names: Mapping[int, str], index: int, path: tuple[str | int, ...]) -> str:
+def _named(names: Mapping[int, str], index: int, path: Path) -> str:
     """A field is called after its path, with a number behind it where that is taken."""
     word, name = c_identifier("_".join(map(str, path)) or "value"), names.get(index, "")
     if not re.fullmatch(rf"{re.escape(word)}(_\d+)?", name):

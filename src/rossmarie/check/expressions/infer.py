@@ -7,20 +7,18 @@ nothing is reported about again.
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Remark
 from rossmarie.check.names.references import is_value, type_of_member, type_of_reference
 from rossmarie.check.operations.constants import fold, record
-from rossmarie.check.operations.errors import NotAnArray
 from rossmarie.check.operations.functions import type_of_call, type_of_oscillates
+from rossmarie.check.operations.indexes import element_of, no_element
 from rossmarie.check.operations.operators import type_of_binary, type_of_held, type_of_unary
 from rossmarie.check.operations.ranges import type_of_bracket, type_of_membership
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import text_of
 from rossmarie.check.units.quantities import read_unit
-from rossmarie.check.wording.describe import describe
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import children
-from rossmarie.types import Array, Boolean, Quantity, Text, Type, Unknown, Vector
+from rossmarie.types import Boolean, Quantity, Text, Type, Unknown
 from rossmarie.units import DIMENSIONLESS
 
 _Operation = (
@@ -111,12 +109,8 @@ def _type_of_number(node: ast.Number, context: Context) -> Type:
 
 def _type_of_index(node: ast.Index, context: Context) -> Type:
     type_ = context.type_of(node.value)
-    if isinstance(type_, Array):
-        return type_.element
-    if not isinstance(type_, Unknown):
-        finding = NotAnArray(purpose="an index", found=describe(type_))
-        help: Remark = finding.NoIndex()
-        if isinstance(type_, Vector):
-            help = finding.Components(text=text_of(node.value))
-        context.collector.add(finding.at(node.value.span, help=help))
-    return Unknown()
+    found = element_of(type_, node.index)
+    if found is None and not isinstance(type_, Unknown):
+        finding = no_element(type_, node.index, node.value.span, text_of(node.value))
+        context.collector.add(finding)
+    return Unknown() if found is None else found

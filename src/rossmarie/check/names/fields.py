@@ -13,6 +13,7 @@ from rossmarie.syntax import ast
 from rossmarie.types import (
     Array,
     Boolean,
+    Entry,
     Message,
     Quantity,
     Quaternion,
@@ -30,11 +31,21 @@ def members(type_: Type) -> dict[str, Type]:
     """The names that can be written behind a dot, other than functions."""
     if isinstance(type_, Message):
         return dict(type_.fields)
+    if isinstance(type_, Entry):
+        parts = {name: _entry_of(part) for name, part in type_.message.fields.items()}
+        return {name: part for name, part in parts.items() if part is not None}
     if isinstance(type_, Vector):
         return dict.fromkeys("xyz", type_.element)
     if isinstance(type_, Quaternion):
         return dict.fromkeys("xyzw", Quantity(DIMENSIONLESS))
     return {}
+
+
+def _entry_of(part: Type) -> Type | None:
+    """The type of a part of a message under one name: elements of arrays, also further inside."""
+    if isinstance(part, Array):
+        return part.element
+    return Entry(part) if isinstance(part, Message) and members(Entry(part)) else None
 
 
 def select(
@@ -63,7 +74,7 @@ def with_unit(type_: Type, unit: Unit) -> Type | None:
     if isinstance(type_, Vector):
         return Vector(Quantity(unit))
     if isinstance(type_, Array) and isinstance(type_.element, Quantity):
-        return Array(replace(type_.element, unit=unit))
+        return replace(type_, element=replace(type_.element, unit=unit))
     return None
 
 

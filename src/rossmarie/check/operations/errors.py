@@ -180,6 +180,25 @@ class NotAnArray(Error, code="ROSS221", name="not-an-array"):
         says = "its components have names: `{text}.x`, `{text}.y`, `{text}.z`"
         text: str
 
+    class ByName(Remark):
+        says = 'choose by name, and then a field: `{text}["NAME"].FIELD`'
+        text: str
+
+
+class ElementsWithoutNames(Error, code="ROSS231", name="elements-without-names"):
+    """An element chosen by its name, where the message has no list of names."""
+
+    title = "the elements of `{text}` have no names"
+    label = "no list of strings stands beside it in the message"
+    text: str
+
+    class Place(Remark):
+        says = "choose the element by its place: `{text}[0]`"
+        text: str
+
+    class Fields(Remark):
+        says = "choose a field of the message, by `.` and its name"
+
 
 class TruthCompared(Error, code="ROSS222", name="truth-compared"):
     """A condition compared as if it were a number."""
@@ -290,6 +309,7 @@ ALL: tuple[type[Template], ...] = (
     DivisionByZero,
     ConstantTooLarge,
     NotAnArray,
+    ElementsWithoutNames,
     TruthCompared,
     StringsCompared,
     NotADuration,

@@ -6,13 +6,15 @@ from dslkit.diagnostics import Diagnostic, Remark
 from rossmarie.check.actions.whole_numbers import is_whole
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.names.fields import members, select, unit_of
-from rossmarie.check.operations.errors import NotAnArray
+from rossmarie.check.names.parts import Part
+from rossmarie.check.operations.indexes import element_of, no_element
 from rossmarie.check.operations.operands import require_constant
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.tests.errors import NotSettable, SettingMismatch, UnknownTestInput
 from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import ANGLE, read_unit
 from rossmarie.check.wording.describe import describe, is_plain
+from rossmarie.ir.path import Path
 from rossmarie.ir.script import Setting, SettingValue
 from rossmarie.syntax import ast
 from rossmarie.types import (
@@ -78,7 +80,7 @@ class _SettingChecker:
             return tuple(self._made((*path, name), number, None) for name, number in parts)
         return (self._made(path, value, angle),)
 
-    def _made(self, path: tuple[str | int, ...], value: SettingValue, angle: str | None) -> Setting:
+    def _made(self, path: Path, value: SettingValue, angle: str | None) -> Setting:
         name = self._setting.path.steps[0]
         assert isinstance(name, ast.Name)
         topic = self._context.inputs[name.text].topic
@@ -97,35 +99,32 @@ class _SettingChecker:
             self._context.report_unknown(finding, name, self._context.inputs)
         return None
 
-    def _field(self, type_: Type) -> tuple[Type, tuple[str | int, ...], str | None] | None:
+    def _field(self, type_: Type) -> tuple[Type, Path, str | None] | None:
         """The type of the field, the path from the message, and the angle that is meant."""
         first, *rest = self._setting.path.steps
         assert isinstance(first, ast.Name)
-        path: list[str | int] = list(self._context.inputs[first.text].path)
+        part = Part(self._context.inputs[first.text].path)
         text, before = first.text, first.span
         for step in rest:
             if isinstance(step, ast.Position):
-                if not isinstance(type_, Array):
-                    finding = NotAnArray(purpose="an index", found=describe(type_))
-                    self._add(finding.at(step.span, help=finding.NoIndex()))
+                element = element_of(type_, step.index)
+                if element is None:
+                    self._add(no_element(type_, step.index, step.span, text))
                     return None
-                type_ = type_.element
-                path.append(step.index)
+                type_, part = element, part.element(step.index, type_)
                 continue
             if isinstance(type_, Quaternion) and step.text in _ANGLES and step is rest[-1]:
-                return _RADIANS, tuple(path), step.text
+                return _RADIANS, part.path, step.text
             found = members(type_).get(step.text)
             if found is None:
                 found = select(type_, step, text, before, self._context.collector)
             if isinstance(found, Unknown):
                 return None
             type_, text, before = found, f"{text}.{step.text}", step.span
-            path.append(step.text)
-        return type_, tuple(path), None
+            part = part.field(step.text, type_)
+        return type_, part.path, None
 
-    def _unknown(
-        self, type_: Type, path: tuple[str | int, ...], angle: str | None
-    ) -> tuple[Setting, ...] | None:
+    def _unknown(self, type_: Type, path: Path, angle: str | None) -> tuple[Setting, ...] | None:
         parts = "xyz" if isinstance(type_, Vector) else "xyzw"
         if angle is not None or isinstance(type_, Vector | Quaternion):
             return tuple(self._made((*path, part), None, None) for part in parts)

@@ -6,6 +6,7 @@ from rossmarie.types import (
     Array,
     Boolean,
     Box,
+    Entry,
     Interval,
     Message,
     Quantity,
@@ -17,6 +18,16 @@ from rossmarie.types import (
     Vector,
 )
 from rossmarie.units import DIMENSIONLESS
+
+_WORDS: dict[type[Type], str] = {
+    Boolean: "true or false",
+    Text: "a string",
+    Quaternion: "an orientation",
+    Interval: "an interval",
+    Box: "a box",
+    Unsupported: "a field that rules cannot use",
+    Unknown: "not known",
+}
 
 
 def describe(type_: Type) -> str:
@@ -30,20 +41,12 @@ def describe(type_: Type) -> str:
             return _array(element)
         case Message(name=name):
             return f"a message {name}"
-        case Boolean():
-            return "true or false"
-        case Text():
-            return "a string"
-        case Quaternion():
-            return "an orientation"
-        case Interval():
-            return "an interval"
-        case Box():
-            return "a box"
-        case Unsupported():
-            return "a field that rules cannot use"
-        case Unknown():
-            return "not known"
+        case Entry(message=message):
+            return f"all that {message.name} has under one name"
+        case (
+            Boolean() | Text() | Quaternion() | Interval() | Box() | Unsupported() | Unknown()
+        ):  # fmt: skip
+            return _WORDS[type(type_)]
 
 
 def describe_quantity(quantity: Quantity) -> str:

@@ -248,7 +248,6 @@ def _value(value: reactions.Scalar) -> str:
     return f'"{value}"' if isinstance(value, str) else number(value)
 
 
-def path_words(path: tuple[str | int, ...]) -> str:
+def path_words(path: ir.Path) -> str:
     """The way to a field, `pose.position.x`, `effort[2]`."""
-    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
-    return "".join(steps).removeprefix(".")
+    return ir.path_text(path).removeprefix(".")

@@ -35,6 +35,15 @@ template <class Array> double element(const Array &array, std::size_t index)
     return index < array.size() ? number(array[index]) : NAN;
 }
 
+// The place of an element by its name, the place behind all others if none has it, or several have.
+template <class Names> std::size_t place_of(const char *name, const Names &names)
+{
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end() || std::find(found + 1, names.end(), name) != names.end())
+        return SIZE_MAX;
+    return static_cast<std::size_t>(found - names.begin());
+}
+
 // The index of a text among those that the rules know, -1 for any other.
 inline double text_index(const std::string &text)
 {

@@ -15,9 +15,9 @@ from rossmarie.syntax.ast.expressions import Expression, Name, Text, Unit
 
 @dataclass(frozen=True)
 class Position:
-    """`[0]` in a path."""
+    """`[0]` or `["elbow"]` in a path."""
 
-    index: int
+    index: int | str
     span: Span
 
 

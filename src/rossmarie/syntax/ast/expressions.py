@@ -105,10 +105,10 @@ class Member:
 
 @dataclass(frozen=True)
 class Index:
-    """`pose.covariance[0]`."""
+    """`pose.covariance[0]`, `joints["elbow"]`."""
 
     value: Expression
-    index: int
+    index: int | str
     span: Span
 
 

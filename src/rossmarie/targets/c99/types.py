@@ -45,7 +45,7 @@ def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
     ]
     family = names.Family(taken=called)
 
-    def named(path: tuple[str | int, ...], *endings: str) -> str:
+    def named(path: ir.Path, *endings: str) -> str:
         return family.name("_".join(map(str, path)) or "value", *endings)
 
     def is_here(used: int) -> bool:

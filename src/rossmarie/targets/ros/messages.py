@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from rossmarie import ir
 from rossmarie.ir import reactions
 from rossmarie.naming import unfiltered
+from rossmarie.targets.c99 import names as c99_names
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.layout import Layout
 from rossmarie.targets.c99.text import block, indented
@@ -79,10 +80,19 @@ def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
 
 def _scalar(slot: ir.Slot) -> str:
     """A field as a double."""
-    if slot.path and isinstance(slot.path[-1], int):
-        return f"element(message{names.member(slot.path[:-1])}, {slot.path[-1]})"
+    last = slot.path[-1] if slot.path else ""
+    if not isinstance(last, str):
+        whole = f"message{names.member(slot.path[:-1])}"
+        return f"element({whole}, {_element_place(last)})"
     reader = "text_index" if slot.kind is ir.Kind.TEXT else "number"
     return f"{reader}(message{names.member(slot.path)})"
+
+
+def _element_place(element: int | ir.ByName) -> str:
+    """The place of an element of an array."""
+    if isinstance(element, int):
+        return str(element)
+    return f"place_of({c99_names.string(element.key)}, message{names.member(element.names)})"
 
 
 def commands(machine: ir.Machine, dialect: Dialect) -> str:

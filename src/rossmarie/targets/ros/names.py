@@ -67,7 +67,7 @@ def shared(machine: ir.Machine) -> dict[int, str]:
     }
 
 
-def member(path: Sequence[str | int]) -> str:
+def member(path: ir.Path) -> str:
     """A path into a message: `.twist.linear.x`, `.covariance.at(0)`."""
     return "".join(f".at({step})" if isinstance(step, int) else f".{step}" for step in path)
 

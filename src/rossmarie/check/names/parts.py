@@ -1,0 +1,40 @@
+"""The way from a message to a part of it, as expressions and tests write it step by step."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from rossmarie.ir.path import ByName, Path
+from rossmarie.types import Array, Entry, Message, Type
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a message. With an `entry` it stands for the elements of that name in all arrays
+    below `path`.
+    """
+
+    path: Path = ()
+    entry: ByName | None = None
+
+    def field(self, name: str, type_: Type) -> Part:
+        """A field of this part, of a type; of an entry, the element in the array that it is."""
+        path = (*self.path, name)
+        if self.entry is None or isinstance(type_, Entry):
+            return replace(self, path=path)
+        return Part((*path, self.entry))
+
+    def element(self, index: int | str, owner: Type) -> Part:
+        """An element of this part by its place or its name; `owner` is the type of this part, and
+        has such elements.
+        """
+        if isinstance(index, int):
+            return replace(self, path=(*self.path, index))
+        assert isinstance(owner, Message | Array), "checked: only their elements have names"
+        assert owner.names is not None, "checked: they have names"
+        outside = self.path if isinstance(owner, Message) else self.path[:-1]
+        names = (*(step for step in outside if isinstance(step, str)), owner.names)
+        element = ByName(names, index)
+        if isinstance(owner, Message):
+            return replace(self, entry=element)
+        return replace(self, path=(*self.path, element))

@@ -1,0 +1,45 @@
+"""Paths from a message to a field, or to an element of an array in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class ByName:
+    """The element of an array that has the name `key`: its place is the place of that string in the
+    list `names`, which is a path from the message. There is none where the list has the string not
+    at all, or more than once (S7).
+    """
+
+    names: tuple[str, ...]
+    key: str
+
+    def __str__(self) -> str:
+        return self.key
+
+    def place(self, names: Sequence[str]) -> int | None:
+        """The place of the element, where the list has these names."""
+        return names.index(self.key) if names.count(self.key) == 1 else None
+
+
+Step = str | int | ByName
+"""The name of a field, or the place or the name of an element."""
+
+Path = tuple[Step, ...]
+
+
+def path_text(path: Iterable[Step]) -> str:
+    """A path as users write it behind the name of an input: `.position[0]`, `.effort["elbow"]`."""
+    return "".join(map(_step_text, path))
+
+
+def _step_text(step: Step) -> str:
+    match step:
+        case str():
+            return f".{step}"
+        case int():
+            return f"[{step}]"
+        case ByName(key=key):
+            return f'["{key}"]'
