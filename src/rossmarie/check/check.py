@@ -88,6 +88,7 @@ def check(
     declarations = collect(modules, collector)
     context = Context(collector, declarations)
     model = read_system_model(declarations, options.message_folders, context.suggestions, collector)
+    context.messages = model.messages
     stated_units = resolve_inputs(model, context)
     _check_constants(context)
     resolve_timeouts(context)

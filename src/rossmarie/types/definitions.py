@@ -1,4 +1,5 @@
-"""Message definitions as written: the names of fields and of their types, nothing resolved.
+"""Message definitions as written: the names of fields and of their types, nothing resolved, and the
+values of constants.
 
 The common messages are read from `messages.msg` (see `snapshot`), others from folders of .msg
 files. Of services and actions only what is sent counts, the request and the goal: the part of their
@@ -38,7 +39,15 @@ class Field(NamedTuple):
         return self.base + "[]" * self.is_array
 
 
-Definition = Mapping[str, Field]
+Constant = float | str
+"""A number, or a text; flags are 0 and 1."""
+
+
+class Definition(NamedTuple):
+    """The fields and the constants of a message, in the order in which they are written."""
+
+    fields: Mapping[str, Field]
+    constants: Mapping[str, Constant]
 
 
 class Kind(enum.Enum):
@@ -87,8 +96,16 @@ def read_stored(name: str, kind: Kind = Kind.MESSAGE) -> Definition | None:
     text = stored_texts(kind).get(name)
     if text is None:
         return None
-    fields = (line.split(" ") for line in text.splitlines())
-    return {field: Field(base.removesuffix("[]"), base.endswith("[]")) for base, field in fields}
+    fields: dict[str, Field] = {}
+    constants: dict[str, Constant] = {}
+    for line in text.splitlines():
+        base, _, field = line.partition(" ")
+        constant, sign, value = field.partition("=")
+        if sign:
+            constants[constant] = value if base == "string" else float(value)
+        else:
+            fields[field] = Field(base.removesuffix("[]"), base.endswith("[]"))
+    return Definition(fields, constants)
 
 
 def find_file(name: str, search_paths: Sequence[Path], kind: Kind = Kind.MESSAGE) -> Path | None:
@@ -131,15 +148,18 @@ def parse_file(source: SourceFile, name: str) -> Definition:
     `MessageDefinitionError` if there is none.
     """
     path = Path(source.path)
-    definition: dict[str, Field] = {}
+    fields: dict[str, Field] = {}
+    constants: dict[str, Constant] = {}
     for number, line in enumerate(source.text.splitlines(), start=1):
         if line.strip() == _END_OF_SENT and path.suffix != ".msg":
             break
-        for field, type_ in _read_line(path, number, line, name).items():
-            if field in definition:
+        found = _read_line(path, number, line, name)
+        for field, type_ in found.fields.items():
+            if field in fields:
                 raise MessageDefinitionError(path, number, f"a second field named {field!r}")
-            definition[field] = type_
-    return definition
+            fields[field] = type_
+        constants |= found.constants
+    return Definition(fields, constants)
 
 
 def read_file(path: Path) -> SourceFile:
@@ -163,7 +183,7 @@ def read_file(path: Path) -> SourceFile:
 def _read_line(path: Path, number: int, line: str, name: str) -> Definition:
     """Lines are parsed one by one, because rosbags does not say which one it stumbled over."""
     if not line.partition("#")[0].strip():
-        return {}
+        return Definition({}, {})
     from rosbags.typesys import TypesysError, get_types_from_msg
 
     package, _, short = name.partition("/")
@@ -177,13 +197,18 @@ def _read_line(path: Path, number: int, line: str, name: str) -> Definition:
 
 
 def from_rosbags(types: Mapping[str, Any]) -> dict[str, Definition]:
-    """The field definitions of rosbags in our own terms."""
+    """The definitions of rosbags in our own terms."""
     return {
-        normalized(name) or name: {
-            field: _field(description) for field, description in fields if field != _PADDING
-        }
-        for name, (_constants, fields) in types.items()
+        normalized(name) or name: Definition(
+            {field: _field(description) for field, description in fields if field != _PADDING},
+            {constant: _constant(value) for constant, _, value in constants},
+        )
+        for name, (constants, fields) in types.items()
     }
+
+
+def _constant(value: bool | float | str) -> Constant:
+    return value if isinstance(value, str) else float(value)
 
 
 def _field(description: Any) -> Field:

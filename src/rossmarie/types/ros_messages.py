@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from dslkit.source import SourceFile
 from rossmarie.types import definitions
-from rossmarie.types.definitions import Field, Kind, MessageDefinitionError
+from rossmarie.types.definitions import Constant, Field, Kind, MessageDefinitionError
 from rossmarie.types.field_units import FIELD_UNITS
 from rossmarie.types.model import (
     Array,
@@ -73,6 +73,8 @@ class MessageCatalog:
         self._overrides = _normalized_overrides(unit_overrides or {})
         self._found: dict[str, Message | None] = {}
         self._definitions: dict[str, definitions.Definition | None] = {}
+        self._parts: dict[str, tuple[str, ...]] = {}
+        self._called: dict[str, list[str]] = {}
         self._leaves: dict[str, tuple[Leaf, ...]] = {}
         self._fields_left = _MOST_FIELDS
         self._read_files: list[SourceFile] = []
@@ -134,7 +136,8 @@ class MessageCatalog:
                 pending[:0] = [((*path, name), each, inside) for name, each in inner]
 
     def _fields_of(self, name: str) -> list[tuple[str, Field]]:
-        return list((self._definition(name) or {}).items())
+        definition = self._definition(name)
+        return [] if definition is None else list(definition.fields.items())
 
     def known_names(self, kind: Kind = Kind.MESSAGE) -> Sequence[str]:
         """The names of all messages, services or actions, sorted."""
@@ -142,6 +145,39 @@ class MessageCatalog:
         for folder in self._search_paths:
             names.update(definitions.names_in(folder, kind))
         return sorted(names)
+
+    def constants(self, name: str) -> Mapping[str, Constant]:
+        """The constants of a message, by name.
+
+        Raises `MessageDefinitionError` if its .msg file is malformed.
+        """
+        definition = self._definition(name)
+        return {} if definition is None else definition.constants
+
+    def parts(self, name: str) -> tuple[str, ...]:
+        """A message and all that it is made of, elements of arrays included.
+
+        Raises `MessageDefinitionError` if a .msg file among them is malformed.
+        """
+        first = definitions.normalized(name) or name
+        if first not in self._parts:
+            found = {first: None}
+            waiting = [first]
+            while waiting and len(found) < _MOST_FIELDS:
+                definition = self._definition(waiting.pop())
+                inside = () if definition is None else definition.fields.values()
+                new = [each.base for each in inside if "/" in each.base and each.base not in found]
+                found |= dict.fromkeys(new)
+                waiting += new
+            self._parts[first] = tuple(found)
+        return self._parts[first]
+
+    def called(self, name: str) -> Sequence[str]:
+        """All messages of a name without package."""
+        if not self._called:
+            for each in self.known_names():
+                self._called.setdefault(each.rpartition("/")[2], []).append(each)
+        return self._called.get(name, ())
 
     def package_of(self, name: str) -> Path | None:
         """The search path that is the package of a message, where its parent should be given."""
@@ -169,7 +205,7 @@ class MessageCatalog:
         definition = self._definition(name)
         if definition is None:
             return None
-        self._fields_left -= len(definition)
+        self._fields_left -= len(definition.fields)
         if self._fields_left < 0:
             outermost, _ = levels[0]
             path = definitions.find_file(outermost, self._search_paths) or Path(outermost)
@@ -177,7 +213,7 @@ class MessageCatalog:
         names = _names_among(definition)
         fields = {
             field: self._type(type_, tuple((outer, (*path, field)) for outer, path in levels))
-            for field, type_ in definition.items()
+            for field, type_ in definition.fields.items()
         }
         named = {
             field: replace(type_, names=names)
@@ -239,7 +275,9 @@ def _names_among(definition: definitions.Definition) -> str | None:
     """The field that names the elements of the other arrays: the only list of strings, or the one
     that is called so.
     """
-    lists = [name for name, each in definition.items() if each.is_array and each.base in _TEXTS]
+    lists = [
+        name for name, each in definition.fields.items() if each.is_array and each.base in _TEXTS
+    ]
     called = [name for name in lists if name in _LISTS_OF_NAMES]
     return next(iter(lists if len(lists) == 1 else called), None)
 

@@ -7,31 +7,49 @@ are read when this package is made, not when it is used (docs/decisions/0003). T
 
 from __future__ import annotations
 
-from rossmarie.types.definitions import SEPARATOR, STORED, Definition, from_rosbags
+from collections.abc import Mapping
+from typing import TypeVar
+
+from rossmarie.types.definitions import SEPARATOR, STORED, Constant, Definition, from_rosbags
+
+T = TypeVar("T")
 
 
 def render() -> str:
     """All definitions as concatenated .msg text, sorted by name.
 
-    ROS 2 Jazzy comes first; of ROS 1 Noetic, the messages and the fields (`Header.seq`) that Jazzy
-    does not have are added.
+    ROS 2 Jazzy comes first; of ROS 1 Noetic, the messages, fields (`Header.seq`) and constants that
+    Jazzy does not have are added.
     """
     from rosbags.typesys import Stores, get_typestore
 
     merged: dict[str, Definition] = {}
     for store in (Stores.ROS2_JAZZY, Stores.ROS1_NOETIC):
         for name, definition in from_rosbags(get_typestore(store).fielddefs).items():
-            merged[name] = _merge(merged.get(name, {}), definition)
+            merged[name] = _merge(merged.get(name, Definition({}, {})), definition)
     return "".join(SEPARATOR + _message(name, merged[name]) for name in sorted(merged))
 
 
 def _merge(first: Definition, second: Definition) -> Definition:
-    return {**first, **{name: field for name, field in second.items() if name not in first}}
+    return Definition(
+        _joined(first.fields, second.fields), _joined(first.constants, second.constants)
+    )
+
+
+def _joined(first: Mapping[str, T], second: Mapping[str, T]) -> dict[str, T]:
+    return {**first, **{name: each for name, each in second.items() if name not in first}}
 
 
 def _message(name: str, definition: Definition) -> str:
-    fields = (f"{field} {field_name}\n" for field_name, field in definition.items())
-    return "".join((f"{name}\n", *fields))
+    fields = (f"{field} {field_name}\n" for field_name, field in definition.fields.items())
+    constants = map(_constant, definition.constants.items())
+    return "".join((f"{name}\n", *constants, *fields))
+
+
+def _constant(named: tuple[str, Constant]) -> str:
+    """A constant with the type that is needed to read it again."""
+    name, value = named
+    return f"string {name}={value}\n" if isinstance(value, str) else f"number {name}={value:.17g}\n"
 
 
 def main() -> None:

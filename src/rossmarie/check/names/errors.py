@@ -116,6 +116,30 @@ class UnknownField(Error, code="ROSS108", name="unknown-field"):
         says = "it has no fields at all: leave this out"
 
 
+class UnknownMessageConstant(Error, code="ROSS134", name="unknown-message-constant"):
+    """A constant that a message does not define."""
+
+    title = "message `{message}` has no constant `{identifier}`"
+    label = "no such constant"
+    identifier: str
+    message: str
+
+    class Known(Remark):
+        says = "it has {known}"
+        known: str
+
+
+class AmbiguousMessage(Error, code="ROSS135", name="ambiguous-message"):
+    """A constant of one of several messages of the same name."""
+
+    title = "`{identifier}` is the name of several messages"
+    label = "of {messages}"
+    note = "a message that an input brings comes first; here none does, or several do"
+    help = "write the number, and give it a name: `const aborted = 4;`"
+    identifier: str
+    messages: str
+
+
 class FieldNotUsable(Error, code="ROSS208", name="field-not-usable"):
     """A message field that rules cannot read."""
 
@@ -145,6 +169,8 @@ ALL: tuple[type[Template], ...] = (
     UndeclaredAction,
     WrongKindOfName,
     UnknownField,
+    UnknownMessageConstant,
+    AmbiguousMessage,
     FieldNotUsable,
     UnusedName,
 )

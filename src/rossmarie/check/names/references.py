@@ -19,6 +19,7 @@ from rossmarie.check.names.errors import (
     WrongKindOfName,
 )
 from rossmarie.check.names.fields import select
+from rossmarie.check.names.message_constants import names_a_message, type_of_message_constant
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.declarations import ARTICLES, kind_of
 from rossmarie.check.scopes.trees import text_of
@@ -69,6 +70,8 @@ def type_of_member(node: ast.Member, context: Context) -> Type:
     if declared is not None:
         context.used_names.add(name.text)
         _report_wrong_kind(name, declared, "an entity or an input", context)
+    elif names_a_message(name.text, context):
+        return type_of_message_constant(node, name, context)
     elif context.declarations.is_whole:
         _report_undeclared_entity(name, node.member, context)
     return Unknown()

@@ -14,7 +14,7 @@ from rossmarie.check.scopes.trees import stripped
 from rossmarie.check.wording.suggestions import Suggestions, near_name, rename
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import walk
-from rossmarie.types import Type, Unknown
+from rossmarie.types import MessageCatalog, Type, Unknown
 
 
 @dataclass
@@ -37,6 +37,7 @@ class Context:
 
     collector: Collector
     declarations: Declarations
+    messages: MessageCatalog | None = None
     inputs: dict[str, CheckedInput] = field(default_factory=dict)
     constants: dict[str, Type] = field(default_factory=dict)
     types: dict[int, Type] = field(default_factory=dict)
