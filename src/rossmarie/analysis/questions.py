@@ -30,16 +30,23 @@ THOROUGH_S = 600.0
 Question = Callable[[Inquiry], Iterator[Finding]]
 
 
-def ask_all(machine: Machine, *, thorough: bool, within_ns: int) -> Iterator[Finding]:
+def ask_all(
+    machine: Machine,
+    *,
+    thorough: bool,
+    within_ns: int,
+    on_step: Callable[[str], None] = lambda _: None,
+) -> Iterator[Finding]:
     """The findings of the quick questions, or of all; that time ran out is one of them.
 
-    `within_ns` is how soon a rule may not toggle, in nanoseconds.
+    `within_ns` is how soon a rule may not toggle, in nanoseconds; `on_step` is told each question.
     """
     if not machine.rules:
         return
     limit_s = THOROUGH_S if thorough else QUICK_S
     inquiry = Inquiry(machine, time.process_time() + limit_s)
     for name, question in _questions(thorough, within_ns).items():
+        on_step(name)
         yield from _in_time(inquiry, name, question, limit_s)
 
 

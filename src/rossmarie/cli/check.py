@@ -11,6 +11,7 @@ from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
 from dslkit.writing import write_whole
 from rossmarie.cli.output import each_once, output
+from rossmarie.cli.progress import told_steps
 from rossmarie.driver.analyze import Analysis, analyze_file, write_witnesses
 
 
@@ -30,16 +31,18 @@ def run_check(
         output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
     if witnesses is not None:
         (output.try_file if is_tests else output.try_folder)(witnesses)
-    analyses = [
-        analyze_file(
-            path,
-            thorough=thorough,
-            toggle_ns=round(toggle_s * 1e9),
-            systems=systems,
-            message_folders=message_folders,
-        )
-        for path in files
-    ]
+    with told_steps("reading the rules") as on_step:
+        analyses = [
+            analyze_file(
+                path,
+                thorough=thorough,
+                toggle_ns=round(toggle_s * 1e9),
+                systems=systems,
+                message_folders=message_folders,
+                on_step=on_step,
+            )
+            for path in files
+        ]
     found: list[Diagnostic] = []
     for path, analysis in zip(files, analyses, strict=True):
         found += analysis.diagnostics

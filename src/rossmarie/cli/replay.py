@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 import typer
-from rich.console import Console
-from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
 from dslkit.writing import write_whole
 from rossmarie.cli.output import output
+from rossmarie.cli.progress import told_progress
 from rossmarie.driver import RulesError
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.monitor import NATIVE
@@ -63,26 +62,6 @@ def refusing() -> Iterator[None]:
     except RecordingError as error:
         output.print_findings([error.diagnostic])
         raise typer.Exit(output.exit_code([error.diagnostic])) from None
-
-
-@contextmanager
-def told_progress(what: str) -> Iterator[Callable[[float], None]]:
-    """A function to call with the share that is done, from 0 to 1: it moves a bar on standard error
-    if that is a terminal.
-    """
-    console = Console(stderr=True)
-    bar = Progress(
-        TextColumn(what),
-        BarColumn(),
-        TaskProgressColumn(),
-        TimeRemainingColumn(),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )
-    with bar:
-        task = bar.add_task(what, total=1.0)
-        yield lambda part: bar.update(task, completed=part)
 
 
 def topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:

@@ -11,7 +11,8 @@ import typer
 from dslkit.writing import reason
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
-from rossmarie.cli.replay import refusing, told_progress, topic_pairs
+from rossmarie.cli.progress import told_progress
+from rossmarie.cli.replay import refusing, topic_pairs
 from rossmarie.cli.saving import refuse_report
 from rossmarie.driver import RulesError
 from rossmarie.driver.coverage import Exercised, cover_recordings, coverage_report

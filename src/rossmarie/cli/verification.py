@@ -12,7 +12,7 @@ import typer
 from dslkit.diagnostics import Template
 from dslkit.source import Span
 from rossmarie.cli.output import output
-from rossmarie.cli.replay import told_progress
+from rossmarie.cli.progress import told_progress
 from rossmarie.cli.saving import refuse_report
 from rossmarie.cli.written import lines_of_written
 from rossmarie.driver import RulesError

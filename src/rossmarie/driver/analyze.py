@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -40,8 +40,10 @@ def analyze_file(
     toggle_ns: int = TOGGLE_NS,
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
+    on_step: Callable[[str], None] = lambda _: None,
 ) -> Analysis:
     """Check a rules file, and ask what its rules mean together: the quick questions, or all.
+    `on_step` is told each question, in words.
 
     Of a file with errors, or one that no target can run, nothing is asked.
     """
@@ -53,7 +55,7 @@ def analyze_file(
         compiled = compile_checked(result, message_folders)
     except RulesError:
         return without_answers
-    found = analyzed(compiled.machine, result.diagnostics, rules, thorough, toggle_ns)
+    found = analyzed(compiled.machine, result.diagnostics, rules, thorough, toggle_ns, on_step)
     return replace(found, compiled=compiled)
 
 
@@ -63,6 +65,7 @@ def analyzed(
     rules: Path,
     thorough: bool = False,
     toggle_ns: int = TOGGLE_NS,
+    on_step: Callable[[str], None] = lambda _: None,
 ) -> Analysis:
     """Ask what the rules of a machine mean together; `checked` are the findings so far."""
     from rossmarie.analysis.questions import ask_all  # the solver takes its time to load
@@ -72,7 +75,7 @@ def analyzed(
     collector.extend(checked)
     witnesses: dict[str, str] = {}
     shown: dict[int, Witness] = {}
-    for finding in ask_all(machine, thorough=thorough, within_ns=toggle_ns):
+    for finding in ask_all(machine, thorough=thorough, within_ns=toggle_ns, on_step=on_step):
         if _is_told(machine, finding.diagnostic, checked):
             continue
         collector.add(finding.diagnostic)

@@ -1,4 +1,4 @@
-"""The progress bar of a replay: on a terminal only, and gone when the replay is over."""
+"""What a command is doing: on a terminal only, and gone when the command is over."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from rossmarie.driver.analyze import analyze_file
 from support import command_line
 
 MAIN = [sys.executable, "-c", "from rossmarie.cli.main import main; main()"]
@@ -29,16 +30,22 @@ def replay(tmp_path: Path) -> list[str]:
     return ["replay", str(rules), str(drive)]
 
 
-def test_a_terminal_shows_how_far_a_replay_is(replay: list[str]) -> None:
+def on_terminal(*command: str) -> str:
+    """All that a command shows on a terminal beside its output."""
     ours, theirs = pty.openpty()
     environment = {**os.environ, "TERM": "xterm", "COLUMNS": "100"}
     with subprocess.Popen(
-        [*MAIN, *replay], stdout=subprocess.DEVNULL, stderr=theirs, env=environment
+        command, stdout=subprocess.DEVNULL, stderr=theirs, env=environment
     ) as running:
         os.close(theirs)
         shown = _all_of(ours)
     os.close(ours)
     assert running.returncode == 0
+    return shown
+
+
+def test_a_terminal_shows_how_far_a_replay_is(replay: list[str]) -> None:
+    shown = on_terminal(*MAIN, *replay)
     assert "replaying" in shown
     assert "100%" in shown
     assert shown.rindex(CLEAR_LINE) > shown.rindex("replaying")
@@ -49,6 +56,40 @@ def test_elsewhere_nothing_is_shown(replay: list[str]) -> None:
     assert done.returncode == 0
     assert "replaying" not in done.stderr + done.stdout
     assert "\x1b" not in done.stderr + done.stdout
+
+
+STEPS = """
+import time
+from rossmarie.cli.progress import told_steps
+with told_steps("reading the rules") as on_step:
+    time.sleep({before})
+    on_step("which rules are in conflict?")
+    time.sleep({behind})
+"""
+
+
+def steps(*, before: float, behind: float) -> list[str]:
+    """A command that takes so many seconds for its two steps."""
+    return [sys.executable, "-c", STEPS.format(before=before, behind=behind)]
+
+
+def test_a_terminal_shows_the_step_of_a_command_that_takes_long() -> None:
+    shown = on_terminal(*steps(before=2.0, behind=0.3))
+    assert shown.index("reading the rules") < shown.index("which rules are in conflict?")
+    assert shown.rindex(CLEAR_LINE) > shown.rindex("conflict")
+
+
+def test_a_command_that_is_done_soon_shows_no_step() -> None:
+    assert on_terminal(*steps(before=0.0, behind=0.0)) == ""
+
+
+def test_a_check_tells_its_questions(tmp_path: Path) -> None:
+    told: list[str] = []
+    rules = tmp_path / "rules.ross"
+    rules.write_text(RULES)
+    analyze_file(rules, on_step=told.append)
+    assert told[0] == "which rules are in conflict?"
+    assert len(told) > 3
 
 
 def _all_of(terminal: int) -> str:
