@@ -236,7 +236,7 @@ def _program(
     actions: dict[str, ast.Action] = {}
     for name, item in declarations.names.items():
         if isinstance(item, ast.Constant):
-            constants[name] = context.values[id(item.value)]
+            constants[name] = context.values[item.value]
         elif isinstance(item, ast.Action):
             actions[name] = item
     conditions = {

@@ -1,7 +1,7 @@
 """A program that has been checked: every name resolved, every type and unit known to fit.
 
 Comes out of `check`; `lowering` is its only reader. Holds the syntax tree and, beside it, what the
-checker found out about it. Nodes of the tree are looked up by identity.
+checker found out about it.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from dslkit.source import SourceFile, Span
 from rossmarie.ir import reactions
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
+from rossmarie.syntax.node_map import NodeMap
 from rossmarie.types import Type
 
 ConditionKey = tuple[str, str]
@@ -83,21 +84,21 @@ class Symbols:
 class CheckedProgram:
     """The result of a check without errors.
 
-    `name` is the stem of the main file. `types` and `values` are keyed by `id(node)` of expression
-    nodes reachable from conditions, rules and contracts: `types` holds every one of them, `values`
-    those that are constant (literals, constants and operators on them; durations; interval and box
-    literals). `rules` are in file order, imported files first; `order` are their numbers, the most
-    important first, `priorities` the pairs that were put in an order, `unless` of each rule those
-    that it gives way to. `effects` are those of each action, `commands` the topics that may pass
-    through the safety filter; `gaps` are those of topics whose rate is declared. `message_files`
-    are the definitions of messages that were read, those that come with this program left out.
+    `name` is the stem of the main file. `types` holds every expression that is reachable from
+    conditions, rules and contracts, `values` those that are constant (literals, constants and
+    operators on them; durations; interval and box literals). `rules` are in file order, imported
+    files first; `order` are their numbers, the most important first, `priorities` the pairs that
+    were put in an order, `unless` of each rule those that it gives way to. `effects` are those of
+    each action, `commands` the topics that may pass through the safety filter; `gaps` are those of
+    topics whose rate is declared. `message_files` are the definitions of messages that were read,
+    those that come with this program left out.
     """
 
     name: str
     symbols: Symbols
     rules: tuple[ast.Rule, ...]
-    types: Mapping[int, Type]
-    values: Mapping[int, Value]
+    types: NodeMap[Type]
+    values: NodeMap[Value]
     effects: Mapping[str, tuple[CheckedEffect, ...]]
     commands: Mapping[str, reactions.CommandTopic]
     order: tuple[int, ...]

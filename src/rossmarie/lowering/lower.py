@@ -72,7 +72,7 @@ def _contract(rule: ast.Rule, truths: Truths, nodes: Nodes, program: CheckedProg
             opposite = Shown(f"not {stated}", rule.condition.span)
             over = nodes.negation(condition, opposite)
             calm = Shown(f"{opposite.text} for {words(duration.span)}", span)
-            release_index = nodes.held(over, duration_ns(program.values[id(duration)]), calm)
+            release_index = nodes.held(over, duration_ns(program.values[duration]), calm)
             text = f"clears when {stated} has been false for {words(duration.span)}"
             return _Contract(condition, release_index, text)
         case ast.LatchedUntilReset():

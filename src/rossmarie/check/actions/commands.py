@@ -178,7 +178,7 @@ class CommandChecker:
         unit = field.unit or DIMENSIONLESS
         if not fits(bound.range, type_.element, field, self._context):
             return None
-        low, high = self._context.values[id(bound.range)].numbers
+        low, high = self._context.values[bound.range].numbers
         return unit.from_si(low) + 0.0, unit.from_si(high) + 0.0
 
     # --- scales and blocks -------------------------------------------------------------------
@@ -196,7 +196,7 @@ class CommandChecker:
         if not is_factor and not isinstance(type_, Unknown):
             self._add(FactorOutOfRange(found=describe(type_)).at(effect.factor.span))
         elif is_factor and require_constant(effect.factor, "a factor", self._context):
-            factor = self._context.values[id(effect.factor)].numbers[0]
+            factor = self._context.values[effect.factor].numbers[0]
             if not 0 <= factor <= 1:
                 self._add(FactorOutOfRange(found=f"{factor * 100:g} %").at(effect.factor.span))
                 factor = None
@@ -244,7 +244,7 @@ class CommandChecker:
                 if require_constant(ramp, "a ramp", self._context) and is_positive(
                     ramp, "a ramp", self._context
                 ):
-                    value = self._context.values[id(ramp)].numbers[0]
+                    value = self._context.values[ramp].numbers[0]
                     found.append((ramp, multiply(type_.unit, SECOND), value))
             elif not isinstance(type_, Unknown):
                 finding = RampMismatch(found=describe(type_))

@@ -170,7 +170,7 @@ class EffectChecker:
             return None
         if not require_constant(effect.value, "the value of a parameter", self._context):
             return None
-        value = self._context.values[id(effect.value)]
+        value = self._context.values[effect.value]
         if not isinstance(type_, Quantity):
             return self._plain_parameter(effect, type_)
         given = type_.unit or DIMENSIONLESS
@@ -189,7 +189,7 @@ class EffectChecker:
         return (unit or DIMENSIONLESS).from_si(value.numbers[0]) + 0.0
 
     def _plain_parameter(self, effect: ast.SetParameter, type_: object) -> reactions.Scalar | None:
-        value = self._context.values[id(effect.value)]
+        value = self._context.values[effect.value]
         is_plain = isinstance(type_, Boolean | Text)
         if is_plain and effect.unit is None:
             return value.boolean if value.boolean is not None else value.text

@@ -45,9 +45,9 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
         return Unknown()
     context.used_names.add(name.text)
     if isinstance(declared, ast.Constant):
-        value = context.values.get(id(declared.value))
+        value = context.values.get(declared.value)
         if value is not None:
-            context.values[id(node)] = value
+            context.values[node] = value
         return context.constants.get(name.text, Unknown())
     if isinstance(declared, ast.Input):
         context.uses.inputs.add(name.text)

@@ -174,7 +174,7 @@ def _result_of_fold(node: ast.Call, operator: Operator, type_: Type, context: Co
     """The type of the result whatever is wrong with the argument; of `any(x) < 1`, one finding will
     do.
     """
-    around = context.parents.get(id(node))
+    around = context.parents.get(node)
     is_compared = isinstance(around, ast.Binary) and around.operator not in ast.JUNCTIONS
     if isinstance(type_, Unknown) and is_compared:
         return type_
@@ -279,7 +279,7 @@ def _check_turning_points(count: ast.Number, context: Context) -> None:
 
 
 def _check_swing(node: ast.Expression, quantity: Quantity, context: Context) -> None:
-    number = context.values[id(node)].numbers[0]
+    number = context.values[node].numbers[0]
     unit = quantity.unit or DIMENSIONLESS
     if unit.offset:
         wrong = WrongArgument(

@@ -208,7 +208,7 @@ class _TestChecker:
     def _seconds(self, node: ast.Expression) -> float | None:
         if not require_constant(node, "an instant", self._context):
             return None
-        return self._context.values[id(node)].numbers[0]
+        return self._context.values[node].numbers[0]
 
     def _report_order(
         self,
