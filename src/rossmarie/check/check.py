@@ -14,10 +14,10 @@ from dslkit.diagnostics import Collector, Label
 from rossmarie.check.actions.commands import CommandChecker
 from rossmarie.check.actions.effects import EffectChecker
 from rossmarie.check.actions.targets import Targets
+from rossmarie.check.effects import CheckedEffect
 from rossmarie.check.expressions.decided import warn_of_decided, warn_of_never_cleared
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.model import (
-    CheckedEffect,
     CheckedProgram,
     ConditionKey,
     Gaps,

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from dslkit.source import SourceFile, Span
-from rossmarie.ir import reactions
+from dslkit.source import SourceFile
+from rossmarie.check.effects import CheckedEffect
+from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
 from rossmarie.syntax.node_map import NodeMap
@@ -53,24 +54,6 @@ class CheckedInput:
 
 
 @dataclass(frozen=True)
-class CheckedEffect:
-    """An effect, with all numbers in the units of the messages that they go into.
-
-    Its indexes of command topics and watches mean nothing: instead, `command` is the topic that has
-    to pass through the safety filter for it, or None, and `confirmation` the condition that
-    confirms it. `otherwise` is the action that follows if it fails, `resource` what it needs for
-    itself.
-    """
-
-    effect: reactions.Effect
-    command: str | None
-    confirmation: ast.Expression | None
-    resource: str | None
-    otherwise: str | None
-    span: Span
-
-
-@dataclass(frozen=True)
 class Symbols:
     """The meaning of each name."""
 
@@ -100,7 +83,7 @@ class CheckedProgram:
     types: NodeMap[Type]
     values: NodeMap[Value]
     effects: Mapping[str, tuple[CheckedEffect, ...]]
-    commands: Mapping[str, reactions.CommandTopic]
+    commands: Mapping[str, CommandTopic]
     order: tuple[int, ...]
     priorities: tuple[tuple[int, int], ...]
     unless: tuple[tuple[int, ...], ...]

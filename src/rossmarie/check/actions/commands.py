@@ -22,9 +22,9 @@ from rossmarie.check.actions.errors import (
 from rossmarie.check.actions.numbers import fits
 from rossmarie.check.actions.paths import Field, field_of, leaf_unit, symbol_of
 from rossmarie.check.actions.targets import Sent, Targets
+from rossmarie.check.effects import CheckedEffect, CheckedLimit, CheckedScale
 from rossmarie.check.expressions.frequencies import is_positive
 from rossmarie.check.expressions.infer import infer
-from rossmarie.check.model import CheckedEffect
 from rossmarie.check.operations.operands import require_constant
 from rossmarie.check.units.quantities import SECOND
 from rossmarie.check.wording.describe import describe, is_plain
@@ -60,7 +60,7 @@ class CommandChecker:
         """The effect; None if something is wrong with it, which is reported."""
         sent = self._targets.topic(effect.target)
         command = None if sent is None else self._command(sent, effect.target)
-        found: reactions.Effect | None = None
+        found: CheckedLimit | CheckedScale | None = None
         match effect:
             case ast.Limit():
                 for bound in effect.bounds:
@@ -75,9 +75,7 @@ class CommandChecker:
                 ramps = self._ramps(effect.ramps)
                 if sent is not None and command is not None:
                     found = self._block(effect, command, ramps)
-        if found is None or sent is None:
-            return None
-        return CheckedEffect(found, sent.name, None, None, None, effect.span)
+        return None if found is None else CheckedEffect(found, None, None, effect.span)
 
     def _command(self, sent: Sent, target: ast.Target) -> reactions.CommandTopic | None:
         command = command_of(sent, target.name.span, self._targets)
@@ -113,7 +111,7 @@ class CommandChecker:
         sent: Sent,
         command: reactions.CommandTopic,
         ramps: list[tuple[ast.Expression, Unit, float]],
-    ) -> reactions.Limit | None:
+    ) -> CheckedLimit | None:
         if not effect.bounds:
             empty = DoesNothing(what="limit")
             self._add(empty.at(effect.span, help=empty.Limit()))
@@ -139,7 +137,7 @@ class CommandChecker:
             reactions.Bound(index, ends[0], ends[1], ramp)
             for (index, _, ends, _), ramp in zip(found, by_field, strict=True)
         )
-        return reactions.Limit(0, tuple(bounds))
+        return CheckedLimit(command.topic, tuple(bounds))
 
     def _index(
         self, field: Field, bound: ast.FieldBound, command: reactions.CommandTopic
@@ -189,7 +187,7 @@ class CommandChecker:
         sent: Sent | None,
         command: reactions.CommandTopic | None,
         ramps: list[tuple[ast.Expression, Unit, float]],
-    ) -> reactions.Scale | None:
+    ) -> CheckedScale | None:
         type_ = self._context.type_of(effect.factor)
         is_factor = isinstance(type_, Quantity) and is_plain(type_)
         factor = None
@@ -205,14 +203,14 @@ class CommandChecker:
             return None
         if self._is_pose(effect.target, command):
             return None
-        return reactions.Scale(0, factor, by_field[0])
+        return CheckedScale(command.topic, factor, by_field[0])
 
     def _block(
         self,
         effect: ast.Block,
         command: reactions.CommandTopic,
         ramps: list[tuple[ast.Expression, Unit, float]],
-    ) -> reactions.Limit | None:
+    ) -> CheckedLimit | None:
         if self._is_pose(effect.target, command):
             return None
         units = [
@@ -223,7 +221,7 @@ class CommandChecker:
         if by_field is None:
             return None
         bounds = (reactions.Bound(index, 0.0, 0.0, ramp) for index, ramp in enumerate(by_field))
-        return reactions.Limit(0, tuple(bounds))
+        return CheckedLimit(command.topic, tuple(bounds))
 
     def _is_pose(self, target: ast.Target, command: reactions.CommandTopic) -> bool:
         for field in command.fields:

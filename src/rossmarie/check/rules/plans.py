@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rossmarie.check.model import CheckedEffect
+from rossmarie.check.effects import CheckedEffect
 from rossmarie.check.rules.errors import CircularEscalation, LatchConflict, PlanTooLarge
 from rossmarie.check.rules.order import in_order
 from rossmarie.check.scopes.context import Context
-from rossmarie.ir import reactions
 from rossmarie.syntax import ast
 
 MOST_TASKS = 10_000
@@ -102,13 +101,6 @@ def check_latches(effects: Effects, context: Context) -> None:
                 context.collector.add(finding.at(contract.span, place))
 
 
-def may_fail(effect: reactions.Effect) -> bool:
-    """Say whether something can follow from its failure: an effect that needs nothing for itself
-    succeeds.
-    """
-    return reactions.target_of(effect) is not None
-
-
 def check_size(effects: Effects, context: Context) -> bool:
     """Report the first rule with which the plans become too large; whether there is none. The
     escalations must have no circles.
@@ -120,7 +112,7 @@ def check_size(effects: Effects, context: Context) -> bool:
         own = effects.get(name, ())
         following = [effect.otherwise for effect in own if effect.otherwise is not None]
         tasks[name] = len(own) + sum(tasks.get(one, 0) for one in following)
-        ends = sum(effect.otherwise is None and may_fail(effect.effect) for effect in own)
+        ends = sum(effect.otherwise is None and effect.may_fail for effect in own)
         open_ends[name] = ends + sum(open_ends.get(one, 0) for one in following)
     total = 0
     for rule in context.declarations.rules:
