@@ -24,8 +24,9 @@ from rossmarie.analysis.errors import (
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.terms import YES, constant
+from rossmarie.analysis.terms import YES, within
 from rossmarie.ir import Array, Machine, Slot
+from rossmarie.ir.carried import si_ends
 from rossmarie.ir.reactions import (
     Call,
     CancelGoal,
@@ -195,8 +196,7 @@ def is_within(state: ArbitraryState, kept: Sequence[Kept]) -> z3.BoolRef:
 
 
 def _lies(source: Slot | Array, value: z3.ArithRef, kept: Kept) -> z3.BoolRef:
-    ends = sorted(end * source.scale + source.offset for end in (kept.low, kept.high))
-    return z3.And(value >= constant(ends[0]), value <= constant(ends[1]))
+    return z3.And(within(value, si_ends(source, (kept.low, kept.high))))
 
 
 # --- findings --------------------------------------------------------------------------------
