@@ -15,7 +15,7 @@ import z3
 from rossmarie import ir
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
-from rossmarie.analysis.terms import FALSE, YES, Fact, Number, choice, free_fact
+from rossmarie.analysis.terms import Fact, Number, choice, free_fact, literal
 from rossmarie.ir import TruthValue
 
 
@@ -101,7 +101,9 @@ class ArbitraryState(Encoding):
         if self._settled:
             return operand
         matured = self.elapsed(node.operand) >= node.duration_ns
-        return choice(operand.true, choice(matured, _TRUE, self.before(node.operand)), operand)
+        return choice(
+            operand.true, choice(matured, literal(True), self.before(node.operand)), operand
+        )
 
     def before(self, operand: int) -> Fact:
         """The value of a truth before it became true, where it is."""
@@ -140,9 +142,6 @@ class ArbitraryState(Encoding):
     def oscillating(self, index: int) -> Fact:
         """Anything."""
         return free_fact(f"truth{index}", self.facts)
-
-
-_TRUE = Fact(YES, FALSE.true, FALSE.true)
 
 
 def shape_facts(cells: Sequence[Cell]) -> list[z3.BoolRef]:

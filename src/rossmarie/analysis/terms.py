@@ -40,10 +40,6 @@ class Fact:
     false: z3.BoolRef
     lost: z3.BoolRef
 
-    def is_same_as(self, other: Fact) -> z3.BoolRef:
-        """Say whether two truths have one value."""
-        return z3.And(self.true == other.true, self.false == other.false, self.lost == other.lost)
-
     def is_value(self, value: TruthValue) -> z3.BoolRef:
         """Say whether a truth has this value."""
         match value:

@@ -109,7 +109,7 @@ def _with_rules(
             signals=ir.rule_signals(machine, contract.condition),
             inputs=tuple(sorted(rests_on[contract.condition].inputs)),
             span=rule.span,
-            head=rule.condition.span if rule.name is None else rule.name.span,
+            head=rule.head,
             hazards=tuple(dict.fromkeys(hazards[hazard.text] for hazard in rule.mitigates)),
         )
         for name, rule, contract in zip(names, program.rules, contracts, strict=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, ConditionKey, Value
+from rossmarie.check.scopes.trees import stripped
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
@@ -204,7 +205,7 @@ def _parts(node: ast.Expression, operator: ast.BinaryOperator) -> tuple[ast.Expr
     waiting = [node]
     while waiting:
         part = waiting.pop()
-        inner = _stripped(part)
+        inner = stripped(part)
         if isinstance(inner, ast.Binary) and inner.operator is operator:
             waiting += (inner.right, inner.left)
         else:
@@ -212,18 +213,12 @@ def _parts(node: ast.Expression, operator: ast.BinaryOperator) -> tuple[ast.Expr
     return tuple(parts)
 
 
-def _stripped(node: ast.Expression) -> ast.Expression:
-    while isinstance(node, ast.Parenthesized):
-        node = node.inner
-    return node
-
-
 def _is_age(node: ast.Expression) -> bool:
-    inner = _stripped(node)
+    inner = stripped(node)
     return isinstance(inner, ast.Call) and inner.function.text == "age"
 
 
 def _age_argument(node: ast.Expression) -> ast.Expression:
-    inner = _stripped(node)
+    inner = stripped(node)
     assert isinstance(inner, ast.Call), "asked before"
     return inner.arguments[0]

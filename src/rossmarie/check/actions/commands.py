@@ -35,7 +35,6 @@ from rossmarie.units import DIMENSIONLESS, Unit, divide, multiply, parse_unit
 
 _FLOATS = frozenset({"float32", "float64"})
 _POSES = (parse_unit("m").dimension, parse_unit("rad").dimension)
-_PER_SECOND = divide(DIMENSIONLESS, SECOND)
 
 
 def command_of(sent: Sent, span: Span, targets: Targets) -> reactions.CommandTopic:

@@ -6,7 +6,7 @@ are looked up here; what follows from which action refers to which is looked at 
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Diagnostic, DidYouMean, Remark, listed
+from dslkit.diagnostics import Diagnostic, Remark, listed
 from dslkit.source import Span
 from rossmarie.check.actions.assignments import assignments_of
 from rossmarie.check.actions.commands import CommandChecker, command_of
@@ -42,7 +42,7 @@ from rossmarie.check.system.model import full_name
 from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import read_unit
 from rossmarie.check.wording.describe import describe
-from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.check.wording.suggestions import near_name, suggesting
 from rossmarie.ir import reactions
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Kind, Quantity, Text, Unknown
@@ -131,7 +131,7 @@ class EffectChecker:
         if near is None:
             self._add(finding.at(name.span))
             return
-        self._add(finding.at(name.span, help=DidYouMean(near=near), fix=rename(name, near)))
+        self._add(suggesting(finding, name, near))
 
     # --- what is awaited ---------------------------------------------------------------------
 

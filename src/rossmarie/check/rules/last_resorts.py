@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 
-from dslkit.source import Span
 from rossmarie.check.effects import (
     CheckedEffect,
     CheckedLimit,
@@ -57,8 +56,8 @@ def check_last_resorts(
             finding = LastResortOverruled(
                 rule=names[number], other=names[owner], resource=effect.resource
             )
-            one = finding.Ends(rule=names[number]).at(_head(rule))
-            other = finding.First(rule=names[owner]).at(_head(rules[owner]))
+            one = finding.Ends(rule=names[number]).at(rule.head)
+            other = finding.First(rule=names[owner]).at(rules[owner].head)
             context.collector.add(finding.at(effect.span, one, other))
 
 
@@ -113,7 +112,3 @@ def _begun(rule: ast.Rule, effects: Effects) -> Iterator[_Begun]:
                 pending.append(_Begun(effect.otherwise, begun.last_resort, True))
             elif begun.last_resort is not None and effect.may_fail:
                 pending.append(_Begun(begun.last_resort, None, True))
-
-
-def _head(rule: ast.Rule) -> Span:
-    return rule.condition.span if rule.name is None else rule.name.span

@@ -7,12 +7,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from dslkit.diagnostics import Collector, DidYouMean, Template
+from dslkit.diagnostics import Collector, Template
 from dslkit.source import Span
 from rossmarie.check.model import CheckedInput, ConditionKey, Value
 from rossmarie.check.scopes.declarations import Declarations
 from rossmarie.check.scopes.trees import stripped
-from rossmarie.check.wording.suggestions import Suggestions, near_name, rename
+from rossmarie.check.wording.suggestions import Suggestions, near_name, suggesting
 from rossmarie.syntax import ast
 from rossmarie.syntax.node_map import NodeMap
 from rossmarie.syntax.walk import walk
@@ -73,8 +73,7 @@ class Context:
         if near is None:
             self.collector.add(finding.at(name.span))
             return
-        help = DidYouMean(near=near)
-        self.collector.add(finding.at(name.span, help=help, fix=rename(name, near)))
+        self.collector.add(suggesting(finding, name, near))
 
     def type_of(self, node: ast.Expression) -> Type:
         """The type found for a node; `Unknown` if it was passed over."""
