@@ -123,8 +123,7 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
     used = {
         truth
         for rule in machine.rules
-        for root in (rule.condition, rule.release)
-        if root is not None
+        for root in rule.roots
         for truth in reachable_truths(machine, root)
     }
     varied: set[int] = set()

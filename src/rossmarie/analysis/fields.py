@@ -44,7 +44,8 @@ def limit_facts(
     if rounded and not _is_plain(source):  # the conversion is monotone, also as it is rounded
         return within(value, si_ends(source, source.limits))
     whole = z3.FreshInt("whole")
-    return [*_is_held(source.limits, whole), value == _converted(source, whole)]
+    converted = _converted(source, whole)
+    return [*_is_held(source.limits, whole), value == converted]
 
 
 def field_facts(

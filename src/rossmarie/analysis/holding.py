@@ -134,9 +134,7 @@ def _published(machine: Machine, task: int, effect: Publish) -> Iterator[Kept]:
 def _is_read(inquiry: Inquiry, rule: int, kept: Kept) -> bool:
     """Tell whether what clears a rule rests on a field."""
     machine = inquiry.machine
-    declared = machine.rules[rule]
-    roots = [declared.condition] + ([] if declared.release is None else [declared.release])
-    supports = [inquiry.asked.supports.truths[root] for root in roots]
+    supports = [inquiry.asked.supports.truths[root] for root in machine.rules[rule].roots]
     return any(
         slot in support.slots for support in supports for slot in _slots(machine, kept)
     ) or any(array in support.arrays for support in supports for array in _arrays(machine, kept))

@@ -33,13 +33,12 @@ class CheckedScale:
 
 @dataclass(frozen=True)
 class CheckedPublish:
-    """A message. If `is_shared`, others publish on the topic, so it passes through the filter."""
+    """A message."""
 
     topic: str
     message_type: str
     assignments: tuple[reactions.Assignment, ...]
     period_ns: int | None
-    is_shared: bool
 
 
 @dataclass(frozen=True)
@@ -103,14 +102,15 @@ Checked = (
 
 @dataclass(frozen=True)
 class CheckedEffect:
-    """An effect at its place. `resource` is what it needs for itself, None if it shares;
-    `otherwise` the action that follows if it fails.
+    """An effect at its place. `command` is the topic that has to pass through the safety filter for
+    it, `resource` what it needs for itself, `otherwise` the action that follows if it fails.
     """
 
     effect: Checked
-    resource: str | None
-    otherwise: str | None
     span: Span
+    command: str | None = None
+    resource: str | None = None
+    otherwise: str | None = None
 
     @property
     def may_fail(self) -> bool:

@@ -64,7 +64,7 @@ class Plans:
         )
         if not self._drafts:
             return ir.NO_REACTIONS
-        topics = {_command(draft.checked) for draft in self._drafts}
+        topics = {draft.checked.command for draft in self._drafts}
         commands = [found for topic, found in self.program.commands.items() if topic in topics]
         resources = dict.fromkeys(
             draft.checked.resource for draft in self._drafts if draft.checked.resource is not None
@@ -189,17 +189,3 @@ class Plans:
         if truth not in self.watches:
             self.watches.append(truth)
         return self.watches.index(truth)
-
-
-def _command(checked: CheckedEffect) -> str | None:
-    """The topic that has to pass through the safety filter for an effect."""
-    match checked.effect:
-        case CheckedLimit(topic=topic) | CheckedScale(topic=topic):
-            return topic
-        case CheckedPublish(topic=topic, is_shared=is_shared):
-            return topic if is_shared else None
-        case (
-            CheckedCall() | CheckedParameter() | CheckedSwitch() | CheckedGoal() | CheckedCancel()
-            | ast.Log() | ast.Diagnose() | ast.Hook() | ast.Reset()
-        ):  # fmt: skip
-            return None

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, ConditionKey, Value
+from rossmarie.check.operations.operands import is_age
 from rossmarie.check.scopes.trees import stripped
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs
@@ -111,9 +112,9 @@ class Truths:
 
     def _comparison(self, node: ast.Binary) -> int:
         compared = _COMPARISONS[node.operator]
-        if _is_age(node.left):
+        if is_age(node.left):
             return self._age(node.left, compared, node.right, node)
-        if _is_age(node.right):
+        if is_age(node.right):
             return self._age(node.right, compared.mirrored, node.left, node)
         left, right = self._numbers.scalar(node.left), self._numbers.scalar(node.right)
         if node.left in self._program.values and isinstance(self._numbers.type_of(node.left), Text):
@@ -211,11 +212,6 @@ def _parts(node: ast.Expression, operator: ast.BinaryOperator) -> tuple[ast.Expr
         else:
             parts.append(part)
     return tuple(parts)
-
-
-def _is_age(node: ast.Expression) -> bool:
-    inner = stripped(node)
-    return isinstance(inner, ast.Call) and inner.function.text == "age"
 
 
 def _age_argument(node: ast.Expression) -> ast.Expression:

@@ -74,7 +74,7 @@ class CommandChecker:
                 ramps = self._ramps(effect.ramps)
                 if sent is not None and command is not None:
                     found = self._block(effect, command, ramps)
-        return None if found is None else CheckedEffect(found, None, None, effect.span)
+        return None if found is None else CheckedEffect(found, effect.span, found.topic)
 
     def _command(self, sent: Sent, target: ast.Target) -> reactions.CommandTopic | None:
         command = command_of(sent, target.name.span, self._targets)

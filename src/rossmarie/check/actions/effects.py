@@ -86,9 +86,9 @@ class EffectChecker:
             case ast.Hook(name=name):
                 if name.text in CPLUSPLUS_WORDS:
                     self._add(ReservedHook(identifier=name.text).at(name.span))
-                return CheckedEffect(effect, None, None, effect.span)
+                return CheckedEffect(effect, effect.span)
             case ast.Reset():
-                return CheckedEffect(effect, None, None, effect.span)
+                return CheckedEffect(effect, effect.span)
             case (
                 ast.CallService() | ast.SetParameter() | ast.SwitchControllers() | ast.SendGoal()
                 | ast.CancelGoal()
@@ -107,9 +107,10 @@ class EffectChecker:
         if is_shared:
             command = command_of(sent, effect.target.name.span, self._targets)
             self.commands.setdefault(sent.name, command)
-        found = CheckedPublish(sent.name, sent.type, assignments, period, is_shared)
-        target = reactions.Target("topic", sent.name)
-        return CheckedEffect(found, self._resource(target), None, effect.span)
+        found = CheckedPublish(sent.name, sent.type, assignments, period)
+        filtered = sent.name if is_shared else None
+        resource = self._resource(reactions.Target("topic", sent.name))
+        return CheckedEffect(found, effect.span, filtered, resource)
 
     def _words(self, effect: ast.Log | ast.Diagnose) -> CheckedEffect | None:
         levels = [level.value for level in reactions.Level]
@@ -122,7 +123,7 @@ class EffectChecker:
         if effect.level.text not in levels:
             self._report_level(effect.level, tuple(levels))
             return None
-        return CheckedEffect(effect, None, None, effect.span)
+        return CheckedEffect(effect, effect.span)
 
     def _report_level(self, name: ast.Name, known: tuple[str, ...]) -> None:
         near = {"warn": "warning", "information": "info", "err": "error"}.get(name.text.lower())
@@ -264,7 +265,7 @@ class EffectChecker:
         self, found: Awaited, target: reactions.Target, effect: ast.Awaited
     ) -> CheckedEffect:
         otherwise = None if effect.otherwise is None else effect.otherwise.text
-        return CheckedEffect(found, self._resource(target), otherwise, effect.span)
+        return CheckedEffect(found, effect.span, None, self._resource(target), otherwise)
 
     def _resource(self, target: reactions.Target) -> str:
         """Name the resource that an effect needs for itself, as the system model names it."""
