@@ -100,7 +100,7 @@ def disjunction(operands: Sequence[Fact]) -> Fact:
 
 
 def joined(node: Literal | Not | And | Or, operands: Sequence[Fact]) -> Fact:
-    """What truths are together (S2)."""
+    """The truth that some truths make together (S2)."""
     match node:
         case Literal(value=value):
             return literal(value)
