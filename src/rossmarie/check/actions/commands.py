@@ -36,6 +36,9 @@ from rossmarie.units import DIMENSIONLESS, Unit, divide, multiply, parse_unit
 _FLOATS = frozenset({"float32", "float64"})
 _POSES = (parse_unit("m").dimension, parse_unit("rad").dimension)
 
+Ramps = list[tuple[ast.Expression, Unit, float]]
+"""Ramps, with the unit of what they lift and their value in SI."""
+
 
 def command_of(sent: Sent, span: Span, targets: Targets) -> reactions.CommandTopic:
     """The topic as the safety filter sees it. Headers have no floating-point numbers."""
@@ -58,7 +61,7 @@ class CommandChecker:
     def check(self, effect: ast.Limit | ast.Scale | ast.Block) -> CheckedEffect | None:
         """The effect; None if something is wrong with it, which is reported."""
         sent = self._targets.topic(effect.target)
-        command = None if sent is None else self._command(sent, effect.target)
+        command = self._command(sent, effect.target)
         found: CheckedLimit | CheckedScale | None = None
         match effect:
             case ast.Limit():
@@ -69,14 +72,16 @@ class CommandChecker:
                     found = self._limit(effect, sent, command, ramps)
             case ast.Scale():
                 infer(effect.factor, self._context)
-                found = self._scale(effect, sent, command, self._ramps(effect.ramps))
+                found = self._scale(effect, command, self._ramps(effect.ramps))
             case ast.Block():
                 ramps = self._ramps(effect.ramps)
-                if sent is not None and command is not None:
+                if command is not None:
                     found = self._block(effect, command, ramps)
         return None if found is None else CheckedEffect(found, effect.span, found.topic)
 
-    def _command(self, sent: Sent, target: ast.Target) -> reactions.CommandTopic | None:
+    def _command(self, sent: Sent | None, target: ast.Target) -> reactions.CommandTopic | None:
+        if sent is None:
+            return None
         command = command_of(sent, target.name.span, self._targets)
         if not command.fields:
             self._add(NothingToBound(type=sent.type).at(target.span))
@@ -94,7 +99,7 @@ class CommandChecker:
             return None
         target = ast.Target(topic, None, topic.span)
         sent = self._targets.topic(target)
-        command = None if sent is None else self._command(sent, target)
+        command = self._command(sent, target)
         field = None if sent is None else field_of(path, sent, self._targets)
         if command is None or field is None:
             return None
@@ -105,11 +110,7 @@ class CommandChecker:
     # --- limits ------------------------------------------------------------------------------
 
     def _limit(
-        self,
-        effect: ast.Limit,
-        sent: Sent,
-        command: reactions.CommandTopic,
-        ramps: list[tuple[ast.Expression, Unit, float]],
+        self, effect: ast.Limit, sent: Sent, command: reactions.CommandTopic, ramps: Ramps
     ) -> CheckedLimit | None:
         if not effect.bounds:
             empty = DoesNothing(what="limit")
@@ -181,11 +182,7 @@ class CommandChecker:
     # --- scales and blocks -------------------------------------------------------------------
 
     def _scale(
-        self,
-        effect: ast.Scale,
-        sent: Sent | None,
-        command: reactions.CommandTopic | None,
-        ramps: list[tuple[ast.Expression, Unit, float]],
+        self, effect: ast.Scale, command: reactions.CommandTopic | None, ramps: Ramps
     ) -> CheckedScale | None:
         type_ = self._context.type_of(effect.factor)
         is_factor = isinstance(type_, Quantity) and is_plain(type_)
@@ -198,17 +195,14 @@ class CommandChecker:
                 self._add(FactorOutOfRange(found=f"{factor * 100:g} %").at(effect.factor.span))
                 factor = None
         by_field = self._by_field([(DIMENSIONLESS, "the factor")], ramps, effect)
-        if sent is None or command is None or factor is None or by_field is None:
+        if command is None or factor is None or by_field is None:
             return None
         if self._is_pose(effect.target, command):
             return None
         return CheckedScale(command.topic, factor, by_field[0])
 
     def _block(
-        self,
-        effect: ast.Block,
-        command: reactions.CommandTopic,
-        ramps: list[tuple[ast.Expression, Unit, float]],
+        self, effect: ast.Block, command: reactions.CommandTopic, ramps: Ramps
     ) -> CheckedLimit | None:
         if self._is_pose(effect.target, command):
             return None
@@ -232,8 +226,8 @@ class CommandChecker:
 
     # --- ramps -------------------------------------------------------------------------------
 
-    def _ramps(self, ramps: Sequence[ast.Expression]) -> list[tuple[ast.Expression, Unit, float]]:
-        """The ramps that are numbers, with the unit of what they lift and their value in SI."""
+    def _ramps(self, ramps: Sequence[ast.Expression]) -> Ramps:
+        """The ramps that are numbers."""
         found = []
         for ramp in ramps:
             type_ = infer(ramp, self._context)
@@ -251,7 +245,7 @@ class CommandChecker:
     def _by_field(
         self,
         fields: Sequence[tuple[Unit, str]],
-        ramps: list[tuple[ast.Expression, Unit, float]],
+        ramps: Ramps,
         effect: ast.Limit | ast.Scale | ast.Block,
     ) -> list[float | None] | None:
         """The ramp of each field in its unit; None after reporting ramps that belong to none."""
@@ -292,7 +286,7 @@ def _quoted(paths: Sequence[str]) -> str:
     return ", ".join(f"`{path}`" for path in paths)
 
 
-def _ramp_for(unit: Unit, ramps: list[tuple[ast.Expression, Unit, float]]) -> float | None:
+def _ramp_for(unit: Unit, ramps: Ramps) -> float | None:
     fitting = (value for _, lifted, value in ramps if lifted.dimension == unit.dimension)
     value = next(fitting, None)
     return None if value is None else value / unit.scale
