@@ -13,7 +13,6 @@ import z3
 
 from rossmarie import ir
 from rossmarie.analysis.course import Course, Leg, Moment
-from rossmarie.analysis.solver import ask
 from rossmarie.analysis.terms import number_of
 from rossmarie.analysis.witness import Sending, Witness
 from rossmarie.ir import ChannelValues, Machine
@@ -69,16 +68,7 @@ class Draft:
         return replace(self, legs=(*self.legs[:leg], *put, *self.legs[leg + 1 :]))
 
 
-def drafts(course: Course, claim: z3.BoolRef, *, is_calm: bool) -> Iterator[Draft]:
-    """Courses with a claim, the easiest to read first; on those that are calm all sensors work."""
-    wishes: Sequence[z3.BoolRef] = course.calm if is_calm else ()
-    for hints in course.hints():
-        answer = ask(course.facts, claim, *wishes, *hints)
-        if answer.model is not None:
-            yield _drafted(course, answer.model, is_calm=is_calm)
-
-
-def _drafted(course: Course, model: z3.ModelRef, *, is_calm: bool) -> Draft:
+def drafted(course: Course, model: z3.ModelRef, *, is_calm: bool) -> Draft:
     """Read a model of a course."""
     machine = course.asked.machine
     legs = []

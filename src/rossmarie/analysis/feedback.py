@@ -14,7 +14,7 @@ from rossmarie.analysis.activity import becomes_active, is_cleared, truths_of
 from rossmarie.analysis.closed_loop import Loop, Outside
 from rossmarie.analysis.closed_state import Carried, ClosedState, Ends, Published
 from rossmarie.analysis.course import Course, Leg
-from rossmarie.analysis.draft import Draft, drafts, witness_of
+from rossmarie.analysis.draft import Draft, drafted, witness_of
 from rossmarie.analysis.errors import RulesAlternate, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry
@@ -173,7 +173,13 @@ class Circle:
             claim = z3.And(claim, course.is_active(start, 1))
         if beginning is _Beginning.TURNS:
             claim = z3.And(claim, _is_each_alone(course, order))
-        for whole in drafts(course, claim, is_calm=world is not _World.SILENT):
+        is_calm = world is not _World.SILENT
+        wishes = course.calm if is_calm else ()
+        for hints in course.hints():
+            answer = ask(course.facts, claim, *wishes, *hints)
+            if answer.model is None:
+                continue
+            whole = drafted(course, answer.model, is_calm=is_calm)
             first = replace(whole.legs[0], length_ns=0, shakes={})
             played = _Played(self._machine, self._part.machine, self._rules, world)
             draft = replace(whole, legs=(first,))

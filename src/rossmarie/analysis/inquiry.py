@@ -11,7 +11,7 @@ import z3
 
 from rossmarie.analysis.activity import seen_together, together, truths_of
 from rossmarie.analysis.course import Course
-from rossmarie.analysis.draft import drafts
+from rossmarie.analysis.draft import drafted
 from rossmarie.analysis.encoding import Questioned
 from rossmarie.analysis.part import part_below, part_of
 from rossmarie.analysis.shrink import Replays, shortened
@@ -143,7 +143,13 @@ class Inquiry:
 
     def _borne_out(self, course: Course, question: Asked, is_calm: bool) -> Witness | None:
         """A witness on a course, the easiest to read that is found."""
-        for draft in drafts(course, question.in_course(course), is_calm=is_calm):
+        claim = question.in_course(course)
+        wishes: Sequence[z3.BoolRef] = course.calm if is_calm else ()
+        for hints in course.hints():
+            answer = ask(course.facts, claim, *wishes, *hints)
+            if answer.model is None:
+                continue
+            draft = drafted(course, answer.model, is_calm=is_calm)
             replays = Replays(self.machine, question.in_view, question.truths)
             witness = shortened(self.machine, draft, replays)
             if witness is not None:
@@ -156,10 +162,14 @@ class Inquiry:
         """A witness of single messages, one after the other, while all sensors work."""
         self.check_time()
         course = Course(self.asked, truths, legs, is_brief=True)
-        draft = next(drafts(course, in_course(course), is_calm=True), None)
-        if draft is None:
-            return None
-        return shortened(self.machine, draft, Replays(self.machine, in_view, truths))
+        claim = in_course(course)
+        for hints in course.hints():
+            answer = ask(course.facts, claim, *course.calm, *hints)
+            if answer.model is not None:
+                draft = drafted(course, answer.model, is_calm=True)
+                replays = Replays(self.machine, in_view, truths)
+                return shortened(self.machine, draft, replays)
+        return None
 
     def check_time(self) -> None:
         """Raises `OutOfTimeError` after the deadline."""
