@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import ast
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import pytest
@@ -70,3 +71,28 @@ def test_the_page_names_all_that_a_package_has(package: str) -> None:
     packages = {path.parent.name for path in folder.glob("*/__init__.py")}
     named = [name for line in page()[package] for name in line.split(" | ")]
     assert sorted(named) == sorted(modules | packages)
+
+
+DATA_OF_MESSAGES = {
+    "Assignment", "Bound", "CommandField", "CommandTopic", "FieldPath", "Interrupted", "Level",
+    "Scalar", "Target",
+}  # fmt: skip
+"""What the checker may use of reactions: the facts about messages and resources."""
+
+
+def used_of_reactions(path: Path) -> Iterator[str]:
+    """The names of `ir.reactions` that a module uses."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        match node:
+            case ast.ImportFrom(module="rossmarie.ir.reactions", names=names):
+                yield from (each.name for each in names)
+            case ast.Attribute(value=ast.Name(id="reactions"), attr=name):
+                yield name
+            case _:  # open: the nodes of Python
+                pass
+
+
+def test_the_checker_leaves_effects_tasks_and_plans_to_lowering() -> None:
+    modules = (ROOT / "src" / "rossmarie" / "check").rglob("*.py")
+    used = {name for module in modules for name in used_of_reactions(module)}
+    assert used == DATA_OF_MESSAGES

@@ -14,7 +14,8 @@ import z3
 
 from rossmarie.analysis.encoding import Questioned
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.terms import YES, Number, constant, constants_in
+from rossmarie.analysis.terms import YES, Number, constant, constants_in, within
+from rossmarie.ir.carried import si_ends
 
 Ends = tuple[float, float]
 """The least and the greatest raw number that a slot of a message may hold; NaN: it holds none."""
@@ -62,12 +63,11 @@ class ClosedState(ArbitraryState):
         count = len(carried.messages)
         yield z3.And(message >= 0, message < count + carried.is_open)
         for place, ends in enumerate(each[index] for each in carried.messages):
-            low, high = sorted(end * slot.scale + slot.offset for end in ends)
-            if math.isnan(low):
+            if any(map(math.isnan, ends)):
                 yield z3.Implies(message == place, z3.Not(number.known))
                 continue
-            within = z3.And(number.value >= constant(low), number.value <= constant(high))
-            yield z3.Implies(message == place, z3.And(number.known == fresh, within))
+            is_within = z3.And(within(number.value, si_ends(slot, ends)))
+            yield z3.Implies(message == place, z3.And(number.known == fresh, is_within))
         sent, zero = z3.Real(f"slot{index}{_OUTSIDE}"), constant(slot.offset)
         above = z3.And(zero <= number.value, number.value <= sent)
         below = z3.And(sent <= number.value, number.value <= zero)

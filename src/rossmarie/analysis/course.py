@@ -16,16 +16,17 @@ import z3
 from rossmarie import ir
 from rossmarie.analysis import arithmetic
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
+from rossmarie.analysis.fields import limit_facts, slot_facts
 from rossmarie.analysis.formulas import Formulas, exactly
-from rossmarie.analysis.state import kind_facts, limit_facts, shape_facts
+from rossmarie.analysis.state import shape_facts
 from rossmarie.analysis.terms import (
     FALSE,
     NO,
     Fact,
     Number,
     choice,
-    constant,
     literal,
+    within,
 )
 from rossmarie.analysis.times import SECOND, Times
 from rossmarie.core import View, row, sampling_row
@@ -294,7 +295,7 @@ class Course:
         machine = self.asked.machine
         found = []
         for index, number in leg.slots.items():
-            found += kind_facts(machine, machine.slots[index], number.value, rounded=False)
+            found += slot_facts(machine, machine.slots[index], number.value, rounded=False)
         for index, cells in leg.cells.items():
             found += shape_facts(cells)
             for cell in cells:
@@ -325,7 +326,7 @@ class Course:
                 lengths.append(_one_is_all(parts, moment.signal(index).value))
             for index, (low, high) in self._near.items():
                 value = moment.signal(index).value
-                near += [value >= constant(low), value <= constant(high)]
+                near += within(value, (low, high))
         return [[*lengths, *near], *([lengths] if lengths else ()), []]
 
     @cached_property

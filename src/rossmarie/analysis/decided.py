@@ -56,6 +56,7 @@ from rossmarie.ir import (
     reachable_truths,
     truth_operands,
 )
+from rossmarie.ir.carried import si_ends
 
 NEVER, ALWAYS = TruthValue.TRUE, TruthValue.FALSE
 """Constant parts by the value that they cannot have."""
@@ -122,8 +123,7 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
     used = {
         truth
         for rule in machine.rules
-        for root in (rule.condition, rule.release)
-        if root is not None
+        for root in rule.roots
         for truth in reachable_truths(machine, root)
     }
     varied: set[int] = set()
@@ -230,8 +230,8 @@ def _range(machine: Machine, signal: int) -> str:
 
 def _whole(machine: Machine, signal: int, source: Slot | Array) -> str:
     """Tell which values a field of whole numbers can hold."""
-    ends = sorted(end * source.scale + source.offset for end in source.limits or ())
-    low, high = (shown_value(machine, signal, end) for end in ends)
+    assert source.limits is not None, "asked before"
+    low, high = (shown_value(machine, signal, end) for end in si_ends(source, source.limits))
     what = "a whole number between" if source.scale == 1.0 else "between"
     return f"{what} {low} and {high}"
 

@@ -3,7 +3,8 @@
 Signals and truths become terms node by node, as the interpreter evaluates them. What lies outside
 of one evaluation is left to the two kinds of encoding: `state.ArbitraryState`, where memories hold
 anything that a trace could have left there, and `course.Moment`, which is part of a course of
-events.
+events. `testing.solve.World` is none of them, and says why; what they have in common lies in
+`terms`, `formulas` and `fields`.
 """
 
 from __future__ import annotations
@@ -22,12 +23,12 @@ from rossmarie.analysis.terms import (
     YES,
     Fact,
     Number,
-    compared,
     conjunction,
     constant,
     disjunction,
+    holds,
+    joined,
     literal,
-    negation,
 )
 
 
@@ -214,14 +215,8 @@ class Encoding(ABC):
 
     def _truth(self, index: int, node: ir.TruthNode) -> Fact:
         match node:
-            case ir.Literal(value=value):
-                return literal(value)
-            case ir.Not(operand=operand):
-                return negation(self._truths[operand])
-            case ir.And(operands=operands):
-                return conjunction([self._truths[operand] for operand in operands])
-            case ir.Or(operands=operands):
-                return disjunction([self._truths[operand] for operand in operands])
+            case ir.Literal() | ir.Not() | ir.And() | ir.Or():
+                return joined(node, [self._truths[each] for each in ir.truth_operands(node)])
             case ir.Held(operand=operand):
                 return self.held(index, node, self._truths[operand])
             case ir.Oscillates(signal=signal):
@@ -235,12 +230,13 @@ class Encoding(ABC):
             case ir.Compare() | ir.Between() | ir.Flag():
                 numbers = [self.signal(signal) for signal in ir.compared_signals(node)]
                 known = z3.And([number.known for number in numbers])
-                return self._leaf(index, node, known, _holds(node, numbers))
+                values = [number.value for number in numbers]
+                return self._leaf(index, node, known, holds(node, values))
 
-    def _leaf(self, index: int, node: ir.TruthNode, known: z3.BoolRef, holds: z3.BoolRef) -> Fact:
+    def _leaf(self, index: int, node: ir.TruthNode, known: z3.BoolRef, is_so: z3.BoolRef) -> Fact:
         unknown = z3.Not(known)
         lost = z3.And(unknown, self.is_lost(index, node))
-        return Fact(z3.And(known, holds), z3.And(known, z3.Not(holds)), lost)
+        return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), lost)
 
     def is_lost(self, index: int, node: ir.TruthNode) -> z3.BoolRef:
         """S30: whether an unknown leaf lacks an input with a timeout."""
@@ -319,14 +315,8 @@ class Encoding(ABC):
         node = self.machine.truths[index].node
         operands = [self.element_truth(each, element) for each in ir.truth_operands(node)]
         match node:
-            case ir.Literal(value=value):
-                return literal(value)
-            case ir.Not():
-                return negation(operands[0])
-            case ir.And():
-                return conjunction(operands)
-            case ir.Or():
-                return disjunction(operands)
+            case ir.Literal() | ir.Not() | ir.And() | ir.Or():
+                return joined(node, operands)
             case ir.Compare() | ir.Between() | ir.Flag():
                 return self._element_leaf(node, element)
             case ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
@@ -335,17 +325,5 @@ class Encoding(ABC):
     def _element_leaf(self, node: ir.Compare | ir.Between | ir.Flag, element: Number) -> Fact:
         numbers = [self._element_signal(signal, element) for signal in ir.compared_signals(node)]
         known = z3.And([number.known for number in numbers])
-        holds = _holds(node, numbers)
-        return Fact(z3.And(known, holds), z3.And(known, z3.Not(holds)), NO)
-
-
-def _holds(node: ir.Compare | ir.Between | ir.Flag, numbers: Sequence[Number]) -> z3.BoolRef:
-    """S27 to S29, of known numbers."""
-    values = [number.value for number in numbers]
-    match node:
-        case ir.Compare(comparison=comparison):
-            return compared(comparison, *values)
-        case ir.Between():
-            return z3.And(values[1] <= values[0], values[0] <= values[2])
-        case ir.Flag():
-            return values[0] != 0
+        found = holds(node, [number.value for number in numbers])
+        return Fact(z3.And(known, found), z3.And(known, z3.Not(found)), NO)

@@ -83,8 +83,8 @@ def find_unnoticed(inquiry: Inquiry) -> Iterator[Finding]:
     """A warning of each input with a timeout on whose loss no rule becomes active."""
     machine = inquiry.machine
     rests_on = supports(machine).truths
-    roots = {root for rule in machine.rules for root in (rule.condition, rule.release)} - {None}
-    in_rules = {used for root in roots if root is not None for used in rests_on[root].inputs}
+    roots = {root for rule in machine.rules for root in rule.roots}
+    in_rules = {used for root in roots for used in rests_on[root].inputs}
     for loss in losses(inquiry):
         declared = machine.inputs[loss.input]
         if declared.timeout_ns is None or loss.input not in in_rules:

@@ -24,8 +24,9 @@ from rossmarie.analysis.errors import (
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.terms import YES, constant
+from rossmarie.analysis.terms import YES, within
 from rossmarie.ir import Array, Machine, Slot
+from rossmarie.ir.carried import si_ends
 from rossmarie.ir.reactions import (
     Call,
     CancelGoal,
@@ -133,9 +134,7 @@ def _published(machine: Machine, task: int, effect: Publish) -> Iterator[Kept]:
 def _is_read(inquiry: Inquiry, rule: int, kept: Kept) -> bool:
     """Tell whether what clears a rule rests on a field."""
     machine = inquiry.machine
-    declared = machine.rules[rule]
-    roots = [declared.condition] + ([] if declared.release is None else [declared.release])
-    supports = [inquiry.asked.supports.truths[root] for root in roots]
+    supports = [inquiry.asked.supports.truths[root] for root in machine.rules[rule].roots]
     return any(
         slot in support.slots for support in supports for slot in _slots(machine, kept)
     ) or any(array in support.arrays for support in supports for array in _arrays(machine, kept))
@@ -195,8 +194,7 @@ def is_within(state: ArbitraryState, kept: Sequence[Kept]) -> z3.BoolRef:
 
 
 def _lies(source: Slot | Array, value: z3.ArithRef, kept: Kept) -> z3.BoolRef:
-    ends = sorted(end * source.scale + source.offset for end in (kept.low, kept.high))
-    return z3.And(value >= constant(ends[0]), value <= constant(ends[1]))
+    return z3.And(within(value, si_ends(source, (kept.low, kept.high))))
 
 
 # --- findings --------------------------------------------------------------------------------

@@ -15,8 +15,7 @@ def part_of(machine: ir.Machine, rules: Sequence[int]) -> ir.Machine:
     was, so that it is shown by the same messages.
     """
     chosen = [machine.rules[rule] for rule in rules]
-    roots = [root for rule in chosen for root in (rule.condition, rule.release) if root is not None]
-    return _cut(machine, roots, chosen)
+    return _cut(machine, [root for rule in chosen for root in rule.roots], chosen)
 
 
 def part_below(machine: ir.Machine, truth: int) -> ir.Machine:
@@ -40,7 +39,7 @@ def _cut(machine: ir.Machine, roots: Sequence[int], chosen: Sequence[ir.Rule]) -
         truths=tuple(
             dataclasses.replace(
                 machine.truths[index],
-                node=_moved_truth(machine.truths[index].node, numbers, places),
+                node=moved_truth(machine.truths[index].node, numbers, places),
             )
             for index in places
         ),
@@ -99,9 +98,10 @@ def _moved_signal(
             return node
 
 
-def _moved_truth(
+def moved_truth(
     node: ir.TruthNode, numbers: Mapping[int, int], places: Mapping[int, int]
 ) -> ir.TruthNode:
+    """A truth that looks at signals by other numbers, and at truths in other places."""
     match node:
         case ir.Compare(left=left, right=right):
             return dataclasses.replace(node, left=numbers[left], right=numbers[right])

@@ -14,7 +14,8 @@ import z3
 
 from rossmarie import ir
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
-from rossmarie.analysis.terms import FALSE, YES, Fact, Number, choice, constant, free_fact
+from rossmarie.analysis.fields import limit_facts, slot_facts
+from rossmarie.analysis.terms import Fact, Number, choice, free_fact, literal
 from rossmarie.ir import TruthValue
 
 
@@ -41,7 +42,7 @@ class ArbitraryState(Encoding):
         if index not in self._slots:
             slot = self.machine.slots[index]
             value, known = z3.Real(f"slot{index}"), z3.Bool(f"slot{index}.known")
-            self.facts += kind_facts(self.machine, slot, value, rounded=True)
+            self.facts += slot_facts(self.machine, slot, value, rounded=True)
             self.facts.append(z3.Implies(known, self.is_fresh(slot.input)))
             self._slots[index] = Number(known, value)
         return self._slots[index]
@@ -100,7 +101,9 @@ class ArbitraryState(Encoding):
         if self._settled:
             return operand
         matured = self.elapsed(node.operand) >= node.duration_ns
-        return choice(operand.true, choice(matured, _TRUE, self.before(node.operand)), operand)
+        return choice(
+            operand.true, choice(matured, literal(True), self.before(node.operand)), operand
+        )
 
     def before(self, operand: int) -> Fact:
         """The value of a truth before it became true, where it is."""
@@ -139,38 +142,6 @@ class ArbitraryState(Encoding):
     def oscillating(self, index: int) -> Fact:
         """Anything."""
         return free_fact(f"truth{index}", self.facts)
-
-
-_TRUE = Fact(YES, FALSE.true, FALSE.true)
-
-
-def kind_facts(
-    machine: ir.Machine, slot: ir.Slot, value: z3.ArithRef, *, rounded: bool
-) -> list[z3.BoolRef]:
-    """Say which values a slot can have."""
-    match slot.kind:
-        case ir.Kind.FLAG:
-            return [z3.Or(value == 0, value == 1)]
-        case ir.Kind.TEXT:
-            return [z3.Or([value == number for number in range(-1, len(machine.texts))])]
-        case ir.Kind.REAL:
-            return limit_facts(slot, value, rounded=rounded)
-
-
-def limit_facts(
-    source: ir.Slot | ir.Array, value: z3.ArithRef, *, rounded: bool
-) -> list[z3.BoolRef]:
-    """Say which values a field of whole numbers can have (S7); with `rounded`, as doubles."""
-    if source.limits is None:
-        return []
-    is_plain = (source.scale, source.offset) == (1.0, 0.0)
-    if rounded and not is_plain:  # the conversion is monotone, also as it is rounded
-        ends = sorted(end * source.scale + source.offset for end in source.limits)
-        return [value >= constant(ends[0]), value <= constant(ends[1])]
-    low, high = map(int, source.limits)
-    whole = z3.FreshInt("whole")
-    converted = z3.ToReal(whole) * constant(source.scale) + constant(source.offset)
-    return [whole >= low, whole <= high, value == converted]
 
 
 def shape_facts(cells: Sequence[Cell]) -> list[z3.BoolRef]:

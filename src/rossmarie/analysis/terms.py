@@ -8,7 +8,17 @@ from fractions import Fraction
 
 import z3
 
-from rossmarie.ir import Comparison, TruthValue
+from rossmarie.ir import (
+    And,
+    Between,
+    Compare,
+    Comparison,
+    Flag,
+    Literal,
+    Not,
+    Or,
+    TruthValue,
+)
 
 YES = z3.BoolVal(True)
 NO = z3.BoolVal(False)
@@ -29,10 +39,6 @@ class Fact:
     true: z3.BoolRef
     false: z3.BoolRef
     lost: z3.BoolRef
-
-    def is_same_as(self, other: Fact) -> z3.BoolRef:
-        """Say whether two truths have one value."""
-        return z3.And(self.true == other.true, self.false == other.false, self.lost == other.lost)
 
     def is_value(self, value: TruthValue) -> z3.BoolRef:
         """Say whether a truth has this value."""
@@ -93,6 +99,19 @@ def disjunction(operands: Sequence[Fact]) -> Fact:
     return negation(conjunction([negation(operand) for operand in operands]))
 
 
+def joined(node: Literal | Not | And | Or, operands: Sequence[Fact]) -> Fact:
+    """The truth that some truths make together (S2)."""
+    match node:
+        case Literal(value=value):
+            return literal(value)
+        case Not():
+            return negation(operands[0])
+        case And():
+            return conjunction(operands)
+        case Or():
+            return disjunction(operands)
+
+
 def constant(value: float) -> z3.ArithRef:
     """A finite double, exactly."""
     return z3.RealVal(str(Fraction(value)))
@@ -113,6 +132,22 @@ def compared(comparison: Comparison, left: z3.ArithRef, right: z3.ArithRef) -> z
             return left > right
         case Comparison.GREATER_OR_EQUAL:
             return left >= right
+
+
+def holds(node: Compare | Between | Flag, values: Sequence[z3.ArithRef]) -> z3.BoolRef:
+    """S27 to S29, of the numbers that a truth compares (`compared_signals`), all known."""
+    match node:
+        case Compare(comparison=comparison):
+            return compared(comparison, *values)
+        case Between():
+            return z3.And(values[1] <= values[0], values[0] <= values[2])
+        case Flag():
+            return values[0] != 0
+
+
+def within(value: z3.ArithRef, ends: tuple[float, float]) -> list[z3.BoolRef]:
+    """The facts that a number lies between two ends."""
+    return [value >= constant(ends[0]), value <= constant(ends[1])]
 
 
 def exact_number(value: z3.ExprRef) -> Fraction:

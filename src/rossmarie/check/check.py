@@ -14,10 +14,10 @@ from dslkit.diagnostics import Collector, Label
 from rossmarie.check.actions.commands import CommandChecker
 from rossmarie.check.actions.effects import EffectChecker
 from rossmarie.check.actions.targets import Targets
+from rossmarie.check.effects import CheckedEffect
 from rossmarie.check.expressions.decided import warn_of_decided, warn_of_never_cleared
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.model import (
-    CheckedEffect,
     CheckedProgram,
     ConditionKey,
     Gaps,
@@ -35,7 +35,7 @@ from rossmarie.check.rules.missing import (
     warn_of_missing_rules,
     warn_of_missing_timeouts,
 )
-from rossmarie.check.rules.order import in_order
+from rossmarie.check.rules.order import LONGEST_CIRCLE, circle_of, in_order
 from rossmarie.check.rules.plans import check_escalations, check_latches, check_size
 from rossmarie.check.rules.priorities import order_of_rules
 from rossmarie.check.rules.unless import giving_way
@@ -53,8 +53,6 @@ from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import walk
 from rossmarie.types import Unknown
-
-_LONGEST_CIRCLE = 8
 
 
 @dataclass(frozen=True)
@@ -142,15 +140,9 @@ def _constants_in(constant: ast.Constant, context: Context) -> list[ast.Constant
 
 def _report_circular_constant(circle: Sequence[ast.Constant], context: Context) -> None:
     names = [constant.name.text for constant in circle]
-    finding = CircularConstant(identifier=names[0], cycle=_circle(names))
-    labels = [finding.Part().at(other.name.span) for other in circle[1:_LONGEST_CIRCLE]]
+    finding = CircularConstant(identifier=names[0], cycle=circle_of(names))
+    labels = [finding.Part().at(other.name.span) for other in circle[1:LONGEST_CIRCLE]]
     context.collector.add(finding.at(circle[0].name.span, *labels))
-
-
-def _circle(names: Sequence[str]) -> str:
-    """`a -> b -> a`; the middle of a long circle is left out."""
-    shown = names if len(names) <= _LONGEST_CIRCLE else [*names[: _LONGEST_CIRCLE - 1], "..."]
-    return " -> ".join([*shown, names[0]])
 
 
 def _check_constant(constant: ast.Constant, is_first: bool, context: Context) -> None:
@@ -189,8 +181,7 @@ def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
         elif isinstance(contract, ast.ClearFor):
             infer(contract.duration, context)
             duration_ns(contract.duration, "what stands after `clear for`", context)
-    head = rule.condition.span if rule.name is None else rule.name.span
-    return MissingTimeout.Rule().at(head), uses
+    return MissingTimeout.Rule().at(rule.head), uses
 
 
 def _check_actions(targets: Targets, context: Context) -> _Actions:
@@ -217,10 +208,10 @@ def _check_circles(conditions: dict[ConditionKey, Uses], context: Context) -> No
     _, circles = in_order({key: tuple(uses.conditions) for key, uses in conditions.items()})
     for circle in circles:
         names = [".".join(key) for key in circle]
-        finding = CircularCondition(identifier=names[0], cycle=_circle(names))
+        finding = CircularCondition(identifier=names[0], cycle=circle_of(names))
         steps = zip(circle, (*circle[1:], circle[0]), strict=True)
         first, *others = [conditions[key].conditions[needed] for key, needed in steps]
-        labels = [finding.Next().at(span) for span in others[:_LONGEST_CIRCLE]]
+        labels = [finding.Next().at(span) for span in others[:LONGEST_CIRCLE]]
         context.collector.add(finding.at(first, *labels))
 
 
@@ -236,7 +227,7 @@ def _program(
     actions: dict[str, ast.Action] = {}
     for name, item in declarations.names.items():
         if isinstance(item, ast.Constant):
-            constants[name] = context.values[id(item.value)]
+            constants[name] = context.values[item.value]
         elif isinstance(item, ast.Action):
             actions[name] = item
     conditions = {

@@ -1,7 +1,7 @@
 """A program that has been checked: every name resolved, every type and unit known to fit.
 
 Comes out of `check`; `lowering` is its only reader. Holds the syntax tree and, beside it, what the
-checker found out about it. Nodes of the tree are looked up by identity.
+checker found out about it.
 """
 
 from __future__ import annotations
@@ -9,10 +9,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from dslkit.source import SourceFile, Span
-from rossmarie.ir import reactions
+from dslkit.source import SourceFile
+from rossmarie.check.effects import CheckedEffect
+from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
+from rossmarie.syntax.node_map import NodeMap
 from rossmarie.types import Type
 
 ConditionKey = tuple[str, str]
@@ -52,24 +54,6 @@ class CheckedInput:
 
 
 @dataclass(frozen=True)
-class CheckedEffect:
-    """An effect, with all numbers in the units of the messages that they go into.
-
-    Its indexes of command topics and watches mean nothing: instead, `command` is the topic that has
-    to pass through the safety filter for it, or None, and `confirmation` the condition that
-    confirms it. `otherwise` is the action that follows if it fails, `resource` what it needs for
-    itself.
-    """
-
-    effect: reactions.Effect
-    command: str | None
-    confirmation: ast.Expression | None
-    resource: str | None
-    otherwise: str | None
-    span: Span
-
-
-@dataclass(frozen=True)
 class Symbols:
     """The meaning of each name."""
 
@@ -83,23 +67,23 @@ class Symbols:
 class CheckedProgram:
     """The result of a check without errors.
 
-    `name` is the stem of the main file. `types` and `values` are keyed by `id(node)` of expression
-    nodes reachable from conditions, rules and contracts: `types` holds every one of them, `values`
-    those that are constant (literals, constants and operators on them; durations; interval and box
-    literals). `rules` are in file order, imported files first; `order` are their numbers, the most
-    important first, `priorities` the pairs that were put in an order, `unless` of each rule those
-    that it gives way to. `effects` are those of each action, `commands` the topics that may pass
-    through the safety filter; `gaps` are those of topics whose rate is declared. `message_files`
-    are the definitions of messages that were read, those that come with this program left out.
+    `name` is the stem of the main file. `types` holds every expression that is reachable from
+    conditions, rules and contracts, `values` those that are constant (literals, constants and
+    operators on them; durations; interval and box literals). `rules` are in file order, imported
+    files first; `order` are their numbers, the most important first, `priorities` the pairs that
+    were put in an order, `unless` of each rule those that it gives way to. `effects` are those of
+    each action, `commands` the topics that may pass through the safety filter; `gaps` are those of
+    topics whose rate is declared. `message_files` are the definitions of messages that were read,
+    those that come with this program left out.
     """
 
     name: str
     symbols: Symbols
     rules: tuple[ast.Rule, ...]
-    types: Mapping[int, Type]
-    values: Mapping[int, Value]
+    types: NodeMap[Type]
+    values: NodeMap[Value]
     effects: Mapping[str, tuple[CheckedEffect, ...]]
-    commands: Mapping[str, reactions.CommandTopic]
+    commands: Mapping[str, CommandTopic]
     order: tuple[int, ...]
     priorities: tuple[tuple[int, int], ...]
     unless: tuple[tuple[int, ...], ...]

@@ -23,6 +23,12 @@ def raw_of(source: Slot | Array, si: float) -> float:
     return float(round(min(max(number, source.limits[0]), source.limits[1])))
 
 
+def si_ends(source: Slot | Array, ends: Limits) -> Limits:
+    """The ends of an interval of numbers in messages, as they arrive (S7)."""
+    one, other = (end * source.scale + source.offset for end in ends)
+    return (one, other) if one <= other else (other, one)
+
+
 def carries(source: Slot | Array, si: float) -> bool:
     """Say whether a field can carry a value in SI."""
     return source.limits is None or is_carried(source.limits, (si - source.offset) / source.scale)

@@ -345,6 +345,11 @@ class Rule:
     head: Span
     hazards: tuple[int, ...] = ()
 
+    @property
+    def roots(self) -> tuple[int, ...]:
+        """The truths that decide about it: its condition, and what clears it."""
+        return (self.condition,) if self.release is None else (self.condition, self.release)
+
 
 @dataclass(frozen=True)
 class Hazard:

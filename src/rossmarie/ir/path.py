@@ -35,6 +35,11 @@ def path_text(path: Iterable[Step]) -> str:
     return "".join(map(_step_text, path))
 
 
+def path_words(path: Iterable[Step]) -> str:
+    """A path by itself: `pose.position.x`, `effort[2]`."""
+    return path_text(path).removeprefix(".")
+
+
 def _step_text(step: Step) -> str:
     match step:
         case str():

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from rossmarie.ir import reactions
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.model import Machine
+from rossmarie.ir.path import path_words
 
 _WIDTH = 44
 
@@ -38,7 +39,7 @@ def _command(found: reactions.Reactions, index: int) -> Iterator[str]:
     for number, field in enumerate(command.fields):
         elements = " elements" if field.is_array else ""
         unit = f" in {field.unit}" if field.unit else ""
-        yield f"  field {number} = {_path(field.path)}{elements}{unit}"
+        yield f"  field {number} = {path_words(field.path)}{elements}{unit}"
 
 
 def _task(found: reactions.Reactions, index: int) -> str:
@@ -115,13 +116,8 @@ def _ramp(ramp: float | None) -> str:
 
 
 def _fields(assignments: tuple[reactions.Assignment, ...]) -> str:
-    inside = "; ".join(f"{_path(each.path)}: {each.value!r}" for each in assignments)
+    inside = "; ".join(f"{path_words(each.path)}: {each.value!r}" for each in assignments)
     return f"{{{inside}}}"
-
-
-def _path(path: reactions.FieldPath) -> str:
-    steps = (f"[{step}]" if isinstance(step, int) else f".{step}" for step in path)
-    return "".join(steps).removeprefix(".")
 
 
 def _tasks(tasks: tuple[int, ...]) -> str:

@@ -272,7 +272,7 @@ def _verify_rules(machine: ir.Machine, arrays: ElementArrays) -> None:
     rests_on = supports(machine).truths
     for index, rule in enumerate(machine.rules):
         where = f"rule {index} ({rule.name})"
-        for truth in (rule.condition, *(() if rule.release is None else (rule.release,))):
+        for truth in rule.roots:
             require_index(truth, len(machine.truths), where, "truth")
             require(arrays.truths[truth] is None, where, f"truth {truth} is elementwise")
         condition = rule.condition

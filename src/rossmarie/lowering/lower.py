@@ -72,7 +72,7 @@ def _contract(rule: ast.Rule, truths: Truths, nodes: Nodes, program: CheckedProg
             opposite = Shown(f"not {stated}", rule.condition.span)
             over = nodes.negation(condition, opposite)
             calm = Shown(f"{opposite.text} for {words(duration.span)}", span)
-            release_index = nodes.held(over, duration_ns(program.values[id(duration)]), calm)
+            release_index = nodes.held(over, duration_ns(program.values[duration]), calm)
             text = f"clears when {stated} has been false for {words(duration.span)}"
             return _Contract(condition, release_index, text)
         case ast.LatchedUntilReset():
@@ -109,7 +109,7 @@ def _with_rules(
             signals=ir.rule_signals(machine, contract.condition),
             inputs=tuple(sorted(rests_on[contract.condition].inputs)),
             span=rule.span,
-            head=rule.condition.span if rule.name is None else rule.name.span,
+            head=rule.head,
             hazards=tuple(dict.fromkeys(hazards[hazard.text] for hazard in rule.mitigates)),
         )
         for name, rule, contract in zip(names, program.rules, contracts, strict=True)

@@ -77,7 +77,7 @@ class Numbers:
 
     def components(self, node: ast.Expression) -> Components:
         """The signals of a number, a vector or an orientation."""
-        constant = self._program.values.get(id(node))
+        constant = self._program.values.get(node)
         if constant is not None:
             return self.constant(constant, constant.numbers, self.shown(node))
         place = self.place(node)
@@ -108,7 +108,7 @@ class Numbers:
 
     def type_of(self, node: ast.Expression) -> Type:
         """The type that the checker found."""
-        return self._program.types[id(node)]
+        return self._program.types[node]
 
     # --- parts of messages -------------------------------------------------------------------
 
@@ -165,7 +165,7 @@ class Numbers:
         """A chain `a + b - c` from left to right, without recursion along the chain."""
         chain: list[ast.Binary] = []
         first: ast.Expression = node
-        while isinstance(first, ast.Binary) and id(first) not in self._program.values:
+        while isinstance(first, ast.Binary) and first not in self._program.values:
             chain.append(first)
             first = first.left
         result = self.components(first)
@@ -212,7 +212,7 @@ class Numbers:
         function = ir.Sampling(node.function.text)
         window_ns = 0
         if sampling_row(function).has_window:
-            window_ns = duration_ns(self._program.values[id(node.arguments[1])])
+            window_ns = duration_ns(self._program.values[node.arguments[1]])
         return self._nodes.signal(ir.Sampled(function, signal, window_ns), shown)
 
     def _extreme(self, node: ast.Call, shown: Shown) -> int:
@@ -236,7 +236,7 @@ class Numbers:
 
     def shown(self, node: ast.Expression) -> Shown:
         """The words, the place and the unit of an expression."""
-        return Shown(words(node.span), node.span, _unit_of(self._program.types.get(id(node))))
+        return Shown(words(node.span), node.span, _unit_of(self._program.types[node]))
 
 
 def _spread(left: Components, right: Components) -> tuple[Components, Components]:
@@ -248,7 +248,7 @@ def _spread(left: Components, right: Components) -> tuple[Components, Components
     )
 
 
-def _unit_of(type_: Type | None) -> Unit | None:
+def _unit_of(type_: Type) -> Unit | None:
     match type_:
         case Quantity(unit=unit):
             return unit
@@ -261,6 +261,6 @@ def _unit_of(type_: Type | None) -> Unit | None:
             return element.unit
         case (
             Boolean() | Text() | Quaternion() | Array() | Message() | Entry() | Unsupported()
-            | Unknown() | None
+            | Unknown()
         ):  # fmt: skip
             return None

@@ -5,13 +5,25 @@ An action without a body contributes no task. Of escalations each place has task
 
 from __future__ import annotations
 
-import dataclasses
 from collections import deque
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from rossmarie import ir
-from rossmarie.check.model import CheckedEffect, CheckedProgram
-from rossmarie.check.rules.plans import may_fail, reached_actions
+from rossmarie.check.effects import (
+    Awaited,
+    CheckedCall,
+    CheckedCancel,
+    CheckedEffect,
+    CheckedGoal,
+    CheckedLimit,
+    CheckedParameter,
+    CheckedPublish,
+    CheckedScale,
+    CheckedSwitch,
+)
+from rossmarie.check.model import CheckedProgram
+from rossmarie.check.rules.plans import reached_actions
 from rossmarie.ir import reactions
 from rossmarie.lowering.truths import Truths
 from rossmarie.syntax import ast
@@ -52,7 +64,7 @@ class Plans:
         )
         if not self._drafts:
             return ir.NO_REACTIONS
-        topics = {draft.checked.command for draft in self._drafts} - {None}
+        topics = {draft.checked.command for draft in self._drafts}
         commands = [found for topic, found in self.program.commands.items() if topic in topics]
         resources = dict.fromkeys(
             draft.checked.resource for draft in self._drafts if draft.checked.resource is not None
@@ -125,28 +137,55 @@ class Plans:
             self._drafts.append(_Draft(action, checked))
             if checked.otherwise is not None:
                 escalations.append(_Escalation(index, checked.otherwise, last_resort))
-            elif last_resort is not None and may_fail(checked.effect):
+            elif last_resort is not None and checked.may_fail:
                 escalations.append(_Escalation(index, last_resort, None))
         return tuple(range(first, len(self._drafts)))
 
     # --- effects -----------------------------------------------------------------------------
 
-    def _effect(self, checked: CheckedEffect, commands: dict[str, int]) -> reactions.Effect:
-        """The effect with its indexes."""
+    def _effect(self, checked: CheckedEffect, commands: Mapping[str, int]) -> reactions.Effect:
+        """The effect; `commands` are the places of command topics."""
         match checked.effect:
-            case reactions.Limit() | reactions.Scale() as effect if checked.command is not None:
-                return dataclasses.replace(effect, topic=commands[checked.command])
-            case reactions.Publish(topic=topic) as effect:
-                return dataclasses.replace(effect, command=commands.get(topic))
-            case reactions.CancelGoal() as effect if checked.confirmation is not None:
-                truth = self.truths.lower(checked.confirmation)
-                if truth not in self.watches:
-                    self.watches.append(truth)
-                return dataclasses.replace(effect, confirmation=self.watches.index(truth))
+            case CheckedLimit(topic=topic, bounds=bounds):
+                return reactions.Limit(commands[topic], bounds)
+            case CheckedScale(topic=topic, factor=factor, ramp=ramp):
+                return reactions.Scale(commands[topic], factor, ramp)
+            case CheckedPublish(topic=topic) as sent:
+                command = commands.get(topic)
+                return reactions.Publish(
+                    topic, sent.message_type, sent.assignments, sent.period_ns, command
+                )
+            case ast.Log(level=level, text=text):
+                return reactions.Log(reactions.Level(level.text), text.value)
+            case ast.Diagnose(level=level, text=text):
+                return reactions.Diagnose(reactions.Level(level.text), text.value)
+            case ast.Hook(name=name):
+                return reactions.Hook(name.text)
+            case ast.Reset():
+                return reactions.Reset()
             case (
-                reactions.Limit() | reactions.Scale() | reactions.Call()
-                | reactions.SetParameter() | reactions.SwitchControllers()
-                | reactions.SendGoal() | reactions.CancelGoal() | reactions.Log()
-                | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
-            ) as effect:  # fmt: skip
-                return effect
+                CheckedCall() | CheckedParameter() | CheckedSwitch() | CheckedGoal()
+                | CheckedCancel()
+            ) as awaited:  # fmt: skip
+                return self._awaited(awaited)
+
+    def _awaited(self, effect: Awaited) -> reactions.Effect:
+        match effect:
+            case CheckedCall(service, service_type, assignments, timeout_ns):
+                return reactions.Call(service, service_type, assignments, timeout_ns)
+            case CheckedParameter(node, parameter, value, timeout_ns):
+                return reactions.SetParameter(node, parameter, value, timeout_ns)
+            case CheckedSwitch(manager, start, stop, timeout_ns):
+                return reactions.SwitchControllers(manager, start, stop, timeout_ns)
+            case CheckedGoal(server, action_type, assignments, timeout_ns, interrupted):
+                return reactions.SendGoal(server, action_type, assignments, timeout_ns, interrupted)
+            case CheckedCancel(server, kind, confirmation, timeout_ns, interrupted):
+                watch = None if confirmation is None else self._watch(confirmation)
+                return reactions.CancelGoal(server, kind, watch, timeout_ns, interrupted)
+
+    def _watch(self, confirmation: ast.Expression) -> int:
+        """The number of the truth of a confirmation among those that are watched."""
+        truth = self.truths.lower(confirmation)
+        if truth not in self.watches:
+            self.watches.append(truth)
+        return self.watches.index(truth)

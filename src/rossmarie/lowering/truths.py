@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, ConditionKey, Value
+from rossmarie.check.operations.operands import is_age
+from rossmarie.check.scopes.trees import stripped
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
@@ -69,7 +71,7 @@ class Truths:
 
     def _truth(self, node: ast.Expression, entity: str | None) -> int:
         """The truth of a node that stands in an entity, or in a rule."""
-        constant = self._program.values.get(id(node))
+        constant = self._program.values.get(node)
         if constant is not None:
             return self._nodes.literal(bool(constant.boolean), _shown(node))
         key = referred_condition(node, entity, self._program.symbols)
@@ -110,14 +112,12 @@ class Truths:
 
     def _comparison(self, node: ast.Binary) -> int:
         compared = _COMPARISONS[node.operator]
-        if _is_age(node.left):
+        if is_age(node.left):
             return self._age(node.left, compared, node.right, node)
-        if _is_age(node.right):
+        if is_age(node.right):
             return self._age(node.right, compared.mirrored, node.left, node)
         left, right = self._numbers.scalar(node.left), self._numbers.scalar(node.right)
-        if id(node.left) in self._program.values and isinstance(
-            self._numbers.type_of(node.left), Text
-        ):
+        if node.left in self._program.values and isinstance(self._numbers.type_of(node.left), Text):
             left, right = right, left
         self._show_alike(left, node.right)
         self._show_alike(right, node.left)
@@ -126,7 +126,7 @@ class Truths:
     def _show_alike(self, signal: int, other: ast.Expression) -> None:
         """Show a signal in the unit of the constant that it is compared with: `deg`, not `rad`."""
         unit = self._numbers.shown(other).unit
-        if id(other) in self._program.values and unit is not None:
+        if other in self._program.values and unit is not None:
             self._nodes.show_in(signal, unit)
 
     def _age(
@@ -146,7 +146,7 @@ class Truths:
         return self._nodes.negation(index, _shown(node))
 
     def _membership(self, node: ast.Membership) -> int:
-        container = self._program.values[id(node.container)]
+        container = self._program.values[node.container]
         inside = Shown(f"{words(node.value.span)} in {words(node.container.span)}", node.span)
         values = self._numbers.components(node.value)
         parts = tuple(
@@ -167,7 +167,7 @@ class Truths:
         return self._nodes.leaf(ir.Between(value, low, high), inside)
 
     def _oscillates(self, node: ast.Oscillates) -> int:
-        swing = 0.0 if node.swing is None else self._program.values[id(node.swing)].numbers[0]
+        swing = 0.0 if node.swing is None else self._program.values[node.swing].numbers[0]
         oscillates = ir.Oscillates(
             signal=self._numbers.scalar(node.value),
             count=int(node.count.value),
@@ -186,7 +186,7 @@ class Truths:
         return self._truth(node, None)
 
     def _duration_ns(self, node: ast.Expression) -> int:
-        return duration_ns(self._program.values[id(node)])
+        return duration_ns(self._program.values[node])
 
 
 def _side(axis: int, ends: tuple[float, ...], unit: Unit | None) -> str:
@@ -206,7 +206,7 @@ def _parts(node: ast.Expression, operator: ast.BinaryOperator) -> tuple[ast.Expr
     waiting = [node]
     while waiting:
         part = waiting.pop()
-        inner = _stripped(part)
+        inner = stripped(part)
         if isinstance(inner, ast.Binary) and inner.operator is operator:
             waiting += (inner.right, inner.left)
         else:
@@ -214,18 +214,7 @@ def _parts(node: ast.Expression, operator: ast.BinaryOperator) -> tuple[ast.Expr
     return tuple(parts)
 
 
-def _stripped(node: ast.Expression) -> ast.Expression:
-    while isinstance(node, ast.Parenthesized):
-        node = node.inner
-    return node
-
-
-def _is_age(node: ast.Expression) -> bool:
-    inner = _stripped(node)
-    return isinstance(inner, ast.Call) and inner.function.text == "age"
-
-
 def _age_argument(node: ast.Expression) -> ast.Expression:
-    inner = _stripped(node)
+    inner = stripped(node)
     assert isinstance(inner, ast.Call), "asked before"
     return inner.arguments[0]

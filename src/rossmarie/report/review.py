@@ -10,13 +10,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.resources import files
 from pathlib import PurePath
 
-import jinja2
 from markupsafe import Markup
 
 from dslkit.source import SourceFile
+from rossmarie.report.templates import asset, template
 
 
 @dataclass(frozen=True)
@@ -41,15 +40,12 @@ class Row:
 
 def render_review(sources: Iterable[SourceFile], generated: Mapping[str, str]) -> str:
     """The text of the page. `generated` are the rules' own files in C, by their names."""
-    environment = jinja2.Environment(
-        undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
-    )
     pairs = [(PurePath(each.path).name, side_by_side(each, generated)) for each in sources]
     tables = [(name, rows) for name, rows in pairs if any(row.made for row in rows)]
-    return environment.from_string(_asset("review.html.j2")).render(
+    return template("review.html.j2").render(
         tables=tables,
         files=[(name, text.count("\n")) for name, text in generated.items()],
-        style=Markup(_asset("palette.css") + _asset("review.css")),
+        style=Markup(asset("palette.css") + asset("review.css")),
     )
 
 
@@ -74,7 +70,3 @@ def _marked(name: str, text: str) -> Iterator[tuple[int, tuple[int, str]]]:
             own = f"{line[: found.start()]}{line[found.end() :]}".strip()
             behind = f" {lines[number + 1].strip()}" if own.startswith("case ") else ""
             yield int(found[1]), (number + 1, own + behind)
-
-
-def _asset(name: str) -> str:
-    return (files("rossmarie.report") / "assets" / name).read_text(encoding="utf-8")

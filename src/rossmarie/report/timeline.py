@@ -7,16 +7,15 @@ scripts, or on paper, needs stands in the template.
 from __future__ import annotations
 
 from datetime import datetime, timezone
-from importlib.resources import files
 from pathlib import PurePath
 
-import jinja2
 from markupsafe import Markup
 
 from rossmarie.ir import Verdict
 from rossmarie.report.model import Replay
 from rossmarie.report.page import MOST_DETAILED, page_data
 from rossmarie.report.spans import summarize
+from rossmarie.report.templates import asset, template
 from rossmarie.report.wording import format_length, format_position
 
 _FIRST_DATED_NS = 10**18
@@ -27,11 +26,8 @@ _SCRIPTS = ("times.js", "series.js", "shapes.js", "card.js", "rows.js", "view.js
 
 def render_timeline(replay: Replay) -> str:
     """The text of the page."""
-    environment = jinja2.Environment(
-        undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
-    )
     summaries = summarize(replay)
-    return environment.from_string(_asset("timeline.html.j2")).render(
+    return template("timeline.html.j2").render(
         rules_file=PurePath(replay.rules_file).name,
         recording=PurePath(replay.recording).name,
         duration=format_length(replay.duration_ns),
@@ -43,8 +39,8 @@ def render_timeline(replay: Replay) -> str:
         format_length=format_length,
         format_position=format_position,
         percent=lambda length_ns: _percent(length_ns, replay.duration_ns),
-        style=Markup(_asset("palette.css") + _asset("timeline.css")),
-        script=Markup("\n".join(_asset(name) for name in _SCRIPTS)),
+        style=Markup(asset("palette.css") + asset("timeline.css")),
+        script=Markup("\n".join(asset(name) for name in _SCRIPTS)),
         listed=_listed(replay),
         data=Markup(page_data(replay)),
     )
@@ -56,10 +52,6 @@ def _listed(replay: Replay) -> str:
     if count <= MOST_DETAILED:
         return "Every change, in order"
     return f"The first {MOST_DETAILED} of {count} changes, in order; all are in the verdicts file"
-
-
-def _asset(name: str) -> str:
-    return (files("rossmarie.report") / "assets" / name).read_text(encoding="utf-8")
 
 
 def _recorded(start_ns: int) -> str:

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie import ir
+from rossmarie.analysis.part import moved_truth
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, TruthValue
 from rossmarie.ir.comparison import COMPARISONS
@@ -61,14 +62,10 @@ def cone_of(machine: ir.Machine, moved: Sequence[int]) -> Cone | None:
         if (inside | set(moved)) & set(truth_operands(truth.node)):
             inside.add(index)
     rules = tuple(
-        index
-        for index, rule in enumerate(machine.rules)
-        if {rule.condition, rule.release} & (inside | set(moved))
+        index for index, rule in enumerate(machine.rules) if set(rule.roots) & (inside | set(moved))
     )
     wanted = {each for truth in inside for each in truth_operands(machine.truths[truth].node)}
-    for index in rules:
-        rule = machine.rules[index]
-        wanted |= {each for each in (rule.condition, rule.release) if each is not None}
+    wanted |= {root for index in rules for root in machine.rules[index].roots}
     boundary = tuple(sorted(wanted - inside))
     return Cone(tuple(moved), boundary, tuple(sorted(inside)), rules)
 
@@ -113,8 +110,8 @@ def _residual(cone: Cone, machine: ir.Machine) -> ir.Machine:
         nodes = (ir.Flag(known), ir.Flag(lost), ir.Or(pair))
         truths += [dataclasses.replace(machine.truths[truth], node=node) for node in nodes]
     truths += [
-        dataclasses.replace(machine.truths[truth], node=_placed(machine.truths[truth].node, places))
-        for truth in inside
+        dataclasses.replace(found, node=moved_truth(found.node, {}, places))
+        for found in (machine.truths[truth] for truth in inside)
     ]
     return dataclasses.replace(
         machine,
@@ -128,19 +125,6 @@ def _residual(cone: Cone, machine: ir.Machine) -> ir.Machine:
         watches=(),
         reactions=ir.NO_REACTIONS,
     )
-
-
-def _placed(node: ir.TruthNode, places: dict[int, int]) -> ir.TruthNode:
-    match node:
-        case ir.Not(operand=operand) | ir.Held(operand=operand):
-            return dataclasses.replace(node, operand=places[operand])
-        case ir.And(operands=operands) | ir.Or(operands=operands):
-            return dataclasses.replace(node, operands=tuple(places[each] for each in operands))
-        case (
-            ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
-            | ir.Oscillates() | ir.Quantified()
-        ):  # fmt: skip
-            raise AssertionError(f"{type(node).__name__} rests on no other truth")
 
 
 def _placed_rule(rule: ir.Rule, places: dict[int, int]) -> ir.Rule:

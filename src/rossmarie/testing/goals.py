@@ -103,7 +103,7 @@ def _edges_of(machine: ir.Machine, rule: int, atom: int, decision: int) -> Itera
 def decisions(machine: ir.Machine, rule: ir.Rule) -> list[int]:
     """The decisions of a rule; one that negates another is no decision of its own."""
     found: dict[int, None] = {}
-    waiting = [rule.condition] + ([] if rule.release is None else [rule.release])
+    waiting = [*rule.roots]
     while waiting:
         decision = _plain(machine, waiting.pop(0))
         if decision in found or isinstance(machine.truths[decision].node, ir.Literal):

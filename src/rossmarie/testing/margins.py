@@ -62,8 +62,7 @@ def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
     reached = {
         truth
         for rule in machine.rules
-        for root in (rule.condition, rule.release)
-        if root is not None
+        for root in rule.roots
         for truth in ir.reachable_truths(machine, root)
     }
     for truth in sorted(reached):

@@ -54,9 +54,7 @@ class _Proposer:
         self._machine = machine
         self._index = index
         self._rule = machine.rules[index]
-        self._roots = [self._rule.condition]
-        if self._rule.release is not None:
-            self._roots.append(self._rule.release)
+        self._roots = self._rule.roots
         leaves = {leaf for root in self._roots for leaf in ir.leaf_truths(machine, root)}
         self._leaves = sorted(leaves)
         self._beat_ns = beat_ns(machine, self._rule)
@@ -88,12 +86,12 @@ class _Proposer:
 
     def _calm(self) -> Values | None:
         over = z3.Not(self._condition)
-        release = [] if self._rule.release is None else [self._world.formula(self._rule.release)]
+        release = [self._world.formula(root) for root in self._roots[1:]]
         return self._world.solve([over, *release]) or self._world.solve([over])
 
     def _hangs_on(self, truth: int, decision: int | None = None) -> z3.BoolRef:
         """A formula: what a truth is makes the difference to what clears or activates the rule."""
-        roots = self._roots if decision is None else [decision]
+        roots = self._roots if decision is None else (decision,)
         ways = []
         for root in roots:
             true, false = (self._world.formula(root, {truth: value}) for value in (True, False))

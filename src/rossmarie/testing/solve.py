@@ -4,6 +4,10 @@ The picture is one of an unchanging world: every `for` is as what stands in fron
 real numbers in SI; an angle of an orientation, a rate, a previous sample, an age and an oscillation
 are values of their own, which `phases` knows how to bring about. Whatever is found is only a
 proposal: the interpreter has the last word.
+
+So this is no `analysis.encoding.Encoding`, which says of each truth whether it is T, F or L, and of
+each number whether it is known: here all is known, and a truth is one formula, which stays small
+enough to be asked many times. Comparisons, functions and fields are the same terms in both.
 """
 
 from __future__ import annotations
@@ -16,15 +20,14 @@ from fractions import Fraction
 import z3
 
 from rossmarie import ir
+from rossmarie.analysis.fields import field_facts, kind_facts, ramp_facts
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.solver import check
-from rossmarie.analysis.terms import compared, constant, constants_in, exact_number, extreme
+from rossmarie.analysis.terms import constant, constants_in, exact_number, extreme, holds, within
 from rossmarie.core import Function, Sampling, defined, rounds, row, sampling_row
 from rossmarie.core.expressions import Operand, Primitive
-from rossmarie.ir import Kind
 from rossmarie.testing.goals import Edge, edges, signals_of
 from rossmarie.testing.whole import slot_behind
-from rossmarie.testing.whole_facts import field_facts, ramp_facts
 from rossmarie.units import Unit, parse_unit
 
 TIME_LIMIT_MS = 2000
@@ -102,19 +105,23 @@ class World:
 
     # --- formulas ----------------------------------------------------------------------------
 
-    def formula(self, truth: int, fixed: Mapping[int, bool] | None = None) -> z3.BoolRef:
-        """A truth as a formula, with some of those below it replaced by what they are."""
+    def formula(
+        self, truth: int, fixed: Mapping[int, bool] | None = None, part: int | None = None
+    ) -> z3.BoolRef:
+        """A truth as a formula, with some of those below it replaced by what they are. `part` is
+        the element at hand.
+        """
         if fixed is not None and truth in fixed:
             return z3.BoolVal(fixed[truth])
         match self.machine.truths[truth].node:
             case ir.Literal(value=value):
                 return z3.BoolVal(value)
             case ir.Not(operand=operand):
-                return z3.Not(self.formula(operand, fixed))
+                return z3.Not(self.formula(operand, fixed, part))
             case ir.And(operands=operands):
-                return z3.And([self.formula(each, fixed) for each in operands])
+                return z3.And([self.formula(each, fixed, part) for each in operands])
             case ir.Or(operands=operands):
-                return z3.Or([self.formula(each, fixed) for each in operands])
+                return z3.Or([self.formula(each, fixed, part) for each in operands])
             case ir.Held() | ir.Quantified() if self.is_free:
                 return self._bool(Variable("free", truth))
             case ir.Held(operand=operand):
@@ -124,29 +131,15 @@ class World:
             case ir.Oscillates():
                 return self._bool(Variable("oscillating", truth))
             case ir.Quantified(quantifier=quantifier, element=element):
-                parts = [self._leaf(element, part) for part in range(self.length)]
                 is_any = quantifier is ir.Quantifier.ANY
+                parts = self._of_elements(element)
                 return z3.Or(parts) if is_any else z3.And(parts)
-            case ir.Compare() | ir.Between() | ir.Flag():
-                return self._leaf(truth, None)
+            case (ir.Compare() | ir.Between() | ir.Flag()) as node:
+                values = [self.signal(signal, part) for signal in ir.compared_signals(node)]
+                return holds(node, values)
 
-    def _leaf(self, truth: int, part: int | None) -> z3.BoolRef:
-        match self.machine.truths[truth].node:
-            case ir.Compare(comparison=comparison, left=left, right=right):
-                return compared(comparison, self.signal(left, part), self.signal(right, part))
-            case ir.Between(signal=signal, low=low, high=high):
-                value = self.signal(signal, part)
-                return z3.And(self.signal(low, part) <= value, value <= self.signal(high, part))
-            case ir.Flag(signal=signal):
-                return self.signal(signal, part) != 0
-            case ir.Not(operand=operand):
-                return z3.Not(self._leaf(operand, part))
-            case ir.And(operands=operands):
-                return z3.And([self._leaf(each, part) for each in operands])
-            case ir.Or(operands=operands):
-                return z3.Or([self._leaf(each, part) for each in operands])
-            case ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
-                return self.formula(truth)
+    def _of_elements(self, truth: int) -> list[z3.BoolRef]:
+        return [self.formula(truth, part=part) for part in range(self.length)]
 
     def signal(self, index: int, part: int | None = None) -> z3.ArithRef:
         """A number as a term; `part` is the element at hand."""
@@ -179,7 +172,7 @@ class World:
                 values = [self.signal(element, each) for each in range(self.length)]
                 return extreme(values, least=least)
             case ir.Count(element=element):
-                parts = [self._leaf(element, each) for each in range(self.length)]
+                parts = self._of_elements(element)
                 return z3.Sum([z3.If(each, z3.RealVal(1), z3.RealVal(0)) for each in parts])
             case ir.Apply(function=function, operands=operands):
                 return self._applied(index, function, operands, part)
@@ -193,7 +186,7 @@ class World:
         if function in _ANGLES:
             low, high = (math.trunc(10 * end) / 10 for end in declared.range)
             angle = self._real(Variable("angle", index))
-            self._side += [angle >= constant(low), angle <= constant(high)]
+            self._side += within(angle, (low, high))
             return angle
         values = [self.signal(operand, part) for operand in operands]
         expression = defined(function, len(operands))
@@ -210,14 +203,7 @@ class World:
     def _slot(self, slot: int) -> z3.ArithRef:
         variable = self._element_of(self.machine.slots[slot]) or Variable("slot", slot)
         term = self._real(variable)
-        match self.machine.slots[slot].kind:
-            case Kind.FLAG:
-                self._side.append(z3.Or(term == 0, term == 1))
-            case Kind.TEXT:
-                numbers = range(-1, len(self.machine.texts))
-                self._side.append(z3.Or([term == number for number in numbers]))
-            case Kind.REAL:
-                pass
+        self._side += kind_facts(self.machine, self.machine.slots[slot], term)
         return term
 
     def _element_of(self, slot: ir.Slot) -> Variable | None:

@@ -120,7 +120,7 @@ def scalar(
     if isinstance(type_, Unknown) or not require_constant(node, f"`{field.text}`", context):
         return None
     base = "" if field.leaf is None else field.leaf.base
-    value = context.values[id(node)]
+    value = context.values[node]
     if isinstance(type_, Boolean) and base == "bool" and value.boolean is not None:
         return value.boolean
     if isinstance(type_, Text) and base in ("string", "wstring") and value.text is not None:
@@ -137,7 +137,7 @@ def scalar(
 def _number(
     node: ast.Expression, type_: Quantity, unit: Unit | None, field: Field, context: Context
 ) -> float | None:
-    number = context.values[id(node)].numbers[0]
+    number = context.values[node].numbers[0]
     if unit is not None and not is_plain(type_):
         reason = "this element has a unit, and so has the whole list"
         twice = MisplacedUnit(reason=reason)

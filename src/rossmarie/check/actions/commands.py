@@ -22,9 +22,9 @@ from rossmarie.check.actions.errors import (
 from rossmarie.check.actions.numbers import fits
 from rossmarie.check.actions.paths import Field, field_of, leaf_unit, symbol_of
 from rossmarie.check.actions.targets import Sent, Targets
+from rossmarie.check.effects import CheckedEffect, CheckedLimit, CheckedScale
 from rossmarie.check.expressions.frequencies import is_positive
 from rossmarie.check.expressions.infer import infer
-from rossmarie.check.model import CheckedEffect
 from rossmarie.check.operations.operands import require_constant
 from rossmarie.check.units.quantities import SECOND
 from rossmarie.check.wording.describe import describe, is_plain
@@ -35,7 +35,9 @@ from rossmarie.units import DIMENSIONLESS, Unit, divide, multiply, parse_unit
 
 _FLOATS = frozenset({"float32", "float64"})
 _POSES = (parse_unit("m").dimension, parse_unit("rad").dimension)
-_PER_SECOND = divide(DIMENSIONLESS, SECOND)
+
+Ramps = list[tuple[ast.Expression, Unit, float]]
+"""Ramps, with the unit of what they lift and their value in SI."""
 
 
 def command_of(sent: Sent, span: Span, targets: Targets) -> reactions.CommandTopic:
@@ -59,8 +61,8 @@ class CommandChecker:
     def check(self, effect: ast.Limit | ast.Scale | ast.Block) -> CheckedEffect | None:
         """The effect; None if something is wrong with it, which is reported."""
         sent = self._targets.topic(effect.target)
-        command = None if sent is None else self._command(sent, effect.target)
-        found: reactions.Effect | None = None
+        command = self._command(sent, effect.target)
+        found: CheckedLimit | CheckedScale | None = None
         match effect:
             case ast.Limit():
                 for bound in effect.bounds:
@@ -70,16 +72,16 @@ class CommandChecker:
                     found = self._limit(effect, sent, command, ramps)
             case ast.Scale():
                 infer(effect.factor, self._context)
-                found = self._scale(effect, sent, command, self._ramps(effect.ramps))
+                found = self._scale(effect, command, self._ramps(effect.ramps))
             case ast.Block():
                 ramps = self._ramps(effect.ramps)
-                if sent is not None and command is not None:
+                if command is not None:
                     found = self._block(effect, command, ramps)
-        if found is None or sent is None:
-            return None
-        return CheckedEffect(found, sent.name, None, None, None, effect.span)
+        return None if found is None else CheckedEffect(found, effect.span, found.topic)
 
-    def _command(self, sent: Sent, target: ast.Target) -> reactions.CommandTopic | None:
+    def _command(self, sent: Sent | None, target: ast.Target) -> reactions.CommandTopic | None:
+        if sent is None:
+            return None
         command = command_of(sent, target.name.span, self._targets)
         if not command.fields:
             self._add(NothingToBound(type=sent.type).at(target.span))
@@ -97,7 +99,7 @@ class CommandChecker:
             return None
         target = ast.Target(topic, None, topic.span)
         sent = self._targets.topic(target)
-        command = None if sent is None else self._command(sent, target)
+        command = self._command(sent, target)
         field = None if sent is None else field_of(path, sent, self._targets)
         if command is None or field is None:
             return None
@@ -108,12 +110,8 @@ class CommandChecker:
     # --- limits ------------------------------------------------------------------------------
 
     def _limit(
-        self,
-        effect: ast.Limit,
-        sent: Sent,
-        command: reactions.CommandTopic,
-        ramps: list[tuple[ast.Expression, Unit, float]],
-    ) -> reactions.Limit | None:
+        self, effect: ast.Limit, sent: Sent, command: reactions.CommandTopic, ramps: Ramps
+    ) -> CheckedLimit | None:
         if not effect.bounds:
             empty = DoesNothing(what="limit")
             self._add(empty.at(effect.span, help=empty.Limit()))
@@ -139,7 +137,7 @@ class CommandChecker:
             reactions.Bound(index, ends[0], ends[1], ramp)
             for (index, _, ends, _), ramp in zip(found, by_field, strict=True)
         )
-        return reactions.Limit(0, tuple(bounds))
+        return CheckedLimit(command.topic, tuple(bounds))
 
     def _index(
         self, field: Field, bound: ast.FieldBound, command: reactions.CommandTopic
@@ -178,41 +176,34 @@ class CommandChecker:
         unit = field.unit or DIMENSIONLESS
         if not fits(bound.range, type_.element, field, self._context):
             return None
-        low, high = self._context.values[id(bound.range)].numbers
+        low, high = self._context.values[bound.range].numbers
         return unit.from_si(low) + 0.0, unit.from_si(high) + 0.0
 
     # --- scales and blocks -------------------------------------------------------------------
 
     def _scale(
-        self,
-        effect: ast.Scale,
-        sent: Sent | None,
-        command: reactions.CommandTopic | None,
-        ramps: list[tuple[ast.Expression, Unit, float]],
-    ) -> reactions.Scale | None:
+        self, effect: ast.Scale, command: reactions.CommandTopic | None, ramps: Ramps
+    ) -> CheckedScale | None:
         type_ = self._context.type_of(effect.factor)
         is_factor = isinstance(type_, Quantity) and is_plain(type_)
         factor = None
         if not is_factor and not isinstance(type_, Unknown):
             self._add(FactorOutOfRange(found=describe(type_)).at(effect.factor.span))
         elif is_factor and require_constant(effect.factor, "a factor", self._context):
-            factor = self._context.values[id(effect.factor)].numbers[0]
+            factor = self._context.values[effect.factor].numbers[0]
             if not 0 <= factor <= 1:
                 self._add(FactorOutOfRange(found=f"{factor * 100:g} %").at(effect.factor.span))
                 factor = None
         by_field = self._by_field([(DIMENSIONLESS, "the factor")], ramps, effect)
-        if sent is None or command is None or factor is None or by_field is None:
+        if command is None or factor is None or by_field is None:
             return None
         if self._is_pose(effect.target, command):
             return None
-        return reactions.Scale(0, factor, by_field[0])
+        return CheckedScale(command.topic, factor, by_field[0])
 
     def _block(
-        self,
-        effect: ast.Block,
-        command: reactions.CommandTopic,
-        ramps: list[tuple[ast.Expression, Unit, float]],
-    ) -> reactions.Limit | None:
+        self, effect: ast.Block, command: reactions.CommandTopic, ramps: Ramps
+    ) -> CheckedLimit | None:
         if self._is_pose(effect.target, command):
             return None
         units = [
@@ -223,7 +214,7 @@ class CommandChecker:
         if by_field is None:
             return None
         bounds = (reactions.Bound(index, 0.0, 0.0, ramp) for index, ramp in enumerate(by_field))
-        return reactions.Limit(0, tuple(bounds))
+        return CheckedLimit(command.topic, tuple(bounds))
 
     def _is_pose(self, target: ast.Target, command: reactions.CommandTopic) -> bool:
         for field in command.fields:
@@ -235,8 +226,8 @@ class CommandChecker:
 
     # --- ramps -------------------------------------------------------------------------------
 
-    def _ramps(self, ramps: Sequence[ast.Expression]) -> list[tuple[ast.Expression, Unit, float]]:
-        """The ramps that are numbers, with the unit of what they lift and their value in SI."""
+    def _ramps(self, ramps: Sequence[ast.Expression]) -> Ramps:
+        """The ramps that are numbers."""
         found = []
         for ramp in ramps:
             type_ = infer(ramp, self._context)
@@ -244,7 +235,7 @@ class CommandChecker:
                 if require_constant(ramp, "a ramp", self._context) and is_positive(
                     ramp, "a ramp", self._context
                 ):
-                    value = self._context.values[id(ramp)].numbers[0]
+                    value = self._context.values[ramp].numbers[0]
                     found.append((ramp, multiply(type_.unit, SECOND), value))
             elif not isinstance(type_, Unknown):
                 finding = RampMismatch(found=describe(type_))
@@ -254,7 +245,7 @@ class CommandChecker:
     def _by_field(
         self,
         fields: Sequence[tuple[Unit, str]],
-        ramps: list[tuple[ast.Expression, Unit, float]],
+        ramps: Ramps,
         effect: ast.Limit | ast.Scale | ast.Block,
     ) -> list[float | None] | None:
         """The ramp of each field in its unit; None after reporting ramps that belong to none."""
@@ -295,7 +286,7 @@ def _quoted(paths: Sequence[str]) -> str:
     return ", ".join(f"`{path}`" for path in paths)
 
 
-def _ramp_for(unit: Unit, ramps: list[tuple[ast.Expression, Unit, float]]) -> float | None:
+def _ramp_for(unit: Unit, ramps: Ramps) -> float | None:
     fitting = (value for _, lifted, value in ramps if lifted.dimension == unit.dimension)
     value = next(fitting, None)
     return None if value is None else value / unit.scale

@@ -6,7 +6,7 @@ are looked up here; what follows from which action refers to which is looked at 
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Diagnostic, DidYouMean, Remark, listed
+from dslkit.diagnostics import Diagnostic, Remark, listed
 from dslkit.source import Span
 from rossmarie.check.actions.assignments import assignments_of
 from rossmarie.check.actions.commands import CommandChecker, command_of
@@ -23,9 +23,18 @@ from rossmarie.check.actions.numbers import period_ns, timeout_ns
 from rossmarie.check.actions.reserved_hooks import CPLUSPLUS_WORDS
 from rossmarie.check.actions.resources import declared_resources
 from rossmarie.check.actions.targets import Targets, insertion
+from rossmarie.check.effects import (
+    Awaited,
+    CheckedCall,
+    CheckedCancel,
+    CheckedEffect,
+    CheckedGoal,
+    CheckedParameter,
+    CheckedPublish,
+    CheckedSwitch,
+)
 from rossmarie.check.expressions.decided import warn_of_decided
 from rossmarie.check.expressions.infer import infer
-from rossmarie.check.model import CheckedEffect
 from rossmarie.check.names.references import use_action
 from rossmarie.check.operations.operands import require_condition, require_constant
 from rossmarie.check.scopes.context import Context, Uses
@@ -33,7 +42,7 @@ from rossmarie.check.system.model import full_name
 from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import read_unit
 from rossmarie.check.wording.describe import describe
-from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.check.wording.suggestions import near_name, suggesting
 from rossmarie.ir import reactions
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Kind, Quantity, Text, Unknown
@@ -77,9 +86,9 @@ class EffectChecker:
             case ast.Hook(name=name):
                 if name.text in CPLUSPLUS_WORDS:
                     self._add(ReservedHook(identifier=name.text).at(name.span))
-                return _shared(reactions.Hook(name.text), effect)
+                return CheckedEffect(effect, effect.span)
             case ast.Reset():
-                return _shared(reactions.Reset(), effect)
+                return CheckedEffect(effect, effect.span)
             case (
                 ast.CallService() | ast.SetParameter() | ast.SwitchControllers() | ast.SendGoal()
                 | ast.CancelGoal()
@@ -98,26 +107,23 @@ class EffectChecker:
         if is_shared:
             command = command_of(sent, effect.target.name.span, self._targets)
             self.commands.setdefault(sent.name, command)
-        found = reactions.Publish(sent.name, sent.type, assignments, period, None)
+        found = CheckedPublish(sent.name, sent.type, assignments, period)
         filtered = sent.name if is_shared else None
-        return CheckedEffect(found, filtered, None, self._resource(found), None, effect.span)
+        resource = self._resource(reactions.Target("topic", sent.name))
+        return CheckedEffect(found, effect.span, filtered, resource)
 
     def _words(self, effect: ast.Log | ast.Diagnose) -> CheckedEffect | None:
-        levels = {level.value: level for level in reactions.Level}
+        levels = [level.value for level in reactions.Level]
         if isinstance(effect, ast.Diagnose):
-            del levels[reactions.Level.DEBUG.value]
-        level = levels.get(effect.level.text)
+            levels.remove(reactions.Level.DEBUG.value)
         if not effect.text.value.strip():
             what = "diagnosis" if isinstance(effect, ast.Diagnose) else "log"
             finding = DoesNothing(what=what)
             self._add(finding.at(effect.text.span, help=finding.Words()))
-        if level is None:
+        if effect.level.text not in levels:
             self._report_level(effect.level, tuple(levels))
             return None
-        text = effect.text.value
-        if isinstance(effect, ast.Log):
-            return _shared(reactions.Log(level, text), effect)
-        return _shared(reactions.Diagnose(level, text), effect)
+        return CheckedEffect(effect, effect.span)
 
     def _report_level(self, name: ast.Name, known: tuple[str, ...]) -> None:
         near = {"warn": "warning", "information": "info", "err": "error"}.get(name.text.lower())
@@ -126,7 +132,7 @@ class EffectChecker:
         if near is None:
             self._add(finding.at(name.span))
             return
-        self._add(finding.at(name.span, help=DidYouMean(near=near), fix=rename(name, near)))
+        self._add(suggesting(finding, name, near))
 
     # --- what is awaited ---------------------------------------------------------------------
 
@@ -151,8 +157,8 @@ class EffectChecker:
         assignments = assignments_of(effect.assignments, sent, self._targets)
         if sent is None or assignments is None or timeout is None:
             return None
-        found = reactions.Call(sent.name, sent.type, assignments, timeout)
-        return self._exclusive(found, effect)
+        found = CheckedCall(sent.name, sent.type, assignments, timeout)
+        return self._awaiting(found, reactions.Target("service", sent.name), effect)
 
     def _set(self, effect: ast.SetParameter, timeout: int | None) -> CheckedEffect | None:
         value = self._parameter(effect)
@@ -160,8 +166,8 @@ class EffectChecker:
             return None
         node = full_name(effect.node.text)
         parameter = ".".join(name.text for name in effect.parameter)
-        found = reactions.SetParameter(node, parameter, value, timeout)
-        return self._exclusive(found, effect)
+        target = reactions.Target("parameter", node, f".{parameter}")
+        return self._awaiting(CheckedParameter(node, parameter, value, timeout), target, effect)
 
     def _parameter(self, effect: ast.SetParameter) -> reactions.Scalar | None:
         type_ = infer(effect.value, self._context)
@@ -170,7 +176,7 @@ class EffectChecker:
             return None
         if not require_constant(effect.value, "the value of a parameter", self._context):
             return None
-        value = self._context.values[id(effect.value)]
+        value = self._context.values[effect.value]
         if not isinstance(type_, Quantity):
             return self._plain_parameter(effect, type_)
         given = type_.unit or DIMENSIONLESS
@@ -189,7 +195,7 @@ class EffectChecker:
         return (unit or DIMENSIONLESS).from_si(value.numbers[0]) + 0.0
 
     def _plain_parameter(self, effect: ast.SetParameter, type_: object) -> reactions.Scalar | None:
-        value = self._context.values[id(effect.value)]
+        value = self._context.values[effect.value]
         is_plain = isinstance(type_, Boolean | Text)
         if is_plain and effect.unit is None:
             return value.boolean if value.boolean is not None else value.text
@@ -217,8 +223,8 @@ class EffectChecker:
             for names in (effect.start, effect.stop)
         )
         manager = full_name(effect.manager.text)
-        found = reactions.SwitchControllers(manager, start, stop, timeout)
-        return self._exclusive(found, effect)
+        target = reactions.Target("controller manager", manager)
+        return self._awaiting(CheckedSwitch(manager, start, stop, timeout), target, effect)
 
     # --- goals -------------------------------------------------------------------------------
 
@@ -231,8 +237,8 @@ class EffectChecker:
         if sent is None or assignments is None or timeout is None:
             return None
         interrupted = _interrupted(effect.interrupted)
-        found = reactions.SendGoal(sent.name, sent.type, assignments, timeout, interrupted)
-        return self._exclusive(found, effect)
+        found = CheckedGoal(sent.name, sent.type, assignments, timeout, interrupted)
+        return self._awaiting(found, reactions.Target("action server", sent.name), effect)
 
     def _cancel(
         self, effect: ast.CancelGoal, timeout: int | None, uses: Uses
@@ -250,21 +256,19 @@ class EffectChecker:
         stated = self._targets.stated.get((Kind.ACTION, server))
         kind = None if stated is None else stated.text.replace("/action/", "/")
         interrupted = _interrupted(effect.interrupted)
-        found = reactions.CancelGoal(server, kind, None, timeout, interrupted)
-        resource, otherwise = self._resource(found), _name(effect.otherwise)
-        confirmation = effect.confirmation
-        return CheckedEffect(found, None, confirmation, resource, otherwise, effect.span)
+        found = CheckedCancel(server, kind, effect.confirmation, timeout, interrupted)
+        return self._awaiting(found, reactions.Target("action server", server), effect)
 
     # --- resources ---------------------------------------------------------------------------
 
-    def _exclusive(self, found: reactions.Effect, effect: ast.Awaited) -> CheckedEffect:
-        resource, otherwise = self._resource(found), _name(effect.otherwise)
-        return CheckedEffect(found, None, None, resource, otherwise, effect.span)
+    def _awaiting(
+        self, found: Awaited, target: reactions.Target, effect: ast.Awaited
+    ) -> CheckedEffect:
+        otherwise = None if effect.otherwise is None else effect.otherwise.text
+        return CheckedEffect(found, effect.span, None, self._resource(target), otherwise)
 
-    def _resource(self, effect: reactions.Effect) -> str:
+    def _resource(self, target: reactions.Target) -> str:
         """Name the resource that an effect needs for itself, as the system model names it."""
-        target = reactions.target_of(effect)
-        assert target is not None, "only effects that need something are asked for it"
         declared = self._resources.get(target.name)
         return str(target) if declared is None else f"resource {declared}"
 
@@ -274,11 +278,3 @@ class EffectChecker:
 
 def _interrupted(word: ast.Name | None) -> reactions.Interrupted:
     return reactions.Interrupted.DROP if word is None else reactions.Interrupted(word.text)
-
-
-def _name(name: ast.Name | None) -> str | None:
-    return None if name is None else name.text
-
-
-def _shared(found: reactions.Effect, effect: ast.Effect) -> CheckedEffect:
-    return CheckedEffect(found, None, None, None, None, effect.span)

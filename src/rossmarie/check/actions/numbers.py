@@ -49,7 +49,7 @@ def period_ns(rate: ast.Expression, context: Context) -> int | None:
     type_ = infer(rate, context)
     if not is_frequency(rate, type_, type_, context):
         return None
-    hertz = context.values[id(rate)].numbers[0]
+    hertz = context.values[rate].numbers[0]
     if hertz > _FASTEST_HZ or round(1e9 / hertz) > 10**18:
         is_fast = hertz > _FASTEST_HZ
         bound = "at most 1000 Hz" if is_fast else "at least 1e-9 Hz"

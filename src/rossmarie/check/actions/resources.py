@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from rossmarie.check.actions.errors import SharedTarget, UnknownTarget
 from rossmarie.check.actions.targets import Targets
-from rossmarie.check.scopes.errors import DuplicateName
+from rossmarie.check.scopes.declarations import report_second
 from rossmarie.check.system.model import full_name
 from rossmarie.syntax import ast
 from rossmarie.types import Kind
@@ -21,7 +21,8 @@ def declared_resources(targets: Targets) -> Mapping[str, str]:
     for resource in _declarations(targets):
         earlier = first.setdefault(resource.name.text, resource.name)
         if earlier is not resource.name:
-            _report_second(resource.name, earlier, targets)
+            reason = "a resource is declared once, with all that belongs to it"
+            report_second(resource.name, earlier, "resource", reason, targets.context.collector)
         for name in resource.targets:
             full = targets.full_name(Kind.MESSAGE, name)
             before = found.setdefault(full, (resource.name.text, name))
@@ -38,17 +39,6 @@ def _declarations(targets: Targets) -> Iterator[ast.ResourceDeclaration]:
         for member in system.members:
             if isinstance(member, ast.ResourceDeclaration):
                 yield member
-
-
-def _report_second(name: ast.Name, first: ast.Name, targets: Targets) -> None:
-    finding = DuplicateName(
-        identifier=name.text,
-        kind="resource",
-        other="a resource",
-        reason="a resource is declared once, with all that belongs to it",
-    )
-    place = finding.First().at(first.span)
-    targets.context.collector.add(finding.at(name.span, place))
 
 
 def _report_unknown(names: Iterable[ast.Name], targets: Targets) -> None:

@@ -17,7 +17,7 @@ from rossmarie.check.system.model import (
     report_conflict,
     type_name,
 )
-from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.check.wording.suggestions import near_name, rename, suggesting
 from rossmarie.syntax import ast
 from rossmarie.types import Kind, Message, MessageDefinitionError
 
@@ -143,8 +143,7 @@ class Targets:
         known = [*self.commanded, *self.commanded.values(), *bare]
         near = near_name(name.text, known) if self.context.may_suggest() else None
         if near is not None:
-            help, fix = DidYouMean(near=near), rename(name, near)
-            self._collector.add(finding.at(name.span, help=help, fix=fix))
+            self._collector.add(suggesting(finding, name, near))
             return
         commanded = finding.Commanded(known=listed(tuple(self.commanded)))
         self._collector.add(finding.at(name.span, notes=(commanded,) if self.commanded else ()))
@@ -174,8 +173,7 @@ class Targets:
             if near is None:
                 self._collector.add(unknown.at(written.span))
             else:
-                help, fix = DidYouMean(near=near), rename(written, near)
-                self._collector.add(unknown.at(written.span, help=help, fix=fix))
+                self._collector.add(suggesting(unknown, written, near))
         return found
 
     def _report_untyped(self, name: ast.Name, kind: str, example: str) -> None:

@@ -12,6 +12,7 @@ from rossmarie.check.expressions.errors import ConstantCondition, NeverCleared
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import constant_of, stripped
 from rossmarie.syntax import ast
+from rossmarie.syntax.node_map import NodeMap
 from rossmarie.syntax.walk import children, walk
 from rossmarie.types import Boolean, Unknown
 
@@ -22,7 +23,7 @@ def warn_of_decided(expression: ast.Expression, context: Context) -> None:
     A mere `true`, or the name of a constant, is a switch where it is only a part.
     """
     parts = list(walk(expression))
-    if any(isinstance(context.types.get(id(part)), Unknown) for part in parts):
+    if any(isinstance(context.types.get(part), Unknown) for part in parts):
         return
     outcomes = _outcomes(parts, context)
     if not outcomes and not _is_apart(expression, context):
@@ -30,7 +31,7 @@ def warn_of_decided(expression: ast.Expression, context: Context) -> None:
     pending = [(expression, True)]
     while pending:
         node, is_whole = pending.pop()
-        outcome = outcomes.get(id(node))
+        outcome = outcomes.get(node)
         if outcome is not None and (is_whole or not _is_switch(node, context)):
             _report(node, "true" if outcome else "false", context)
         elif is_whole and _is_apart(node, context):
@@ -101,31 +102,31 @@ def _is_apart(node: ast.Expression, context: Context) -> bool:
     )
 
 
-def _outcomes(parts: list[ast.Expression], context: Context) -> dict[int, bool]:
+def _outcomes(parts: list[ast.Expression], context: Context) -> NodeMap[bool]:
     """The truths among `parts`, each before what is inside it, that constants alone decide."""
-    outcomes: dict[int, bool] = {}
+    outcomes: NodeMap[bool] = NodeMap()
     for node in reversed(parts):
         if isinstance(context.type_of(node), Boolean):
             outcome = _outcome(node, outcomes, context)
             if outcome is not None:
-                outcomes[id(node)] = outcome
+                outcomes[node] = outcome
     return outcomes
 
 
-def _outcome(node: ast.Expression, outcomes: dict[int, bool], context: Context) -> bool | None:
-    value = context.values.get(id(node))
+def _outcome(node: ast.Expression, outcomes: NodeMap[bool], context: Context) -> bool | None:
+    value = context.values.get(node)
     if value is not None:
         return value.boolean
     match node:
         case ast.Parenthesized(inner=inner):
-            return outcomes.get(id(inner))
-        case ast.Unary(operator=ast.UnaryOperator.NOT, operand=operand) if id(operand) in outcomes:
-            return not outcomes[id(operand)]
+            return outcomes.get(inner)
+        case ast.Unary(operator=ast.UnaryOperator.NOT, operand=operand) if operand in outcomes:
+            return not outcomes[operand]
         case ast.Binary(operator=ast.BinaryOperator.AND | ast.BinaryOperator.OR as operator):
             deciding = operator is ast.BinaryOperator.OR
-            sides = (outcomes.get(id(node.left)), outcomes.get(id(node.right)))
+            sides = (outcomes.get(node.left), outcomes.get(node.right))
             return deciding if deciding in sides else None
-        case ast.Held(condition=condition) if outcomes.get(id(condition)) is False:
+        case ast.Held(condition=condition) if outcomes.get(condition) is False:
             return False
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()

@@ -36,7 +36,7 @@ def _is_plain_number(type_: object) -> bool:
 
 def is_positive(node: ast.Expression, what: str, context: Context) -> bool:
     """Say whether a constant is above zero; report it if not."""
-    if context.values[id(node)].numbers[0] > 0:
+    if context.values[node].numbers[0] > 0:
         return True
     finding = NotPositive(what=what, bound="more than zero", found="not")
     context.collector.add(finding.at(node.span, help=finding.AboveZero()))

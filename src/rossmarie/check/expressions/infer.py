@@ -32,14 +32,15 @@ def infer(expression: ast.Expression, context: Context) -> Type:
     while pending:
         node, is_ready = pending.pop()
         if is_ready:
-            context.types[id(node)] = _type_of(node, context)
+            context.types[node] = _type_of(node, context)
             _fold(node, context)
         else:
             pending.append((node, True))
             operands = _operands(node, context)
-            context.parents.update((id(part), node) for part in operands)
+            for part in operands:
+                context.parents[part] = node
             pending.extend((part, False) for part in reversed(operands))
-    return context.types[id(expression)]
+    return context.types[expression]
 
 
 def _operands(node: ast.Expression, context: Context) -> tuple[ast.Expression, ...]:
@@ -49,12 +50,12 @@ def _operands(node: ast.Expression, context: Context) -> tuple[ast.Expression, .
 
 
 def _fold(node: ast.Expression, context: Context) -> None:
-    type_ = context.types[id(node)]
-    if id(node) in context.values or isinstance(type_, Unknown):
+    type_ = context.types[node]
+    if node in context.values or isinstance(type_, Unknown):
         return
     value = fold(node, type_, context)
     if value is not None and not record(node, value, context):
-        context.types[id(node)] = Unknown()
+        context.types[node] = Unknown()
 
 
 def _type_of(node: ast.Expression, context: Context) -> Type:

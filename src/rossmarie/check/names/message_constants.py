@@ -33,9 +33,9 @@ def type_of_message_constant(node: ast.Member, message: ast.Name, context: Conte
         return _report_unknown(node.member, message.text, found, context)
     (value,) = values
     if isinstance(value, str):
-        context.values[id(node)] = Value(Text(), text=value)
+        context.values[node] = Value(Text(), text=value)
         return Text()
-    context.values[id(node)] = Value(Quantity(DIMENSIONLESS), (value,))
+    context.values[node] = Value(Quantity(DIMENSIONLESS), (value,))
     return Quantity(DIMENSIONLESS)
 
 

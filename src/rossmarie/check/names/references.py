@@ -24,7 +24,7 @@ from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.declarations import ARTICLES, kind_of
 from rossmarie.check.scopes.trees import text_of
 from rossmarie.check.units.spaced_units import is_rest_of_unit
-from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.check.wording.suggestions import near_name, rename, suggesting
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Type, Unknown
 
@@ -45,9 +45,9 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
         return Unknown()
     context.used_names.add(name.text)
     if isinstance(declared, ast.Constant):
-        value = context.values.get(id(declared.value))
+        value = context.values.get(declared.value)
         if value is not None:
-            context.values[id(node)] = value
+            context.values[node] = value
         return context.constants.get(name.text, Unknown())
     if isinstance(declared, ast.Input):
         context.uses.inputs.add(name.text)
@@ -131,8 +131,7 @@ def _condition_of(entity: str, name: ast.Name, context: Context) -> Type:
     if near is not None:
         context.used_conditions.add((entity, near))
         place = NamedHere(name=near).at(known[near].name.span)
-        help, fix = DidYouMean(near=near), rename(name, near)
-        context.collector.add(finding.at(name.span, place, help=help, fix=fix))
+        context.collector.add(suggesting(finding, name, near, place))
     elif known:
         known_ones = finding.Known(known=listed(tuple(known)))
         context.collector.add(finding.at(name.span, help=known_ones))
@@ -208,8 +207,7 @@ def _report_undeclared_entity(name: ast.Name, member: ast.Name, context: Context
             context.uses.conditions.setdefault((near, member.text), name.span)
     place = NamedHere(name=near).at(known[near].span)
     notes = (finding.OtherCase(),) if near.lower() == name.text.lower() else ()
-    help, fix = DidYouMean(near=near), rename(name, near)
-    context.collector.add(finding.at(name.span, place, help=help, fix=fix, notes=notes))
+    context.collector.add(suggesting(finding, name, near, place, notes=notes))
 
 
 def _report_undeclared_action(name: ast.Name, context: Context) -> None:
@@ -224,8 +222,7 @@ def _report_undeclared_action(name: ast.Name, context: Context) -> None:
         return
     context.used_names.add(near)
     place = NamedHere(name=near).at(known[near].span)
-    help, fix = DidYouMean(near=near), rename(name, near)
-    context.collector.add(finding.at(name.span, place, help=help, fix=fix))
+    context.collector.add(suggesting(finding, name, near, place))
 
 
 def _report_wrong_kind(

@@ -51,7 +51,7 @@ def fold(node: ast.Expression, type_: Type, context: Context) -> Value | None:
     if isinstance(node, ast.Text):
         return Value(type_, text=node.value)
     if isinstance(node, ast.Parenthesized):
-        return context.values.get(id(node.inner))
+        return context.values.get(node.inner)
     if isinstance(type_, Boolean):
         truth = _truth(node, context)
         return None if truth is None else Value(type_, boolean=truth)
@@ -60,7 +60,7 @@ def fold(node: ast.Expression, type_: Type, context: Context) -> Value | None:
 
 
 def _truth(node: ast.Expression, context: Context) -> bool | None:
-    values = [context.values.get(id(operand)) for operand in children(node)]
+    values = [context.values.get(operand) for operand in children(node)]
     known = [value for value in values if value is not None]
     if len(known) < len(values):
         return None
@@ -87,7 +87,7 @@ def record(node: ast.Expression, value: Value, context: Context) -> bool:
     if not all(map(math.isfinite, value.numbers)):
         context.collector.add(ConstantTooLarge().at(node.span))
         return False
-    context.values[id(node)] = value
+    context.values[node] = value
     return True
 
 
@@ -115,6 +115,6 @@ def _number(node: ast.Expression, quantity: Quantity, context: Context) -> float
 
 
 def _numbers(nodes: tuple[ast.Expression, ...], context: Context) -> list[float] | None:
-    values = [context.values.get(id(node)) for node in nodes]
+    values = [context.values.get(node) for node in nodes]
     numbers = [value.numbers[0] for value in values if value is not None and value.numbers]
     return numbers if len(numbers) == len(nodes) else None

@@ -62,11 +62,11 @@ def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[
 
 def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
     """The `any`, `all` or `count` that a node stands in, if it stands in one."""
-    around = context.parents.get(id(node))
+    around = context.parents.get(node)
     while around is not None:
         if isinstance(around, ast.Call) and around.function.text in _ELEMENTWISE:
             return around
-        around = context.parents.get(id(around))
+        around = context.parents.get(around)
     return None
 
 
@@ -89,7 +89,7 @@ def _parts(argument: ast.Expression, context: Context) -> Iterator[ast.Expressio
     while pending:
         node = pending.pop()
         type_ = context.type_of(node)
-        if id(node) in context.values or isinstance(type_, Unknown):
+        if node in context.values or isinstance(type_, Unknown):
             continue
         is_chain = isinstance(node, ast.Reference | ast.Member)
         if is_chain or not isinstance(type_, Array):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from dslkit.diagnostics import DidYouMean, Remark, Write, listed
+from dslkit.diagnostics import Remark, Write, listed
 from rossmarie.check.operations.angles import warn_of_rate
 from rossmarie.check.operations.elements import check_elements
 from rossmarie.check.operations.errors import DurationOutOfRange, NotAnArray
@@ -28,7 +28,7 @@ from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import stripped, text_of
 from rossmarie.check.units.quantities import check_fit
 from rossmarie.check.wording.describe import describe
-from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.check.wording.suggestions import near_name, suggesting
 from rossmarie.syntax import ast
 from rossmarie.types import (
     SIGNATURES,
@@ -114,8 +114,7 @@ def _report_unknown(name: ast.Name, context: Context) -> None:
     if near is None:
         context.collector.add(finding.at(name.span, help=finding.Known(known=listed(known))))
         return
-    help, fix = DidYouMean(near=near), rename(name, near)
-    context.collector.add(finding.at(name.span, help=help, fix=fix))
+    context.collector.add(suggesting(finding, name, near))
 
 
 def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
@@ -174,7 +173,7 @@ def _result_of_fold(node: ast.Call, operator: Operator, type_: Type, context: Co
     """The type of the result whatever is wrong with the argument; of `any(x) < 1`, one finding will
     do.
     """
-    around = context.parents.get(id(node))
+    around = context.parents.get(node)
     is_compared = isinstance(around, ast.Binary) and around.operator not in ast.JUNCTIONS
     if isinstance(type_, Unknown) and is_compared:
         return type_
@@ -279,7 +278,7 @@ def _check_turning_points(count: ast.Number, context: Context) -> None:
 
 
 def _check_swing(node: ast.Expression, quantity: Quantity, context: Context) -> None:
-    number = context.values[id(node)].numbers[0]
+    number = context.values[node].numbers[0]
     unit = quantity.unit or DIMENSIONLESS
     if unit.offset:
         wrong = WrongArgument(

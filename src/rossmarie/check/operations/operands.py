@@ -161,7 +161,7 @@ def duration_ns(node: ast.Expression, purpose: str, context: Context) -> int | N
         return None
     if not require_constant(node, purpose, context):
         return None
-    seconds = context.values[id(node)].numbers[0]
+    seconds = context.values[node].numbers[0]
     # Before the multiplication: that of a huge number of seconds has no whole result.
     if 0 < seconds <= LONGEST_DURATION_S and round(seconds * 1e9) > 0:
         return round(seconds * 1e9)
@@ -196,11 +196,11 @@ def _out_of_range(node: ast.Expression, seconds: float, purpose: str) -> Diagnos
 
 def require_constant(node: ast.Expression, purpose: str, context: Context) -> bool:
     """Say whether the value of `node` is known; if not, report the part that changes."""
-    if id(node) in context.values:
+    if node in context.values:
         return True
     changing = node
     while True:
-        parts = [part for part in children(changing) if id(part) not in context.values]
+        parts = [part for part in children(changing) if part not in context.values]
         if isinstance(changing, ast.Member) or not parts:
             break
         changing = parts[0]

@@ -223,7 +223,7 @@ def _truth_comparison(operator: Operator, node: ast.Binary, context: Context) ->
 
 def _text_comparison(node: ast.Binary, context: Context) -> Type:
     """Texts are numbered by the compiler, so that one side has to be known to it."""
-    if id(node.left) in context.values or id(node.right) in context.values:
+    if node.left in context.values or node.right in context.values:
         return Boolean()
     finding = StringsCompared(left=text_of(node.left), right=text_of(node.right))
     context.collector.add(finding.at(node.span))
@@ -269,13 +269,13 @@ def _warn_of_equality(operator: Operator, node: ast.Binary, context: Context) ->
     """Whole numbers without a unit are left alone: they are mostly states and counts."""
     sides = [operand_of(side, context) for side in (node.left, node.right)]
     numbers = [side for side in sides if side is not None]
-    values = [context.values[id(side.node)] for side in numbers if id(side.node) in context.values]
+    values = [context.values[side.node] for side in numbers if side.node in context.values]
     if len(numbers) < len(sides) or len(values) == len(sides):
         return
     if all(map(_has_no_unit, numbers)) and all(value.numbers[0].is_integer() for value in values):
         return
     sign = "<" if operator is Operator.EQUAL else ">"
-    known = next((side for side in numbers if id(side.node) in context.values), numbers[0])
+    known = next((side for side in numbers if side.node in context.values), numbers[0])
     unit = known.quantity.unit
     step = "0.01" if unit is None or _has_no_unit(known) else f"0.01 {unit.symbol}"
     gap = f"{text_of(node.left)} - {text_of(node.right)}"
@@ -304,7 +304,7 @@ def _age_comparison(operator: Operator, node: ast.Binary, context: Context) -> T
 
 def _is_zero(divisor: ast.Expression, context: Context) -> bool:
     """Say whether a divisor is always zero; report it."""
-    value = context.values.get(id(divisor))
+    value = context.values.get(divisor)
     is_zero = value is not None and value.numbers == (0.0,)
     if is_zero:
         context.collector.add(DivisionByZero().at(divisor.span))

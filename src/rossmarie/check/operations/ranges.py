@@ -61,14 +61,14 @@ def type_of_bracket(node: ast.Bracket, context: Context) -> Type:
         return Unknown()
     if not all(all_constant) or not _check_ends(node, ends, unit, context):
         return Unknown()
-    numbers = [context.values[id(end.node)].numbers[0] for end in ends]
+    numbers = [context.values[end.node].numbers[0] for end in ends]
     if unit is not None:
         numbers = [unit.to_si(number) for number in numbers]
     return _range_of(node, Quantity(unit or ends[0].quantity.unit), numbers, context)
 
 
 def _report_texts(node: ast.Bracket, context: Context) -> None:
-    around = context.parents.get(id(node))
+    around = context.parents.get(node)
     help, fix = None, None
     if isinstance(around, ast.Membership) and isinstance(context.type_of(around.value), Text):
         sign, junction = ("!=", " and ") if around.is_negated else ("==", " or ")
@@ -150,7 +150,7 @@ def _report_unfit(node: ast.Membership, value: Type, container: Type, context: C
 
 def _report_scalar(node: ast.Membership, scalar: Type, context: Context) -> None:
     finding = ScalarAsRange(found=describe(scalar))
-    if id(node.container) not in context.values:
+    if node.container not in context.values:
         context.collector.add(finding.at(node.container.span, help=finding.NotConstant()))
         return
     constant = constant_of(stripped(node.container), context.declarations)

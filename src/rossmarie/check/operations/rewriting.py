@@ -10,7 +10,7 @@ from rossmarie.syntax import ast
 
 def rewritten(node: ast.Expression, meant: str, context: Context) -> Fix:
     """Write `meant` instead of `node`, in parentheses where anything is around it."""
-    around = context.parents.get(id(node))
+    around = context.parents.get(node)
     is_alone = around is None or isinstance(around, ast.Parenthesized)
     text = meant if is_alone else f"({meant})"
     return Fix(f"write `{quoted(text)}`", (Edit(node.span, text),))

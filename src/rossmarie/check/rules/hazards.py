@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from rossmarie.check.rules.errors import UndeclaredHazard, UnmitigatedHazard
 from rossmarie.check.scopes.context import Context
-from rossmarie.check.scopes.errors import DuplicateName
+from rossmarie.check.scopes.declarations import report_second
 from rossmarie.syntax import ast
 
 
@@ -19,7 +19,8 @@ def declared_hazards(context: Context, *, is_parsed: bool) -> Mapping[str, ast.H
         if isinstance(item, ast.Hazard):
             first = found.setdefault(item.name.text, item)
             if first is not item:
-                _report_second(item, first, context)
+                reason = "rules say by its name which hazard they mitigate"
+                report_second(item.name, first.name, "hazard", reason, context.collector)
     mitigated = [name for rule in context.declarations.rules for name in rule.mitigates]
     for name in mitigated:
         if name.text not in found and context.declarations.is_whole:
@@ -30,14 +31,3 @@ def declared_hazards(context: Context, *, is_parsed: bool) -> Mapping[str, ast.H
             finding = UnmitigatedHazard(identifier=hazard.name.text)
             context.collector.add(finding.at(hazard.name.span))
     return found
-
-
-def _report_second(item: ast.Hazard, first: ast.Hazard, context: Context) -> None:
-    finding = DuplicateName(
-        identifier=item.name.text,
-        kind="hazard",
-        other="a hazard",
-        reason="rules say by its name which hazard they mitigate",
-    )
-    place = finding.First().at(first.name.span)
-    context.collector.add(finding.at(item.name.span, place))

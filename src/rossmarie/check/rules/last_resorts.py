@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass
 
-from dslkit.source import Span
-from rossmarie.check.model import CheckedEffect
+from rossmarie.check.effects import (
+    CheckedEffect,
+    CheckedLimit,
+    CheckedPublish,
+    CheckedScale,
+)
 from rossmarie.check.rules.errors import LastResortOverruled
-from rossmarie.check.rules.plans import Effects, may_fail
+from rossmarie.check.rules.plans import Effects
 from rossmarie.check.rules.rule_names import rule_names
 from rossmarie.check.scopes.context import Context
-from rossmarie.ir import reactions
 from rossmarie.syntax import ast
 
 
@@ -53,8 +56,8 @@ def check_last_resorts(
             finding = LastResortOverruled(
                 rule=names[number], other=names[owner], resource=effect.resource
             )
-            one = finding.Ends(rule=names[number]).at(_head(rule))
-            other = finding.First(rule=names[owner]).at(_head(rules[owner]))
+            one = finding.Ends(rule=names[number]).at(rule.head)
+            other = finding.First(rule=names[owner]).at(rules[owner].head)
             context.collector.add(finding.at(effect.span, one, other))
 
 
@@ -72,8 +75,8 @@ def _overrules(
     """
     rivals = [other.effect for other in needs if other.resource == effect.resource]
     found = effect.effect
-    if isinstance(found, reactions.Publish) and found.topic not in commands:
-        return bool(rivals) and set(rivals) != {found}
+    if isinstance(found, CheckedPublish) and found.topic not in commands:
+        return any(rival != found for rival in rivals)
     return bool(rivals)
 
 
@@ -81,18 +84,13 @@ def _last(rule: ast.Rule, effects: Effects) -> Iterator[CheckedEffect]:
     """The effects of escalations behind which nothing follows, and beside which nothing bounds
     commands; each once.
     """
-    seen: set[int] = set()
     for begun in _begun(rule, effects):
         own = effects.get(begun.action, ())
-        is_bounding = any(
-            isinstance(each.effect, reactions.Limit | reactions.Scale) for each in own
-        )
+        is_bounding = any(isinstance(each.effect, CheckedLimit | CheckedScale) for each in own)
         if not begun.is_escalation or is_bounding:
             continue
         for each in own:
-            is_last = each.otherwise is None and begun.last_resort is None
-            if is_last and may_fail(each.effect) and id(each) not in seen:
-                seen.add(id(each))
+            if each.otherwise is None and begun.last_resort is None and each.may_fail:
                 yield each
 
 
@@ -112,9 +110,5 @@ def _begun(rule: ast.Rule, effects: Effects) -> Iterator[_Begun]:
         for effect in effects.get(begun.action, ()):
             if effect.otherwise is not None:
                 pending.append(_Begun(effect.otherwise, begun.last_resort, True))
-            elif begun.last_resort is not None and may_fail(effect.effect):
+            elif begun.last_resort is not None and effect.may_fail:
                 pending.append(_Begun(begun.last_resort, None, True))
-
-
-def _head(rule: ast.Rule) -> Span:
-    return rule.condition.span if rule.name is None else rule.name.span

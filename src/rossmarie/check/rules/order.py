@@ -7,6 +7,16 @@ from typing import TypeVar
 
 Node = TypeVar("Node", bound=Hashable)
 
+LONGEST_CIRCLE = 8
+"""The most members of a circle that a message shows."""
+
+
+def circle_of(names: Sequence[str], between: str = " -> ") -> str:
+    """`a -> b -> a`; of a long circle the middle is left out."""
+    is_short = len(names) <= LONGEST_CIRCLE
+    shown = names if is_short else [*names[: LONGEST_CIRCLE - 1], "..."]
+    return between.join((*shown, names[0]))
+
 
 def in_order(
     needs: Mapping[Node, Sequence[Node]],

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rossmarie.check.model import CheckedEffect
+from rossmarie.check.effects import CheckedEffect
 from rossmarie.check.rules.errors import CircularEscalation, LatchConflict, PlanTooLarge
-from rossmarie.check.rules.order import in_order
+from rossmarie.check.rules.order import circle_of, in_order
 from rossmarie.check.scopes.context import Context
-from rossmarie.ir import reactions
 from rossmarie.syntax import ast
 
 MOST_TASKS = 10_000
 """Effects in all plans of a program, counted once for each place at which they may begin."""
-
-_LONGEST_CIRCLE = 8
 
 Effects = Mapping[str, tuple[CheckedEffect, ...]]
 
@@ -44,8 +41,6 @@ def _otherwise(name: str, effects: Effects) -> tuple[str, ...]:
 
 
 def _report_circle(circle: tuple[str, ...], context: Context) -> None:
-    shown = circle if len(circle) <= _LONGEST_CIRCLE else (*circle[: _LONGEST_CIRCLE - 1], "...")
-    cycle = " -> ".join((*shown, circle[0]))
     action = context.declarations.names[circle[0]]
     following = circle[1 % len(circle)]
     assert isinstance(action, ast.Action), "only actions have effects"
@@ -59,7 +54,7 @@ def _report_circle(circle: tuple[str, ...], context: Context) -> None:
         ),
         action.name.span,
     )
-    finding = CircularEscalation(identifier=circle[0], cycle=cycle)
+    finding = CircularEscalation(identifier=circle[0], cycle=circle_of(circle))
     context.collector.add(finding.at(place))
 
 
@@ -102,13 +97,6 @@ def check_latches(effects: Effects, context: Context) -> None:
                 context.collector.add(finding.at(contract.span, place))
 
 
-def may_fail(effect: reactions.Effect) -> bool:
-    """Say whether something can follow from its failure: an effect that needs nothing for itself
-    succeeds.
-    """
-    return reactions.target_of(effect) is not None
-
-
 def check_size(effects: Effects, context: Context) -> bool:
     """Report the first rule with which the plans become too large; whether there is none. The
     escalations must have no circles.
@@ -120,7 +108,7 @@ def check_size(effects: Effects, context: Context) -> bool:
         own = effects.get(name, ())
         following = [effect.otherwise for effect in own if effect.otherwise is not None]
         tasks[name] = len(own) + sum(tasks.get(one, 0) for one in following)
-        ends = sum(effect.otherwise is None and may_fail(effect.effect) for effect in own)
+        ends = sum(effect.otherwise is None and effect.may_fail for effect in own)
         open_ends[name] = ends + sum(open_ends.get(one, 0) for one in following)
     total = 0
     for rule in context.declarations.rules:
@@ -129,7 +117,6 @@ def check_size(effects: Effects, context: Context) -> bool:
             behind = 0 if step.otherwise is None else tasks.get(step.otherwise.text, 0)
             total += tasks.get(name, 0) + open_ends.get(name, 0) * behind
         if total > MOST_TASKS:
-            head = rule.condition.span if rule.name is None else rule.name.span
-            context.collector.add(PlanTooLarge(most=MOST_TASKS).at(head))
+            context.collector.add(PlanTooLarge(most=MOST_TASKS).at(rule.head))
             return False
     return True

@@ -6,8 +6,8 @@ import heapq
 from collections.abc import Sequence
 
 from rossmarie.check.rules.errors import CircularPriority
-from rossmarie.check.rules.order import in_order
-from rossmarie.check.rules.rule_names import circle_of, name_of, numbers_of, report_undeclared
+from rossmarie.check.rules.order import circle_of, in_order
+from rossmarie.check.rules.rule_names import name_of, numbers_of, report_undeclared
 from rossmarie.check.scopes.context import Context
 from rossmarie.syntax import ast
 

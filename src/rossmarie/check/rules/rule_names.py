@@ -8,8 +8,6 @@ from rossmarie.check.rules.errors import UndeclaredRule
 from rossmarie.check.scopes.context import Context
 from rossmarie.syntax import ast
 
-_LONGEST_CIRCLE = 8
-
 
 def numbers_of(rules: Sequence[ast.Rule]) -> dict[str, int]:
     """The number of each rule that has a name; of two of one name the first."""
@@ -23,13 +21,6 @@ def numbers_of(rules: Sequence[ast.Rule]) -> dict[str, int]:
 def name_of(rules: Sequence[ast.Rule], number: int) -> str:
     """The name of a rule in messages."""
     return rule_names(rules)[number]
-
-
-def circle_of(names: Sequence[str], between: str) -> str:
-    """`a over b over a`; of a long circle the middle is left out."""
-    is_short = len(names) <= _LONGEST_CIRCLE
-    shown = names if is_short else [*names[: _LONGEST_CIRCLE - 1], "..."]
-    return between.join((*shown, names[0]))
 
 
 def report_undeclared(name: ast.Name, known: Iterable[str], context: Context) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rossmarie.check.rules.errors import CircularUnless
-from rossmarie.check.rules.order import in_order
-from rossmarie.check.rules.rule_names import circle_of, name_of, numbers_of, report_undeclared
+from rossmarie.check.rules.order import circle_of, in_order
+from rossmarie.check.rules.rule_names import name_of, numbers_of, report_undeclared
 from rossmarie.check.scopes.context import Context
 from rossmarie.syntax import ast
 

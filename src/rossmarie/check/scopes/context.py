@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from dslkit.diagnostics import Collector, DidYouMean, Template
+from dslkit.diagnostics import Collector, Template
 from dslkit.source import Span
 from rossmarie.check.model import CheckedInput, ConditionKey, Value
 from rossmarie.check.scopes.declarations import Declarations
 from rossmarie.check.scopes.trees import stripped
-from rossmarie.check.wording.suggestions import Suggestions, near_name, rename
+from rossmarie.check.wording.suggestions import Suggestions, near_name, suggesting
 from rossmarie.syntax import ast
+from rossmarie.syntax.node_map import NodeMap
 from rossmarie.syntax.walk import walk
 from rossmarie.types import MessageCatalog, Type, Unknown
 
@@ -30,7 +32,7 @@ class Context:
     """`types` and `values` are those of `CheckedProgram`. `constants` are the types of constants
     (their values are in `values`, under the expression of the declaration); `used_names` and
     `used_conditions` are all that anything refers to. `parents` leads from each part of an
-    expression, by its `id`, to what it is an operand of.
+    expression to what it is an operand of.
 
     `entity` and `uses` belong to what is being checked at the moment.
     """
@@ -40,9 +42,9 @@ class Context:
     messages: MessageCatalog | None = None
     inputs: dict[str, CheckedInput] = field(default_factory=dict)
     constants: dict[str, Type] = field(default_factory=dict)
-    types: dict[int, Type] = field(default_factory=dict)
-    values: dict[int, Value] = field(default_factory=dict)
-    parents: dict[int, ast.Expression] = field(default_factory=dict)
+    types: NodeMap[Type] = field(default_factory=NodeMap)
+    values: NodeMap[Value] = field(default_factory=NodeMap)
+    parents: NodeMap[ast.Expression] = field(default_factory=NodeMap)
     used_names: set[str] = field(default_factory=set)
     used_conditions: set[ConditionKey] = field(default_factory=set)
     suggestions: Suggestions = field(default_factory=Suggestions)
@@ -58,14 +60,8 @@ class Context:
             for part in walk(expression)
             if isinstance(part, ast.Reference | ast.Membership)
         ]
-        ranges = {
-            id(stripped(part.container)) for part in parts if isinstance(part, ast.Membership)
-        }
-        return frozenset(
-            part.name.text
-            for part in parts
-            if isinstance(part, ast.Reference) and id(part) not in ranges
-        )
+        ranges = [stripped(part.container) for part in parts if isinstance(part, ast.Membership)]
+        return frozenset(_counted(parts) - _counted(ranges))
 
     def may_suggest(self) -> bool:
         """Say whether to look for what a misspelt name may have meant."""
@@ -77,15 +73,19 @@ class Context:
         if near is None:
             self.collector.add(finding.at(name.span))
             return
-        help = DidYouMean(near=near)
-        self.collector.add(finding.at(name.span, help=help, fix=rename(name, near)))
+        self.collector.add(suggesting(finding, name, near))
 
     def type_of(self, node: ast.Expression) -> Type:
         """The type found for a node; `Unknown` if it was passed over."""
-        return self.types.get(id(node), Unknown())
+        return self.types[node] if node in self.types else Unknown()
 
     def enter(self, entity: str | None) -> Uses:
         """Begin with the next condition, rule or declaration; the result records its uses."""
         self.entity = entity
         self.uses = Uses()
         return self.uses
+
+
+def _counted(nodes: Iterable[ast.Expression]) -> Counter[str]:
+    """The names among some expressions, with how often they stand there."""
+    return Counter(node.name.text for node in nodes if isinstance(node, ast.Reference))

@@ -108,19 +108,23 @@ def _report_second(item: Named, first: Named, collector: Collector) -> None:
     collector.add(finding.at(item.name.span, finding.First().at(first.name.span)))
 
 
+def report_second(
+    name: ast.Name | ast.Text, first: ast.Name | ast.Text, kind: str, reason: str,
+    collector: Collector
+) -> None:  # fmt: skip
+    """Report the second declaration of one kind and name."""
+    text = name.text if isinstance(name, ast.Name) else name.value
+    finding = DuplicateName(identifier=text, kind=kind, other=f"a {kind}", reason=reason)
+    collector.add(finding.at(name.span, finding.First().at(first.span)))
+
+
 def _conditions(entity: ast.Entity, collector: Collector) -> dict[str, ast.Condition]:
     found: dict[str, ast.Condition] = {}
     for condition in entity.conditions:
         first = found.setdefault(condition.name.text, condition)
         if first is not condition:
-            finding = DuplicateName(
-                identifier=condition.name.text,
-                kind="condition",
-                other="a condition",
-                reason="within an entity, each condition has a name of its own",
-            )
-            place = finding.First().at(first.name.span)
-            collector.add(finding.at(condition.name.span, place))
+            reason = "within an entity, each condition has a name of its own"
+            report_second(condition.name, first.name, "condition", reason, collector)
     return found
 
 
@@ -150,14 +154,8 @@ def _check_rule(rule: ast.Rule, names: dict[str, ast.Name], collector: Collector
     if rule.name is not None:
         first = names.setdefault(rule.name.text, rule.name)
         if first is not rule.name:
-            finding = DuplicateName(
-                identifier=rule.name.text,
-                kind="rule",
-                other="a rule",
-                reason="a verdict names its rule; two rules of one name could not be told apart",
-            )
-            place = finding.First().at(first.span)
-            collector.add(finding.at(rule.name.span, place))
+            reason = "a verdict names its rule; two rules of one name could not be told apart"
+            report_second(rule.name, first, "rule", reason, collector)
     for contract in rule.contracts[1:]:
         place = SeveralContracts.First().at(rule.contracts[0].span)
         collector.add(SeveralContracts().at(contract.span, place))

@@ -47,7 +47,7 @@ def _gaps(rate: ast.Expression, context: Context) -> Gaps | None:
     number = type_.element if isinstance(type_, Interval) else type_
     if not is_frequency(rate, type_, number, context):
         return None
-    numbers = context.values[id(rate)].numbers
+    numbers = context.values[rate].numbers
     for hertz in (numbers[0], numbers[-1]):
         if not _RAREST_HZ <= hertz <= _FASTEST_HZ:
             is_fast = hertz > _FASTEST_HZ

@@ -194,7 +194,7 @@ class _SettingChecker:
             return None
         if not require_constant(node, f"the value of `{self._text}`", self._context):
             return None
-        value = self._context.values[id(node)]
+        value = self._context.values[node]
         if isinstance(type_, Boolean) and isinstance(found, Boolean):
             return value.boolean
         if isinstance(type_, Text) and isinstance(found, Text):

@@ -7,7 +7,7 @@ from rossmarie.check.expressions.infer import infer
 from rossmarie.check.operations.operands import duration_ns, require_constant
 from rossmarie.check.rules.rule_names import report_undeclared, rule_names
 from rossmarie.check.scopes.context import Context
-from rossmarie.check.scopes.errors import DuplicateName
+from rossmarie.check.scopes.declarations import report_second
 from rossmarie.check.tests.errors import (
     InstantOutOfOrder,
     InstantOutOfRange,
@@ -40,22 +40,13 @@ def check_tests(
     for test in context.declarations.items:
         if not isinstance(test, ast.Test):
             continue
-        if first.setdefault(test.name.value, test) is not test:
-            _report_second(test, first[test.name.value], context)
+        earlier = first.setdefault(test.name.value, test)
+        if earlier is not test:
+            reason = "two tests of one name could not be told apart in a report"
+            report_second(test.name, earlier.name, "test", reason, context.collector)
         checked = _TestChecker(rules, commands, context, is_parsed).check(test)
         found += [] if checked is None else [checked]
     return tuple(found)
-
-
-def _report_second(test: ast.Test, first: ast.Test, context: Context) -> None:
-    finding = DuplicateName(
-        identifier=test.name.value,
-        kind="test",
-        other="a test",
-        reason="two tests of one name could not be told apart in a report",
-    )
-    place = finding.First().at(first.name.span)
-    context.collector.add(finding.at(test.name.span, place))
 
 
 class _TestChecker:
@@ -208,7 +199,7 @@ class _TestChecker:
     def _seconds(self, node: ast.Expression) -> float | None:
         if not require_constant(node, "an instant", self._context):
             return None
-        return self._context.values[id(node)].numbers[0]
+        return self._context.values[node].numbers[0]
 
     def _report_order(
         self,

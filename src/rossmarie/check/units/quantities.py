@@ -99,9 +99,9 @@ def check_fit(first: Operand, second: Operand, purpose: str, context: Context) -
     if odd.quantity.unit is None or other.quantity.unit is None:
         unknown, known = (odd, other) if odd.quantity.unit is None else (other, odd)
         _report_field_without_unit(unknown, known, context)
-    elif is_plain(odd.quantity) and id(odd.node) in context.values:
+    elif is_plain(odd.quantity) and odd.node in context.values:
         _report_missing_unit(odd, other, context)
-    elif is_plain(other.quantity) and id(other.node) in context.values:
+    elif is_plain(other.quantity) and other.node in context.values:
         _report_missing_unit(other, odd, context)
     else:
         _report_mismatch(odd, other, purpose, context)
@@ -119,7 +119,7 @@ def check_fit_of(
 
 def _odd_one(first: Operand, second: Operand, context: Context) -> tuple[Operand, Operand]:
     """The constant one is to blame, else the second."""
-    if id(first.node) in context.values and id(second.node) not in context.values:
+    if first.node in context.values and second.node not in context.values:
         return first, second
     return second, first
 
@@ -159,7 +159,7 @@ def _report_rate(odd: Operand, other: Operand, labels: tuple[Label, ...], contex
     )
     meant = _meant_unit(found, expected)
     help: Remark = finding.Unit(unit=meant.symbol)
-    is_changing = id(quantity.node) not in context.values
+    is_changing = quantity.node not in context.values
     if is_changing and isinstance(context.type_of(quantity.node), Quantity):
         help = finding.UnitOrRate(unit=meant.symbol, text=text_of(quantity.node))
     fix = _unit_fix(odd, meant, context)

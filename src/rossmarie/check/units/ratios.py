@@ -14,7 +14,7 @@ from rossmarie.types import RATIOS
 def check_ratio(value: ast.Expression, bound: ast.Expression, context: Context) -> None:
     """Report if `value` is a share from 0 to 1 and `bound` a plain number, or range, above that."""
     field = _ratio(value, context)
-    known = context.values.get(id(bound))
+    known = context.values.get(bound)
     if field is None or known is None:
         return
     literal = literal_of(bound, context.declarations)

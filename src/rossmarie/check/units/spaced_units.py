@@ -27,7 +27,7 @@ def is_rest_of_unit(node: ast.Reference, context: Context) -> bool:
 
     What is cut into several pieces, `1 kg * m / s`, is reported once, at its last piece.
     """
-    first = _step(context.parents.get(id(node)), context)
+    first = _step(context.parents.get(node), context)
     if first is None or first.whole.right is not node:
         return False
     steps = _steps_around(first, context)
@@ -47,7 +47,7 @@ def _steps_around(step: _Step, context: Context) -> list[_Step]:
         steps.insert(0, before)
         before = _step(before.whole.left, context)
     while True:
-        behind = _step(context.parents.get(id(steps[-1].whole)), context)
+        behind = _step(context.parents.get(steps[-1].whole), context)
         if behind is None or behind.whole.left is not steps[-1].whole:
             return steps
         steps.append(behind)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 
-from dslkit.diagnostics import Edit, Fix
+from dslkit.diagnostics import Diagnostic, DidYouMean, Edit, Fix, Label, Remark, Template
 from rossmarie.syntax import ast
 
 NEAR = 0.7
@@ -33,6 +33,14 @@ def near_name(name: str, known: Iterable[str]) -> str | None:
     by_folded = {candidate.lower(): candidate for candidate in known}
     matches = difflib.get_close_matches(name.lower(), by_folded, n=1, cutoff=NEAR)
     return by_folded[matches[0]] if matches else None
+
+
+def suggesting(
+    finding: Template, name: ast.Name, near: str, *labels: Label, notes: Iterable[Remark] = ()
+) -> Diagnostic:
+    """A finding at a name, with the one that may be meant."""
+    help, fix = DidYouMean(near=near), rename(name, near)
+    return finding.at(name.span, *labels, help=help, fix=fix, notes=notes)
 
 
 def rename(name: ast.Name, near: str) -> Fix | None:

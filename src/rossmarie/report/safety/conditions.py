@@ -10,7 +10,7 @@ from __future__ import annotations
 from rossmarie import ir
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.support import is_leaf, truth_operands
-from rossmarie.report.safety.numbers import MOST_PARTS, Numbers, number
+from rossmarie.report.safety.numbers import MOST_PARTS, Numbers, number, sizes
 from rossmarie.report.safety.phrase import Phrase
 
 _MOST_SIDE_BY_SIDE = 3
@@ -32,16 +32,9 @@ class Conditions:
     def __init__(self, machine: ir.Machine) -> None:
         self._machine = machine
         self.numbers = Numbers(machine, self.inline)
-        self._sizes = self._reckon_sizes()
+        self._sizes = sizes(truth_operands(truth.node) for truth in machine.truths)
         self.apart: dict[int, None] = {}
         """The truths that were named, to be said in full elsewhere."""
-
-    def _reckon_sizes(self) -> list[int]:
-        sizes: list[int] = []
-        for truth in self._machine.truths:
-            parts = (sizes[operand] for operand in truth_operands(truth.node))
-            sizes.append(1 + sum(1 if part > MOST_PARTS else part for part in parts))
-        return sizes
 
     # --- sentences ---------------------------------------------------------------------------
 

@@ -12,6 +12,7 @@ from types import MappingProxyType
 from rossmarie import ir
 from rossmarie.ir import overruled, reactions
 from rossmarie.ir.duration_text import duration_text
+from rossmarie.ir.path import path_words
 from rossmarie.report.safety.conditions import Conditions
 from rossmarie.report.safety.numbers import number, quantity
 from rossmarie.report.safety.phrase import Phrase, listed
@@ -246,8 +247,3 @@ def _value(value: reactions.Scalar) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     return f'"{value}"' if isinstance(value, str) else number(value)
-
-
-def path_words(path: ir.Path) -> str:
-    """The way to a field, `pose.position.x`, `effort[2]`."""
-    return ir.path_text(path).removeprefix(".")

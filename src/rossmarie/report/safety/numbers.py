@@ -7,7 +7,7 @@ end otherwise.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from rossmarie import ir
 from rossmarie.core import row, sampling_row
@@ -18,6 +18,17 @@ from rossmarie.ir.support import signal_operands
 MOST_PARTS = 24
 
 _AXES = ("x", "y", "z", "w")
+
+
+def sizes(operands: Iterable[Iterable[int]]) -> list[int]:
+    """The sizes of nodes, given the operands of each, which come before it. What is said in a place
+    of its own counts as one.
+    """
+    found: list[int] = []
+    for parts in operands:
+        known = (found[part] for part in parts)
+        found.append(1 + sum(1 if size > MOST_PARTS else size for size in known))
+    return found
 
 
 def number(value: float) -> str:
@@ -46,16 +57,9 @@ class Numbers:
             _field_name(machine, array, arrays[index], written.get(ir.Element(index)))
             for index, array in enumerate(machine.arrays)
         ]
-        self._sizes = self._reckon_sizes()
+        self._sizes = sizes(signal_operands(signal.node) for signal in machine.signals)
         self.apart: dict[int, None] = {}
         """The signals that were called by a number, to be said in full elsewhere."""
-
-    def _reckon_sizes(self) -> list[int]:
-        sizes: list[int] = []
-        for signal in self._machine.signals:
-            parts = (sizes[operand] for operand in signal_operands(signal.node))
-            sizes.append(1 + sum(1 if part > MOST_PARTS else part for part in parts))
-        return sizes
 
     def words(self, index: int) -> str:
         """A signal, as what its name stands for or by its number."""

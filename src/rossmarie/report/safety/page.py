@@ -7,10 +7,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
-from importlib.resources import files
 
-import jinja2
 from markupsafe import Markup, escape
 
 from dslkit.diagnostics import Severity
@@ -20,14 +17,15 @@ from rossmarie.analysis.errors import Undecided
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.loss import Effect
 from rossmarie.ir.duration_text import duration_text
+from rossmarie.ir.path import path_words
 from rossmarie.report.safety.conditions import Conditions
-from rossmarie.report.safety.effects import path_words
 from rossmarie.report.safety.evidence import Evidence, EvidenceKind, Hashed
 from rossmarie.report.safety.model import SafetyFile
 from rossmarie.report.safety.phrase import Phrase, listed
 from rossmarie.report.safety.rules import RuleText, claims, rule_texts
 from rossmarie.report.safety.witness import witness_svg
 from rossmarie.report.spare import MEANING
+from rossmarie.report.templates import asset, template
 from rossmarie.report.wiring import wiring_of, wiring_svg
 
 _MOST_NAMES = 3
@@ -39,7 +37,7 @@ def render_safety_file(content: SafetyFile) -> str:
     machine = content.machine
     conditions = Conditions(machine)
     rules = rule_texts(machine, conditions)
-    return _template().render(
+    return template("safety.html.j2").render(
         content=content,
         machine=machine,
         rules=rules,
@@ -63,20 +61,8 @@ def render_safety_file(content: SafetyFile) -> str:
         duration=duration_text,
         listed=lambda words: listed(tuple(words)),
         picture=Markup(_picture(machine)),
-        style=Markup(_asset("palette.css") + _asset("safety.css")),
+        style=Markup(asset("palette.css") + asset("safety.css")),
     )
-
-
-@cache
-def _template() -> jinja2.Template:
-    environment = jinja2.Environment(
-        undefined=jinja2.StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
-    )
-    return environment.from_string(_asset("safety.html.j2"))
-
-
-def _asset(name: str) -> str:
-    return (files("rossmarie.report") / "assets" / name).read_text(encoding="utf-8")
 
 
 def _coded(text: str) -> Markup:

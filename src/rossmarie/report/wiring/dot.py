@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Input, Kind, Output, Use, Wiring
+from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Input, Kind, Output, Wiring
 
 
 def wiring_dot(wiring: Wiring) -> str:
@@ -31,7 +31,7 @@ def _command(node: str, command: Command) -> Iterator[str]:
         yield _thing(Kind.TOPIC, topic, command.message_type)
     unfiltered, filtered = _id(Kind.TOPIC, command.unfiltered), _id(Kind.TOPIC, command.topic)
     yield f"{_node(PLANNER)} -> {unfiltered} -> {_node(node)} [penwidth=2];"
-    yield f"{_node(node)} -> {filtered} [label={_lines(map(_use, command.uses))}, penwidth=2];"
+    yield f"{_node(node)} -> {filtered} [label={_lines(map(str, command.uses))}, penwidth=2];"
     yield f"{filtered} -> {_node(ROBOT)} [penwidth=2];"
 
 
@@ -44,16 +44,12 @@ def _input(node: str, each: Input) -> Iterator[str]:
 
 def _output(node: str, each: Output) -> Iterator[str]:
     yield _thing(each.kind, each.name, each.type or each.kind.value)
-    label = _lines(map(_use, each.uses))
+    label = _lines(map(str, each.uses))
     yield f"{_node(node)} -> {_id(each.kind, each.name)} [label={label}];"
 
 
 def _thing(kind: Kind, name: str, below: str) -> str:
     return f"{_id(kind, name)} [label={_lines((name, below))}];"
-
-
-def _use(use: Use) -> str:
-    return f"{use.effect}: {use.action}, for {', '.join(use.rules)}"
 
 
 def _id(kind: Kind, name: str) -> str:

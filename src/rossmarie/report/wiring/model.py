@@ -26,6 +26,9 @@ class Use:
     action: str
     rules: tuple[str, ...]
 
+    def __str__(self) -> str:
+        return f"{self.effect}: {self.action}, for {', '.join(self.rules)}"
+
 
 @dataclass(frozen=True)
 class Input:

@@ -13,7 +13,7 @@ from importlib.resources import files
 from textwrap import wrap
 
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Input, Output, Use, Wiring
+from rossmarie.report.wiring.model import PLANNER, ROBOT, Command, Input, Output, Wiring
 
 _MARGIN = 24
 _PADDING = 12
@@ -55,7 +55,7 @@ def wiring_svg(wiring: Wiring) -> str:
 
 
 def _filter_block(command: Command) -> Block:
-    return _block("safety filter", command.message_type, *map(_use, command.uses))
+    return _block("safety filter", command.message_type, *map(str, command.uses))
 
 
 def _input_block(each: Input) -> Block:
@@ -67,7 +67,7 @@ def _input_block(each: Input) -> Block:
 
 def _output_block(each: Output) -> Block:
     kind = each.kind.value if each.type is None else f"{each.kind.value}, {each.type}"
-    return _block(each.name, kind, *map(_use, each.uses))
+    return _block(each.name, kind, *map(str, each.uses))
 
 
 def _block(name: str, *lines: str) -> Block:
@@ -77,10 +77,6 @@ def _block(name: str, *lines: str) -> Block:
         for line in lines
     )
     return Block(name, tuple(part for parts in broken for part in parts))
-
-
-def _use(use: Use) -> str:
-    return f"{use.effect}: {use.action}, for {', '.join(use.rules)}"
 
 
 class _Picture:

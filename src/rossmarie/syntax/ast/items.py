@@ -235,6 +235,11 @@ class Rule:
         """The actions of the steps."""
         return tuple(step.action for step in self.steps)
 
+    @property
+    def head(self) -> Span:
+        """The place that stands for the rule in messages: its name, or its condition."""
+        return self.condition.span if self.name is None else self.name.span
+
 
 @dataclass(frozen=True)
 class Priority:

@@ -1,0 +1,120 @@
+"""Checked effects of actions: names are resolved, and numbers in the units of messages.
+
+Topics and resources are known by their names, confirmations are expressions; `lowering` gives them
+their places in a machine. What is data of messages is that of `ir.reactions`. Effects that say all
+there is to know are nodes of the syntax tree.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.source import Span
+from rossmarie.ir import reactions
+from rossmarie.syntax import ast
+
+
+@dataclass(frozen=True)
+class CheckedLimit:
+    """Bounds on the fields of a command, by their numbers: those of a limit, or of a block."""
+
+    topic: str
+    bounds: tuple[reactions.Bound, ...]
+
+
+@dataclass(frozen=True)
+class CheckedScale:
+    """A factor on all fields of a command."""
+
+    topic: str
+    factor: float
+    ramp: float | None
+
+
+@dataclass(frozen=True)
+class CheckedPublish:
+    """A message."""
+
+    topic: str
+    message_type: str
+    assignments: tuple[reactions.Assignment, ...]
+    period_ns: int | None
+
+
+@dataclass(frozen=True)
+class CheckedCall:
+    """A call of a service."""
+
+    service: str
+    service_type: str
+    assignments: tuple[reactions.Assignment, ...]
+    timeout_ns: int
+
+
+@dataclass(frozen=True)
+class CheckedParameter:
+    """A new value of a parameter."""
+
+    node: str
+    parameter: str
+    value: reactions.Scalar
+    timeout_ns: int
+
+
+@dataclass(frozen=True)
+class CheckedSwitch:
+    """A switch of controllers."""
+
+    manager: str
+    start: tuple[str, ...]
+    stop: tuple[str, ...]
+    timeout_ns: int
+
+
+@dataclass(frozen=True)
+class CheckedGoal:
+    """A goal for an action server."""
+
+    server: str
+    action_type: str
+    assignments: tuple[reactions.Assignment, ...]
+    timeout_ns: int
+    interrupted: reactions.Interrupted
+
+
+@dataclass(frozen=True)
+class CheckedCancel:
+    """The end of all goals of an action server."""
+
+    server: str
+    action_type: str | None
+    confirmation: ast.Expression | None
+    timeout_ns: int
+    interrupted: reactions.Interrupted
+
+
+Awaited = CheckedCall | CheckedParameter | CheckedSwitch | CheckedGoal | CheckedCancel
+Checked = (
+    CheckedLimit | CheckedScale | CheckedPublish | Awaited
+    | ast.Log | ast.Diagnose | ast.Hook | ast.Reset
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class CheckedEffect:
+    """An effect at its place. `command` is the topic that has to pass through the safety filter for
+    it, `resource` what it needs for itself, `otherwise` the action that follows if it fails.
+    """
+
+    effect: Checked
+    span: Span
+    command: str | None = None
+    resource: str | None = None
+    otherwise: str | None = None
+
+    @property
+    def may_fail(self) -> bool:
+        """Say whether something can follow from its failure: what needs nothing for itself
+        succeeds.
+        """
+        return self.resource is not None
