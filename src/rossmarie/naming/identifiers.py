@@ -25,10 +25,10 @@ _LANGUAGE = """
 
 # Names that the generated functions call and have, where a field of a message is a parameter.
 _GENERATED = """
-    arrive arrived asin atan2 before begin both catch_up compute cross either element_truth events
-    every evaluate fabs first follow how_many i index_t is_calm is_inside is_pending isfinite isnan
-    known m mark monitor opposite outcome sample sample_window seconds_between set_wake settle some
-    sqrt t_ns tick visit window_middle
+    arc_sine arc_tangent arrive arrived before begin both catch_up compute cross either
+    element_truth evaluate events every fabs first follow how_many i index_t is_calm is_inside
+    is_pending isfinite isnan known m mark monitor opposite outcome sample sample_window
+    seconds_between set_wake settle some sqrt t_ns tick upper_digits visit window_middle
 """
 
 # Beginnings, up to the first underscore, of names that the generated C keeps to itself; a test
