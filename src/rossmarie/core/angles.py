@@ -28,10 +28,10 @@ from rossmarie.core.expressions import (
     written,
 )
 
-HALF_TURN, _HALF_TURN_REST = 3.141592653589793, 1.2246467991473532e-16
-RIGHT_ANGLE, _RIGHT_ANGLE_REST = 1.5707963267948966, 6.123233995736766e-17
-_DIAGONAL, _DIAGONAL_REST = 0.7853981633974483, 3.061616997868383e-17
-_OF_A_HALF, _OF_A_HALF_REST = 0.4636476090008061, 2.2698777452961687e-17
+HALF_TURN, HALF_TURN_REST = 3.141592653589793, 1.2246467991473532e-16
+RIGHT_ANGLE, RIGHT_ANGLE_REST = 1.5707963267948966, 6.123233995736766e-17
+DIAGONAL, DIAGONAL_REST = 0.7853981633974483, 3.061616997868383e-17
+OF_A_HALF, OF_A_HALF_REST = 0.4636476090008061, 2.2698777452961687e-17
 
 NEAR_SINE = 0.5
 """Up to this sine the polynomial takes the sine itself."""
@@ -121,7 +121,7 @@ def _arc_sine(x: Expression) -> Expression:
     upper = Local("upper", UPPER_DIGITS(root))
     lost = (z - upper * upper) / (root + upper)
     lower = Local("lower", choose(root.equals(0.0), 0.0, lost))
-    left = (_RIGHT_ANGLE_REST - 2.0 * lower) - 2.0 * root * surplus
+    left = (RIGHT_ANGLE_REST - 2.0 * lower) - 2.0 * root * surplus
     angle = Local("angle", (RIGHT_ANGLE - 2.0 * upper) + left)
     return choose(is_near, x + x * surplus, choose(x < 0.0, -angle, angle))
 
@@ -162,11 +162,11 @@ def _arc_tangent(y: Expression, x: Expression) -> Expression:
 
     is_left = x < 0.0
     axis = Local("axis", choose(is_steep, RIGHT_ANGLE, choose(is_left, HALF_TURN, 0.0)))
-    axis_rest = choose(is_steep, _RIGHT_ANGLE_REST, choose(is_left, _HALF_TURN_REST, 0.0))
+    axis_rest = choose(is_steep, RIGHT_ANGLE_REST, choose(is_left, HALF_TURN_REST, 0.0))
     on, back = choose(is_left, -1.0, 1.0), choose(is_left, 1.0, -1.0)
     way = Local("way", choose(is_steep, back, on))
-    turn = Local("turn", way * by_sector(0.0, _OF_A_HALF, _DIAGONAL))
-    turn_rest = Local("turn_rest", way * by_sector(0.0, _OF_A_HALF_REST, _DIAGONAL_REST))
+    turn = Local("turn", way * by_sector(0.0, OF_A_HALF, DIAGONAL))
+    turn_rest = Local("turn_rest", way * by_sector(0.0, OF_A_HALF_REST, DIAGONAL_REST))
     start = Local("start", axis + turn)
     rest = Local("rest", ((axis - start) + turn) + (axis_rest + turn_rest))
     angle = Local("angle", start + way * (upper + (way * rest + (lower + surplus))))

@@ -62,7 +62,8 @@ def _program(function: Function, count: int) -> Callable[[_Values], float]:
 
 
 @cache
-def _program_of_subfunction(function: Subfunction) -> Callable[[_Values], float]:
+def program(function: Subfunction) -> Callable[[_Values], float]:
+    """What gives the value of a function that others apply, of its operands."""
     return _program_of(function.expression, len(function.parameters))
 
 
@@ -104,8 +105,8 @@ def _compiled(expression: Expression, places: Mapping[Local, int]) -> Callable[[
             return lambda values: operation(*[part(values) for part in parts])
         case Applied(function=function, operands=operands):
             parts = [_compiled(operand, places) for operand in operands]
-            program = _program_of_subfunction(function)
-            return lambda values: program([part(values) for part in parts])
+            applied = program(function)
+            return lambda values: applied([part(values) for part in parts])
         case Chosen(condition=condition, then=then, otherwise=otherwise):
             holds = _condition(condition, places)
             one, other = _compiled(then, places), _compiled(otherwise, places)
