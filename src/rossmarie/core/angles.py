@@ -79,13 +79,15 @@ _TINY = 2.0**-27
 
 
 def _polynomial(terms: Sequence[float], z: Expression) -> Expression:
-    """The sum of terms times powers of `z`, three at a time, so that none waits for all others."""
+    """The sum of terms times powers of `z` from the first; three at a time, so that none waits for
+    all others.
+    """
     cube = Local("cube", z * z * z)
     parts = [
-        Local(f"part_{first // 3}", _nested(terms[first : first + 3], z))
+        Local(f"part{first // 3}", _nested(terms[first : first + 3], z))
         for first in range(0, len(terms), 3)
     ]
-    return _nested(parts, cube)
+    return z * _nested(parts, cube)
 
 
 def _nested(terms: Sequence[Written], z: Expression) -> Expression:
@@ -96,41 +98,60 @@ def _nested(terms: Sequence[Written], z: Expression) -> Expression:
 # --- digits ----------------------------------------------------------------------------------
 
 
-def _upper_digits(x: Expression) -> Expression:
+def _leading(x: Expression) -> Expression:
     """After Veltkamp. The product of two such numbers is exact."""
     scaled = Local("scaled", x * (2.0**27 + 1.0))
     return scaled - (scaled - x)
 
 
-UPPER_DIGITS = Subfunction(
-    "upper_digits", ("x",), _upper_digits(Operand(0)), "the upper half of the digits of {0}"
+LEADING = Subfunction(
+    "leading", ("x",), _leading(Operand(0)), "the leading half of the digits of {0}"
 )
 
 # --- arc sine --------------------------------------------------------------------------------
 
+_SINE_SURPLUS = Subfunction(
+    "arcsine_surplus",
+    ("z",),
+    _polynomial(SINE_TERMS, Operand(0)),
+    "the arc sine of x divided by x, less 1, of {0} = x * x",
+)
 
-def _arc_sine(x: Expression) -> Expression:
-    """Near zero it is `x + x * surplus`; far from it the angle that is left to a right angle is
-    twice the arc sine of `root`.
-    """
-    size = Local("size", abs(x))
-    is_near = size < NEAR_SINE
-    z = Local("z", choose(is_near, x * x, (1.0 - size) / 2.0))
-    surplus = Local("surplus", z * _polynomial(SINE_TERMS, z))
+
+def _far_arc_sine(x: Expression) -> Expression:
+    """The angle that is left to a right angle is twice the arc sine of a number near zero."""
+    z = Local("z", 0.5 * (1.0 - x))
     root = Local("root", square_root(z))
-    upper = Local("upper", UPPER_DIGITS(root))
+    upper = Local("upper", LEADING(root))
     lost = (z - upper * upper) / (root + upper)
     lower = Local("lower", choose(root.equals(0.0), 0.0, lost))
-    left = (RIGHT_ANGLE_REST - 2.0 * lower) - 2.0 * root * surplus
-    angle = Local("angle", (RIGHT_ANGLE - 2.0 * upper) + left)
-    return choose(is_near, x + x * surplus, choose(x < 0.0, -angle, angle))
+    rest = (RIGHT_ANGLE_REST - 2.0 * lower) - 2.0 * root * _SINE_SURPLUS(z)
+    return (RIGHT_ANGLE - 2.0 * upper) + rest
+
+
+_FAR_ARC_SINE = Subfunction(
+    "arcsine_far", ("x",), _far_arc_sine(Operand(0)), "the arc sine of {0} from 1/2 to 1"
+)
+
+
+def _arc_sine(x: Expression) -> Expression:
+    size = Local("size", abs(x))
+    far = choose(x < 0.0, -_FAR_ARC_SINE(size), _FAR_ARC_SINE(size))
+    return choose(size < NEAR_SINE, x + x * _SINE_SURPLUS(x * x), far)
 
 
 ARC_SINE = Subfunction(
-    "arc_sine", ("x",), _arc_sine(Operand(0)), "the arc sine of {0} in radians, NaN beyond 1"
+    "arcsine", ("x",), _arc_sine(Operand(0)), "the arc sine of {0} in radians, NaN beyond 1"
 )
 
 # --- arc tangent -----------------------------------------------------------------------------
+
+_TANGENT_SURPLUS = Subfunction(
+    "arctangent_surplus",
+    ("z",),
+    _polynomial(TANGENT_TERMS, Operand(0)),
+    "the arc tangent of x divided by x, less 1, of {0} = x * x",
+)
 
 
 def _arc_tangent(y: Expression, x: Expression) -> Expression:
@@ -152,13 +173,12 @@ def _arc_tangent(y: Expression, x: Expression) -> Expression:
         )
         return choose(is_diagonal, diagonal, choose(is_middle, middle, near))
 
-    over = Local("over", by_sector(lesser, lesser - greater / 2.0, lesser - greater))
-    along = Local("along", by_sector(greater, greater + lesser / 2.0, greater + lesser))
+    over = Local("over", by_sector(lesser, lesser - 0.5 * greater, lesser - greater))
+    along = Local("along", by_sector(greater, greater + 0.5 * lesser, greater + lesser))
     is_origin = (height + width).equals(0.0)
     tangent = Local("tangent", choose(is_origin, 0.0, over / along))
     upper, lower = _halves(tangent, over, along)
-    z = Local("z", tangent * tangent)
-    surplus = Local("surplus", tangent * (z * _polynomial(TANGENT_TERMS, z)))
+    surplus = Local("surplus", tangent * _TANGENT_SURPLUS(tangent * tangent))
 
     is_left = x < 0.0
     axis = Local("axis", choose(is_steep, RIGHT_ANGLE, choose(is_left, HALF_TURN, 0.0)))
@@ -178,14 +198,14 @@ def _halves(quotient: Expression, over: Expression, along: Expression) -> tuple[
     not needed, and its digits are not there.
     """
     is_tiny = abs(quotient) < _TINY
-    upper = Local("upper", choose(is_tiny, quotient, UPPER_DIGITS(quotient)))
-    divisor = Local("divisor", UPPER_DIGITS(along))
+    upper = Local("upper", choose(is_tiny, quotient, LEADING(quotient)))
+    divisor = Local("divisor", LEADING(along))
     left = (over - upper * divisor) - upper * (along - divisor)
     return upper, Local("lower", choose(is_tiny, 0.0, left / along))
 
 
 ARC_TANGENT = Subfunction(
-    "arc_tangent",
+    "arctangent",
     ("y", "x"),
     _arc_tangent(Operand(0), Operand(1)),
     "the angle of the point ({1}, {0}) in radians",

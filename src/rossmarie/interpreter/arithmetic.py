@@ -63,7 +63,7 @@ def _program(function: Function, count: int) -> Callable[[_Values], float]:
 
 @cache
 def program(function: Subfunction) -> Callable[[_Values], float]:
-    """What gives the value of a function that others apply, of its operands."""
+    """The computation of a function that others apply, from its operands."""
     return _program_of(function.expression, len(function.parameters))
 
 

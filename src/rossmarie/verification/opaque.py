@@ -90,7 +90,7 @@ class Subfunctions:
         self._functions = tuple(dict.fromkeys(applied))
 
     def parts(self) -> Parts:
-        """Where it does not matter which number they give, as long as it is the same."""
+        """Any functions instead of them, but the same in the C and in what it means."""
         return tuple(
             (name, f"same_{each.name}")
             for each in self._functions
@@ -98,7 +98,7 @@ class Subfunctions:
         )
 
     def text(self) -> str:
-        """What is called instead of them."""
+        """The functions that are called instead of them."""
         return "\n".join(map(_any_function, self._functions))
 
     def written(self) -> Iterator[Written]:
