@@ -24,7 +24,7 @@ from support.depth import is_deep
 
 ANGLES = (Function.ROLL, Function.PITCH, Function.YAW)
 COUNT = 200_000 if is_deep() else 5_000
-LEVELS = ("-O0", "-O2", "-O3")
+LEVELS = ("-O0", "-O2", "-O3 -march=native")
 _PROGRAM = """\
 #include <math.h>
 #include <stdio.h>
@@ -89,7 +89,7 @@ def test_angles_in_c_are_those_of_the_interpreter(
     text = _PROGRAM.format(functions="\n".join(map(in_c.function, definitions())), calls=calls)
     (tmp_path / "angles.c").write_text(text, encoding="utf-8")
     built = tmp_path / "angles"
-    options = ["-std=c99", level, *STRICT]
+    options = ["-std=c99", *level.split(), *STRICT]
     run([compiler, *options, tmp_path / "angles.c", "-o", built, "-lm"])
     found = run([built], given=b"".join(struct.pack("=4d", *each) for each in given)).stdout
     assert [bits(value) for (value,) in struct.iter_unpack("=d", found)] == meant
