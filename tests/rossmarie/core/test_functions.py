@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from rossmarie.core import (
@@ -79,6 +79,7 @@ def test_results_lie_in_their_range(application: tuple[Function, list[float]]) -
 
 
 @given(applications(NUMBERS), st.booleans())
+@example((Function.ADD, [math.inf, 1.0]), True)
 def test_infinite_results_are_announced(
     application: tuple[Function, list[float]], of_infinite: bool
 ) -> None:
