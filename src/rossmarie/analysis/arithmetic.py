@@ -77,7 +77,7 @@ class _Arithmetic:
             case Primitive.DIVIDE:
                 self.needs.append(values[1] != 0)
                 return self._result(_quotient(values[0], values[1], self._facts))
-            case Primitive.SQUARE_ROOT | Primitive.ARC_SINE | Primitive.ARC_TANGENT:
+            case Primitive.SQUARE_ROOT:
                 return self._result(exactly(primitive, values))
 
     def _result(self, exact: z3.ArithRef) -> z3.ArithRef:

@@ -8,6 +8,7 @@ import z3
 
 from rossmarie.analysis.terms import constant
 from rossmarie.core.expressions import (
+    Applied,
     Chosen,
     Computed,
     Condition,
@@ -43,6 +44,9 @@ class Formulas:
                 return self.term(value)
             case Computed(primitive=primitive, operands=operands):
                 return self._operate(primitive, [self.term(operand) for operand in operands])
+            case Applied(function=function, operands=operands):
+                terms = [self.term(operand) for operand in operands]
+                return Formulas(terms, self._operate).term(function.expression)
             case Chosen(condition=condition, then=then, otherwise=otherwise):
                 holds = self.condition(condition)
                 if z3.is_false(holds):
@@ -63,7 +67,7 @@ class Formulas:
 
 
 def exactly(primitive: Primitive, values: Sequence[z3.ArithRef]) -> z3.ArithRef:
-    """An operation in real numbers; roots and angles, which solvers do not have, are any number."""
+    """An operation in real numbers; roots, which solvers do not have, are any number."""
     match primitive:
         case Primitive.ADD:
             return values[0] + values[1]
@@ -77,5 +81,5 @@ def exactly(primitive: Primitive, values: Sequence[z3.ArithRef]) -> z3.ArithRef:
             return -values[0]
         case Primitive.ABSOLUTE:
             return z3.If(values[0] >= 0, values[0], -values[0])
-        case Primitive.SQUARE_ROOT | Primitive.ARC_SINE | Primitive.ARC_TANGENT:
+        case Primitive.SQUARE_ROOT:
             return z3.FreshReal("number")

@@ -1,4 +1,4 @@
-"""Expressions of the core: numbers and conditions on them, as IEEE 754 and C's library have them.
+"""Expressions of the core: numbers and conditions on them, as IEEE 754 has them.
 
 This is all that a function of numbers can be made of (`functions.py`), and all that whoever
 computes, writes or encodes such functions has to know. Operands are `Operand(0)`, `Operand(1)` ...
@@ -25,8 +25,6 @@ class Primitive(enum.Enum):
     NEGATE = "negate"
     ABSOLUTE = "absolute"
     SQUARE_ROOT = "square_root"
-    ARC_SINE = "arc_sine"
-    ARC_TANGENT = "arc_tangent"  # of y and x, as atan2
 
 
 class _Formula:
@@ -67,7 +65,7 @@ class _Formula:
         return IsEqual(self._own(), written(other))
 
     def _own(self) -> Expression:
-        assert isinstance(self, Number | Operand | Computed | Chosen | Local)
+        assert isinstance(self, Number | Operand | Computed | Chosen | Local | Applied)
         return self
 
 
@@ -102,15 +100,42 @@ class Chosen(_Formula):
     otherwise: Expression
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Local(_Formula):
-    """A number with a name, which is computed once however often it stands in a function."""
+    """A number with a name, which is computed once however often it stands in a function. Two with
+    the same name are two.
+    """
 
     name: str
     value: Expression
 
 
-Expression = Number | Operand | Computed | Chosen | Local
+@dataclass(frozen=True, eq=False)
+class Subfunction:
+    """A function that functions are made of: its expression is written once, under its name.
+
+    `phrase` words it for readers, with `{0}` and `{1}` for operands.
+    """
+
+    name: str
+    parameters: tuple[str, ...]
+    expression: Expression
+    phrase: str
+
+    def __call__(self, *operands: Expression) -> Applied:
+        """The function of some numbers."""
+        return Applied(self, operands)
+
+
+@dataclass(frozen=True)
+class Applied(_Formula):
+    """A function of that kind, of some numbers."""
+
+    function: Subfunction
+    operands: tuple[Expression, ...]
+
+
+Expression = Number | Operand | Computed | Chosen | Local | Applied
 Written = _Formula | float
 
 
@@ -165,16 +190,6 @@ def square_root(x: Expression) -> Computed:
     return Computed(Primitive.SQUARE_ROOT, (x,))
 
 
-def arc_sine(x: Expression) -> Computed:
-    """The arc sine of C's library, in radians; NaN outside of [-1, 1]."""
-    return Computed(Primitive.ARC_SINE, (x,))
-
-
-def arc_tangent(y: Expression, x: Expression) -> Computed:
-    """The angle of the point (x, y) by `atan2` of C's library, in radians."""
-    return Computed(Primitive.ARC_TANGENT, (y, x))
-
-
 def operands_of(expression: Expression) -> Iterator[int]:
     """The operands in an expression, from left to right, as often as they stand in it."""
     match expression:
@@ -182,7 +197,7 @@ def operands_of(expression: Expression) -> Iterator[int]:
             pass
         case Operand(index=index):
             yield index
-        case Computed(operands=operands):
+        case Computed(operands=operands) | Applied(operands=operands):
             for operand in operands:
                 yield from operands_of(operand)
         case Chosen(condition=condition, then=then, otherwise=otherwise):
@@ -206,21 +221,43 @@ def compared_in(condition: Condition) -> Iterator[Expression]:
 
 def locals_of(expression: Expression) -> tuple[Local, ...]:
     """The named numbers in an expression, each once and after those that it uses."""
-    found: dict[Local, None] = {}
-    _collect(expression, found)
+    return tuple(each for each in _named_in(expression) if isinstance(each, Local))
+
+
+def applied_in(expression: Expression) -> tuple[Subfunction, ...]:
+    """The subfunctions that an expression applies, each once."""
+    return tuple(each for each in _named_in(expression) if isinstance(each, Subfunction))
+
+
+def subfunctions_of(expression: Expression) -> tuple[Subfunction, ...]:
+    """The same with those that these apply, each once and after those that it applies."""
+    found: dict[Subfunction, None] = {}
+    for each in applied_in(expression):
+        found.update(dict.fromkeys((*subfunctions_of(each.expression), each)))
     return tuple(found)
 
 
-def _collect(expression: Expression, found: dict[Local, None]) -> None:
+def _named_in(expression: Expression) -> dict[Local | Subfunction, None]:
+    found: dict[Local | Subfunction, None] = {}
+    _collect(expression, found)
+    return found
+
+
+def _collect(expression: Expression, found: dict[Local | Subfunction, None]) -> None:
     match expression:
         case Number() | Operand():
             pass
         case Computed(operands=operands):
             for operand in operands:
                 _collect(operand, found)
+        case Applied(function=function, operands=operands):
+            for operand in operands:
+                _collect(operand, found)
+            found.setdefault(function)
         case Chosen(condition=condition, then=then, otherwise=otherwise):
             for part in (*compared_in(condition), then, otherwise):
                 _collect(part, found)
         case Local(value=value):
-            _collect(value, found)
-            found.setdefault(expression)
+            if expression not in found:
+                _collect(value, found)
+                found.setdefault(expression)

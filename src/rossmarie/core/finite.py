@@ -6,9 +6,11 @@ unknown. So most operands need no look; targets ask here where one is needed.
 
 from __future__ import annotations
 
+import math
 from functools import cache
 
 from rossmarie.core.expressions import (
+    Applied,
     Chosen,
     Computed,
     Expression,
@@ -16,8 +18,9 @@ from rossmarie.core.expressions import (
     Number,
     Operand,
     Primitive,
+    Subfunction,
 )
-from rossmarie.core.functions import Function, defined
+from rossmarie.core.functions import Function, defined, row
 
 
 @cache
@@ -25,6 +28,8 @@ def may_be_infinite(function: Function, count: int, *, of_infinite: bool) -> boo
     """Say whether the expression of a function of `count` operands can be infinite: of operands
     that are finite or NaN, or with `of_infinite`, of any.
     """
+    if all(map(math.isfinite, row(function).range)):
+        return False
     return _may_be_infinite(defined(function, count), of_infinite)
 
 
@@ -44,8 +49,9 @@ def _may_be_infinite(expression: Expression, of_infinite: bool) -> bool:
                     return True
                 case Primitive.NEGATE | Primitive.ABSOLUTE | Primitive.SQUARE_ROOT:
                     return _may_be_infinite(operands[0], of_infinite)
-                case Primitive.ARC_SINE | Primitive.ARC_TANGENT:
-                    return False
+        case Applied(function=function, operands=operands):
+            is_infinite = any(_may_be_infinite(each, of_infinite) for each in operands)
+            return _may_be_infinite(function.expression, is_infinite)
 
 
 @cache
@@ -64,7 +70,7 @@ def _rounds(expression: Expression) -> bool:
             return _rounds(then) or _rounds(otherwise)
         case Computed(primitive=Primitive.NEGATE | Primitive.ABSOLUTE, operands=operands):
             return _rounds(operands[0])
-        case Computed():
+        case Computed() | Applied():
             return True
 
 
@@ -89,9 +95,14 @@ def _shown_by(expression: Expression) -> frozenset[int]:
                 case Primitive.ADD | Primitive.SUBTRACT | Primitive.MULTIPLY:
                     return _shown_by(operands[0]) | _shown_by(operands[1])
                 case (
-                    Primitive.NEGATE | Primitive.ABSOLUTE | Primitive.SQUARE_ROOT
-                    | Primitive.ARC_SINE | Primitive.DIVIDE
-                ):  # fmt: skip
+                    Primitive.NEGATE | Primitive.ABSOLUTE | Primitive.SQUARE_ROOT | Primitive.DIVIDE
+                ):
                     return _shown_by(operands[0])  # a number divided by infinity is 0
-                case Primitive.ARC_TANGENT:
-                    return frozenset()
+        case Applied(function=function, operands=operands):
+            shown = _shown_by_subfunction(function)
+            return frozenset().union(*(_shown_by(operands[index]) for index in shown))
+
+
+@cache
+def _shown_by_subfunction(function: Subfunction) -> frozenset[int]:
+    return _shown_by(function.expression)

@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, reduce
 
+from rossmarie.core.angles import ARC_SINE, ARC_TANGENT, HALF_TURN, RIGHT_ANGLE
 from rossmarie.core.expressions import (
     UNKNOWN,
     Condition,
@@ -21,8 +22,6 @@ from rossmarie.core.expressions import (
     IsUnknown,
     Local,
     Operand,
-    arc_sine,
-    arc_tangent,
     choose,
     square_root,
 )
@@ -143,15 +142,15 @@ def _roll(x: Expression, y: Expression, z: Expression, w: Expression) -> Express
     n = Local("n", _sum_of_squares(x, y, z, w))
     sine = 2.0 * (w * x + y * z) / n
     cosine = 1.0 - 2.0 * (x * x + y * y) / n
-    return choose(n.equals(0.0), UNKNOWN, arc_tangent(sine, cosine))
+    return choose(n.equals(0.0), UNKNOWN, ARC_TANGENT(sine, cosine))
 
 
 def _pitch(x: Expression, y: Expression, z: Expression, w: Expression) -> Expression:
-    """S5. Rounding may leave the range of a sine by an ulp, where `asin` has no value."""
+    """S5. Rounding may leave the range of a sine by an ulp, where an arc sine has no value."""
     n = Local("n", _sum_of_squares(x, y, z, w))
     sine = Local("sine", 2.0 * (w * y - z * x) / n)
     cut = choose(sine < -1.0, -1.0, choose(sine > 1.0, 1.0, sine))
-    return choose(n.equals(0.0), UNKNOWN, arc_sine(cut))
+    return choose(n.equals(0.0), UNKNOWN, ARC_SINE(cut))
 
 
 def _yaw(x: Expression, y: Expression, z: Expression, w: Expression) -> Expression:
@@ -159,7 +158,7 @@ def _yaw(x: Expression, y: Expression, z: Expression, w: Expression) -> Expressi
     n = Local("n", _sum_of_squares(x, y, z, w))
     sine = 2.0 * (w * z + x * y) / n
     cosine = 1.0 - 2.0 * (y * y + z * z) / n
-    return choose(n.equals(0.0), UNKNOWN, arc_tangent(sine, cosine))
+    return choose(n.equals(0.0), UNKNOWN, ARC_TANGENT(sine, cosine))
 
 
 def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]:
@@ -170,8 +169,8 @@ def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]
 # --- all of them -----------------------------------------------------------------------------
 
 _LENGTH = (0.0, math.inf)
-_TURN = (-math.pi, math.pi)
-_QUARTER = (-math.pi / 2, math.pi / 2)  # the double that `asin(1)` is
+_TURN = (-HALF_TURN, HALF_TURN)
+_QUARTER = (-RIGHT_ANGLE, RIGHT_ANGLE)
 
 FUNCTIONS: Mapping[Function, Row] = {
     Function.ADD: Row("S3", 2, 2, lambda a, b: a + b, "({0} + {1})"),

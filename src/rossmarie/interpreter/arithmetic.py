@@ -12,6 +12,7 @@ from functools import cache
 
 from rossmarie.core import Function, Sampling, defined, sampling_row
 from rossmarie.core.expressions import (
+    Applied,
     Chosen,
     Computed,
     Condition,
@@ -24,6 +25,7 @@ from rossmarie.core.expressions import (
     Number,
     Operand,
     Primitive,
+    Subfunction,
     locals_of,
 )
 
@@ -57,6 +59,12 @@ def finite_or_nan(value: float) -> float:
 @cache
 def _program(function: Function, count: int) -> Callable[[_Values], float]:
     return _program_of(defined(function, count), count)
+
+
+@cache
+def program(function: Subfunction) -> Callable[[_Values], float]:
+    """The computation of a function that others apply, from its operands."""
+    return _program_of(function.expression, len(function.parameters))
 
 
 @cache
@@ -95,6 +103,10 @@ def _compiled(expression: Expression, places: Mapping[Local, int]) -> Callable[[
             parts = [_compiled(operand, places) for operand in operands]
             operation = PRIMITIVES[primitive]
             return lambda values: operation(*[part(values) for part in parts])
+        case Applied(function=function, operands=operands):
+            parts = [_compiled(operand, places) for operand in operands]
+            applied = program(function)
+            return lambda values: applied([part(values) for part in parts])
         case Chosen(condition=condition, then=then, otherwise=otherwise):
             holds = _condition(condition, places)
             one, other = _compiled(then, places), _compiled(otherwise, places)
@@ -127,10 +139,6 @@ def _root(x: float) -> float:
     return math.sqrt(x) if x >= 0.0 else NAN
 
 
-def _arc_sine(x: float) -> float:
-    return math.asin(x) if -1.0 <= x <= 1.0 else NAN
-
-
 PRIMITIVES: Mapping[Primitive, Callable[..., float]] = {
     Primitive.ADD: lambda a, b: a + b,
     Primitive.SUBTRACT: lambda a, b: a - b,
@@ -139,6 +147,4 @@ PRIMITIVES: Mapping[Primitive, Callable[..., float]] = {
     Primitive.NEGATE: lambda a: -a,
     Primitive.ABSOLUTE: abs,
     Primitive.SQUARE_ROOT: _root,
-    Primitive.ARC_SINE: _arc_sine,
-    Primitive.ARC_TANGENT: math.atan2,
 }

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from rossmarie import ir
 from rossmarie.core import Function, Sampling, defined, parameters, row, sampling_row
 from rossmarie.core.expressions import (
+    Applied,
     Chosen,
     Computed,
     Condition,
@@ -20,6 +21,8 @@ from rossmarie.core.expressions import (
     Number,
     Operand,
     Primitive,
+    Subfunction,
+    subfunctions_of,
 )
 
 _INFIX = {
@@ -72,6 +75,8 @@ class Formulas:
                 return f"({text})" if least else text
             case Computed(primitive=primitive, operands=operands):
                 return self._computed(primitive, operands, least)
+            case Applied(function=function, operands=operands):
+                return f"{function.name}({', '.join(map(self.text, operands))})"
 
     def _computed(self, primitive: Primitive, operands: tuple[Expression, ...], least: int) -> str:
         if primitive in self._dialect.calls:
@@ -112,7 +117,7 @@ class Definition:
                 return True
             case Computed():
                 return self.expression.operands == operands
-            case Number() | Chosen() | Local():
+            case Number() | Chosen() | Local() | Applied():
                 return False
 
     def call(self, dialect: Dialect, operands: Sequence[str]) -> str:
@@ -130,6 +135,12 @@ def definition_of(function: Function, count: int) -> Definition:
     return Definition(f"{function.value}_of{number}", names, defined(function, count), remark)
 
 
+def definition_of_subfunction(function: Subfunction) -> Definition:
+    """A function that others are made of."""
+    remark = _sentence(function.phrase.format(*function.parameters))
+    return Definition(function.name, function.parameters, function.expression, remark)
+
+
 def definition_of_samples(function: Sampling) -> Definition:
     """A function of what it looks at among samples."""
     declared = sampling_row(function)
@@ -138,11 +149,18 @@ def definition_of_samples(function: Sampling) -> Definition:
     return Definition(f"{function.value}_of", names, declared.expression, remark)
 
 
-def definitions(machine: ir.Machine) -> Iterator[Definition]:
-    """The functions of a machine that need one in a language, each once."""
+def definitions(
+    machine: ir.Machine, is_called: Callable[[Definition], bool]
+) -> Iterator[Definition]:
+    """The functions of a machine that need one in a language and are called there, each once and
+    after those that it applies.
+    """
     found = [definition_of(*each) for each in ir.functions(machine)]
     found += map(definition_of_samples, ir.samplings(machine))
-    return (each for each in found if not each.is_inline)
+    called = [each for each in found if not each.is_inline and is_called(each)]
+    applied = dict.fromkeys(part for each in called for part in subfunctions_of(each.expression))
+    yield from map(definition_of_subfunction, applied)
+    yield from called
 
 
 def _sentence(words: str) -> str:

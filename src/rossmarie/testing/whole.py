@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from rossmarie import ir
 from rossmarie.core import Function, View, defined, sampling_row
 from rossmarie.core.expressions import (
+    Applied,
     Chosen,
     Computed,
     Expression,
@@ -63,7 +64,7 @@ class _Steps:
 
     def of(self, expression: Expression) -> float | None:
         match expression:
-            case Number():
+            case Number() | Applied():
                 return None
             case Operand(index=index):
                 return self._steps[index]
@@ -87,7 +88,7 @@ class _Steps:
             case Primitive.DIVIDE:
                 step, by = self.of(operands[0]), self._constant(operands[1])
                 return _representable(step / abs(by)) if step and by else None
-            case Primitive.SQUARE_ROOT | Primitive.ARC_SINE | Primitive.ARC_TANGENT:
+            case Primitive.SQUARE_ROOT:
                 return None
 
     def _constant(self, expression: Expression) -> float | None:
@@ -96,7 +97,7 @@ class _Steps:
                 return value
             case Operand(index=index):
                 return self._constants[index]
-            case Computed() | Chosen() | Local():
+            case Computed() | Applied() | Chosen() | Local():
                 return None
 
     def _scaled(self, step: float | None, factor: float | None) -> float | None:

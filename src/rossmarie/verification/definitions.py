@@ -63,7 +63,9 @@ class Definitions:
 
     def text(self) -> str:
         """All of them, each after those that it uses."""
-        functions = [formulas.definition(*each) for each in supports.functions(self._machine)]
+        applied = supports.functions(self._machine)
+        functions = [*map(formulas.definition_of_subfunction, formulas.subfunctions(applied))]
+        functions += [formulas.definition(*each) for each in applied]
         functions += map(formulas.definition_of_samples, supports.samplings(self._machine))
         constants = CONSTANTS.format(name=self._layout.name)
         parts = [

@@ -7,10 +7,11 @@ The generator of the C that is proved has a writer of its own; nothing is shared
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from rossmarie.core import Function, Sampling, defined, parameters, row, sampling_row
 from rossmarie.core.expressions import (
+    Applied,
     Chosen,
     Computed,
     Condition,
@@ -23,7 +24,9 @@ from rossmarie.core.expressions import (
     Number,
     Operand,
     Primitive,
+    Subfunction,
     locals_of,
+    subfunctions_of,
 )
 
 
@@ -37,6 +40,23 @@ def definition(function: Function, count: int) -> str:
     names = parameters(count)
     remark = f"{row(function).rule}: {row(function).worded(names)}"
     return _definition(name(function, count), names, defined(function, count), remark)
+
+
+def subfunctions(applied: Iterable[tuple[Function, int]]) -> tuple[Subfunction, ...]:
+    """The functions that functions of so many operands apply, each after those that it applies."""
+    return tuple(dict.fromkeys(each for one in applied for each in subfunctions_of(defined(*one))))
+
+
+def name_of_subfunction(function: Subfunction) -> str:
+    """The C function that means a function that others apply."""
+    return f"spec_{function.name}"
+
+
+def definition_of_subfunction(function: Subfunction) -> str:
+    """That C function."""
+    remark = f"S5: {function.phrase.format(*function.parameters)}"
+    name = name_of_subfunction(function)
+    return _definition(name, function.parameters, function.expression, remark)
 
 
 def name_of_samples(function: Sampling) -> str:
@@ -83,6 +103,9 @@ def _text(expression: Expression, names: Sequence[str]) -> str:
             return name
         case Computed(primitive=primitive, operands=operands):
             return _operation(primitive, [_text(operand, names) for operand in operands])
+        case Applied(function=function, operands=operands):
+            applied = ", ".join(_text(operand, names) for operand in operands)
+            return f"{name_of_subfunction(function)}({applied})"
         case Chosen(condition=condition, then=then, otherwise=otherwise):
             holds = _condition(condition, names)
             return f"({holds} ? {_text(then, names)} : {_text(otherwise, names)})"
@@ -104,10 +127,6 @@ def _operation(primitive: Primitive, parts: Sequence[str]) -> str:
             return f"fabs({parts[0]})"
         case Primitive.SQUARE_ROOT:
             return f"sqrt({parts[0]})"
-        case Primitive.ARC_SINE:
-            return f"asin({parts[0]})"
-        case Primitive.ARC_TANGENT:
-            return f"atan2({parts[0]}, {parts[1]})"
 
 
 def _condition(condition: Condition, names: Sequence[str]) -> str:

@@ -39,19 +39,9 @@ _UNCHECKED = """\
 """
 
 _MODELS = """\
-/* What is said of the C library: any function of its arguments; no angle is infinite, and none is
- * known of what is not.
- */
-double __CPROVER_uninterpreted_asin(double);
-double __CPROVER_uninterpreted_atan2(double, double);
+/* What is said of the C library: any function of its arguments. */
 double __CPROVER_uninterpreted_sqrt(double);
 double __CPROVER_uninterpreted_middle(unsigned k, unsigned is_upper); /* of a window */
-static double angle(double x) { return isinf(x) ? NAN : x; }
-double asin(double x) { return isnan(x) ? NAN : angle(__CPROVER_uninterpreted_asin(x)); }
-double atan2(double y, double x)
-{
-    return isnan(y) || isnan(x) ? NAN : angle(__CPROVER_uninterpreted_atan2(y, x));
-}
 double sqrt(double x) { return isnan(x) ? NAN : __CPROVER_uninterpreted_sqrt(x); }
 """
 

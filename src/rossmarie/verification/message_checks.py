@@ -55,6 +55,8 @@ class MessageChecks:
         self._opaque = opaque.functions_of(kept)
         follow: Parts = (("follow", "ignore_follow"),) if layout.oscillations else ()
         compute = ("compute", "ignore_compute")
+        self._subfunctions = opaque.Subfunctions(self._opaque)
+        self._same = self._subfunctions.parts()
         self._idle: Parts = (*follow, compute, *opaque.parts_of_samples(self._machine))
         self._windows: Parts = opaque.WINDOW_PARTS if layout.windows else ()
         names = (opaque.name(*each) for each in self._opaque)
@@ -67,18 +69,21 @@ class MessageChecks:
         received = map(self._received, range(len(self._layout.places.channel_names)))
         contracts = [opaque.contract(*each) for each in self._opaque]
         contracts += opaque.contracts_of_samples(self._layout)
+        contracts.append(self._subfunctions.text())
         return "\n".join([*contracts, *received, _COMPUTED])
 
     def written(self) -> Iterator[Written]:
         """All of them."""
         for function, count in self._opaque:
             about = f"{function.value} is unknown of what is not known"
-            check = Check(opaque.name(function, count), about)
+            check = Check(opaque.name(function, count), about, self._same)
             yield Written(check, opaque.kept(function, count))
+        yield from self._subfunctions.written()
         for channel, name in enumerate(self._layout.places.channel_names):
             topic = self._machine.channels[channel].topic
             about = f"the numbers of a message on {topic}"
-            numbers = Check(f"numbers_{name}", about, self._windows, is_arithmetic=True)
+            parts = (*self._windows, *self._same)
+            numbers = Check(f"numbers_{name}", about, parts, is_arithmetic=True)
             yield Written(numbers, self._numbers(channel, name))
             lines, arguments = self._message(channel)
             lines += [*self._given(channel), f"    is_told[{channel}] = true;"]
@@ -100,7 +105,7 @@ class MessageChecks:
                 (part, "change_nothing" if part in ("catch_up", "evaluate") else contract)
                 for part, contract in self._nothing_else
             )
-            parts = (*parts, *self._windows)
+            parts = (*parts, *self._windows, *self._same)
             numbers = Check(f"step_numbers_{name}", about, parts, is_arithmetic=True)
             yield Written(numbers, self._step_numbers(channel, name, call))
         about = "messages on several topics"

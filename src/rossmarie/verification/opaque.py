@@ -1,18 +1,31 @@
 """Functions with roots and angles, and functions of samples: a proof need not know their numbers.
 
-Each has one check of what is known of its result, and a contract that says the same elsewhere.
+Each has one check of what is known of its result, and a contract that says the same elsewhere. What
+functions apply has one more, which shows that the C computes it by the formula of the core.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
-from rossmarie.core import Function, Sampling, may_be_infinite, parameters, row, sampling_row
+from rossmarie.core import (
+    Function,
+    Sampling,
+    defined,
+    may_be_infinite,
+    parameters,
+    row,
+    sampling_row,
+)
+from rossmarie.core.expressions import Subfunction, applied_in
 from rossmarie.ir import model as ir
-from rossmarie.verification.check import Parts
+from rossmarie.verification.check import Check, Parts, Written
+from rossmarie.verification.formulas import name_of_subfunction
 from rossmarie.verification.layout import Layout
-from rossmarie.verification.places import function_of, function_of_samples
+from rossmarie.verification.places import function_of, function_of_samples, function_of_subfunction
 from rossmarie.verification.supports import samplings
+
+_NOTHING = "nothing is known of what is not"
 
 
 def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[Function, int], ...]:
@@ -34,9 +47,13 @@ def _is_possible(function: Function, count: int) -> str:
     """The facts that are known of a result: of an unknown function there are none, and some results
     are never infinite.
     """
-    known = " && ".join(f"!isnan({each})" for each in parameters(count))
+    known = _known(parameters(count))
     is_finite = not may_be_infinite(function, count, of_infinite=True)
     return f"({known} || isnan(found))" + (" && !isinf(found)" if is_finite else "")
+
+
+def _known(names: Iterable[str]) -> str:
+    return " && ".join(f"!isnan({each})" for each in names)
 
 
 def contract(function: Function, count: int) -> str:
@@ -56,9 +73,63 @@ def kept(function: Function, count: int) -> str:
     names = parameters(count)
     lines = [f"const double {each} = nondet_double();" for each in names]
     lines.append(f"const double found = {name(function, count)}({', '.join(names)});")
-    claim = '"nothing is known of what is not"'
-    lines.append(f"__CPROVER_assert({_is_possible(function, count)}, {claim});")
+    lines.append(f'__CPROVER_assert({_is_possible(function, count)}, "{_NOTHING}");')
     return "\n".join(f"    {line}" for line in lines)
+
+
+# --- what functions apply --------------------------------------------------------------------
+
+
+class Subfunctions:
+    """The functions that some functions apply: arc sine and arc tangent. To proofs they are any
+    function that tells nothing of what is not known, and nothing infinite.
+    """
+
+    def __init__(self, functions: Iterable[tuple[Function, int]]) -> None:
+        applied = (each for function in functions for each in applied_in(defined(*function)))
+        self._functions = tuple(dict.fromkeys(applied))
+
+    def parts(self) -> Parts:
+        """Any functions instead of them, but the same in the C and in what it means."""
+        return tuple(
+            (name, f"same_{each.name}")
+            for each in self._functions
+            for name in (function_of_subfunction(each), name_of_subfunction(each))
+        )
+
+    def text(self) -> str:
+        """The functions that are called instead of them."""
+        return "\n".join(map(_any_function, self._functions))
+
+    def written(self) -> Iterator[Written]:
+        """The checks of what the C makes of them."""
+        for each in self._functions:
+            name, about = function_of_subfunction(each), each.phrase.format(*each.parameters)
+            operands = ", ".join(each.parameters)
+            found, meant = f"{name}({operands})", f"{name_of_subfunction(each)}({operands})"
+            formula = _asked(each.parameters, f"spec_same({found}, {meant})", "it is as defined")
+            yield Written(Check(name, f"{about}, as it is defined", is_arithmetic=True), formula)
+            is_told = f"({_known(each.parameters)}) || isnan({found})"
+            unknown = _asked(each.parameters, is_told, _NOTHING)
+            yield Written(Check(f"{name}_unknown", f"{about}, of what is not known"), unknown)
+
+
+def _asked(names: Sequence[str], holds: str, about: str) -> str:
+    lines = [f"const double {each} = nondet_double();" for each in names]
+    lines.append(f'__CPROVER_assert({holds}, "{about}");')
+    return "\n".join(f"    {line}" for line in lines)
+
+
+def _any_function(function: Subfunction) -> str:
+    doubles = ", ".join("double" for _ in function.parameters)
+    head = ", ".join(f"double {each}" for each in function.parameters)
+    call = f"__CPROVER_uninterpreted_{function.name}({', '.join(function.parameters)})"
+    return (
+        f"double __CPROVER_uninterpreted_{function.name}({doubles});\n"
+        f"double same_{function.name}({head})\n{{\n"
+        f"    const double found = {call};\n"
+        f"    return ({_known(function.parameters)}) && !isinf(found) ? found : NAN;\n}}\n"
+    )
 
 
 # --- samples ---------------------------------------------------------------------------------

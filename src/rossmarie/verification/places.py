@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from rossmarie.core import Function, Sampling
+from rossmarie.core.expressions import Subfunction
 from rossmarie.ir import model as ir
 from rossmarie.targets import formulas
 from rossmarie.targets.c99 import layout as generated
@@ -90,6 +91,11 @@ def name_of(machine: ir.Machine) -> str:
 def function_of(function: Function, count: int) -> str:
     """The C function that computes a function of numbers."""
     return formulas.definition_of(function, count).name
+
+
+def function_of_subfunction(function: Subfunction) -> str:
+    """The C function that computes a function that others apply."""
+    return formulas.definition_of_subfunction(function).name
 
 
 def function_of_samples(function: Sampling) -> str | None:

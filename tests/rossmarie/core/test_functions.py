@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from rossmarie.core import (
@@ -19,6 +19,7 @@ from rossmarie.core import (
     shown_by,
 )
 from rossmarie.core.expressions import (
+    Applied,
     Chosen,
     Computed,
     Condition,
@@ -78,6 +79,7 @@ def test_results_lie_in_their_range(application: tuple[Function, list[float]]) -
 
 
 @given(applications(NUMBERS), st.booleans())
+@example((Function.ADD, [math.inf, 1.0]), True)
 def test_infinite_results_are_announced(
     application: tuple[Function, list[float]], of_infinite: bool
 ) -> None:
@@ -146,6 +148,9 @@ def operations_in(expression: Expression) -> list[Primitive]:
             below = [each for operand in operands for each in operations_in(operand)]
             is_exact = primitive in (Primitive.NEGATE, Primitive.ABSOLUTE)
             return below if is_exact else [primitive, *below]
+        case Applied(function=function, operands=operands):
+            below = [each for operand in operands for each in operations_in(operand)]
+            return [*operations_in(function.expression), *below]
 
 
 def value(expression: Expression, operands: list[Fraction]) -> Fraction:
@@ -161,6 +166,8 @@ def value(expression: Expression, operands: list[Fraction]) -> Fraction:
             return value(then if holds(condition, operands) else otherwise, operands)
         case Computed(primitive=primitive, operands=parts):
             return EXACT[primitive](*(value(part, operands) for part in parts))
+        case Applied(function=function, operands=parts):
+            return value(function.expression, [value(part, operands) for part in parts])
 
 
 EXACT: Mapping[Primitive, Callable[..., Fraction]] = {

@@ -77,6 +77,17 @@ def test_s5_angles_of_an_orientation_of_any_length(
     assert found == pytest.approx(angles)
 
 
+def test_s5_angles_are_the_same_everywhere() -> None:
+    functions = (Function.ROLL, Function.PITCH, Function.YAW)
+    orientations = ((0.1, 0.2, 0.3, 0.4), (-0.7, 0.1, 0.5, 0.3), (3.0, -2.0, 0.25, 1.0))
+    found = [[result_of(each, *values).hex() for each in functions] for values in orientations]
+    assert found == [
+        ["0x1.921fb54442d18p-1", "0x1.5bfe34f051113p-2", "0x1.6dcc57bb565fcp+0"],
+        ["-0x1.0468a8ace4df6p+1", "0x1.217d71a3685b0p+0", "0x1.dac670561bb50p-2"],
+        ["0x1.5f5a54b7278eap+1", "-0x1.9b7b916bcd5d8p-2", "-0x1.181cde0695be7p+0"],
+    ]
+
+
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_s5_a_sine_beyond_one_is_cut(sign: float) -> None:
     x, y = UPRIGHT

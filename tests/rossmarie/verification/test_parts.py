@@ -307,6 +307,24 @@ def test_a_seeded_fault_in_them_is_refuted(
     assert any(expected in wrong for wrong in outcomes(prover, counting, change, part))
 
 
+def test_arc_sines_are_the_formulas_of_the_core(prover: Prover, counting: ir.Machine) -> None:
+    assert outcomes(prover, counting, NO_CHANGE, "arcsine") == set()
+
+
+@pytest.mark.deep
+def test_an_arc_sine_of_what_is_unknown_is_refuted(prover: Prover, counting: ir.Machine) -> None:
+    change = ("return size < 0.5 ?", "return isnan(x) ? 0.0 : size < 0.5 ?")
+    expected = {"nothing is known of what is not"}
+    assert outcomes(prover, counting, change, "arcsine_unknown") == expected
+
+
+@pytest.mark.deep
+def test_another_formula_of_an_arc_sine_is_not_proved(prover: Prover, counting: ir.Machine) -> None:
+    change = ("0.02237217294214989", "0.02237217294214988")
+    found = [each.verdict for each in asked(prover, counting, change, ["arcsine"], 15)]
+    assert found == [Verdict.UNDECIDED, Verdict.PROVED]
+
+
 @pytest.mark.deep
 def test_an_angle_of_another_number_is_not_proved(prover: Prover, counting: ir.Machine) -> None:
     """To find the numbers that refute it takes the solvers minutes."""

@@ -17,7 +17,7 @@ def bound_of(machine: ir.Machine) -> str:
     arrays = f"; arrays of up to {ELEMENTS} elements" if machine.arrays else ""
     return (
         "one step from any well-formed state, so no bound on messages, timers, values or time"
-        f"{arrays}; asin, atan2 and sqrt of the C library may be any functions"
+        f"{arrays}; arc sines, arc tangents and square roots may be any functions"
     )
 
 

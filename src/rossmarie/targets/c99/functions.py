@@ -8,12 +8,7 @@ from rossmarie.targets.formulas import Definition, Dialect, Formulas
 
 C = Dialect(
     number=lambda value: number(value) if value == value else "NAN",
-    calls={
-        Primitive.ABSOLUTE: "fabs",
-        Primitive.SQUARE_ROOT: "sqrt",
-        Primitive.ARC_SINE: "asin",
-        Primitive.ARC_TANGENT: "atan2",
-    },
+    calls={Primitive.ABSOLUTE: "fabs", Primitive.SQUARE_ROOT: "sqrt"},
     chosen="{0} ? {1} : {2}",
     is_unknown="isnan({0})",
     either="{0} || {1}",

@@ -82,9 +82,9 @@ class _Writer:
 
     def _defined(self) -> Iterator[str]:
         """The functions of the core that the monitor calls, in the order of the core."""
-        for definition in definitions(self._layout.machine):
-            if definition.name in self._messages.expressions.functions:
-                yield functions.function(definition)
+        names = self._messages.expressions.functions
+        called = definitions(self._layout.machine, lambda each: each.name in names)
+        yield from map(functions.function, called)
 
     def _header(self) -> str:
         layout = self._layout

@@ -11,8 +11,6 @@ PYTHON = Dialect(
         Primitive.DIVIDE: "divide",
         Primitive.ABSOLUTE: "abs",
         Primitive.SQUARE_ROOT: "square_root",
-        Primitive.ARC_SINE: "arc_sine",
-        Primitive.ARC_TANGENT: "math.atan2",
     },
     chosen="{1} if {0} else {2}",
     is_unknown="{0} != {0}",

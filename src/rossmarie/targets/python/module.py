@@ -21,9 +21,7 @@ from rossmarie.targets.python.function import INDENT, Function
 from rossmarie.targets.python.layout import Layout
 
 _ALWAYS = (parts.Verdict, parts.TimeJump, parts.Rule)
-_ON_DEMAND = (
-    parts.known, parts.divide, parts.square_root, parts.arc_sine, parts.Samples, parts.Oscillation,
-)  # fmt: skip
+_ON_DEMAND = (parts.known, parts.divide, parts.square_root, parts.Samples, parts.Oscillation)
 
 _HEAD = '''\
 """A safety monitor: plain Python 3.10 or later, which needs nothing to be installed.
@@ -104,9 +102,8 @@ def source(machine: ir.Machine) -> str:
 
 def _functions(machine: ir.Machine, body: str) -> Iterator[str]:
     """The functions of numbers that the module calls."""
-    for definition in definitions(machine):
-        if f"{definition.name}(" in body:
-            yield functions.function(definition)
+    called = definitions(machine, lambda each: f"{each.name}(" in body)
+    yield from map(functions.function, called)
 
 
 def _descriptions(machine: ir.Machine) -> Iterator[str]:

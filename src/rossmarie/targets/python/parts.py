@@ -66,11 +66,6 @@ def square_root(x: float) -> float:
     return math.sqrt(x) if x >= 0.0 else NAN
 
 
-def arc_sine(x: float) -> float:
-    """An arc sine in radians; NaN outside of [-1, 1], where Python raises."""
-    return math.asin(x) if -1.0 <= x <= 1.0 else NAN
-
-
 class Samples:
     """The last two samples of a signal, or with a window those in it, 64 at the most."""
 

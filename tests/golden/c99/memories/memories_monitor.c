@@ -184,12 +184,48 @@ static const index_t shown_inputs[3] = {
 
 #include "engine/monitor.h"
 
+/* The arc sine of x divided by x, less 1, of z = x * x. */
+static double arcsine_surplus(double z)
+{
+    const double part0 = 0.16666666666666669 + z * (0.07499999999998433 + z * 0.04464285714635543);
+    const double cube = z * z * z;
+    const double part1 = 0.030381944138531247 + z * (0.02237217294214989 + z * 0.017352392720869973);
+    const double part2 = 0.013971212973552933 + z * (0.011479177415184906 + z * 0.01032281435018578);
+    const double part3 = 0.005457506718640358 + z * (0.01740087944269402 + z * (-0.014851887071247204));
+    const double part4 = 0.028757851367421566;
+    return z * (part0 + cube * (part1 + cube * (part2 + cube * (part3 + cube * part4))));
+}
+
+/* The leading half of the digits of x. */
+static double leading(double x)
+{
+    const double scaled = x * 134217729.0;
+    return scaled - (scaled - x);
+}
+
+/* The arc sine of x from 1/2 to 1. */
+static double arcsine_far(double x)
+{
+    const double z = 0.5 * (1.0 - x);
+    const double root = sqrt(z);
+    const double upper = leading(root);
+    const double lower = root == 0.0 ? 0.0 : (z - upper * upper) / (root + upper);
+    return 1.5707963267948966 - 2.0 * upper + (6.123233995736766e-17 - 2.0 * lower - 2.0 * root * arcsine_surplus(z));
+}
+
+/* The arc sine of x in radians, NaN beyond 1. */
+static double arcsine(double x)
+{
+    const double size = fabs(x);
+    return size < 0.5 ? x + x * arcsine_surplus(x * x) : x < 0.0 ? -(arcsine_far(size)) : arcsine_far(size);
+}
+
 /* The pitch of (x, y, z, w). */
 static double pitch_of(double x, double y, double z, double w)
 {
     const double n = x * x + y * y + z * z + w * w;
     const double sine = 2.0 * (w * y - z * x) / n;
-    return n == 0.0 ? NAN : asin(sine < (-1.0) ? (-1.0) : 1.0 < sine ? 1.0 : sine);
+    return n == 0.0 ? NAN : arcsine(sine < (-1.0) ? (-1.0) : 1.0 < sine ? 1.0 : sine);
 }
 
 /* The rate of change of a number. */
