@@ -1,5 +1,5 @@
-"""What a command is doing, on standard error if that is a terminal. What draws it is imported only
-when there is something to draw: most commands are done before.
+"""The step at hand of a command, on standard error if that is a terminal. The libraries that draw
+it are imported only when there is something to draw: most commands are done before.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a command is doing: on a terminal only, and gone when the command is over."""
+"""A command shows its step on a terminal only, and the words are gone when the command is over."""
 
 from __future__ import annotations
 
