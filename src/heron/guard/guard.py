@@ -18,8 +18,7 @@ from heron.guard.relay import Relay
 from heron.messages import Message
 from heron.topics import Carrier, InProcess, Topic
 from rossmarie.driver.monitor import Monitor
-from rossmarie.interpreter import Reactor
-from rossmarie.interpreter.reactor import State
+from rossmarie.interpreter import Reactor, State
 from rossmarie.ir import Event, FieldBounds, Machine, Order, OrderKind, Verdict
 
 PERIOD_NS = 2_000_000  # what is due by itself is done so late at most

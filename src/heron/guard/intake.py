@@ -11,7 +11,8 @@ import numpy as np
 
 from heron import messages
 from heron.messages import Message
-from rossmarie.driver.monitor import Monitor, Value
+from rossmarie.driver.monitor import Monitor
+from rossmarie.engines import Value
 from rossmarie.ir import Array, Event, Path, Slot, arrival_names, field_names
 
 Take = Callable[[int, Message], Sequence[Event]]

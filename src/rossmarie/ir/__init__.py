@@ -5,7 +5,13 @@ from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, explain
-from rossmarie.ir.limits import EARLIEST_NS, LATEST_NS, LONGEST_NS, MOST_EVALUATIONS
+from rossmarie.ir.limits import (
+    EARLIEST_NS,
+    LATEST_NS,
+    LONGEST_NS,
+    MOST_EVALUATIONS,
+    require_instant,
+)
 from rossmarie.ir.malformed import MalformedMachine
 from rossmarie.ir.message import ChannelValues
 from rossmarie.ir.model import (
@@ -45,8 +51,9 @@ from rossmarie.ir.model import (
     TruthNode,
 )
 from rossmarie.ir.naming import arrival_names, field_names, near_name
+from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
 from rossmarie.ir.path import ByName, Path, Step, path_text
-from rossmarie.ir.reactions import NO_REACTIONS, FieldBounds, Order, OrderKind, Reactions
+from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.support import (
     ElementArrays,
@@ -127,11 +134,13 @@ __all__ = [
     "Signal",
     "SignalNode",
     "Slot",
+    "State",
     "Step",
     "Support",
     "Supports",
     "Taken",
     "TimeJump",
+    "Told",
     "Truth",
     "TruthNode",
     "TruthValue",
@@ -154,6 +163,7 @@ __all__ = [
     "path_text",
     "reachable_truths",
     "reactions",
+    "require_instant",
     "rule_signals",
     "rule_terms",
     "samplings",

@@ -18,3 +18,9 @@ LONGEST_NS = 2**61
 MOST_EVALUATIONS = 10_000
 """The most evaluations that one call of a monitor may take, however long the silence before it was.
 """
+
+
+def require_instant(at_ns: int) -> None:
+    """Raise `ValueError` for an instant out of range."""
+    if not EARLIEST_NS < at_ns < LATEST_NS:
+        raise ValueError(f"an instant of {at_ns} ns is out of range")

@@ -23,6 +23,7 @@ class PythonMonitor:
     def __init__(self, machine: ir.Machine, source: str) -> None:
         self._slots = _by_channel(machine, machine.slots)
         self._arrays = _by_channel(machine, machine.arrays)
+        self._has_watches = bool(machine.watches)
         module: dict[str, Any] = {"__name__": "monitor"}
         exec(compile(source, "<generated monitor>", "exec"), module)
         self._jump = module["TimeJump"]
@@ -45,6 +46,11 @@ class PythonMonitor:
         """The rules that are active, by index."""
         active: tuple[bool, ...] = self._generated.active()
         return active
+
+    @property
+    def watches(self) -> tuple[TruthValue, ...]:
+        """The values of the watched truths, by index."""
+        return tuple(map(TruthValue, self._generated.watches())) if self._has_watches else ()
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
         """The messages that arrive at one instant, by channel index."""

@@ -1,0 +1,139 @@
+"""A monitor in Python with the reactor of its rules: as `native`'s guard, decision by decision."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from copy import copy
+
+from rossmarie.engines.python_monitor import PythonMonitor
+from rossmarie.interpreter import Reactor
+from rossmarie.ir import (
+    ChannelValues,
+    Event,
+    FieldBounds,
+    Machine,
+    Order,
+    OrderKind,
+    State,
+    Told,
+    reactions,
+)
+
+
+class PythonGuard:
+    """A monitor and its reactor, which looks after each call of the monitor, at the same instant.
+    Every method that takes an instant raises `ValueError` outside of `ir.EARLIEST_NS` and
+    `ir.LATEST_NS`, but for `bounds`.
+    """
+
+    def __init__(self, machine: Machine, source: str) -> None:
+        self._machine = machine
+        self._resets = {
+            task
+            for task, each in enumerate(machine.reactions.tasks)
+            if isinstance(each.effect, reactions.Reset)
+        }
+        timed = [used.channel for used in machine.inputs if used.timeout_ns is not None]
+        self._awaited = frozenset(timed)
+        self._monitor = PythonMonitor(machine, source)
+        self._begin()
+
+    def _begin(self) -> None:
+        self._monitor = self._monitor.fresh()
+        self._reactor = Reactor(self._machine.reactions)
+        self._missing = self._awaited
+        self._events: list[Event] = []
+        self._orders: list[Order] = []
+
+    def fresh(self) -> PythonGuard:
+        """Another guard of the same machine, that has seen nothing."""
+        another = copy(self)
+        another._begin()  # noqa: SLF001 - of this class
+        return another
+
+    @property
+    def active(self) -> tuple[bool, ...]:
+        """The rules that are active, by index."""
+        return self._monitor.active
+
+    @property
+    def states(self) -> tuple[State, ...]:
+        """Where each task stands, by index."""
+        return self._reactor.states
+
+    @property
+    def has_all_inputs(self) -> bool:
+        """True once every input with a timeout has arrived."""
+        return not self._missing
+
+    def open(self) -> None:
+        """Commands may pass (R12)."""
+        self._reactor.open()
+
+    def next_wake(self) -> int | None:
+        """The instant at which `advance` is wanted if nothing else comes before."""
+        wakes = (self._monitor.next_wake(), self._reactor.next_wake())
+        return min((wake for wake in wakes if wake is not None), default=None)
+
+    def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
+        """The bounds on the fields of a command topic at an instant (R11)."""
+        return self._reactor.bounds(at_ns, command)
+
+    # --- what happens ------------------------------------------------------------------------
+
+    def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> None:
+        """The messages that arrive at one instant, by channel index."""
+        self._events += self._monitor.update(at_ns, messages)
+        self._missing -= messages.keys()
+        self._follow(at_ns)
+
+    def advance(self, at_ns: int) -> None:
+        """Time passes without a message; what is due at this very instant happens as well."""
+        self._events += self._monitor.advance(at_ns)
+        self._follow(at_ns)
+
+    def reset(self, at_ns: int, rule: int | None = None) -> None:
+        """An operator resets one latched rule, or all."""
+        self._events += self._monitor.reset(at_ns, rule)
+        self._follow(at_ns)
+
+    def report(self, at_ns: int, task: int, *, success: bool) -> None:
+        """The end of a task that was ordered to start. Raises `IndexError` if there is none."""
+        if not 0 <= task < len(self._machine.reactions.tasks):
+            raise IndexError(f"there is no task {task}")
+        self._events += self._monitor.advance(at_ns)
+        self._orders += self._reactor.report(at_ns, task, success, self._monitor.watches)
+        self._follow(at_ns)
+
+    def update_call(self, channel: int) -> Callable[..., int]:
+        """A function `(at_ns, *slots) -> number of new events and orders` for one message on a
+        channel, as `PythonMonitor.update_call` describes it.
+        """
+        take = self._monitor.update_call(channel)
+
+        def call(at_ns: int, *slots: float) -> int:
+            before = len(self._events) + len(self._orders)
+            if take(at_ns, *slots) < 0:
+                return -1
+            self._missing -= {channel}
+            self._events += self._monitor.take_events()
+            self._follow(at_ns)
+            return len(self._events) + len(self._orders) - before
+
+        return call
+
+    def take(self) -> Told:
+        """All that was told since the last time."""
+        events, self._events = self._events, []
+        orders, self._orders = self._orders, []
+        return Told(events, orders)
+
+    def _follow(self, at_ns: int) -> None:
+        """What follows from the monitor, resets of all latched rules included."""
+        while self._ordered(self._reactor.react(at_ns, self.active, self._monitor.watches)):
+            self._events += self._monitor.reset(at_ns)
+
+    def _ordered(self, orders: list[Order]) -> bool:
+        """Say whether any of the orders is a reset."""
+        self._orders += orders
+        return any(each.kind is OrderKind.START and each.task in self._resets for each in orders)
