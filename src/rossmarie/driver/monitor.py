@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.python_columns import PythonColumns
 from rossmarie.engines import NamedValues, Value, start_monitor
-from rossmarie.ir import Event, Machine, Verdict, explain
+from rossmarie.ir import Event, Machine, event_line
 from rossmarie.native import NativeMonitor, fit
 
 
@@ -113,10 +113,7 @@ class Monitor:
 
     def explain(self, event: Event) -> str:
         """An event in words: the rule, what happened, and why."""
-        if not isinstance(event, Verdict):
-            return f"time went back from {event.from_ns} ns to {event.to_ns} ns"
-        change = event.change.name.partition("_")[0].lower()
-        return f"{self.rules[event.rule]} {change}: {explain(self.machine, event).line()}"
+        return event_line(self.machine, event)
 
     def update_call(self, topic: str) -> Callable[..., int]:
         """The fastest call for one topic: `(at_ns, *scalars) -> number of events, or -1`.

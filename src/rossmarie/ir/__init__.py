@@ -4,7 +4,7 @@ from rossmarie.core import Function, Sampling
 from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
-from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, explain
+from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
 from rossmarie.ir.limits import (
     EARLIEST_NS,
     LATEST_NS,
@@ -151,6 +151,7 @@ __all__ = [
     "dump_text",
     "each_update",
     "element_arrays",
+    "event_line",
     "explain",
     "field_names",
     "functions",

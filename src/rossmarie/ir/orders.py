@@ -46,6 +46,10 @@ class Told(NamedTuple):
     events: list[Event]
     orders: list[Order]
 
+    def __bool__(self) -> bool:
+        """Say whether there is anything."""
+        return bool(self.events or self.orders)
+
 
 @dataclass(frozen=True)
 class FieldBounds:

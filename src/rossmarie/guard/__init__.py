@@ -1,0 +1,7 @@
+"""A guard in this process: rules decide what a program, or a policy, may do to a robot."""
+
+from rossmarie.engines import Value
+from rossmarie.guard.commands import UPDATE_PERIOD_NS, CommandFilter, Commands
+from rossmarie.guard.core import Core
+
+__all__ = ["UPDATE_PERIOD_NS", "CommandFilter", "Commands", "Core", "Value"]
