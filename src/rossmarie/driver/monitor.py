@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.python_columns import PythonColumns
 from rossmarie.engines import NamedValues, Value, start_monitor
+from rossmarie.guard import Declared, Guard
 from rossmarie.ir import Event, Machine, event_line
 from rossmarie.native import NativeMonitor, fit
 
@@ -68,6 +69,18 @@ class Monitor:
         another = copy(self)
         another._engine = self._engine.fresh()  # noqa: SLF001 - of this class
         return another
+
+    def guard(self, *, observe: Declared, act: Declared) -> Guard:
+        """A guard of the same rules, which has seen nothing: between a policy and its robot.
+
+        The declarations say which numbers of flat observations and actions stand for which fields.
+        Raises `MappingError` if they do not fit the rules. Gives a `RuntimeWarning` with the reason
+        if the guard is not native.
+        """
+        guard = Guard(self.machine, observe, act)
+        if guard.reason is not None:
+            warnings.warn(guard.reason, RuntimeWarning, stacklevel=2)
+        return guard
 
     @property
     def rules(self) -> tuple[str, ...]:

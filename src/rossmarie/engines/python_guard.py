@@ -6,8 +6,10 @@ from collections.abc import Callable, Mapping
 from copy import copy
 
 from rossmarie.engines.python_monitor import PythonMonitor
+from rossmarie.engines.python_steps import PythonSteps
 from rossmarie.interpreter import Reactor
 from rossmarie.ir import (
+    EARLIEST_NS,
     ChannelValues,
     Event,
     FieldBounds,
@@ -16,8 +18,10 @@ from rossmarie.ir import (
     OrderKind,
     State,
     Told,
+    Wiring,
     reactions,
 )
+from rossmarie.native import StepCall, packed_note
 
 
 class PythonGuard:
@@ -44,6 +48,12 @@ class PythonGuard:
         self._missing = self._awaited
         self._events: list[Event] = []
         self._orders: list[Order] = []
+        self.now_ns = EARLIEST_NS
+        """The instant at which it is; before the first, one that is out of range."""
+
+    def restart(self) -> None:
+        """Forget everything."""
+        self._begin()
 
     def fresh(self) -> PythonGuard:
         """Another guard of the same machine, that has seen nothing."""
@@ -122,14 +132,35 @@ class PythonGuard:
 
         return call
 
+    def step_call(self, wiring: Wiring) -> StepCall:
+        """The fastest step, for arrays of the sizes of a wiring."""
+        return PythonSteps(self._machine, self, wiring).step
+
     def take(self) -> Told:
         """All that was told since the last time."""
         events, self._events = self._events, []
         orders, self._orders = self._orders, []
         return Told(events, orders)
 
+    @property
+    def has_news(self) -> bool:
+        """True if there is anything to take."""
+        return bool(self._events or self._orders)
+
+    @property
+    def begun(self) -> set[int]:
+        """The tasks that have begun, of the orders that nobody has taken yet."""
+        return {each.task for each in self._orders if each.kind is OrderKind.START}
+
+    def note(self, said: int) -> bytes:
+        """What is known after a step in which this happened, as `native` has it."""
+        bits = sum(1 << rule for rule, is_active in enumerate(self.active) if is_active)
+        size = (max(1, len(self._machine.rules)) + 7) // 8
+        return packed_note(said, bits.to_bytes(size, "little"), self.states, self._reactor.since_ns)
+
     def _follow(self, at_ns: int) -> None:
         """What follows from the monitor, resets of all latched rules included."""
+        self.now_ns = at_ns
         while self._ordered(self._reactor.react(at_ns, self.active, self._monitor.watches)):
             self._events += self._monitor.reset(at_ns)
 

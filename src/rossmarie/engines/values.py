@@ -60,11 +60,19 @@ class NamedValues:
             for channel in slots.keys() | arrays.keys()
         }
 
+    def shortest(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """The shortest name of each slot, and of each array."""
+        slots, arrays = (
+            tuple(min(sorted(names), key=len, default="") for names in fields)
+            for fields in field_names(self._machine)
+        )
+        return slots, arrays
+
     def scalars(self, channel: int) -> tuple[str, ...]:
         """The shortest names of the slots of a channel, in index order."""
-        names, _ = field_names(self._machine)
+        names, _ = self.shortest()
         return tuple(
-            min(names[index], key=len, default="")
+            names[index]
             for index, slot in enumerate(self._machine.slots)
             if self._channel(slot.input) == channel
         )

@@ -3,5 +3,20 @@
 from rossmarie.engines import Value
 from rossmarie.guard.commands import UPDATE_PERIOD_NS, CommandFilter, Commands
 from rossmarie.guard.core import Core
+from rossmarie.guard.decision import Decision, Request
+from rossmarie.guard.guard import Guard
+from rossmarie.guard.mapping import Declared, MappingError, Place
 
-__all__ = ["UPDATE_PERIOD_NS", "CommandFilter", "Commands", "Core", "Value"]
+__all__ = [
+    "UPDATE_PERIOD_NS",
+    "CommandFilter",
+    "Commands",
+    "Core",
+    "Decision",
+    "Declared",
+    "Guard",
+    "MappingError",
+    "Place",
+    "Request",
+    "Value",
+]

@@ -70,6 +70,16 @@ class Reactor:
         """Where each task stands, by index."""
         return tuple(progress.state for progress in self._tasks)
 
+    @property
+    def since_ns(self) -> tuple[int, ...]:
+        """Since when each task has been as it is; `NEVER_NS` for one that rests, unless it is a
+        limit or scale that was lifted.
+        """
+        return tuple(
+            self._filter.lifted_ns(task) if progress.state is State.IDLE else progress.started_ns
+            for task, progress in enumerate(self._tasks)
+        )
+
     def open(self) -> None:
         """Commands may pass: every input with a timeout has arrived once, or has had its time
         (R12).

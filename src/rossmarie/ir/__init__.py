@@ -10,6 +10,7 @@ from rossmarie.ir.limits import (
     LATEST_NS,
     LONGEST_NS,
     MOST_EVALUATIONS,
+    NEVER_NS,
     require_instant,
 )
 from rossmarie.ir.malformed import MalformedMachine
@@ -75,6 +76,7 @@ from rossmarie.ir.support import (
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify
+from rossmarie.ir.wiring import CommandPart, Part, Publication, Wiring
 
 __all__ = [
     "EARLIEST_NS",
@@ -82,6 +84,7 @@ __all__ = [
     "LATEST_NS",
     "LONGEST_NS",
     "MOST_EVALUATIONS",
+    "NEVER_NS",
     "NO_REACTIONS",
     "AgeReaches",
     "And",
@@ -94,6 +97,7 @@ __all__ = [
     "Change",
     "Channel",
     "ChannelValues",
+    "CommandPart",
     "Compare",
     "Comparison",
     "Constant",
@@ -122,7 +126,9 @@ __all__ = [
     "Order",
     "OrderKind",
     "Oscillates",
+    "Part",
     "Path",
+    "Publication",
     "Quantified",
     "Quantifier",
     "Reactions",
@@ -146,6 +152,7 @@ __all__ = [
     "TruthValue",
     "UnreadableMachine",
     "Verdict",
+    "Wiring",
     "arrival_names",
     "compared_signals",
     "dump_text",

@@ -15,6 +15,9 @@ LATEST_NS = 2**62
 LONGEST_NS = 2**61
 """Durations lie below this (73 years)."""
 
+NEVER_NS = 2**63 - 1
+"""Later than every instant: in C, something that has not happened."""
+
 MOST_EVALUATIONS = 10_000
 """The most evaluations that one call of a monitor may take, however long the silence before it was.
 """

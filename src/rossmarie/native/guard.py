@@ -19,12 +19,21 @@ from rossmarie.ir import (
     OrderKind,
     State,
     Told,
+    Wiring,
     require_instant,
 )
 from rossmarie.native.events import EventReader
 from rossmarie.native.library import Library
 from rossmarie.native.monitor import Mains, NativeMonitor, load_library
 from rossmarie.native.signatures import declarations, fields_of
+from rossmarie.native.steps import (
+    DECLARATIONS,
+    NativeRow,
+    StepCall,
+    WiringTable,
+    packed_note,
+    plain_step,
+)
 
 _MAINS = Mains("guarding.c", "fastguard.c")
 _ORDER = struct.Struct("@3i")
@@ -35,6 +44,7 @@ _NEVER = 2**63 - 1
 _FUNCTIONS = """
 host *guard_new(void);
 void guard_free(host *);
+void guard_restart(host *);
 size_t guard_order_count(host *);
 void *guard_orders(host *);
 void guard_forget_orders(host *);
@@ -54,7 +64,7 @@ def load_native_guard(machine: ir.Machine, files: Mapping[str, str]) -> NativeGu
     `load_native` raises.
     """
     reader = EventReader(machine)
-    declared = declarations(fields_of(machine)) + _FUNCTIONS
+    declared = declarations(fields_of(machine)) + _FUNCTIONS + DECLARATIONS
     return NativeGuard(machine, load_library(_MAINS, files, declared, reader), reader)
 
 
@@ -144,6 +154,34 @@ class NativeGuard:
             return made
         packed, new = self.library.function("guard_packed"), self.library.new
         return lambda at_ns, *slots: packed(self.host, channel, at_ns, new("double[]", [*slots, 0]))
+
+    def step_call(self, wiring: Wiring) -> StepCall:
+        """The fastest step, for arrays of the sizes of a wiring."""
+        table = self._table(wiring)
+        if made := self.library.step_function(self.host, table.pointer, (self, table)):
+            return made
+        return plain_step(self.library, self.host, table, self._note)
+
+    def row(self, wiring: Wiring, count: int) -> NativeRow:
+        """So many guards of the same machine, that have seen nothing."""
+        return NativeRow(self.library, count, self._table(wiring), len(self._machine.rules))
+
+    def restart(self) -> None:
+        """Forget everything."""
+        self.library.function("guard_restart")(self.host)
+        self._events = []
+
+    def _table(self, wiring: Wiring) -> WiringTable:
+        channels = len(self._machine.channels)
+        return WiringTable(self.library, wiring, channels, max(self._fields, default=0))
+
+    def _note(self, said: int) -> bytes:
+        tasks = len(self._machine.reactions.tasks)
+        states = self.library.new("unsigned char[]", tasks or 1)
+        since_ns = self.library.new("int64_t[]", tasks or 1)
+        self.library.function("guard_note")(self.host, states, since_ns)
+        bits = self._monitor.active_bits
+        return packed_note(said, bits, list(states)[:tasks], list(since_ns)[:tasks])
 
     def take(self) -> Told:
         """All that was told since the last time. Raises `MemoryError` if any of it was lost for

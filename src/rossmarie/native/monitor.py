@@ -137,9 +137,14 @@ class NativeMonitor:
     @property
     def active(self) -> tuple[bool, ...]:
         """The rules that are active, by index."""
-        bits = self.library.bytes_at(self._call("host_active"), self.active_bytes)
+        bits = self.active_bits
         rules = range(len(self._machine.rules))
         return tuple(bool(bits[rule // 8] >> rule % 8 & 1) for rule in rules)
+
+    @property
+    def active_bits(self) -> bytes:
+        """The same with the bit of rule r at bit `r % 8` of byte `r // 8`."""
+        return self.library.bytes_at(self._call("host_active"), self.active_bytes)
 
     def next_wake(self) -> int | None:
         """The instant at which `advance` is wanted if no message comes before."""

@@ -306,7 +306,9 @@ def test_a_library_that_cannot_be_loaded_is_built_again(monkeypatch: pytest.Monk
 
     def once_broken(*arguments: Any, rebuild: bool, **more: Any) -> bytes:
         calls.append(rebuild)
-        return build(*arguments, rebuild=rebuild, **more) if rebuild else b"\x7fELF and then nothing"
+        return (
+            build(*arguments, rebuild=rebuild, **more) if rebuild else b"\x7fELF and then nothing"
+        )
 
     monkeypatch.setattr(native_monitor, "build", once_broken)
     assert load("thresholds").run(TIMES, columns()).events

@@ -1,0 +1,41 @@
+"""A guard of a policy decides the same in C and in Python, and in a row as by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from hypothesis import given, settings
+
+from rossmarie.guard import Guard
+from support.c_compiler import needs_c
+from support.depth import examples, phases_of_compiled
+from support.policies import PolicyCase, policy_cases, run_policy
+
+pytestmark = needs_c
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
+def in_python(case: PolicyCase) -> Guard:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CC", "no-such-compiler")
+        guard = case.guard()
+    assert guard.kind == "python"
+    return guard
+
+
+@settings(phases=phases_of_compiled(), max_examples=examples(0.5))
+@given(policy_cases())
+def test_same_decisions_in_c_and_in_python(case: PolicyCase) -> None:
+    native, python = case.guard(), in_python(case)
+    assert native.kind == "native"
+    for steps in case.episodes:
+        assert run_policy(native, steps) == run_policy(python, steps)
+        native.restart()
+        python.restart()
