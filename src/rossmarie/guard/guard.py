@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from rossmarie.engines import GuardEngine, Started, start_guard
 from rossmarie.guard.decision import Decision, Reasons, Request
 from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
-from rossmarie.ir import Change, Machine, Order, Verdict, require_instant
+from rossmarie.ir import Change, Machine, Order, Verdict, near_name, require_instant
 from rossmarie.ir.reactions import (
     Call,
     CancelGoal,
@@ -89,7 +89,13 @@ class Guard:
         self._engine.report(self._now(), task, success=success)
 
     def reset(self, rule: str | None = None) -> None:
-        """An operator resets one latched rule, or all: those with a false condition clear."""
+        """An operator resets one latched rule, or all: those with a false condition clear. Raises
+        `ValueError` for a rule that there is not.
+        """
+        if rule is not None and rule not in self.rules:
+            near = near_name(rule, self.rules)
+            meant = f"; did you mean `{near}`?" if near else ""
+            raise ValueError(f"there is no rule `{rule}`{meant}")
         number = None if rule is None else self.rules.index(rule)
         self._engine.reset(self._now(), number)
 

@@ -151,9 +151,13 @@ def plain_step(library: Library, host: Pointer, table: WiringTable, note: NoteCa
 NoteCall: TypeAlias = Callable[[int], bytes]
 
 
-def fits(array: NDArray[Any], length: int) -> bool:
-    """Say whether an array holds so many floats."""
-    return array.shape == (length,) and array.dtype in (np.float64, np.float32)
+def fits(array: object, length: int) -> bool:
+    """Say whether something is an array of so many floats."""
+    return (
+        isinstance(array, np.ndarray)
+        and array.shape == (length,)
+        and array.dtype in (np.float64, np.float32)
+    )
 
 
 def put_back(numbers: Floats, action: NDArray[Any]) -> None:
