@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from rossmarie.guard import Guard
 from support.c_compiler import needs_c
@@ -39,3 +40,19 @@ def test_same_decisions_in_c_and_in_python(case: PolicyCase) -> None:
         assert run_policy(native, steps) == run_policy(python, steps)
         native.restart()
         python.restart()
+
+
+@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@given(policy_cases(), st.integers(0, 8))
+def test_a_guard_that_is_restored_goes_on_as_the_one_that_was_saved(
+    case: PolicyCase, place: int
+) -> None:
+    for guard, another in ((case.guard(), case.guard()), (in_python(case), in_python(case))):
+        for steps in case.episodes:
+            guard.restart()
+            run_policy(guard, steps[:place])
+            state = guard.state()
+            wanted = run_policy(guard, steps[place:], is_begun=place > 0)
+            for restored in (another, guard):
+                restored.restore(state)
+                assert run_policy(restored, steps[place:], is_begun=place > 0) == wanted

@@ -111,11 +111,13 @@ def decided(decision: Decision) -> tuple[object, ...]:
     )
 
 
-def run_policy(guard: Guard, steps: list[Step]) -> list[tuple[object, ...]]:
-    """Let an episode happen; gives all decisions."""
+def run_policy(
+    guard: Guard, steps: list[Step], *, is_begun: bool = False
+) -> list[tuple[object, ...]]:
+    """Let an episode happen, or go on; gives all decisions."""
     found = []
     for number, step in enumerate(steps):
-        if number and step.report is not None:
+        if (number or is_begun) and step.report is not None:
             task, success = step.report
             guard.report(task, success=success)
         found.append(decided(guard.step(step.at_ns, step.observation, step.action)))

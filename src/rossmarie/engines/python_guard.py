@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from copy import copy
+from copy import copy, deepcopy
 
 from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.engines.python_steps import PythonSteps
@@ -132,15 +132,32 @@ class PythonGuard:
 
         return call
 
+    def take_events(self) -> list[Event]:
+        """The events that were told since the last time; orders wait on."""
+        events, self._events = self._events, []
+        return events
+
+    def save(self) -> object:
+        """All that it knows, and orders that nobody has taken."""
+        kept = deepcopy((self._reactor, self._missing, self._orders, self.now_ns))
+        return (self._monitor.save(), kept)
+
+    def load(self, saved: object) -> None:
+        """Know what another guard of the same rules has known."""
+        assert isinstance(saved, tuple)
+        monitor, kept = saved
+        self._monitor.load(monitor)
+        self._reactor, self._missing, self._orders, self.now_ns = deepcopy(kept)
+        self._events = []
+
     def step_call(self, wiring: Wiring) -> StepCall:
         """The fastest step, for arrays of the sizes of a wiring."""
         return PythonSteps(self._machine, self, wiring).step
 
     def take(self) -> Told:
         """All that was told since the last time."""
-        events, self._events = self._events, []
         orders, self._orders = self._orders, []
-        return Told(events, orders)
+        return Told(self.take_events(), orders)
 
     @property
     def has_news(self) -> bool:

@@ -4,7 +4,7 @@ from rossmarie.engines import Value
 from rossmarie.guard.commands import UPDATE_PERIOD_NS, CommandFilter, Commands
 from rossmarie.guard.core import Core
 from rossmarie.guard.decision import Decision, Request
-from rossmarie.guard.guard import Guard
+from rossmarie.guard.guard import Guard, GuardState
 from rossmarie.guard.mapping import Declared, MappingError, Place
 
 __all__ = [
@@ -15,6 +15,7 @@ __all__ = [
     "Decision",
     "Declared",
     "Guard",
+    "GuardState",
     "MappingError",
     "Place",
     "Request",

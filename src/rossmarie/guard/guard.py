@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+import hashlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
 from operator import index as as_index
 from typing import Any
 
@@ -13,7 +15,17 @@ from numpy.typing import NDArray
 from rossmarie.engines import GuardEngine, Started, start_guard
 from rossmarie.guard.decision import Decision, Reasons, Request
 from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
-from rossmarie.ir import Change, Machine, Order, Verdict, near_name, require_instant
+from rossmarie.ir import (
+    Change,
+    Event,
+    Machine,
+    Order,
+    Verdict,
+    Wiring,
+    machine_to_json,
+    near_name,
+    require_instant,
+)
 from rossmarie.ir.reactions import (
     Call,
     CancelGoal,
@@ -29,10 +41,22 @@ from rossmarie.ir.reactions import (
     SwitchControllers,
 )
 from rossmarie.native import CHANGED, TOLD, StepCall
+from rossmarie.targets import c99
 
 Array = NDArray[Any]
 _NEWS = CHANGED | TOLD
 _FLOATS = (np.float64, np.float32)
+
+
+@dataclass(frozen=True)
+class GuardState:
+    """What a guard knows; `fingerprint` says of which rules, and in which kind of guard."""
+
+    fingerprint: str
+    sizes: tuple[int, int] | None
+    at_ns: int | None
+    causes: Mapping[int, Verdict]
+    known: Any
 
 
 class Guard:
@@ -54,6 +78,7 @@ class Guard:
         self._begin()
 
     def _begin(self) -> None:
+        self._reasons: Reasons
         self._step: StepCall = self._first_step
         self._at_ns: int | None = None
         self._sizes: tuple[int, int] | None = None
@@ -87,6 +112,7 @@ class Guard:
         """
         task = request if isinstance(request, int) else request.task
         self._engine.report(self._now(), task, success=success)
+        self._note(self._engine.take_events())
 
     def reset(self, rule: str | None = None) -> None:
         """An operator resets one latched rule, or all: those with a false condition clear. Raises
@@ -98,11 +124,45 @@ class Guard:
             raise ValueError(f"there is no rule `{rule}`{meant}")
         number = None if rule is None else self.rules.index(rule)
         self._engine.reset(self._now(), number)
+        self._note(self._engine.take_events())
 
     def restart(self) -> None:
         """Forget everything, for another episode."""
         self._engine.restart()
         self._begin()
+
+    def state(self) -> GuardState:
+        """All that it knows, for `restore`; it can be pickled if the guard is native."""
+        if self._at_ns is None:
+            return GuardState(self._fingerprint, None, None, {}, None)
+        known = self._engine.save()
+        return GuardState(self._fingerprint, self._sizes, self._at_ns, self._reasons.causes, known)
+
+    def restore(self, state: GuardState) -> None:
+        """Know what a guard of the same rules has known. Raises `ValueError` for the state of one
+        of other rules, of another version of ROSSMARie, or of another kind, and `MappingError` if
+        its arrays do not fit the declarations; then nothing has changed.
+        """
+        if state.fingerprint != self._fingerprint:
+            raise ValueError(
+                f"the state is of a guard of other rules, or of another version or kind: "
+                f"{state.fingerprint}, not {self._fingerprint}"
+            )
+        if state.sizes is None:
+            self.restart()
+            return
+        wiring = self._mapping.wiring(*state.sizes)
+        self._engine.load(state.known)
+        self._connect(wiring)
+        self._at_ns = state.at_ns
+        self._reasons = replace(self._reasons, causes=state.causes)
+
+    @cached_property
+    def _fingerprint(self) -> str:
+        """The rules, the version of what runs them, and the kind of the guard."""
+        text = machine_to_json(self.machine)
+        told = f"{text}\0{c99.version()}\0{self.kind}"
+        return f"{self.machine.name} {hashlib.sha256(told.encode()).hexdigest()[:16]}"
 
     # --- steps -------------------------------------------------------------------------------
 
@@ -115,13 +175,14 @@ class Guard:
         """Connect the arrays by their sizes."""
         for what, array in (("observation", observation), ("action", action)):
             _require_array(what, array)
-        sizes = observation.size, action.size
-        wiring = self._mapping.wiring(*sizes)
-        self._sizes = sizes
+        self._connect(self._mapping.wiring(observation.size, action.size))
+        return self._step(at_ns, observation, action)
+
+    def _connect(self, wiring: Wiring) -> None:
+        self._sizes = (wiring.observed, wiring.acted)
         self._reasons = Reasons(self.machine, self._mapping, wiring, {})
         self._acted = {each.command for each in wiring.commands}
         self._step = self._engine.step_call(wiring)
-        return self._step(at_ns, observation, action)
 
     def _step_in_order(self, at_ns: int, observation: Array, action: Array) -> Decision:
         """Take a step for which the arrays have to be copied first; raise what is wrong with it."""
@@ -143,14 +204,17 @@ class Guard:
     def _take(self) -> tuple[Request, ...]:
         """Take note of what was told."""
         told = self._engine.take()
+        self._note(told.events)
+        return tuple(self._requests(told.orders))
+
+    def _note(self, events: list[Event]) -> None:
         causes = dict(self._reasons.causes)
-        for event in told.events:
+        for event in events:
             if isinstance(event, Verdict) and event.change is Change.CLEARED:
                 causes.pop(event.rule, None)
             elif isinstance(event, Verdict):
                 causes[event.rule] = event
         self._reasons = replace(self._reasons, causes=causes)
-        return tuple(self._requests(told.orders))
 
     def _requests(self, orders: list[Order]) -> Iterator[Request]:
         """The orders that are not for the guard itself."""

@@ -40,11 +40,15 @@ _ORDER = struct.Struct("@3i")
 _KINDS = tuple(OrderKind)
 _STATES = tuple(State)
 _NEVER = 2**63 - 1
+_BYTES = "unsigned char[]"
 
 _FUNCTIONS = """
 host *guard_new(void);
 void guard_free(host *);
 void guard_restart(host *);
+size_t guard_memory_size(void);
+void guard_save(host *, unsigned char *);
+void guard_load(host *, unsigned char *, void *, size_t);
 size_t guard_order_count(host *);
 void *guard_orders(host *);
 void guard_forget_orders(host *);
@@ -166,6 +170,33 @@ class NativeGuard:
         """So many guards of the same machine, that have seen nothing."""
         return NativeRow(self.library, count, self._table(wiring), len(self._machine.rules))
 
+    def take_events(self) -> list[Event]:
+        """The events that were told since the last time; orders wait on."""
+        events, self._events = self._events, []
+        return events + self._monitor.take_events()
+
+    def save(self) -> bytes:
+        """All that it knows, and orders that nobody has taken."""
+        room = bytearray(self._size)
+        self.library.function("guard_save")(self.host, self.library.pointer(_BYTES, room))
+        return bytes(room) + self._order_log()
+
+    def load(self, saved: bytes) -> None:
+        """Know what another guard of the same rules has known. Raises `ValueError` if that was one
+        of another program.
+        """
+        count, left = divmod(len(saved) - self._size, _ORDER.size)
+        if count < 0 or left:
+            raise ValueError("it was saved by another program")
+        memory = self.library.pointer(_BYTES, saved)
+        orders = self.library.pointer(_BYTES, saved[self._size :])
+        self.library.function("guard_load")(self.host, memory, orders, count)
+        self._events = []
+
+    @property
+    def _size(self) -> int:
+        return int(self.library.function("guard_memory_size")())
+
     def restart(self) -> None:
         """Forget everything."""
         self.library.function("guard_restart")(self.host)
@@ -187,21 +218,20 @@ class NativeGuard:
         """All that was told since the last time. Raises `MemoryError` if any of it was lost for
         lack of memory, from then on.
         """
-        events, self._events = self._events, []
-        events += self._monitor.take_events()
-        return Told(events, self._orders())
+        return Told(self.take_events(), self._orders())
 
     def _follow(self, at_ns: int) -> None:
         self.library.function("guard_follow")(self.host, at_ns)
 
     def _orders(self) -> list[Order]:
-        count = self.library.function("guard_order_count")(self.host)
-        if not count:
-            return []
-        found = self.library.function("guard_orders")(self.host)
-        log = self.library.bytes_at(found, count * _ORDER.size)
+        log = self._order_log()
         self.library.function("guard_forget_orders")(self.host)
         return [
             Order(_KINDS[kind], task, None if by < 0 else by)
             for kind, task, by in _ORDER.iter_unpack(log)
         ]
+
+    def _order_log(self) -> bytes:
+        count = self.library.function("guard_order_count")(self.host)
+        found = self.library.function("guard_orders")(self.host)
+        return self.library.bytes_at(found, count * _ORDER.size)

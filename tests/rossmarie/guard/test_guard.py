@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -42,7 +43,7 @@ def test_an_action_passes_while_no_rule_is_active(make: Make) -> None:
     decision = step(make(), 0)
     assert decision.action.tolist() == [0.8, 0.1]
     assert not decision.changed
-    assert decision.active == decision.changed_by == decision.requests == ()
+    assert (decision.active, decision.changed_by, decision.requests) == ((), (), ())
     assert decision.why() == "no rule is active"
 
 
@@ -200,4 +201,37 @@ def test_the_first_step_is_refused_as_well(make: Make) -> None:
         guard.step(0, np.zeros(3), np.zeros(2))
     with pytest.raises(MappingError, match="holds int64"):
         guard.step(0, np.zeros(4), np.zeros(2, np.int64))
+    assert step(guard, 0).active == ()
+
+
+def test_the_state_of_another_guard_is_refused(make: Make) -> None:
+    guard, another = make(), make(rules=REPORTED, observe={"speed": 0}, act={"linear.x": 0})
+    step(guard, 0, FAST)
+    with pytest.raises(ValueError, match="the state is of a guard of other rules"):
+        another.restore(guard.state())
+
+
+@needs_c
+def test_the_state_of_another_kind_of_guard_is_refused(tmp_path: Path) -> None:
+    native, python = guard_of("native", tmp_path), guard_of("python", tmp_path)
+    step(native, 0)
+    with pytest.raises(ValueError, match="or of another version or kind"):
+        python.restore(native.state())
+
+
+@needs_c
+def test_the_state_of_a_native_guard_is_pickled(tmp_path: Path) -> None:
+    guard, another = guard_of("native", tmp_path), guard_of("native", tmp_path)
+    step(guard, 0, FAST)
+    another.restore(pickle.loads(pickle.dumps(guard.state())))
+    decision = step(another, 1, FAST)
+    assert decision.why() == step(guard, 1, FAST).why()
+    assert decision.requests == ()
+
+
+def test_the_state_before_the_first_step_is_that_of_a_new_guard(make: Make) -> None:
+    guard = make()
+    state = guard.state()
+    step(guard, 5, HELD)
+    guard.restore(state)
     assert step(guard, 0).active == ()

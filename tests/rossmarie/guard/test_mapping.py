@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rossmarie.guard import MappingError
+from rossmarie.guard import Declared, MappingError
 from support.c_compiler import needs_c
 from support.policy_rules import ACT, OBSERVE, RULES, guard_of
 
@@ -67,7 +67,7 @@ def test_a_text_is_no_number(tmp_path: Path) -> None:
 
 @needs_c
 def test_indexes_count_from_the_end_and_slices_have_steps(tmp_path: Path) -> None:
-    observe = {"speed": -1, "held": 1, "scan": slice(None, None, 3)}
+    observe: Declared = {"speed": -1, "held": 1, "scan": slice(None, None, 3)}
     guard = guard_of("native", tmp_path, observe=observe, act={"linear.x": -1})
     decision = guard.step(0, np.array([2.0, 0.0, 0.0, 0.3, 1.5]), np.array([9.0, 0.8]))
     assert decision.active == ("fast", "near")
