@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from copy import copy, deepcopy
 
 from rossmarie.engines.python_monitor import PythonMonitor
+from rossmarie.engines.python_row import PythonRow
 from rossmarie.engines.python_steps import PythonSteps
 from rossmarie.interpreter import Reactor
 from rossmarie.ir import (
@@ -131,6 +132,10 @@ class PythonGuard:
             return len(self._events) + len(self._orders) - before
 
         return call
+
+    def row(self, wiring: Wiring, count: int) -> PythonRow:
+        """So many guards of the same machine, that have seen nothing."""
+        return PythonRow([self.fresh() for _ in range(count)], wiring)
 
     def take_events(self) -> list[Event]:
         """The events that were told since the last time; orders wait on."""

@@ -8,11 +8,13 @@ from typing import Generic, TypeVar
 
 from rossmarie.engines.python_guard import PythonGuard
 from rossmarie.engines.python_monitor import PythonMonitor
+from rossmarie.engines.python_row import PythonRow
 from rossmarie.ir import Machine
 from rossmarie.native import (
     BuildError,
     NativeGuard,
     NativeMonitor,
+    NativeRow,
     NoCompilerError,
     load_native,
     load_native_guard,
@@ -28,6 +30,7 @@ _Engine = TypeVar("_Engine", covariant=True)
 
 MonitorEngine = NativeMonitor | PythonMonitor
 GuardEngine = NativeGuard | PythonGuard
+GuardRow = NativeRow | PythonRow
 
 
 @dataclass(frozen=True)

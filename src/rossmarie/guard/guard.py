@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.engines import GuardEngine, Started, start_guard
+from rossmarie.engines import GuardEngine, GuardRow, Started, start_guard
+from rossmarie.guard.batch import GuardBatch
 from rossmarie.guard.decision import Decision, Reasons, Request
 from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
 from rossmarie.ir import (
@@ -130,6 +131,14 @@ class Guard:
         """Forget everything, for another episode."""
         self._engine.restart()
         self._begin()
+
+    def batch(self, count: int) -> GuardBatch:
+        """So many guards by the same rules and declarations, which have seen nothing."""
+
+        def row_of(observed: int, acted: int) -> GuardRow:
+            return self._engine.row(self._mapping.wiring(observed, acted), count)
+
+        return GuardBatch(count, self.rules, row_of)
 
     def state(self) -> GuardState:
         """All that it knows, for `restore`; it can be pickled if the guard is native."""
