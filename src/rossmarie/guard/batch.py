@@ -68,6 +68,7 @@ class GuardBatch:
         done, active, changed = self._row.step(times, seen, numbers)
         if done != self._count:
             at_ns = int(times[done if len(times) > 1 else 0])
+            require_instant(at_ns)
             raise ValueError(f"time goes back to {at_ns} ns in row {done}; `restart` forgets it")
         if actions.dtype == np.float64:
             return BatchDecision(numbers, active, changed)
@@ -90,8 +91,6 @@ class GuardBatch:
                 f"instants are one int64 or ({self._count},) of them, "
                 f"not {times.dtype} of shape {np.shape(times_ns)}"
             )
-        for at_ns in (times.min(), times.max()):
-            require_instant(int(at_ns))
         return np.ascontiguousarray(times)
 
     def _width(self, what: str, rows: Array) -> int:

@@ -98,6 +98,26 @@ static bool publishes(const host *h, const guard_publication *one)
     return false;
 }
 
+/* Whether all numbers of an action that commands have are finite. */
+static bool is_finite(const guard_wiring *w, const double *action)
+{
+    for (size_t i = 0; i != w->part_count; i++)
+        for (size_t k = 0; k != w->parts[i].count; k++)
+            if (!isfinite(of_message(&w->parts[i],
+                                     action[w->parts[i].first + (int64_t)k * w->parts[i].step])))
+                return false;
+    return true;
+}
+
+/* Whether bounds let every number pass. */
+static bool are_free(const double *bounds, size_t count)
+{
+    for (size_t i = 0; i != count; i++)
+        if (bounds[3 * i] != 1.0 || bounds[3 * i + 1] != -INFINITY || bounds[3 * i + 2] != INFINITY)
+            return false;
+    return true;
+}
+
 /* The parts of one command, from `first` up to `end`: bounded, as a whole 0 if any is not finite. */
 static int bound_parts(const host *h, const guard_wiring *w, int64_t t_ns, size_t first, size_t end,
                        const double *published, double *action)
@@ -146,11 +166,14 @@ int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *obser
                double *action)
 {
     int said = 0;
+    bool is_free = true;
     if (!can_be_at(h, t_ns) || take_observation(h, w, t_ns, observation) < 0)
         return -1;
     guard_follow(h, t_ns);
     if (!guard_of(h)->is_open && guard_has_all_inputs(h))
         guard_open(h);
+    if (guard_of(h)->is_free && is_finite(w, action))
+        return h->count ? GUARD_TOLD : 0;
     for (size_t first = 0, end = 0; first != w->part_count; first = end) {
         const double *published = NULL;
         while (end != w->part_count && w->parts[end].command == w->parts[first].command)
@@ -161,7 +184,9 @@ int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *obser
                 published = w->published + one->first;
         }
         said |= bound_parts(h, w, t_ns, first, end, published, action);
+        is_free = is_free && !published && are_free(w->bound_room, w->parts[end - 1].field + 1u);
     }
+    guard_of(h)->is_free = is_free && guard_of(h)->count == 0;
     said |= guard_of(h)->is_open ? 0 : GUARD_CLOSED;
     return said | (h->count || guard_of(h)->count ? GUARD_TOLD : 0);
 }

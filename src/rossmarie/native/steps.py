@@ -189,8 +189,7 @@ class NativeRow:
         self._count = count
         self._table = table
         self._step = library.function("guards_step")
-        self._active = np.empty((count, rules), np.bool_)
-        self._changed = np.empty(count, np.bool_)
+        self._shape = (count, rules)
 
     def step(
         self, times_ns: NDArray[np.int64], observations: Floats, actions: Floats
@@ -200,7 +199,7 @@ class NativeRow:
         rows; which rules are active, of shape (rows, rules), and which actions were changed.
         """
         pointer = self._library.pointer
-        active, changed = np.empty_like(self._active), np.empty_like(self._changed)
+        active, changed = np.empty(self._shape, np.bool_), np.empty(self._count, np.bool_)
         done = self._step(
             self._first,
             self._count,

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
+from rossmarie.ir import reactions
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import describe, engine, functions, host, reactor, state, tables
 from rossmarie.targets.c99.layout import lay_out
@@ -84,12 +85,13 @@ class _Writer:
 
     def guard_file(self) -> str:
         found = self._layout.machine.reactions
-        resets = [isinstance(task.effect, ir.reactions.Reset) for task in found.tasks]
+        resets = [isinstance(task.effect, reactions.Reset) for task in found.tasks]
         return self._fill(
             "guard.c.j2",
             rules=len(self._layout.machine.rules),
             tasks=len(found.tasks),
             commands=len(found.commands) if found.tasks else 0,
+            confirmed=any(reactions.confirmation(task.effect) is not None for task in found.tasks),
             resets=table("unsigned char", "task_resets", list(map(int, resets))),
         )
 
