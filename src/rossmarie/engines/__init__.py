@@ -1,4 +1,4 @@
-"""What runs a machine in this process: a monitor, or a monitor with the reactor of its rules."""
+"""The engines that run a machine in this process: a monitor, or one with a reactor beside it."""
 
 from rossmarie.engines.python_guard import PythonGuard
 from rossmarie.engines.python_monitor import PythonMonitor

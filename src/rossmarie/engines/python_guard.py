@@ -175,13 +175,13 @@ class PythonGuard:
         return {each.task for each in self._orders if each.kind is OrderKind.START}
 
     def note(self, said: int) -> bytes:
-        """What is known after a step in which this happened, as `native` has it."""
+        """The facts after a step in which this happened, as `native` has them."""
         bits = sum(1 << rule for rule, is_active in enumerate(self.active) if is_active)
         size = (max(1, len(self._machine.rules)) + 7) // 8
         return packed_note(said, bits.to_bytes(size, "little"), self.states, self._reactor.since_ns)
 
     def _follow(self, at_ns: int) -> None:
-        """What follows from the monitor, resets of all latched rules included."""
+        """Let the reactor look, and do the resets of all latched rules that it orders."""
         self.now_ns = at_ns
         while self._ordered(self._reactor.react(at_ns, self.active, self._monitor.watches)):
             self._events += self._monitor.reset(at_ns)

@@ -58,7 +58,7 @@ class Stepped(Protocol):
         """The bounds on the fields of a command topic."""
 
     def note(self, said: int) -> bytes:
-        """What is known after a step in which this happened."""
+        """The facts after a step in which this happened."""
 
 
 class PythonSteps:

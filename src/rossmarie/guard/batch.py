@@ -18,7 +18,7 @@ _FLOATS = (np.float64, np.float32)
 
 
 class BatchDecision(NamedTuple):
-    """What may be done: the actions to execute, of shape (n, m); which rules are active, of shape
+    """The decisions: the actions to execute, of shape (n, m); which rules are active, of shape
     (n, rules); and which actions are not those that were wanted, of shape (n,).
     """
 

@@ -58,7 +58,7 @@ class Request:
 
 @dataclass(frozen=True)
 class Reasons:
-    """What decisions rest on: the rules, how arrays stand for fields, and the verdicts by which
+    """The ground of decisions: the rules, how arrays stand for fields, and the verdicts by which
     rules became active.
     """
 
@@ -69,7 +69,7 @@ class Reasons:
 
 
 class Decision:
-    """What may be done, and why; the rest is worked out when it is asked for."""
+    """An action that may be done, and why; the rest is worked out when it is asked for."""
 
     __slots__ = ("_at_ns", "_given", "_note", "_reasons", "action", "requests")
 
@@ -89,7 +89,7 @@ class Decision:
         self._reasons = reasons
         self._given = given
         self.requests = requests
-        """What rules want done beside the action, in order."""
+        """All that rules want done beside the action, in order."""
 
     @property
     def changed(self) -> bool:

@@ -51,7 +51,7 @@ _FLOATS = (np.float64, np.float32)
 
 @dataclass(frozen=True)
 class GuardState:
-    """What a guard knows; `fingerprint` says of which rules, and in which kind of guard."""
+    """All that a guard knows; `fingerprint` says of which rules, and in which kind of guard."""
 
     fingerprint: str
     sizes: tuple[int, int] | None

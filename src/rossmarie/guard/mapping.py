@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
 from rossmarie.engines import NamedValues
 from rossmarie.ir import CommandPart, Kind, Machine, Part, Publication, Wiring, near_name
@@ -24,6 +24,9 @@ Place: TypeAlias = Index | tuple[Index, str] | None
 """Where a field is in a flat array, and in which unit."""
 
 Declared: TypeAlias = Mapping[str, Place]
+
+
+_Key = TypeVar("_Key")
 
 
 class MappingError(ValueError):
@@ -165,7 +168,7 @@ class ArrayMapping:
         _enter(self._fields, known[name], _Entry(name, index, part, field.is_array))
 
     def _require_limited(self) -> None:
-        """What is limited by itself, and something of each command, is declared."""
+        """Each field that is limited by itself, and one of each command, is declared."""
         reactions = self._machine.reactions
         for index, command in enumerate(reactions.commands):
             limited = {
@@ -205,7 +208,7 @@ class ArrayMapping:
         return numbers
 
 
-def _enter(entries: dict, key: object, entry: _Entry) -> None:  # type: ignore[type-arg]
+def _enter(entries: dict[_Key, _Entry], key: _Key, entry: _Entry) -> None:
     if key in entries:
         raise MappingError(f"`{entries[key].name}` and `{entry.name}` are one field")
     entries[key] = entry

@@ -1,4 +1,4 @@
-"""What a reactor says: orders about tasks, where each task stands, and the bounds on commands."""
+"""The words of a reactor: orders about tasks, where tasks stand, and the bounds on commands."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Order:
 
 
 class Told(NamedTuple):
-    """What a monitor and its reactor say, each in its order."""
+    """The words of a monitor and its reactor, each in its order."""
 
     events: list[Event]
     orders: list[Order]

@@ -1,5 +1,5 @@
-"""How the numbers of flat arrays stand for the fields of messages: of observations for inputs, of
-actions for commands.
+"""The places of fields of messages in flat arrays: of inputs in observations, of commands in
+actions.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class CommandPart:
 
 @dataclass(frozen=True)
 class Publication:
-    """What a task publishes on a command: its numbers take the places of those of the action, as
+    """A command that a task publishes: its numbers take the places of those of the action, as
     long as the task holds, or once. They come in the order of the parts of the command.
     """
 

@@ -19,8 +19,8 @@ typedef struct stepper {
     double *action;
 } stepper;
 
-/* The numbers of an array of one dimension: its own memory, or a copy in `room`; NULL if it is not of
- * this length, or holds no floats. `view` is to be released if it has an object.
+/* The numbers of an array of one dimension: its own memory, or a copy in `room`; NULL if it is not
+ * of this length, or holds no floats. `view` is to be released if it has an object.
  */
 static double *numbers_of(PyObject *array, size_t length, double *room, Py_buffer *view, int flags)
 {
@@ -40,7 +40,8 @@ static double *numbers_of(PyObject *array, size_t length, double *room, Py_buffe
     return room;
 }
 
-/* Numbers that were changed go back into their array: a float32 not further from 0 than they are. */
+/* Numbers that were changed go back into their array: a float32 not further from 0 than they are.
+ */
 static void put_back(const double *numbers, const Py_buffer *view)
 {
     float *floats = (float *)view->buf;

@@ -8,8 +8,8 @@
 #include "guard.c"
 
 /* How numbers of observations and actions stand for fields of messages. A field has as many numbers
- * as `count` says, from `first` on, `step` apart; a scalar has one, and none if it is not carried. A
- * number x stands for x * scale + offset in the unit of the message.
+ * as `count` says, from `first` on, `step` apart; a scalar has one, and none if it is not carried.
+ * A number x stands for x * scale + offset in the unit of the message.
  */
 typedef struct guard_part {
     int64_t first;
@@ -84,8 +84,8 @@ static int take_observation(host *h, const guard_wiring *w, int64_t t_ns, const 
     return host_step(h, t_ns, w->present, w->slot_room, w->array_room, w->count_room);
 }
 
-/* Whether a task publishes in the place of this action: it does so still, or it has just begun, which
- * an order that nobody has taken yet says.
+/* Whether a task publishes in the place of this action: it does so still, or it has just begun,
+ * which an order that nobody has taken yet says.
  */
 static bool publishes(const host *h, const guard_publication *one)
 {
@@ -118,7 +118,8 @@ static bool are_free(const double *bounds, size_t count)
     return true;
 }
 
-/* The parts of one command, from `first` up to `end`: bounded, as a whole 0 if any is not finite. */
+/* The parts of one command, from `first` up to `end`: bounded, as a whole 0 if any is not finite.
+ */
 static int bound_parts(const host *h, const guard_wiring *w, int64_t t_ns, size_t first, size_t end,
                        const double *published, double *action)
 {
@@ -128,8 +129,9 @@ static int bound_parts(const host *h, const guard_wiring *w, int64_t t_ns, size_
     for (size_t i = first; i != end; i++) {
         const guard_part *part = &w->parts[i];
         for (size_t k = 0; k != part->count; k++) {
-            const double x = published ? *numbers++
-                                       : of_message(part, action[part->first + (int64_t)k * part->step]);
+            const double x = published
+                                 ? *numbers++
+                                 : of_message(part, action[part->first + (int64_t)k * part->step]);
             if (!isfinite(x))
                 said |= GUARD_REFUSED;
         }
@@ -184,7 +186,8 @@ int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *obser
                 published = w->published + one->first;
         }
         said |= bound_parts(h, w, t_ns, first, end, published, action);
-        is_free = is_free && !published && are_free(w->bound_room, w->parts[end - 1].field + 1u);
+        is_free =
+            is_free && !published && are_free(w->bound_room, (size_t)w->parts[end - 1].field + 1);
     }
     guard_of(h)->is_free = is_free && guard_of(h)->count == 0;
     said |= guard_of(h)->is_open ? 0 : GUARD_CLOSED;

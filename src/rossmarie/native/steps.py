@@ -169,7 +169,7 @@ def put_back(numbers: Floats, action: NDArray[Any]) -> None:
 
 
 def packed_note(said: int, active: bytes, states: Sequence[int], since_ns: Sequence[int]) -> bytes:
-    """What is known after a step, as bytes; tasks only if the action was changed."""
+    """The facts after a step, as bytes; tasks only if the action was changed."""
     note = bytes([said]) + active
     if said & CHANGED:
         note += bytes(states) + struct.pack(f"={len(since_ns)}q", *since_ns)
