@@ -53,7 +53,7 @@ class PythonGuard:
         """The instant at which it is; before the first, one that is out of range."""
 
     def restart(self) -> None:
-        """Forget everything."""
+        """Forget everything. Functions that `update_call` gave before are void."""
         self._begin()
 
     def fresh(self) -> PythonGuard:
