@@ -178,12 +178,13 @@ class Guard:
     def _now(self) -> int:
         if self._at_ns is None:
             raise ValueError("nothing has happened yet: the first step comes first")
-        return self._at_ns
+        return as_index(self._at_ns)
 
     def _first_step(self, at_ns: int, observation: Array, action: Array) -> bytes | None:
         """Connect the arrays by their sizes."""
         for what, array in (("observation", observation), ("action", action)):
             _require_array(what, array)
+        require_instant(as_index(at_ns))
         self._connect(self._mapping.wiring(observation.size, action.size))
         return self._step(at_ns, observation, action)
 

@@ -162,6 +162,15 @@ def test_the_arrays_that_come_in_are_not_touched(make: Make) -> None:
     assert wanted.tolist() == [0.8, 0.1]
 
 
+def test_instants_may_be_of_numpy(make: Make) -> None:
+    guard = make()
+    decision = guard.step(np.int64(1), np.array(HELD), np.array([0.8, 0.1]))
+    assert decision.active == ("held_up",)
+    guard.step(np.int64(2), np.array(CALM), np.array([0.8, 0.1]))
+    guard.reset()
+    assert step(guard, 3).active == ()
+
+
 def test_an_episode_begins_anew(make: Make) -> None:
     guard = make()
     step(guard, 5 * SECOND, HELD)
@@ -201,6 +210,8 @@ def test_the_first_step_is_refused_as_well(make: Make) -> None:
         guard.step(0, np.zeros(3), np.zeros(2))
     with pytest.raises(MappingError, match="holds int64"):
         guard.step(0, np.zeros(4), np.zeros(2, np.int64))
+    with pytest.raises(ValueError, match="out of range"):
+        guard.step(2**62, np.zeros(9), np.zeros(9))
     assert step(guard, 0).active == ()
 
 
