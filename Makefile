@@ -104,6 +104,7 @@ bench: $(READY) compiler ros1 prover
 	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md
 	$(RUN)/python benchmarks/replaying.py --out docs/reference/performance-replay.md
 	PATH=$(PROGRAMS):$$PATH $(RUN)/python benchmarks/proofs.py --out docs/reference/performance-proofs.md
+	$(RUN)/python benchmarks/guarding.py --out docs/reference/performance-guard.md
 	$(RUN)/python benchmarks/heron_run.py --out docs/reference/performance-heron.md
 	$(RUN)/python benchmarks/ezskiros_run.py --out docs/reference/performance-ezskiros.md
 

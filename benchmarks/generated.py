@@ -13,8 +13,9 @@ from in_process import Round, compile_shared, python_rows
 from workload import PERIOD_NS, REALS, Columns, rossmarie_rules
 
 from rossmarie.driver import compile_file
-from rossmarie.driver.monitor import Monitor, start_engine
-from rossmarie.driver.python_monitor import PythonMonitor
+from rossmarie.driver.monitor import Monitor
+from rossmarie.engines import start_monitor
+from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.ir import Change, Event, Machine, Verdict
 from rossmarie.native import NativeMonitor
 from rossmarie.targets.c99 import generate
@@ -157,7 +158,7 @@ def from_python_columns(compiled: Machine, columns: Columns, chunk: int) -> Roun
 
 def from_python_steps(compiled: Machine, columns: Columns) -> Round:
     """One call a sample with Python numbers; activity is counted from the events."""
-    return _steps(compiled, columns, lambda: start_engine(compiled).engine)
+    return _steps(compiled, columns, lambda: start_monitor(compiled).engine)
 
 
 def python_steps(compiled: Machine, columns: Columns) -> Round:

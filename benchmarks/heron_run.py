@@ -45,8 +45,8 @@ def page() -> str:
         "",
         "Written by `benchmarks/heron_run.py`; do not edit. CPU time of one process, on",
         f"{processor()}. Variants without a hazard: the run is the same with",
-        "the monitor and without it. The guard is the one in the process: monitor in C, reactor",
-        "and filters in Python.",
+        "the monitor and without it. The guard is the one in the process: monitor and reactor in",
+        "C, filters in Python.",
         "",
         "| Experiment | length | times real time | with ROSSMARie | the guard, for each second "
         "| of the run without it |",

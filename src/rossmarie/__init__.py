@@ -1,6 +1,7 @@
 """ROSSMARie: safety rules for robots, checked before launch and monitored at run time.
 
-`rossmarie.load("rules.ross")` gives a running `Monitor`; `docs/reference/python.md` has its use.
+`rossmarie.load("rules.ross")` gives a running `Monitor`, and `guard(...)` of that a guard between a
+policy and its robot; `docs/reference/python.md` has their use.
 """
 
 from __future__ import annotations

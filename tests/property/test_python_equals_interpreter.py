@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from rossmarie import ir
 from rossmarie.driver.python_columns import PythonColumns
-from rossmarie.driver.python_monitor import PythonMonitor
+from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.interpreter import Interpreter
 from rossmarie.native import fit
 from rossmarie.targets.python import source

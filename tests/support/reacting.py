@@ -40,10 +40,10 @@ factors = st.sampled_from((0.0, 0.1, 0.5, 1 / 3, 1.0))
 class Sprouting:
     """Adds one random rule at a time to reactions in the making."""
 
-    def __init__(self, draw: st.DrawFn) -> None:
+    def __init__(self, draw: st.DrawFn, watches: int | None = None) -> None:
         self.draw = draw
         self.fields = draw(st.lists(st.integers(1, 3), max_size=2))
-        self.watches = draw(st.integers(0, 2))
+        self.watches = draw(st.integers(0, 2)) if watches is None else watches
         self.tasks: list[reactions.Task | None] = []
         self.plans: list[reactions.Plan] = []
 
@@ -54,6 +54,17 @@ class Sprouting:
         others = range(len(self.plans))  # earlier rules only: then there is no circle
         unless = self.draw(st.lists(st.sampled_from(others), max_size=2)) if others else []
         self.plans.append(reactions.Plan(tuple(stages), tasks, tuple(unless)))
+
+    def made(self) -> ir.Reactions:
+        """All that has grown so far."""
+        return ir.Reactions(
+            commands=tuple(command(count, n) for n, count in enumerate(self.fields)),
+            actions=(reactions.Action("act", None, NOWHERE),),
+            resources=tuple(f"resource {number}" for number in range(2)),
+            tasks=tuple(task for task in self.tasks if task is not None),
+            plans=tuple(self.plans),
+            order=tuple(self.draw(st.permutations(range(len(self.plans))))),
+        )
 
     def _tasks(self, most: int, depth: int) -> tuple[int, ...]:
         return tuple(
@@ -117,15 +128,7 @@ def reacting_machines(draw: st.DrawFn) -> ir.Machine:
     if not sprouting.tasks:
         sprouting.plans.append(reactions.Plan(((0,),), (0,)))
         sprouting.tasks.append(reactions.Task(0, reactions.Hook("hook"), None, (), NOWHERE))
-    found = ir.Reactions(
-        commands=tuple(command(count, n) for n, count in enumerate(sprouting.fields)),
-        actions=(reactions.Action("act", None, NOWHERE),),
-        resources=tuple(f"resource {number}" for number in range(2)),
-        tasks=tuple(task for task in sprouting.tasks if task is not None),
-        plans=tuple(sprouting.plans),
-        order=tuple(draw(st.permutations(range(len(sprouting.plans))))),
-    )
-    return reacting(found, sprouting.watches)
+    return reacting(sprouting.made(), sprouting.watches)
 
 
 # --- events ----------------------------------------------------------------------------------

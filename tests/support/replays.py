@@ -15,8 +15,8 @@ import pytest
 
 from dslkit.diagnostics import Collector, Diagnostic
 from rossmarie.driver import replay as replaying
-from rossmarie.driver.monitor import NATIVE
 from rossmarie.driver.pipeline import compile_file
+from rossmarie.engines import NATIVE
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Machine, Taken
 from rossmarie.recordings import RecordingError, Update, csv_table, decoding, storage

@@ -1,5 +1,5 @@
-"""The guard: each message goes through the monitor (which rules are active?), the reactor (what
-follows?) and the filters (what may pass?) before the next is looked at.
+"""The guard: each message goes through the core (which rules are active, and what follows?) and the
+filters (what may pass?) before the next is looked at.
 
 As in the generated nodes, rules are looked at once all inputs with a timeout have arrived, or
 `PATIENCE_NS` is over; until then no command passes.
@@ -10,21 +10,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence, Set
 from functools import lru_cache, partial
 
-from heron.guard.commands import CommandFilter
+from heron.guard.commands import CommandMessages
 from heron.guard.intake import Intake, Take
 from heron.guard.model import Guard, Occurrence, unfiltered, waiting
 from heron.guard.performing import NEVER, Workshop, require_scalar_fields, servers
 from heron.guard.relay import Relay
 from heron.messages import Message
 from heron.topics import Carrier, InProcess, Topic
-from rossmarie.driver.monitor import Monitor
-from rossmarie.interpreter import Reactor
-from rossmarie.interpreter.reactor import State
-from rossmarie.ir import Event, FieldBounds, Machine, Order, OrderKind, Verdict
+from rossmarie.guard import UPDATE_PERIOD_NS, CommandFilter, Core
+from rossmarie.ir import FieldBounds, Machine, Order, OrderKind, State, Told, Verdict
 
 PERIOD_NS = 2_000_000  # what is due by itself is done so late at most
 PATIENCE_NS = 5_000_000_000
-_FILTER_PERIOD_NS = 50_000_000
 _IN_FORCE = (State.RUNNING, State.HOLDING)
 
 
@@ -36,16 +33,15 @@ class InProcessGuard:
     def __init__(self, machine: Machine, carrier: Carrier, clock: Callable[[], int]) -> None:
         self._machine = machine
         self._clock = clock
-        self._monitor = _monitor_of(machine).fresh()
-        self._intake = Intake(self._monitor)
-        self._reactor = Reactor(machine.reactions)
+        self._core = _core_of(machine).fresh()
+        self._intake = Intake(self._core)
         self.is_acting = False
         """True while any task of a rule is in force."""
         self.verdicts: list[Verdict] = []
         self.occurrences: list[Occurrence] = []
         self._awaited = {used.channel for used in machine.inputs if used.timeout_ns is not None}
         self._first: dict[int, Message] = {}
-        self._has_begun = self._is_open = self._is_reset_wanted = False
+        self._has_begun = self._is_open = False
         self._wake_ns = self._filters_due_ns = 0
         self._due_ns = NEVER
         self._subscribe(carrier)
@@ -54,7 +50,7 @@ class InProcessGuard:
         self._reports: list[tuple[int, bool]] = []
         self._is_following = False
         self._performers = Workshop(
-            machine, carrier, self._filters, self._relays, self._want_reset, self._report
+            machine, carrier, self._filters, self._relays, self._report
         ).performers()
         self._rules = {
             task: rule for rule, plan in enumerate(machine.reactions.plans) for task in plan.tasks
@@ -63,7 +59,7 @@ class InProcessGuard:
     @property
     def active(self) -> tuple[str, ...]:
         """The rules that are active."""
-        return self._monitor.active
+        return self._core.active
 
     @property
     def servers(self) -> Set[str]:
@@ -87,13 +83,12 @@ class InProcessGuard:
 
     def explain(self, verdict: Verdict) -> str:
         """A verdict in words."""
-        return self._monitor.explain(verdict)
+        return self._core.explain(verdict)
 
     def reset(self) -> None:
         """An operator resets all latched rules."""
         now_ns = self._clock()
-        self._keep(self._monitor.reset(now_ns))
-        self._follow(now_ns)
+        self._follow(now_ns, self._core.reset(now_ns))
 
     def tick(self, now_ns: int) -> None:
         """Time has passed."""
@@ -121,9 +116,8 @@ class InProcessGuard:
             if not self._has_begun:
                 if self._is_open:
                     self._begin(now_ns)
-            elif events := take(now_ns, message):
-                self._keep(events)
-                self._follow(now_ns)
+            elif told := take(now_ns, message):
+                self._follow(now_ns, told)
             else:
                 self._plan_wake()
 
@@ -133,57 +127,48 @@ class InProcessGuard:
         """No command passes while an input with a timeout has never arrived (R12)."""
         if self._awaited <= self._first.keys():
             self._is_open = True
-            self._reactor.open()
+            self._core.open()
 
     def _begin(self, now_ns: int) -> None:
         """With the first messages of all inputs, so that none counts as lost that only starts."""
         self._has_begun = True
         if self._first:
-            self._keep(self._intake.begin(now_ns, self._first))
+            self._follow(now_ns, self._intake.begin(now_ns, self._first))
         else:
-            self._keep(self._monitor.advance(now_ns))
-        self._follow(now_ns)
+            self._follow(now_ns, self._core.advance(now_ns))
 
     def _advance(self, now_ns: int) -> None:
-        self._keep(self._monitor.advance(now_ns))
+        told = self._core.advance(now_ns)
         for performer in self._performers:
             performer.tick(now_ns)
-        self._follow(now_ns)
+        self._follow(now_ns, told)
 
     def _plan_wake(self) -> None:
-        """Plan the next wake, after a change that only the monitor knows of."""
-        wake_ns = self._monitor.next_wake()
+        """Plan the next wake, after a change that only the core knows of."""
+        wake_ns = self._core.next_wake()
         self._wake_ns = self._due_ns if wake_ns is None else min(wake_ns, self._due_ns)
-
-    def _plan_rest(self) -> None:
-        """Plan what is due by itself in the reactor, and for tasks."""
-        due = [performer.due_ns for performer in self._performers]
-        wake_ns = self._reactor.next_wake()
-        self._due_ns = min([*due, *([] if wake_ns is None else [wake_ns])], default=NEVER)
 
     # --- what follows ------------------------------------------------------------------------
 
-    def _follow(self, now_ns: int) -> None:
-        """Do what follows from the monitor: after each of its calls, at the same instant."""
-        active = set(self._monitor.active)
-        flags = [rule.name in active for rule in self._machine.rules]
+    def _follow(self, now_ns: int, told: Told) -> None:
+        """Do what follows from what the core told, at the same instant."""
         self._is_following = True
-        for order in self._reactor.react(now_ns, flags, ()):
-            self._perform(now_ns, order)
+        self._carry_out(now_ns, told)
         while self._reports:
             task, success = self._reports.pop(0)
-            for order in self._reactor.report(now_ns, task, success, ()):
-                self._perform(now_ns, order)
+            self._carry_out(now_ns, self._core.report(now_ns, task, success=success))
         self._is_following = False
-        self.is_acting = any(state in _IN_FORCE for state in self._reactor.states)
-        if self._is_reset_wanted:
-            self._is_reset_wanted = False
-            self.reset()
+        self.is_acting = any(state in _IN_FORCE for state in self._core.states)
         for command in self._filters.values():
             command.forget()
         self._update_filters(now_ns)
-        self._plan_rest()
+        self._due_ns = min((each.due_ns for each in self._performers), default=NEVER)
         self._plan_wake()
+
+    def _carry_out(self, now_ns: int, told: Told) -> None:
+        self.verdicts += [event for event in told.events if isinstance(event, Verdict)]
+        for order in told.orders:
+            self._perform(now_ns, order)
 
     def _perform(self, now_ns: int, order: Order) -> None:
         task = self._machine.reactions.tasks[order.task]
@@ -195,26 +180,20 @@ class InProcessGuard:
         else:
             self._performers[order.task].stop()
 
-    def _keep(self, events: Sequence[Event]) -> None:
-        self.verdicts += [event for event in events if isinstance(event, Verdict)]
-
     def _report(self, task: int, success: bool) -> None:
         """A task has ended: at once, or some time after it was started."""
         self._reports.append((task, success))
         if not self._is_following:
-            self._follow(self._clock())
-
-    def _want_reset(self, _: int) -> None:
-        self._is_reset_wanted = True
+            self._follow(self._clock(), Told([], []))
 
     # --- commands ----------------------------------------------------------------------------
 
-    def _make_filters(self, carrier: Carrier) -> dict[int, CommandFilter]:
+    def _make_filters(self, carrier: Carrier) -> dict[int, CommandFilter[Message]]:
         filters = {}
         for index, command in enumerate(self._machine.reactions.commands):
             require_scalar_fields(command)
             filters[index] = CommandFilter(
-                command,
+                CommandMessages(command),
                 carrier.publisher(Topic(command.topic, command.message_type)),
                 self._bounds_on(index),
             )
@@ -223,9 +202,9 @@ class InProcessGuard:
         return filters
 
     def _bounds_on(self, command: int) -> Callable[[int], tuple[FieldBounds, ...]]:
-        return lambda at_ns: self._reactor.bounds(at_ns, command)
+        return lambda at_ns: self._core.bounds(at_ns, command)
 
-    def _commanded(self, command: CommandFilter) -> Callable[[Message], None]:
+    def _commanded(self, command: CommandFilter[Message]) -> Callable[[Message], None]:
         def receive(message: Message) -> None:
             now_ns = self._clock()
             if self._has_begun and now_ns >= self._wake_ns:
@@ -237,7 +216,7 @@ class InProcessGuard:
     def _update_filters(self, now_ns: int) -> None:
         for command in self._filters.values():
             command.update(now_ns)
-        self._filters_due_ns = now_ns + _FILTER_PERIOD_NS
+        self._filters_due_ns = now_ns + UPDATE_PERIOD_NS
 
 
 def _make_relays(machine: Machine, carrier: Carrier) -> dict[str, Relay]:
@@ -249,9 +228,9 @@ def _make_relays(machine: Machine, carrier: Carrier) -> dict[str, Relay]:
 
 
 @lru_cache(maxsize=16)
-def _monitor_of(machine: Machine) -> Monitor:
+def _core_of(machine: Machine) -> Core:
     """Built and loaded once for all episodes."""
-    return Monitor(machine)
+    return Core(machine)
 
 
 class InProcessLink:

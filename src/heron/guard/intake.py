@@ -1,4 +1,4 @@
-"""From messages to what the monitor takes in: one function for each topic, made once."""
+"""From messages to what the core of a guard takes in: one function for each topic, made once."""
 
 from __future__ import annotations
 
@@ -11,52 +11,50 @@ import numpy as np
 
 from heron import messages
 from heron.messages import Message
-from rossmarie.driver.monitor import Monitor, Value
-from rossmarie.ir import Array, Event, Path, Slot, arrival_names, field_names
+from rossmarie.guard import Core, Value
+from rossmarie.ir import Array, Path, Slot, Told, arrival_names, field_names
 
-Take = Callable[[int, Message], Sequence[Event]]
-"""An instant and a message; gives what the monitor has to tell."""
+Take = Callable[[int, Message], Told | None]
+"""An instant and a message; gives what the core has to tell, if there is anything."""
 
 
 class Intake:
     """All topics that the rules read."""
 
-    def __init__(self, monitor: Monitor) -> None:
-        self._monitor = monitor
-        self._fields = [self._named_fields(index) for index in range(len(monitor.machine.channels))]
+    def __init__(self, core: Core) -> None:
+        self._core = core
+        self._fields = [self._named_fields(index) for index in range(len(core.machine.channels))]
 
     def take(self, channel: int) -> Take:
-        """The fastest way from a message on a channel into the monitor."""
-        monitor = self._monitor
-        described = monitor.machine.channels[channel]
-        paths = [slot.path for slot in self._on(channel, monitor.machine.slots)]
-        if self._on(channel, monitor.machine.arrays) or not _are_plain(
-            paths, described.message_type
-        ):
-            return lambda at_ns, message: monitor.update(at_ns, self._values(channel, message))
-        call = monitor.update_call(described.topic)
+        """The fastest way from a message on a channel into the core."""
+        core = self._core
+        described = core.machine.channels[channel]
+        paths = [slot.path for slot in self._on(channel, core.machine.slots)]
+        if self._on(channel, core.machine.arrays) or not _are_plain(paths, described.message_type):
+            return lambda at_ns, message: core.update(at_ns, self._values(channel, message))
+        call = core.update_call(described.topic)
         read = _read_all(paths)
 
-        def take(at_ns: int, message: Message) -> Sequence[Event]:
-            return monitor.take_events() if call(at_ns, *read(message)) else ()
+        def take(at_ns: int, message: Message) -> Told | None:
+            return core.take() if call(at_ns, *read(message)) else None
 
         return take
 
-    def begin(self, at_ns: int, first: Mapping[int, Message]) -> Sequence[Event]:
+    def begin(self, at_ns: int, first: Mapping[int, Message]) -> Told:
         """The first messages of several channels arrive together."""
         values: dict[str, Value] = {}
         for channel, message in first.items():
             values |= self._values(channel, message)
-        return self._monitor.update(at_ns, values)
+        return self._core.update(at_ns, values)
 
     def _values(self, channel: int, message: Message) -> dict[str, Value]:
         return {name: _value(message, path) for name, path in self._fields[channel].items()}
 
     def _named_fields(self, channel: int) -> dict[str, Path]:
-        """The fields of a channel, as the monitor calls them; of an input of which only the age is
+        """The fields of a channel, as the core calls them; of an input of which only the age is
         read, the whole message.
         """
-        machine = self._monitor.machine
+        machine = self._core.machine
         slots, arrays = field_names(machine)
         named: list[tuple[frozenset[str], Slot | Array]]
         named = [*zip(slots, machine.slots, strict=True), *zip(arrays, machine.arrays, strict=True)]
@@ -69,7 +67,7 @@ class Intake:
         return fields | {name: () for name, arriving in ages if arriving == channel}
 
     def _on(self, channel: int, fields: Sequence[Slot] | Sequence[Array]) -> list[Slot | Array]:
-        inputs = self._monitor.machine.inputs
+        inputs = self._core.machine.inputs
         return [field for field in fields if inputs[field.input].channel == channel]
 
 

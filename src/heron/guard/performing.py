@@ -1,4 +1,6 @@
-"""The deeds of this guard for the tasks of rules; limits and scales need no doing."""
+"""The deeds of this guard for the tasks of rules. Limits and scales need no doing, and the core
+resets itself.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +10,11 @@ from functools import partial
 from typing import Protocol
 
 from heron import messages
-from heron.guard.commands import CommandFilter
 from heron.guard.relay import Relay
 from heron.messages import Message
 from heron.topics import Carrier, Goal, Parameter, Scalar, Topic
 from heron.topics import Publish as Publisher
+from rossmarie.guard import CommandFilter
 from rossmarie.ir import Machine
 from rossmarie.ir.reactions import (
     Call,
@@ -58,7 +60,7 @@ class Performer(Protocol):
 
 @dataclass
 class Nothing:
-    """Of a task that the bounds, or the verdicts, say all about."""
+    """Of a task that the core, or the verdicts, say all about."""
 
     due_ns: int = NEVER
 
@@ -188,9 +190,8 @@ class Workshop:
 
     machine: Machine
     carrier: Carrier
-    filters: Mapping[int, CommandFilter]
+    filters: Mapping[int, CommandFilter[Message]]
     relays: Mapping[str, Relay]
-    reset: Callable[[int], None]
     report: Callable[[int, bool], None]
 
     def performers(self) -> list[Performer]:
@@ -215,9 +216,7 @@ class Workshop:
                 return Sending(self.relays[effect.server], _scalars(goal), _resends(effect), report)
             case CancelGoal(confirmation=None):
                 return Sending(self.relays[effect.server], None, _resends(effect), report)
-            case Reset():
-                return Once(self.reset)
-            case Limit() | Scale() | Log() | Diagnose():
+            case Limit() | Scale() | Log() | Diagnose() | Reset():
                 return Nothing()
             case SetParameter() | CancelGoal() | Call() | SwitchControllers() | Hook():
                 kind = type(effect).__name__
@@ -248,7 +247,7 @@ def _publication(effect: Publish, publish: Publisher) -> Performer:
     return Repeated(lambda _: publish(message), lambda: None, effect.period_ns)
 
 
-def _command(effect: Publish, command: CommandFilter) -> Performer:
+def _command(effect: Publish, command: CommandFilter[Message]) -> Performer:
     message = message_of(effect)
     if effect.period_ns is None:
         return Once(lambda now_ns: command.pass_once(now_ns, message))

@@ -14,8 +14,8 @@ from rossmarie.cli.output import output
 from rossmarie.cli.progress import told_progress
 from rossmarie.driver import RulesError
 from rossmarie.driver.formatting import format_text
-from rossmarie.driver.monitor import NATIVE
 from rossmarie.driver.replay import replay_file
+from rossmarie.engines import NATIVE
 from rossmarie.recordings import RecordingError, open_recording, write_model
 from rossmarie.report import Replay, render_timeline, verdict_lines, write_table
 

@@ -20,8 +20,8 @@ from dslkit.writing import reason
 from rossmarie.cli.output import output
 from rossmarie.cli.replay import refusing, topic_pairs, write_reports
 from rossmarie.driver import compile_file
-from rossmarie.driver.monitor import start_engine
 from rossmarie.driver.replay import replay_file
+from rossmarie.engines import start_monitor
 from rossmarie.recordings import RecordingError
 from rossmarie.report import Replay, write_table
 from rossmarie.report.spans import summarize
@@ -60,7 +60,7 @@ def run_replays(
     with refusing():
         compiled = compile_file(rules, systems=systems, message_folders=message_folders)
     output.print_findings(compiled.warnings)
-    started = start_engine(compiled.machine)  # built once, for all processes
+    started = start_monitor(compiled.machine)  # built once, for all processes
     if started.reason:
         typer.echo(started.reason, err=True)
     keys = list(map(str, recordings))

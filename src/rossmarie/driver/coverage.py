@@ -9,8 +9,8 @@ from pathlib import Path
 from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import SourceFile
 from rossmarie.driver.pipeline import compile_file
-from rossmarie.driver.python_monitor import PythonMonitor
 from rossmarie.driver.sources import hashed_files, hashed_sources
+from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.ir import Machine, Verdict
 from rossmarie.recordings import Update, open_recording, updates_in
 from rossmarie.report.safety import EvidenceKind, evidence_text

@@ -2,50 +2,23 @@
 
 from __future__ import annotations
 
-import math
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass
 from operator import index as as_index
 from os import PathLike
 from pathlib import Path
-from typing import Protocol, TypeAlias
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.python_columns import PythonColumns
-from rossmarie.driver.python_monitor import PythonMonitor
-from rossmarie.ir import (
-    ChannelValues,
-    Event,
-    Kind,
-    Machine,
-    Verdict,
-    arrival_names,
-    explain,
-    field_names,
-    near_name,
-)
-from rossmarie.native import (
-    BuildError,
-    NativeMonitor,
-    NoCompilerError,
-    fit,
-    load_native,
-)
-from rossmarie.targets import c99, python
-
-_WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
-_NUMBERS = (int, float, np.integer, np.floating, np.bool_)
-
-NATIVE = "native"
-PYTHON = "python"
-
-Value: TypeAlias = float | bool | str | Sequence[float]
-"""The content of a message field: a number, a flag, a string, or the elements of an array."""
+from rossmarie.engines import NamedValues, Value, start_monitor
+from rossmarie.guard import Declared, Guard
+from rossmarie.ir import Event, Machine, event_line
+from rossmarie.native import NativeMonitor, fit
 
 
 class Run(Protocol):
@@ -73,31 +46,6 @@ class Bound(Protocol):
         """
 
 
-@dataclass(frozen=True)
-class Started:
-    """An engine, its kind (`NATIVE` or `PYTHON`), and why it is not native."""
-
-    engine: NativeMonitor | PythonMonitor
-    kind: str
-    reason: str | None
-
-
-def start_engine(machine: Machine) -> Started:
-    """An engine in its initial state; its verdicts are the same whatever its kind."""
-    refused = next(iter(c99.unsupported(machine)), None)
-    if refused is not None:
-        return _in_python(machine, refused.title)
-    try:
-        return Started(load_native(machine, c99.generate_loadable(machine)), NATIVE, None)
-    except (NoCompilerError, BuildError, OSError) as error:
-        return _in_python(machine, str(error).partition("\n")[0])
-
-
-def _in_python(machine: Machine, why: str) -> Started:
-    reason = f"the monitor runs in Python, which is slower: {why}"
-    return Started(PythonMonitor(machine, python.source(machine)), PYTHON, reason)
-
-
 class Monitor:
     """A rules file, running. Fields go by the names of inputs: `speed`, `orientation.x`.
 
@@ -108,12 +56,11 @@ class Monitor:
 
     def __init__(self, machine: Machine) -> None:
         self.machine = machine
-        started = start_engine(machine)
+        started = start_monitor(machine)
         self._engine = started.engine
         self.kind = started.kind
         self.reason = started.reason
-        self._slots, self._arrays = (_by_name(names) for names in field_names(machine))
-        self._arrivals = arrival_names(machine)
+        self._values = NamedValues(machine)
 
     def fresh(self) -> Monitor:
         """Another monitor of the same rules, which has seen nothing. It costs next to nothing:
@@ -122,6 +69,18 @@ class Monitor:
         another = copy(self)
         another._engine = self._engine.fresh()  # noqa: SLF001 - of this class
         return another
+
+    def guard(self, *, observe: Declared, act: Declared) -> Guard:
+        """A guard of the same rules, which has seen nothing: between a policy and its robot.
+
+        The declarations say which numbers of flat observations and actions stand for which fields.
+        Raises `MappingError` if they do not fit the rules. Gives a `RuntimeWarning` with the reason
+        if the guard is not native.
+        """
+        guard = Guard(self.machine, observe, act)
+        if guard.reason is not None:
+            warnings.warn(guard.reason, RuntimeWarning, stacklevel=2)
+        return guard
 
     @property
     def rules(self) -> tuple[str, ...]:
@@ -147,27 +106,7 @@ class Monitor:
         `ValueError` for an instant out of range, `MemoryError` if events were lost for lack of
         memory.
         """
-        instant = as_index(at_ns)
-        slots: dict[int, dict[int, float]] = {}
-        arrays: dict[int, dict[int, Sequence[float]]] = {}
-        for name, value in values.items():
-            if name in self._slots:
-                index = self._slots[name]
-                channel = self._channel(self.machine.slots[index].input)
-                slots.setdefault(channel, {})[index] = self._number(index, value)
-            elif name in self._arrays:
-                index = self._arrays[name]
-                channel = self._channel(self.machine.arrays[index].input)
-                arrays.setdefault(channel, {})[index] = _elements(name, value)
-            elif name in self._arrivals:
-                slots.setdefault(self._arrivals[name], {})
-            else:
-                raise KeyError(self._unknown(name))
-        messages = {
-            channel: ChannelValues(slots.get(channel, {}), arrays.get(channel, {}))
-            for channel in slots.keys() | arrays.keys()
-        }
-        return self._engine.update(instant, messages)
+        return self._engine.update(as_index(at_ns), self._values.messages(values))
 
     def advance(self, at_ns: int) -> list[Event]:
         """Time passes without a message; timers due at this very instant fire as well.
@@ -187,10 +126,7 @@ class Monitor:
 
     def explain(self, event: Event) -> str:
         """An event in words: the rule, what happened, and why."""
-        if not isinstance(event, Verdict):
-            return f"time went back from {event.from_ns} ns to {event.to_ns} ns"
-        change = event.change.name.partition("_")[0].lower()
-        return f"{self.rules[event.rule]} {change}: {explain(self.machine, event).line()}"
+        return event_line(self.machine, event)
 
     def update_call(self, topic: str) -> Callable[..., int]:
         """The fastest call for one topic: `(at_ns, *scalars) -> number of events, or -1`.
@@ -214,13 +150,7 @@ class Monitor:
 
         Raises `ValueError` for a topic that no input reads.
         """
-        channel = self._topic(topic)
-        names, _ = field_names(self.machine)
-        return tuple(
-            min(names[index], key=len, default="")
-            for index, slot in enumerate(self.machine.slots)
-            if self._channel(slot.input) == channel
-        )
+        return self._values.scalars(self._topic(topic))
 
     def run(self, times_ns: NDArray[np.int64], columns: Mapping[str, NDArray[np.generic]]) -> Run:
         """Whole columns: each row is a message on every topic of which a column is given.
@@ -247,42 +177,8 @@ class Monitor:
 
     # --- names -------------------------------------------------------------------------------
 
-    def _channel(self, used: int) -> int:
-        return self.machine.inputs[used].channel
-
     def _topic(self, topic: str) -> int:
         return [channel.topic for channel in self.machine.channels].index(topic)
-
-    def _number(self, slot: int, value: Value) -> float:
-        """A string is its index among the strings of the machine, or -1."""
-        kind = self.machine.slots[slot].kind
-        if isinstance(value, str) and kind is Kind.TEXT:
-            texts = self.machine.texts
-            return float(texts.index(value)) if value in texts else -1.0
-        if isinstance(value, _NUMBERS) and kind is not Kind.TEXT:
-            number = float(value)
-            return _flag(number) if kind is Kind.FLAG else number
-        raise TypeError(f"{_WANTED[kind]} is wanted, not {value!r}")
-
-    def _unknown(self, name: str) -> str:
-        near = near_name(name, (*self._slots, *self._arrays, *self._arrivals))
-        return f"no rule reads `{name}`" + (f"; did you mean `{near}`?" if near else "")
-
-
-def _by_name(names: Sequence[frozenset[str]]) -> dict[str, int]:
-    return {name: index for index, known in enumerate(names) for name in known}
-
-
-def _flag(number: float) -> float:
-    return float(number != 0.0) if math.isfinite(number) else math.nan
-
-
-def _elements(name: str, value: Value) -> list[float]:
-    elements = np.asarray(value)
-    if elements.ndim != 1 or elements.dtype.kind not in "buif":
-        raise TypeError(f"`{name}` is an array of numbers, not {value!r}")
-    found: list[float] = elements.astype(np.float64).tolist()
-    return found
 
 
 def load(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.driver.python_monitor import PythonMonitor
+from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.ir import ChannelValues, Event, Kind, Machine
 from rossmarie.native import FLAG_VALUES, Columns
 

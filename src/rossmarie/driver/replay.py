@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
-from rossmarie.driver.monitor import Started, start_engine
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.sampler import Sampler
 from rossmarie.driver.taking import taking
+from rossmarie.engines import MonitorEngine, Started, start_monitor
 from rossmarie.ir import Batch, Event
 from rossmarie.recordings import Recording, open_recording
 from rossmarie.report import Replay, rehearse
@@ -39,7 +39,7 @@ def replay_file(
         collector.extend(recording.findings)
         batches = recording.batches(machine, collector, topic_map)
         sampler = Sampler(machine)
-        started = start_engine(machine)
+        started = start_monitor(machine)
         take = taking(machine, started.engine, sampler.signals)
         events: list[Event] = []
         for batch in _told(batches, recording, on_progress):
@@ -65,7 +65,7 @@ def replay_file(
     return replay, (*compiled.warnings, *collector.sorted())
 
 
-def _notes(started: Started, found: Sequence[Diagnostic]) -> tuple[str, ...]:
+def _notes(started: Started[MonitorEngine], found: Sequence[Diagnostic]) -> tuple[str, ...]:
     reasons = [started.reason] if started.reason else []
     return (*reasons, *(f"{finding.title}: {finding.primary.text}" for finding in found))
 

@@ -12,7 +12,7 @@ from functools import partial
 
 import numpy as np
 
-from rossmarie.driver.python_monitor import PythonMonitor
+from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Batch, Event, Machine, Taken, each_update
 from rossmarie.native import NativeMonitor

@@ -43,6 +43,9 @@ class Force:
         return ramp * (float(max(0, at_ns - self.lifted_ns)) / 1e9)
 
 
+_NOTHING = Force()
+
+
 class Filter:
     """The limits on the command topics: those in force, and those that are being lifted."""
 
@@ -55,9 +58,22 @@ class Filter:
         }
         self._is_open = False
 
+    @classmethod
+    def of(cls, reactions: Reactions, task: int, force: Force) -> Filter:
+        """A filter that is open, in which no limit counts but this one."""
+        found = cls(reactions)
+        found._forces[task] = force
+        found._is_open = True
+        return found
+
     def open(self) -> None:
         """All inputs with a timeout have arrived once, or the grace period is over (R12)."""
         self._is_open = True
+
+    def lifted_ns(self, task: int) -> int:
+        """Since when a limit has been lifted; `NEVER_NS` for all else."""
+        force = self._forces.get(task, _NOTHING)
+        return ir.NEVER_NS if force.lifted_ns is None else force.lifted_ns
 
     def start(self, task: int) -> None:
         """A task is ordered to start; of limits and scales it takes note."""

@@ -7,7 +7,6 @@ remembers; whoever drives it carries its orders out, and reports what came of th
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
@@ -18,23 +17,11 @@ from rossmarie.ir import (
     Order,
     OrderKind,
     Reactions,
+    State,
     TruthValue,
     overruled,
     reactions,
 )
-
-
-class State(enum.IntEnum):
-    """Where a task stands."""
-
-    IDLE = 0
-    RUNNING = 1  # ordered; its end is awaited
-    HOLDING = 2  # in force, until it is stopped
-    WAITING = 3  # overruled; wanted again when its rule owns the resource
-    DONE = 4
-    FAILED = 5
-    OVERDUE = 6  # overruled for longer than its time: it has failed, and is wanted again
-
 
 _PASSED = frozenset((State.HOLDING, State.WAITING, State.OVERDUE, State.DONE))
 _WANTED = frozenset((State.WAITING, State.OVERDUE))
@@ -82,6 +69,16 @@ class Reactor:
     def states(self) -> tuple[State, ...]:
         """Where each task stands, by index."""
         return tuple(progress.state for progress in self._tasks)
+
+    @property
+    def since_ns(self) -> tuple[int, ...]:
+        """Since when each task has been as it is; `NEVER_NS` for one that rests, unless it is a
+        limit or scale that was lifted.
+        """
+        return tuple(
+            self._filter.lifted_ns(task) if progress.state is State.IDLE else progress.started_ns
+            for task, progress in enumerate(self._tasks)
+        )
 
     def open(self) -> None:
         """Commands may pass: every input with a timeout has arrived once, or has had its time
@@ -138,8 +135,7 @@ class Reactor:
 
     def _set_clock(self, at_ns: int) -> None:
         """R14: what was a old stays a old when the clock is set back."""
-        if not ir.EARLIEST_NS < at_ns < ir.LATEST_NS:
-            raise ValueError(f"an instant of {at_ns} ns is out of range")
+        ir.require_instant(at_ns)
         if at_ns < self._now_ns:
             for progress in self._tasks:
                 progress.started_ns -= self._now_ns - at_ns

@@ -4,8 +4,15 @@ from rossmarie.core import Function, Sampling
 from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
-from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, explain
-from rossmarie.ir.limits import EARLIEST_NS, LATEST_NS, LONGEST_NS, MOST_EVALUATIONS
+from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
+from rossmarie.ir.limits import (
+    EARLIEST_NS,
+    LATEST_NS,
+    LONGEST_NS,
+    MOST_EVALUATIONS,
+    NEVER_NS,
+    require_instant,
+)
 from rossmarie.ir.malformed import MalformedMachine
 from rossmarie.ir.message import ChannelValues
 from rossmarie.ir.model import (
@@ -45,8 +52,9 @@ from rossmarie.ir.model import (
     TruthNode,
 )
 from rossmarie.ir.naming import arrival_names, field_names, near_name
+from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
 from rossmarie.ir.path import ByName, Path, Step, path_text
-from rossmarie.ir.reactions import NO_REACTIONS, FieldBounds, Order, OrderKind, Reactions
+from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.support import (
     ElementArrays,
@@ -68,6 +76,7 @@ from rossmarie.ir.support import (
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify
+from rossmarie.ir.wiring import CommandPart, Part, Publication, Wiring
 
 __all__ = [
     "EARLIEST_NS",
@@ -75,6 +84,7 @@ __all__ = [
     "LATEST_NS",
     "LONGEST_NS",
     "MOST_EVALUATIONS",
+    "NEVER_NS",
     "NO_REACTIONS",
     "AgeReaches",
     "And",
@@ -87,6 +97,7 @@ __all__ = [
     "Change",
     "Channel",
     "ChannelValues",
+    "CommandPart",
     "Compare",
     "Comparison",
     "Constant",
@@ -115,7 +126,9 @@ __all__ = [
     "Order",
     "OrderKind",
     "Oscillates",
+    "Part",
     "Path",
+    "Publication",
     "Quantified",
     "Quantifier",
     "Reactions",
@@ -127,21 +140,25 @@ __all__ = [
     "Signal",
     "SignalNode",
     "Slot",
+    "State",
     "Step",
     "Support",
     "Supports",
     "Taken",
     "TimeJump",
+    "Told",
     "Truth",
     "TruthNode",
     "TruthValue",
     "UnreadableMachine",
     "Verdict",
+    "Wiring",
     "arrival_names",
     "compared_signals",
     "dump_text",
     "each_update",
     "element_arrays",
+    "event_line",
     "explain",
     "field_names",
     "functions",
@@ -154,6 +171,7 @@ __all__ = [
     "path_text",
     "reachable_truths",
     "reactions",
+    "require_instant",
     "rule_signals",
     "rule_terms",
     "samplings",

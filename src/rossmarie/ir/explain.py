@@ -14,7 +14,7 @@ from dslkit.source import Span
 from rossmarie.ir import kleene
 from rossmarie.ir import model as ir
 from rossmarie.ir.support import compared_signals, is_leaf, leaf_truths, supports
-from rossmarie.ir.verdict import Change, InputState, TruthValue, Verdict
+from rossmarie.ir.verdict import Change, Event, InputState, TruthValue, Verdict
 
 
 @dataclass(frozen=True)
@@ -106,6 +106,14 @@ _STATES = {
     InputState.EXPIRED: "is older than its timeout",
     InputState.FRESH: "has no usable value",
 }
+
+
+def event_line(machine: ir.Machine, event: Event) -> str:
+    """An event in words: the rule, what happened, and why."""
+    if not isinstance(event, Verdict):
+        return f"time went back from {event.from_ns} ns to {event.to_ns} ns"
+    change = event.change.name.partition("_")[0].lower()
+    return f"{machine.rules[event.rule].name} {change}: {explain(machine, event).line()}"
 
 
 def explain(machine: ir.Machine, verdict: Verdict) -> Explanation:

@@ -15,6 +15,15 @@ LATEST_NS = 2**62
 LONGEST_NS = 2**61
 """Durations lie below this (73 years)."""
 
+NEVER_NS = 2**63 - 1
+"""Later than every instant: in C, something that has not happened."""
+
 MOST_EVALUATIONS = 10_000
 """The most evaluations that one call of a monitor may take, however long the silence before it was.
 """
+
+
+def require_instant(at_ns: int) -> None:
+    """Raise `ValueError` for an instant out of range."""
+    if not EARLIEST_NS < at_ns < LATEST_NS:
+        raise ValueError(f"an instant of {at_ns} ns is out of range")

@@ -11,7 +11,6 @@ All numbers are in the units of the messages that they go into.
 from __future__ import annotations
 
 import enum
-import math
 from dataclasses import dataclass
 
 from dslkit.source import Span
@@ -345,41 +344,3 @@ def confirmation(effect: Effect) -> int | None:
             | SendGoal() | Log() | Diagnose() | Hook() | Reset()
         ):  # fmt: skip
             return None
-
-
-# --- what the reactor says -------------------------------------------------------------------
-
-
-class OrderKind(enum.Enum):
-    """The instruction about a task, or the news of it."""
-
-    START = "start"
-    STOP = "stop"  # its rule was released: undo it
-    OVERRULED = "overruled"  # another rule has the resource: give it up, or do not begin
-    FAILED = "failed"  # give it up
-
-
-@dataclass(frozen=True)
-class Order:
-    """An order to whoever performs: a thing to do, or to know. `by` is the rule that overrules."""
-
-    kind: OrderKind
-    task: int
-    by: int | None = None
-
-
-@dataclass(frozen=True)
-class FieldBounds:
-    """The bounds on a field of a command: x becomes `min(max(x * factor, low), high)`, and 0 if it
-    is not finite.
-    """
-
-    factor: float
-    low: float
-    high: float
-
-    def of(self, value: float) -> float:
-        """A number of a command, bounded."""
-        if not math.isfinite(value):
-            return 0.0
-        return min(max(value * self.factor, self.low), self.high)

@@ -2,6 +2,9 @@
  *
  * Compiled together with host.c.
  */
+#ifndef ROSSMARIE_BATCH
+#define ROSSMARIE_BATCH
+
 #include "host.c"
 
 /* `arriving` has a byte for each channel of each update, `slots` a number for each slot of each
@@ -74,3 +77,5 @@ size_t host_take(host *h, size_t first, const host_batch *batch, host_samples *s
     }
     return batch->update_count;
 }
+
+#endif

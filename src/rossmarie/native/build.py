@@ -51,33 +51,42 @@ def _named() -> list[list[str]]:
         raise NoCompilerError(f"no C compiler found (CC is {named!r}: {error})") from error
 
 
-def build(files: Mapping[str, str], main: str, *more_options: str, rebuild: bool = False) -> bytes:
-    """Compile the file `main` among `files` to a shared library, unless that was done before.
+def build(
+    files: Mapping[str, str],
+    main: str,
+    *more_options: str,
+    beside: Sequence[str] = (),
+    rebuild: bool = False,
+) -> bytes:
+    """Compile the file `main` among `files`, and those `beside` it, to a shared library, unless
+    that was done before.
 
     Raises `NoCompilerError`, or `BuildError` with what the compiler said, or `OSError` if there is
     no room to compile.
     """
     command = [*compiler(), *OPTIONS, *more_options]
-    name = f"{_digest(files, main, command)}.so"
-    return kept(name, lambda: _compiled(files, main, command), anew=rebuild)
+    sources = (main, *beside)
+    name = f"{_digest(files, sources, command)}.so"
+    return kept(name, lambda: _compiled(files, sources, command), anew=rebuild)
 
 
-def _digest(files: Mapping[str, str], main: str, command: Sequence[str]) -> str:
+def _digest(files: Mapping[str, str], sources: Sequence[str], command: Sequence[str]) -> str:
     """A name for the result: the version of the compiler counts by its file's size and time."""
     found = Path(command[0]).resolve().stat()
     digest = hashlib.sha256()
-    for part in (main, *command, str(found.st_size), str(found.st_mtime_ns)):
+    for part in (*sources, *command, str(found.st_size), str(found.st_mtime_ns)):
         digest.update(os.fsencode(part) + b"\0")
     for name in sorted(files):
         digest.update(name.encode() + b"\0" + files[name].encode() + b"\0")
     return digest.hexdigest()[:32]
 
 
-def _compiled(files: Mapping[str, str], main: str, command: Sequence[str]) -> bytes:
+def _compiled(files: Mapping[str, str], sources: Sequence[str], command: Sequence[str]) -> bytes:
     with tempfile.TemporaryDirectory(prefix="rossmarie_") as folder:
         write_texts(Path(folder), files)
         built = Path(folder) / "built.so"
-        call = [*command, "-o", str(built), str(Path(folder) / main), "-lm"]
+        paths = [str(Path(folder) / source) for source in sources]
+        call = [*command, "-o", str(built), *paths, "-lm"]
         result = subprocess.run(call, capture_output=True, check=False)
         if result.returncode != 0:
             said = result.stderr.decode("utf-8", "replace").strip()

@@ -8,6 +8,11 @@
 
 #include "batch.c"
 
+/* What takes in a message; more than a monitor may be behind it. */
+#ifndef TAKE_PACKED
+#define TAKE_PACKED host_packed
+#endif
+
 enum { MOST_FIELDS = 256 };
 
 typedef struct target {
@@ -33,7 +38,7 @@ static PyObject *fastcall(PyObject *self, PyObject *const *arguments, Py_ssize_t
         if (values[i] == -1.0 && PyErr_Occurred())
             return NULL;
     }
-    events = host_packed(to->machine, to->channel, t_ns, values);
+    events = TAKE_PACKED(to->machine, to->channel, t_ns, values);
     if (host_failed(to->machine))
         return PyErr_NoMemory();
     return PyLong_FromLong(events);

@@ -91,6 +91,17 @@ class Library:
         addresses = map(self._address, (host, table))
         return self._python_function("host_python_rows", kinds, *addresses, owner)
 
+    def step_function(
+        self, host: Pointer, wiring: Pointer, owner: object
+    ) -> Callable[..., bytes | None] | None:
+        """The function of `fastguard.c` for a guard; None if the library was built without.
+
+        It keeps `owner` alive, on which guard and wiring rest.
+        """
+        kinds = [ctypes.c_void_p, ctypes.c_void_p, ctypes.py_object]
+        addresses = map(self._address, (host, wiring))
+        return self._python_function("guard_python_step", kinds, *addresses, owner)
+
     def _python_function(
         self, name: str, kinds: list[Any], *arguments: object
     ) -> Callable[..., Any] | None:

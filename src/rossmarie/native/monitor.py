@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sysconfig
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from importlib import resources
 from pathlib import Path
@@ -29,7 +30,7 @@ from rossmarie.native.signatures import declarations, fields_of
 _NEVER = 2**63 - 1
 _NAN = float("nan")
 _BYTES = "unsigned char[]"
-_OWN = ("batch.c", "fastcall.c")
+_OWN = ("batch.c", "fastcall.c", "fastguard.c", "guarding.c")
 _HEADERS = Path(sysconfig.get_paths()["include"])
 
 RowsCall: TypeAlias = Callable[[int, int, "NDArray[np.uint8] | None"], bytes]
@@ -38,35 +39,54 @@ RowsCall: TypeAlias = Callable[[int, int, "NDArray[np.uint8] | None"], bytes]
 _MOST_FIELDS = 256  # as in fastcall.c
 
 
+@dataclass(frozen=True)
+class Mains:
+    """The file to compile: one has functions for Python."""
+
+    plain: str
+    for_python: str
+
+
+_MAINS = Mains("batch.c", "fastcall.c")
+
+
 def load_native(machine: ir.Machine, files: Mapping[str, str]) -> NativeMonitor:
     """Build the files (`host.c` among them) and give a monitor that has seen nothing.
 
     A library in the cache that cannot be loaded is built again. Raises `NoCompilerError`,
     `BuildError`, or `OSError` if there is no room to build, or if the library cannot be loaded.
     """
-    declared = declarations(fields_of(machine))
     reader = EventReader(machine)
-    built = _built(files)
+    declared = declarations(fields_of(machine))
+    return NativeMonitor(machine, load_library(_MAINS, files, declared, reader), reader)
+
+
+def load_library(
+    mains: Mains, files: Mapping[str, str], declared: str, reader: EventReader
+) -> Library:
+    """Build the files and load what came out. Raises what `load_native` raises."""
+    built = _built(mains, files)
     try:
-        library = _checked(Library(built, declared), reader)
+        return _checked(Library(built, declared), reader)
     except OSError:
-        library = _checked(Library(_built(files, rebuild=True), declared), reader)
-    return NativeMonitor(machine, library, reader)
+        return _checked(Library(_built(mains, files, rebuild=True), declared), reader)
 
 
-def _built(files: Mapping[str, str], *, rebuild: bool = False) -> bytes:
+def _built(mains: Mains, files: Mapping[str, str], *, rebuild: bool = False) -> bytes:
     """With functions for Python if its headers are at hand and serve, else without."""
+    texts, beside = with_own(files), [name for name in files if name.endswith("_reactor.c")]
     if (_HEADERS / "Python.h").is_file():
         try:
-            return build(with_own(files), "fastcall.c", f"-I{_HEADERS}", rebuild=rebuild)
+            include = f"-I{_HEADERS}"
+            return build(texts, mains.for_python, include, beside=beside, rebuild=rebuild)
         except BuildError:
             pass  # Headers without their configuration are found on some systems.
-    return build(with_own(files), "batch.c", rebuild=rebuild)
+    return build(texts, mains.plain, beside=beside, rebuild=rebuild)
 
 
 def with_own(files: Mapping[str, str]) -> dict[str, str]:
-    """Generated files, and those of this folder: `fastcall.c` includes `batch.c`, which includes
-    `host.c`.
+    """Generated files, and those of this folder, which include them: `batch.c` and `fastcall.c` a
+    monitor, `guarding.c` and `fastguard.c` a monitor with its reactor.
     """
     folder = resources.files(__package__)
     own = {name: folder.joinpath(name).read_text(encoding="utf-8") for name in _OWN}
@@ -85,16 +105,21 @@ class NativeMonitor:
     `ir.LATEST_NS`; every method that takes one raises `ValueError` outside that range.
     """
 
-    def __init__(self, machine: ir.Machine, library: Library, reader: EventReader) -> None:
-        """Raises `OSError` if the arithmetic of the library is not that of IEEE 754."""
+    def __init__(
+        self, machine: ir.Machine, library: Library, reader: EventReader, kind: str = "host"
+    ) -> None:
+        """`kind` is what C makes: the monitor alone, or a `guard`, which has a reactor beside it.
+
+        Raises `OSError` if the arithmetic of the library is not that of IEEE 754.
+        """
         self._machine = machine
         self.library = library
         self._reader = reader
         self._fields = fields_of(machine)
-        made = library.function("host_new")()
+        made = library.function(f"{kind}_new")()
         if library.is_null(made):
             raise MemoryError
-        self.host = library.owned(made, library.function("host_free"))
+        self.host = library.owned(made, library.function(f"{kind}_free"))
         if fault := library.text_at(library.function("host_fault")(self.host)):
             raise OSError(f"the compiled monitor computes wrongly: {fault}")
         self._run = library.function("host_run")
@@ -112,9 +137,14 @@ class NativeMonitor:
     @property
     def active(self) -> tuple[bool, ...]:
         """The rules that are active, by index."""
-        bits = self.library.bytes_at(self._call("host_active"), self.active_bytes)
+        bits = self.active_bits
         rules = range(len(self._machine.rules))
         return tuple(bool(bits[rule // 8] >> rule % 8 & 1) for rule in rules)
+
+    @property
+    def active_bits(self) -> bytes:
+        """The same with the bit of rule r at bit `r % 8` of byte `r // 8`."""
+        return self.library.bytes_at(self._call("host_active"), self.active_bytes)
 
     def next_wake(self) -> int | None:
         """The instant at which `advance` is wanted if no message comes before."""
@@ -268,8 +298,7 @@ class NativeMonitor:
         return self.library.function(name)(self.host, *arguments)
 
     def _events_of(self, at_ns: int, name: str, *arguments: Pointer) -> list[Event]:
-        if not ir.EARLIEST_NS < at_ns < ir.LATEST_NS:
-            raise ValueError(f"an instant of {at_ns} ns is out of range")
+        ir.require_instant(at_ns)
         self._waiting += self._drain()
         self._call(name, at_ns, *arguments)
         return self._reader.read(self._drain())

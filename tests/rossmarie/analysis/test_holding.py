@@ -11,8 +11,7 @@ import pytest
 
 from rossmarie.analysis.questions import ask_all
 from rossmarie.driver import compile_file
-from rossmarie.interpreter import Interpreter, Reactor
-from rossmarie.interpreter.reactor import State
+from rossmarie.interpreter import Interpreter, Reactor, State
 from rossmarie.ir import ChannelValues, Machine
 from rossmarie.ir.reactions import Publish
 

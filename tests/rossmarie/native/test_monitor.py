@@ -304,9 +304,11 @@ def test_lost_events_of_fast_calls_are_told(monkeypatch: pytest.MonkeyPatch) -> 
 def test_a_library_that_cannot_be_loaded_is_built_again(monkeypatch: pytest.MonkeyPatch) -> None:
     calls: list[bool] = []
 
-    def once_broken(*arguments: Any, rebuild: bool) -> bytes:
+    def once_broken(*arguments: Any, rebuild: bool, **more: Any) -> bytes:
         calls.append(rebuild)
-        return build(*arguments, rebuild=rebuild) if rebuild else b"\x7fELF and then nothing"
+        return (
+            build(*arguments, rebuild=rebuild, **more) if rebuild else b"\x7fELF and then nothing"
+        )
 
     monkeypatch.setattr(native_monitor, "build", once_broken)
     assert load("thresholds").run(TIMES, columns()).events

@@ -1,5 +1,6 @@
-"""A machine as C99: `generate` gives the header and the source, `generate_loadable` also what
-`rossmarie.native` needs to run them in its own process.
+"""A machine as C99: `generate` gives the header and the source; `generate_loadable` gives also
+what `rossmarie.native` needs to run a monitor in its own process, `generate_guard` what it needs to
+run one with its reactor.
 
 Takes a machine that `ir.verify` has passed and for which `unsupported` found nothing. The C behaves
 as the interpreter does, bit for bit; `docs/decisions/0004-c99-target.md` says how it is made fast.
@@ -12,12 +13,13 @@ from collections.abc import Iterator
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
+from rossmarie.ir import reactions
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import describe, engine, functions, host, reactor, state, tables
 from rossmarie.targets.c99.layout import lay_out
 from rossmarie.targets.c99.messages import Messages
 from rossmarie.targets.c99.nodes import derive
-from rossmarie.targets.c99.text import indented
+from rossmarie.targets.c99.text import indented, table
 from rossmarie.targets.formulas import definitions
 
 
@@ -40,6 +42,15 @@ def generate_loadable(machine: ir.Machine) -> dict[str, str]:
     """
     writer = _Writer(machine)
     return {**writer.monitor_files(), **engine.files(), "host.c": writer.host_file()}
+
+
+def generate_guard(machine: ir.Machine) -> dict[str, str]:
+    """The files of a monitor and its reactor, and guard.c, which is compiled behind host.c and
+    together with NAME_reactor.c, if there is one.
+    """
+    writer = _Writer(machine)
+    guarding = {**writer.reactor_files(), "guard.c": writer.guard_file()}
+    return {**writer.monitor_files(), **engine.files(), "host.c": writer.host_file(), **guarding}
 
 
 class _Writer:
@@ -71,6 +82,18 @@ class _Writer:
 
     def host_file(self) -> str:
         return self._fill("host.c.j2", **host.blanks(self._layout, self._messages))
+
+    def guard_file(self) -> str:
+        found = self._layout.machine.reactions
+        resets = [isinstance(task.effect, reactions.Reset) for task in found.tasks]
+        return self._fill(
+            "guard.c.j2",
+            rules=len(self._layout.machine.rules),
+            tasks=len(found.tasks),
+            commands=len(found.commands) if found.tasks else 0,
+            confirmed=any(reactions.confirmation(task.effect) is not None for task in found.tasks),
+            resets=table("unsigned char", "task_resets", list(map(int, resets))),
+        )
 
     def _fill(self, template: str, **blanks: object) -> str:
         known = {

@@ -132,6 +132,10 @@ class Monitor(NamedTuple):
     """
 '''
 
+_WATCHES = """\
+    watches: Callable[[], tuple[int, ...]]  # what confirms that tasks have succeeded
+"""
+
 _MEMBERS = """\
     update: Callable[[int, Mapping[int, Sequence[object]]], int]
     advance: Callable[[int], int]  # time passes without a message
@@ -159,7 +163,7 @@ def _monitor(machine: ir.Machine) -> Iterator[str]:
         described = ", ".join([f"{topic}: at_ns", *paths])
         yield f"{INDENT}# {comments.after_hash(described)}"
         yield f"{INDENT}{update_name}: Callable[..., int]"
-    yield _MEMBERS
+    yield (_WATCHES if machine.watches else "") + _MEMBERS
 
 
 def _start(layout: Layout) -> Iterator[str]:
@@ -187,7 +191,7 @@ def _start(layout: Layout) -> Iterator[str]:
         yield from update(layout, channel)
     yield from _reset(layout)
     yield from _latch(machine)
-    yield from _questions(machine)
+    yield from _questions(layout)
 
 
 def _reset(layout: Layout) -> list[str]:
@@ -215,7 +219,8 @@ def _latch(machine: ir.Machine) -> list[str]:
     return function.text()
 
 
-def _questions(machine: ir.Machine) -> Iterator[str]:
+def _questions(layout: Layout) -> Iterator[str]:
+    machine = layout.machine
     next_wake = Function("next_wake()")
     next_wake.line("due = earliest()")
     next_wake.line("return None if due == NEVER else due")
@@ -230,8 +235,11 @@ def _questions(machine: ir.Machine) -> Iterator[str]:
     take_events.line("return taken")
     yield from take_events.text()
     updates = [f"update_{channel}" for channel in range(len(machine.channels))]
+    if machine.watches:
+        yield from _watches(layout)
     members = [
         *updates,
+        *(["watches"] if machine.watches else []),
         "update",
         "advance",
         "reset",
@@ -241,3 +249,12 @@ def _questions(machine: ir.Machine) -> Iterator[str]:
         "take_events",
     ]
     yield f"{INDENT}return Monitor({', '.join(members)})"
+
+
+def _watches(layout: Layout) -> list[str]:
+    function = Function("watches()")
+    unknown = names.tuple_of("2" for _ in layout.machine.watches)
+    function.line("if now == EARLIEST:")
+    function.line(f"return {unknown}", 1)
+    function.line(f"return {names.tuple_of(map(layout.truth, layout.machine.watches))}")
+    return function.text()

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import pytest
 
 from rossmarie import ir
-from rossmarie.driver.python_monitor import PythonMonitor
+from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Comparison, Function
 from rossmarie.targets.python import source

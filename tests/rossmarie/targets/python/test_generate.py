@@ -15,7 +15,7 @@ import pytest
 from dslkit.source import SourceFile, Span
 from rossmarie import ir
 from rossmarie.driver import RulesError, compile_file
-from rossmarie.driver.python_monitor import PythonMonitor
+from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, ChannelValues, Comparison
 from rossmarie.targets.python import generate, source

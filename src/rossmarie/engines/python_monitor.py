@@ -6,7 +6,8 @@ Takes the machine and the text that the Python target wrote for it.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from copy import copy
+from copy import copy, deepcopy
+from types import CellType, FunctionType
 from typing import Any
 
 from rossmarie import ir
@@ -23,6 +24,7 @@ class PythonMonitor:
     def __init__(self, machine: ir.Machine, source: str) -> None:
         self._slots = _by_channel(machine, machine.slots)
         self._arrays = _by_channel(machine, machine.arrays)
+        self._has_watches = bool(machine.watches)
         module: dict[str, Any] = {"__name__": "monitor"}
         exec(compile(source, "<generated monitor>", "exec"), module)
         self._jump = module["TimeJump"]
@@ -46,6 +48,11 @@ class PythonMonitor:
         active: tuple[bool, ...] = self._generated.active()
         return active
 
+    @property
+    def watches(self) -> tuple[TruthValue, ...]:
+        """The values of the watched truths, by index."""
+        return tuple(map(TruthValue, self._generated.watches())) if self._has_watches else ()
+
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
         """The messages that arrive at one instant, by channel index."""
         fields = {channel: self._fields(channel, values) for channel, values in messages.items()}
@@ -58,6 +65,38 @@ class PythonMonitor:
     def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
         """An operator resets one latched rule, or all: those with a false condition clear."""
         return self._events_of(at_ns, self._generated.reset, rule)
+
+    # --- its memory --------------------------------------------------------------------------
+
+    def save(self) -> object:
+        """All that it knows: what its functions remember between calls."""
+        return deepcopy({name: cell.cell_contents for name, cell in self._cells().items()})
+
+    def load(self, saved: object) -> None:
+        """Know what another monitor of the same rules has known."""
+        assert isinstance(saved, dict)
+        for name, cell in self._cells().items():
+            cell.cell_contents = deepcopy(saved[name])
+
+    def _cells(self) -> dict[str, CellType]:
+        """The variables that the generated functions share, but for other functions."""
+        found: dict[str, CellType] = {}
+        waiting: list[Any] = list(self._generated)
+        seen: set[Any] = set()
+        while waiting:
+            function = waiting.pop()
+            if function in seen or not isinstance(function, FunctionType):
+                continue
+            seen.add(function)
+            names = function.__code__.co_freevars
+            for name, cell in zip(names, function.__closure__ or (), strict=True):
+                content = cell.cell_contents
+                inner = content if isinstance(content, tuple) else (content,)
+                functions = [each for each in inner if isinstance(each, FunctionType)]
+                waiting += functions
+                if not functions:
+                    found[name] = cell
+        return found
 
     # --- fast --------------------------------------------------------------------------------
 

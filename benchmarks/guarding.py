@@ -1,0 +1,151 @@
+"""What a guard of a policy costs, alone and in a row: writes the tables as a page."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+from machine import processor
+from written_page import written_page
+
+import rossmarie
+from rossmarie.guard import Guard
+
+SIGNALS = 20
+COUNT = 1024
+STEPS = 2_000
+ROUNDS = 25
+
+HEAD = """
+system robot { topic /cmd_vel : geometry_msgs/Twist; node planner { publishes /cmd_vel; } }
+action slow { limit /cmd_vel { linear.x in [-0.2, 0.2] m/s; } ramp 0.3 m/s^2; }
+"""
+FIELDS = [f"{part}.{axis}" for part in ("linear", "angular") for axis in "xyz"]
+LIMIT = {"linear": "m/s", "angular": "rad/s"}
+
+
+def spread(rules: int) -> str:
+    """Every signal comes on a topic of its own, which has a timeout."""
+    inputs = [
+        f"input s{n} = topic /s{n} : std_msgs/Float64 in m/s timeout 1 sec;" for n in range(SIGNALS)
+    ]
+    conditions = [
+        f"rule r{n}: if s{n % SIGNALS} > {1 + n / 1000} m/s "
+        f"and s{(7 * n + 3) % SIGNALS} > -1 m/s then {{ slow; }};"
+        for n in range(max(rules, SIGNALS))
+    ]
+    return "\n".join([HEAD, *inputs, *conditions[:rules]])
+
+
+def together(rules: int) -> str:
+    """All signals come on one topic."""
+    fields = [FIELDS[n % len(FIELDS)] for n in range(rules)]
+    conditions = [
+        f"rule r{n}: if odometry.twist.twist.{field} > {1 + n / 1000} "
+        f"{LIMIT[field.partition('.')[0]]} then {{ slow; }};"
+        for n, field in enumerate(fields)
+    ]
+    topic = "input odometry = topic /odom : nav_msgs/Odometry timeout 1 sec;"
+    return "\n".join([HEAD, topic, *conditions])
+
+
+def guard_of(rules: str, folder: Path) -> tuple[Guard, int]:
+    """The guard of rules, and how many numbers it observes."""
+    path = folder / "rules.ross"
+    path.write_text(rules, encoding="utf-8")
+    monitor = rossmarie.load(path)
+    names = [name for channel in monitor.machine.channels for name in monitor.fields(channel.topic)]
+    observe = {name: place for place, name in enumerate(names)}
+    return monitor.guard(observe=observe, act={"linear.x": 0}), len(names)
+
+
+def best(call: Callable[[], None]) -> float:
+    """The least CPU time of some rounds, in seconds."""
+
+    def once() -> float:
+        start = time.thread_time()
+        call()
+        return time.thread_time() - start
+
+    return min(once() for _ in range(ROUNDS))
+
+
+def seconds_of_step(guard: Guard, size: int, seen: float) -> float:
+    """One step; what is observed changes a little each time, and no rule changes."""
+    observations = [np.full(size, seen + 0.001 * n) for n in range(3)]
+    action = np.array([0.1, 0.2])
+
+    def run() -> None:
+        guard.restart()
+        step = guard.step
+        for at_ns in range(STEPS):
+            step(at_ns, observations[at_ns % 3], action)
+
+    return best(run) / STEPS
+
+
+def seconds_of_row(guard: Guard, size: int, seen: float) -> float:
+    """One environment of many in a step of all."""
+    batch = guard.batch(COUNT)
+    observations = [np.full((COUNT, size), seen + 0.001 * n) for n in range(3)]
+    actions = np.full((COUNT, 2), 0.1)
+    instants = iter(range(10**9))
+    batch.step(next(instants), observations[0], actions)
+
+    def run() -> None:
+        at_ns = next(instants)
+        batch.step(at_ns, observations[at_ns % 3], actions)
+
+    return best(run) / COUNT
+
+
+def rows(folder: Path) -> Iterator[str]:
+    """A row for each number of rules."""
+    for what, text in (("topics of their own", spread), ("one topic", together)):
+        for rules in (3, 10, 30, 300):
+            guard, size = guard_of(text(rules), folder)
+            assert guard.kind == "native", guard.reason
+            calm, active = (seconds_of_step(guard, size, seen) for seen in (0.5, 2.0))
+            of_row = seconds_of_row(guard, size, 0.5)
+            yield (
+                f"| {rules} | {size} on {what} | {1e6 * calm:.2f} µs | {1e6 * active:.2f} µs "
+                f"| {1e6 * of_row:.3f} µs | {1e9 * of_row / rules:.2f} ns |"
+            )
+
+
+def page() -> str:
+    """The table."""
+    with tempfile.TemporaryDirectory() as folder:
+        found = list(rows(Path(folder)))
+    return "\n".join(
+        [
+            "# What a guard of a policy costs",
+            "",
+            "Written by `benchmarks/guarding.py`; do not edit. CPU time of one thread, the least",
+            f"of {ROUNDS} rounds, on {processor()}.",
+            "A step is `guard.step` from Python, with arrays of numpy in and out: while no rule is",
+            "active, and while all are and limit the action. In a row there are environments, "
+            f"{COUNT:,}",
+            "of them, and one call of `batch.step` is a step of all; a rule counts once for each",
+            "environment. What the guard in a simulated robot costs is on",
+            "[the page of the experiments](performance-heron.md).",
+            "",
+            "| rules | signals | a step | with all rules active | in a row, each environment "
+            "| of that, each rule |",
+            "|---|---|---|---|---|---|",
+            *found,
+            "",
+        ]
+    )
+
+
+def main() -> None:
+    """Measure, and write the page."""
+    written_page(__doc__).write_text(page(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

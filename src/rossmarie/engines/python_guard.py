@@ -1,0 +1,192 @@
+"""A monitor in Python with the reactor of its rules: as `native`'s guard, decision by decision."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from copy import copy, deepcopy
+
+from rossmarie.engines.python_monitor import PythonMonitor
+from rossmarie.engines.python_row import PythonRow
+from rossmarie.engines.python_steps import PythonSteps
+from rossmarie.interpreter import Reactor
+from rossmarie.ir import (
+    EARLIEST_NS,
+    ChannelValues,
+    Event,
+    FieldBounds,
+    Machine,
+    Order,
+    OrderKind,
+    State,
+    Told,
+    Wiring,
+    reactions,
+)
+from rossmarie.native import StepCall, packed_note
+
+
+class PythonGuard:
+    """A monitor and its reactor, which looks after each call of the monitor, at the same instant.
+    Every method that takes an instant raises `ValueError` outside of `ir.EARLIEST_NS` and
+    `ir.LATEST_NS`, but for `bounds`.
+    """
+
+    def __init__(self, machine: Machine, source: str) -> None:
+        self._machine = machine
+        self._resets = {
+            task
+            for task, each in enumerate(machine.reactions.tasks)
+            if isinstance(each.effect, reactions.Reset)
+        }
+        timed = [used.channel for used in machine.inputs if used.timeout_ns is not None]
+        self._awaited = frozenset(timed)
+        self._monitor = PythonMonitor(machine, source)
+        self._begin()
+
+    def _begin(self) -> None:
+        self._monitor = self._monitor.fresh()
+        self._reactor = Reactor(self._machine.reactions)
+        self._missing = self._awaited
+        self._events: list[Event] = []
+        self._orders: list[Order] = []
+        self.now_ns = EARLIEST_NS
+        """The instant at which it is; before the first, one that is out of range."""
+
+    def restart(self) -> None:
+        """Forget everything. Functions that `update_call` gave before are void."""
+        self._begin()
+
+    def fresh(self) -> PythonGuard:
+        """Another guard of the same machine, that has seen nothing."""
+        another = copy(self)
+        another._begin()  # noqa: SLF001 - of this class
+        return another
+
+    @property
+    def active(self) -> tuple[bool, ...]:
+        """The rules that are active, by index."""
+        return self._monitor.active
+
+    @property
+    def states(self) -> tuple[State, ...]:
+        """Where each task stands, by index."""
+        return self._reactor.states
+
+    @property
+    def has_all_inputs(self) -> bool:
+        """True once every input with a timeout has arrived."""
+        return not self._missing
+
+    def open(self) -> None:
+        """Commands may pass (R12)."""
+        self._reactor.open()
+
+    def next_wake(self) -> int | None:
+        """The instant at which `advance` is wanted if nothing else comes before."""
+        wakes = (self._monitor.next_wake(), self._reactor.next_wake())
+        return min((wake for wake in wakes if wake is not None), default=None)
+
+    def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
+        """The bounds on the fields of a command topic at an instant (R11)."""
+        return self._reactor.bounds(at_ns, command)
+
+    # --- what happens ------------------------------------------------------------------------
+
+    def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> None:
+        """The messages that arrive at one instant, by channel index."""
+        self._events += self._monitor.update(at_ns, messages)
+        self._missing -= messages.keys()
+        self._follow(at_ns)
+
+    def advance(self, at_ns: int) -> None:
+        """Time passes without a message; what is due at this very instant happens as well."""
+        self._events += self._monitor.advance(at_ns)
+        self._follow(at_ns)
+
+    def reset(self, at_ns: int, rule: int | None = None) -> None:
+        """An operator resets one latched rule, or all."""
+        self._events += self._monitor.reset(at_ns, rule)
+        self._follow(at_ns)
+
+    def report(self, at_ns: int, task: int, *, success: bool) -> None:
+        """The end of a task that was ordered to start. Raises `IndexError` if there is none."""
+        if not 0 <= task < len(self._machine.reactions.tasks):
+            raise IndexError(f"there is no task {task}")
+        self._events += self._monitor.advance(at_ns)
+        self._orders += self._reactor.report(at_ns, task, success, self._monitor.watches)
+        self._follow(at_ns)
+
+    def update_call(self, channel: int) -> Callable[..., int]:
+        """A function `(at_ns, *slots) -> number of new events and orders` for one message on a
+        channel, as `PythonMonitor.update_call` describes it.
+        """
+        take = self._monitor.update_call(channel)
+
+        def call(at_ns: int, *slots: float) -> int:
+            before = len(self._events) + len(self._orders)
+            if take(at_ns, *slots) < 0:
+                return -1
+            self._missing -= {channel}
+            self._events += self._monitor.take_events()
+            self._follow(at_ns)
+            return len(self._events) + len(self._orders) - before
+
+        return call
+
+    def row(self, wiring: Wiring, count: int) -> PythonRow:
+        """So many guards of the same machine, that have seen nothing."""
+        return PythonRow([self.fresh() for _ in range(count)], wiring)
+
+    def take_events(self) -> list[Event]:
+        """The events that were told since the last time; orders wait on."""
+        events, self._events = self._events, []
+        return events
+
+    def save(self) -> object:
+        """All that it knows, and orders that nobody has taken."""
+        kept = deepcopy((self._reactor, self._missing, self._orders, self.now_ns))
+        return (self._monitor.save(), kept)
+
+    def load(self, saved: object) -> None:
+        """Know what another guard of the same rules has known."""
+        assert isinstance(saved, tuple)
+        monitor, kept = saved
+        self._monitor.load(monitor)
+        self._reactor, self._missing, self._orders, self.now_ns = deepcopy(kept)
+        self._events = []
+
+    def step_call(self, wiring: Wiring) -> StepCall:
+        """The fastest step, for arrays of the sizes of a wiring."""
+        return PythonSteps(self._machine, self, wiring).step
+
+    def take(self) -> Told:
+        """All that was told since the last time."""
+        orders, self._orders = self._orders, []
+        return Told(self.take_events(), orders)
+
+    @property
+    def has_news(self) -> bool:
+        """True if there is anything to take."""
+        return bool(self._events or self._orders)
+
+    @property
+    def begun(self) -> set[int]:
+        """The tasks that have begun, of the orders that nobody has taken yet."""
+        return {each.task for each in self._orders if each.kind is OrderKind.START}
+
+    def note(self, said: int) -> bytes:
+        """The facts after a step in which this happened, as `native` has them."""
+        bits = sum(1 << rule for rule, is_active in enumerate(self.active) if is_active)
+        size = (max(1, len(self._machine.rules)) + 7) // 8
+        return packed_note(said, bits.to_bytes(size, "little"), self.states, self._reactor.since_ns)
+
+    def _follow(self, at_ns: int) -> None:
+        """Let the reactor look, and do the resets of all latched rules that it orders."""
+        self.now_ns = at_ns
+        while self._ordered(self._reactor.react(at_ns, self.active, self._monitor.watches)):
+            self._events += self._monitor.reset(at_ns)
+
+    def _ordered(self, orders: list[Order]) -> bool:
+        """Say whether any of the orders is a reset."""
+        self._orders += orders
+        return any(each.kind is OrderKind.START and each.task in self._resets for each in orders)

@@ -1,0 +1,113 @@
+"""Values by the names of fields, as users give them, and as engines take them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TypeAlias
+
+import numpy as np
+
+from rossmarie.ir import (
+    ChannelValues,
+    Kind,
+    Machine,
+    arrival_names,
+    field_names,
+    near_name,
+)
+
+Value: TypeAlias = float | bool | str | Sequence[float]
+"""The content of a message field: a number, a flag, a string, or the elements of an array."""
+
+_WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
+_NUMBERS = (int, float, np.integer, np.floating, np.bool_)
+
+
+class NamedValues:
+    """The names of one machine. Fields go by the names of inputs: `speed`, `orientation.x`; an
+    input of which rules read only the age is named by itself.
+    """
+
+    def __init__(self, machine: Machine) -> None:
+        self._machine = machine
+        self.slots, self.arrays = (_by_name(names) for names in field_names(machine))
+        self.arrivals = arrival_names(machine)
+
+    def messages(self, values: Mapping[str, Value]) -> dict[int, ChannelValues]:
+        """One message on each channel of which a field is named, by channel.
+
+        Raises `KeyError` for a name that nothing reads, `TypeError` for a value of another type
+        than the field, `OverflowError` for an integer beyond all floats.
+        """
+        slots: dict[int, dict[int, float]] = {}
+        arrays: dict[int, dict[int, Sequence[float]]] = {}
+        for name, value in values.items():
+            if name in self.slots:
+                index = self.slots[name]
+                channel = self._channel(self._machine.slots[index].input)
+                slots.setdefault(channel, {})[index] = self._number(index, value)
+            elif name in self.arrays:
+                index = self.arrays[name]
+                channel = self._channel(self._machine.arrays[index].input)
+                arrays.setdefault(channel, {})[index] = _elements(name, value)
+            elif name in self.arrivals:
+                slots.setdefault(self.arrivals[name], {})
+            else:
+                raise KeyError(self.unknown(name))
+        return {
+            channel: ChannelValues(slots.get(channel, {}), arrays.get(channel, {}))
+            for channel in slots.keys() | arrays.keys()
+        }
+
+    def shortest(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """The shortest name of each slot, and of each array."""
+        slots, arrays = (
+            tuple(min(sorted(names), key=len, default="") for names in fields)
+            for fields in field_names(self._machine)
+        )
+        return slots, arrays
+
+    def scalars(self, channel: int) -> tuple[str, ...]:
+        """The shortest names of the slots of a channel, in index order."""
+        names, _ = self.shortest()
+        return tuple(
+            names[index]
+            for index, slot in enumerate(self._machine.slots)
+            if self._channel(slot.input) == channel
+        )
+
+    def unknown(self, name: str) -> str:
+        """The words for a name that nothing reads."""
+        near = near_name(name, (*self.slots, *self.arrays, *self.arrivals))
+        return f"no rule reads `{name}`" + (f"; did you mean `{near}`?" if near else "")
+
+    def _channel(self, used: int) -> int:
+        return self._machine.inputs[used].channel
+
+    def _number(self, slot: int, value: Value) -> float:
+        """A string is its index among the strings of the machine, or -1."""
+        kind = self._machine.slots[slot].kind
+        if isinstance(value, str) and kind is Kind.TEXT:
+            texts = self._machine.texts
+            return float(texts.index(value)) if value in texts else -1.0
+        if isinstance(value, _NUMBERS) and kind is not Kind.TEXT:
+            number = float(value)
+            return _flag(number) if kind is Kind.FLAG else number
+        raise TypeError(f"{_WANTED[kind]} is wanted, not {value!r}")
+
+
+def _by_name(names: Sequence[frozenset[str]]) -> dict[str, int]:
+    return {name: index for index, known in enumerate(names) for name in known}
+
+
+def _flag(number: float) -> float:
+    return float(number != 0.0) if math.isfinite(number) else math.nan
+
+
+def _elements(name: str, value: Value) -> list[float]:
+    elements = np.asarray(value)
+    if elements.ndim != 1 or elements.dtype.kind not in "buif":
+        raise TypeError(f"`{name}` is an array of numbers, not {value!r}")
+    found: list[float] = elements.astype(np.float64).tolist()
+    return found

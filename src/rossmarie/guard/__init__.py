@@ -1,0 +1,26 @@
+"""A guard in this process: rules decide what a program, or a policy, may do to a robot."""
+
+from rossmarie.engines import Value
+from rossmarie.guard.batch import BatchDecision, GuardBatch
+from rossmarie.guard.commands import UPDATE_PERIOD_NS, CommandFilter, Commands
+from rossmarie.guard.core import Core
+from rossmarie.guard.decision import Decision, Request
+from rossmarie.guard.guard import Guard, GuardState
+from rossmarie.guard.mapping import Declared, MappingError, Place
+
+__all__ = [
+    "UPDATE_PERIOD_NS",
+    "BatchDecision",
+    "CommandFilter",
+    "Commands",
+    "Core",
+    "Decision",
+    "Declared",
+    "Guard",
+    "GuardBatch",
+    "GuardState",
+    "MappingError",
+    "Place",
+    "Request",
+    "Value",
+]

@@ -1,0 +1,101 @@
+"""The core of a guard: it decides; whoever has it carries messages, and performs its orders."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from copy import copy
+from operator import index as as_index
+
+from rossmarie.engines import NamedValues, Value, start_guard
+from rossmarie.ir import Event, FieldBounds, Machine, State, Told, event_line
+
+
+class Core:
+    """The monitor and the reactor of a rules file, together. After each message and each step of
+    time the reactor looks at what the monitor says, at the same instant (R1).
+
+    Fields, instants and errors are as those of `rossmarie.Monitor`; tasks, commands and orders go
+    by their indexes in `machine.reactions`. Whatever is refused changes nothing.
+    """
+
+    def __init__(self, machine: Machine) -> None:
+        self.machine = machine
+        started = start_guard(machine)
+        self._engine = started.engine
+        self.kind = started.kind
+        self.reason = started.reason
+        self._values = NamedValues(machine)
+        self._topics = [channel.topic for channel in machine.channels]
+
+    def fresh(self) -> Core:
+        """Another core of the same rules, which has seen nothing. It costs next to nothing."""
+        another = copy(self)
+        another._engine = self._engine.fresh()  # noqa: SLF001 - of this class
+        return another
+
+    @property
+    def active(self) -> tuple[str, ...]:
+        """The names of the rules that are active."""
+        pairs = zip(self.machine.rules, self._engine.active, strict=True)
+        return tuple(rule.name for rule, is_active in pairs if is_active)
+
+    @property
+    def states(self) -> tuple[State, ...]:
+        """Where each task stands."""
+        return self._engine.states
+
+    @property
+    def has_all_inputs(self) -> bool:
+        """True once every input with a timeout has arrived."""
+        return self._engine.has_all_inputs
+
+    def open(self) -> None:
+        """Commands may pass; until then every field of every command is bounded to zero (R12)."""
+        self._engine.open()
+
+    def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
+        """The bounds on the fields of a command topic at an instant (R11)."""
+        return self._engine.bounds(at_ns, command)
+
+    def next_wake(self) -> int | None:
+        """The instant at which `advance` is wanted if no message comes before, in nanoseconds."""
+        return self._engine.next_wake()
+
+    def explain(self, event: Event) -> str:
+        """An event in words: the rule, what happened, and why."""
+        return event_line(self.machine, event)
+
+    # --- what happens ------------------------------------------------------------------------
+
+    def update(self, at_ns: int, values: Mapping[str, Value]) -> Told:
+        """Messages arrive: one on each topic of which a field is named."""
+        self._engine.update(as_index(at_ns), self._values.messages(values))
+        return self.take()
+
+    def advance(self, at_ns: int) -> Told:
+        """Time passes without a message; what is due at this very instant happens as well."""
+        self._engine.advance(as_index(at_ns))
+        return self.take()
+
+    def reset(self, at_ns: int, rule: str | None = None) -> Told:
+        """An operator resets one latched rule, or all: those with a false condition clear."""
+        names = [each.name for each in self.machine.rules]
+        self._engine.reset(as_index(at_ns), None if rule is None else names.index(rule))
+        return self.take()
+
+    def report(self, at_ns: int, task: int, *, success: bool) -> Told:
+        """The end of a task that was ordered to start; of one that is not running, nothing follows
+        (R6). Raises `IndexError` if there is no such task.
+        """
+        self._engine.report(as_index(at_ns), task, success=success)
+        return self.take()
+
+    def update_call(self, topic: str) -> Callable[..., int]:
+        """The fastest call for one topic, as that of `Monitor`; it gives how many events and orders
+        wait for `take`.
+        """
+        return self._engine.update_call(self._topics.index(topic))
+
+    def take(self) -> Told:
+        """The findings of the calls that `update_call` gave, since the last time."""
+        return self._engine.take()

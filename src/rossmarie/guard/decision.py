@@ -1,0 +1,195 @@
+"""The decision of a guard about one action, and its reasons."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from numpy.typing import NDArray
+
+from rossmarie.guard.mapping import ArrayMapping
+from rossmarie.interpreter import Filter, Force
+from rossmarie.ir import (
+    NEVER_NS,
+    CommandPart,
+    FieldBounds,
+    Machine,
+    OrderKind,
+    State,
+    Verdict,
+    Wiring,
+    explain,
+)
+from rossmarie.ir.reactions import (
+    Call,
+    CancelGoal,
+    Diagnose,
+    Effect,
+    Hook,
+    Limit,
+    Log,
+    Publish,
+    Reset,
+    Scale,
+    SendGoal,
+    SetParameter,
+    SwitchControllers,
+)
+from rossmarie.native import CHANGED, CLOSED, REFUSED
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Request:
+    """Something that rules want done outside of the action: `kind` says whether its `effect` is to
+    start or to stop, or is given up because another rule overrules it or it has failed. `task` is
+    its number; whoever starts it says how it ended with `Guard.report`.
+    """
+
+    kind: OrderKind
+    rule: str
+    action: str
+    effect: Effect
+    task: int
+
+
+@dataclass(frozen=True)
+class Reasons:
+    """The ground of decisions: the rules, how arrays stand for fields, and the verdicts by which
+    rules became active.
+    """
+
+    machine: Machine
+    mapping: ArrayMapping
+    wiring: Wiring
+    causes: Mapping[int, Verdict]
+
+
+class Decision:
+    """An action that may be done, and why; the rest is worked out when it is asked for."""
+
+    __slots__ = ("_at_ns", "_given", "_note", "_reasons", "action", "requests")
+
+    def __init__(
+        self,
+        at_ns: int,
+        action: Array,
+        note: bytes,
+        reasons: Reasons,
+        given: Array | None = None,
+        requests: tuple[Request, ...] = (),
+    ) -> None:
+        self._at_ns = at_ns
+        self.action = action
+        """The action to execute."""
+        self._note = note
+        self._reasons = reasons
+        self._given = given
+        self.requests = requests
+        """All that rules want done beside the action, in order."""
+
+    @property
+    def changed(self) -> bool:
+        """True if the action is not the one that was wanted."""
+        return bool(self._note[0] & CHANGED)
+
+    @property
+    def refused(self) -> bool:
+        """True if the wanted action had a number that is not finite."""
+        return bool(self._note[0] & REFUSED)
+
+    @property
+    def active(self) -> tuple[str, ...]:
+        """The rules that are active."""
+        return tuple(self._reasons.machine.rules[rule].name for rule in self._active())
+
+    @property
+    def changed_by(self) -> tuple[str, ...]:
+        """The rules that changed the action, in their order."""
+        found = {rule for _, rules in self._changes() for rule in rules}
+        return tuple(rule.name for rule in self._reasons.machine.rules if rule.name in found)
+
+    def why(self) -> str:
+        """The active rules with their causes, and each change with its rules: a line for each."""
+        return "\n".join(self._lines()) or "no rule is active"
+
+    def __repr__(self) -> str:
+        changed = f", changed by {', '.join(self.changed_by)}" if self.changed else ""
+        return f"<Decision at {self._at_ns} ns: {self.action}{changed}>"
+
+    # --- reasons -----------------------------------------------------------------------------
+
+    def _active(self) -> list[int]:
+        rules = range(len(self._reasons.machine.rules))
+        return [rule for rule in rules if self._note[1 + rule // 8] >> rule % 8 & 1]
+
+    def _lines(self) -> Iterator[str]:
+        machine = self._reasons.machine
+        if self._note[0] & CLOSED:
+            yield "no action passes before every input with a timeout has arrived"
+        if self.refused:
+            yield "the wanted action has a number that is not finite: its command becomes 0"
+        for rule in self._active():
+            cause = self._reasons.causes.get(rule)
+            because = f": {explain(machine, cause).line()}" if cause else ""
+            yield f"{machine.rules[rule].name} is active{because}"
+        for words, rules in self._changes():
+            yield words + (f", by {', '.join(rules)}" if rules else "")
+
+    def _changes(self) -> Iterator[tuple[str, list[str]]]:
+        """Each number that was changed, in words, and the rules that would change it alone."""
+        if self._given is None:
+            return
+        for part in self._reasons.wiring.commands:
+            for place in part.part.places:
+                before, after = self._given[place], self.action[place]
+                if before != after:
+                    name = self._reasons.mapping.name(part)
+                    words = f"action[{place}] ({name}): {before:g} became {after:g}"
+                    yield words, self._changing(part, float(before))
+
+    def _changing(self, part: CommandPart, given: float) -> list[str]:
+        machine = self._reasons.machine
+        number = given * part.part.scale + part.part.offset
+        return [
+            machine.rules[rule].name
+            for rule, plan in enumerate(machine.reactions.plans)
+            if any(self._changes_it(task, part, number) for task in plan.tasks)
+        ]
+
+    def _changes_it(self, task: int, part: CommandPart, number: float) -> bool:
+        """Say whether a task alone would change a number, of a command that is finite."""
+        if self.refused:
+            return False
+        effect = self._reasons.machine.reactions.tasks[task].effect
+        match effect:
+            case Limit() | Scale() if effect.topic == part.command:
+                return self._bounds(task, part).of(number) != number
+            case Publish() if effect.command == part.command:
+                begun = self._state(task) is State.DONE and self._since_ns(task) == self._at_ns
+                return begun or self._state(task) is State.HOLDING
+            case (
+                Limit() | Scale() | Publish() | Call() | SetParameter() | SwitchControllers()
+                | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook() | Reset()
+            ):  # fmt: skip
+                return False
+
+    def _bounds(self, task: int, part: CommandPart) -> FieldBounds:
+        is_on, since_ns = self._state(task) is State.HOLDING, self._since_ns(task)
+        force = Force(is_on, None if is_on or since_ns == NEVER_NS else since_ns)
+        bounding = Filter.of(self._reasons.machine.reactions, task, force)
+        return bounding.bounds(self._at_ns, part.command)[part.field]
+
+    def _since_ns(self, task: int) -> int:
+        tasks = len(self._reasons.machine.reactions.tasks)
+        first = len(self._note) - 8 * tasks
+        since_ns: int
+        (since_ns,) = struct.unpack_from("=q", self._note, first + 8 * task)
+        return since_ns
+
+    def _state(self, task: int) -> State:
+        tasks = len(self._reasons.machine.reactions.tasks)
+        return State(self._note[len(self._note) - 9 * tasks + task])

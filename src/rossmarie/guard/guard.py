@@ -1,0 +1,258 @@
+"""The guard of a policy: an observation and an action go in, and what may be done comes out."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from operator import index as as_index
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.engines import GuardEngine, GuardRow, Started, start_guard
+from rossmarie.guard.batch import GuardBatch
+from rossmarie.guard.decision import Decision, Reasons, Request
+from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
+from rossmarie.ir import (
+    Change,
+    Event,
+    Machine,
+    Order,
+    Verdict,
+    Wiring,
+    machine_to_json,
+    near_name,
+    require_instant,
+)
+from rossmarie.ir.reactions import (
+    Call,
+    CancelGoal,
+    Diagnose,
+    Hook,
+    Limit,
+    Log,
+    Publish,
+    Reset,
+    Scale,
+    SendGoal,
+    SetParameter,
+    SwitchControllers,
+)
+from rossmarie.native import CHANGED, TOLD, StepCall
+from rossmarie.targets import c99
+
+Array = NDArray[Any]
+_NEWS = CHANGED | TOLD
+_FLOATS = (np.float64, np.float32)
+
+
+@dataclass(frozen=True)
+class GuardState:
+    """All that a guard knows; `fingerprint` says of which rules, and in which kind of guard."""
+
+    fingerprint: str
+    sizes: tuple[int, int] | None
+    at_ns: int | None
+    causes: Mapping[int, Verdict]
+    known: Any
+
+
+class Guard:
+    """Rules on guard over a policy. Instants are integers in nanoseconds, which never go back."""
+
+    def __init__(self, machine: Machine, observe: Declared, act: Declared) -> None:
+        """`mapping.py` says what declarations there are. Raises `MappingError` for those that do
+        not fit the rules.
+        """
+        self.machine = machine
+        self._mapping = ArrayMapping(machine, observe, act)
+        self._rules = {
+            task: rule for rule, plan in enumerate(machine.reactions.plans) for task in plan.tasks
+        }
+        started: Started[GuardEngine] = start_guard(machine)
+        self.kind = started.kind
+        self.reason = started.reason
+        self._engine = started.engine
+        self._begin()
+
+    def _begin(self) -> None:
+        self._reasons: Reasons
+        self._step: StepCall = self._first_step
+        self._at_ns: int | None = None
+        self._sizes: tuple[int, int] | None = None
+
+    @property
+    def rules(self) -> tuple[str, ...]:
+        """The names of the rules."""
+        return tuple(rule.name for rule in self.machine.rules)
+
+    def step(self, at_ns: int, observation: Array, action: Array) -> Decision:
+        """Decide about an action that a policy wants to execute after an observation.
+
+        Arrays are flat, of float32 or float64, and always as long as at the first step. Raises
+        `MappingError` for those that are not, `ValueError` for an instant before the last one or
+        out of range, `TypeError` for what is no array and no integer: then nothing has happened.
+        """
+        executed = action.copy() if isinstance(action, np.ndarray) else _refuse("action", action)
+        note = self._step(at_ns, observation, executed)
+        if note is None:
+            return self._step_in_order(at_ns, observation, action)
+        self._at_ns = at_ns
+        if not note[0] & _NEWS:
+            return Decision(at_ns, executed, note, self._reasons)
+        requests = self._take() if note[0] & TOLD else ()
+        given = action.copy() if note[0] & CHANGED else None
+        return Decision(at_ns, executed, note, self._reasons, given, requests)
+
+    def report(self, request: Request | int, *, success: bool) -> None:
+        """The end of something that was requested, or of a task by its number; what follows comes
+        with the next decision.
+        """
+        task = request if isinstance(request, int) else request.task
+        self._engine.report(self._now(), task, success=success)
+        self._note(self._engine.take_events())
+
+    def reset(self, rule: str | None = None) -> None:
+        """An operator resets one latched rule, or all: those with a false condition clear. Raises
+        `ValueError` for a rule that there is not.
+        """
+        if rule is not None and rule not in self.rules:
+            near = near_name(rule, self.rules)
+            meant = f"; did you mean `{near}`?" if near else ""
+            raise ValueError(f"there is no rule `{rule}`{meant}")
+        number = None if rule is None else self.rules.index(rule)
+        self._engine.reset(self._now(), number)
+        self._note(self._engine.take_events())
+
+    def restart(self) -> None:
+        """Forget everything, for another episode."""
+        self._engine.restart()
+        self._begin()
+
+    def batch(self, count: int) -> GuardBatch:
+        """So many guards by the same rules and declarations, which have seen nothing."""
+
+        def row_of(observed: int, acted: int) -> GuardRow:
+            return self._engine.row(self._mapping.wiring(observed, acted), count)
+
+        return GuardBatch(count, self.rules, row_of)
+
+    def state(self) -> GuardState:
+        """All that it knows, for `restore`; it can be pickled if the guard is native."""
+        if self._at_ns is None:
+            return GuardState(self._fingerprint, None, None, {}, None)
+        known = self._engine.save()
+        return GuardState(self._fingerprint, self._sizes, self._at_ns, self._reasons.causes, known)
+
+    def restore(self, state: GuardState) -> None:
+        """Know what a guard of the same rules has known. Raises `ValueError` for the state of one
+        of other rules, of another version of ROSSMARie, or of another kind, and `MappingError` if
+        its arrays do not fit the declarations; then nothing has changed.
+        """
+        if state.fingerprint != self._fingerprint:
+            raise ValueError(
+                f"the state is of a guard of other rules, or of another version or kind: "
+                f"{state.fingerprint}, not {self._fingerprint}"
+            )
+        if state.sizes is None:
+            self.restart()
+            return
+        wiring = self._mapping.wiring(*state.sizes)
+        self._engine.load(state.known)
+        self._connect(wiring)
+        self._at_ns = state.at_ns
+        self._reasons = replace(self._reasons, causes=state.causes)
+
+    @cached_property
+    def _fingerprint(self) -> str:
+        """The rules, the version of what runs them, and the kind of the guard."""
+        text = machine_to_json(self.machine)
+        told = f"{text}\0{c99.version()}\0{self.kind}"
+        return f"{self.machine.name} {hashlib.sha256(told.encode()).hexdigest()[:16]}"
+
+    # --- steps -------------------------------------------------------------------------------
+
+    def _now(self) -> int:
+        if self._at_ns is None:
+            raise ValueError("nothing has happened yet: the first step comes first")
+        return as_index(self._at_ns)
+
+    def _first_step(self, at_ns: int, observation: Array, action: Array) -> bytes | None:
+        """Connect the arrays by their sizes."""
+        for what, array in (("observation", observation), ("action", action)):
+            _require_array(what, array)
+        require_instant(as_index(at_ns))
+        self._connect(self._mapping.wiring(observation.size, action.size))
+        return self._step(at_ns, observation, action)
+
+    def _connect(self, wiring: Wiring) -> None:
+        self._sizes = (wiring.observed, wiring.acted)
+        self._reasons = Reasons(self.machine, self._mapping, wiring, {})
+        self._acted = {each.command for each in wiring.commands}
+        self._step = self._engine.step_call(wiring)
+
+    def _step_in_order(self, at_ns: int, observation: Array, action: Array) -> Decision:
+        """Take a step for which the arrays have to be copied first; raise what is wrong with it."""
+        assert self._sizes is not None
+        for what, array, size in zip(
+            ("observation", "action"), (observation, action), self._sizes, strict=True
+        ):
+            _require_array(what, array)
+            if array.size != size:
+                raise MappingError(f"the {what} has {array.size} numbers, at first {size}")
+        instant = as_index(at_ns)
+        require_instant(instant)
+        if self._at_ns is not None and instant < self._at_ns:
+            raise ValueError(
+                f"time goes back from {self._at_ns} ns to {instant} ns; `restart` forgets it"
+            )
+        return self.step(instant, np.ascontiguousarray(observation), np.ascontiguousarray(action))
+
+    def _take(self) -> tuple[Request, ...]:
+        """Take note of what was told."""
+        told = self._engine.take()
+        self._note(told.events)
+        return tuple(self._requests(told.orders))
+
+    def _note(self, events: list[Event]) -> None:
+        causes = dict(self._reasons.causes)
+        for event in events:
+            if isinstance(event, Verdict) and event.change is Change.CLEARED:
+                causes.pop(event.rule, None)
+            elif isinstance(event, Verdict):
+                causes[event.rule] = event
+        self._reasons = replace(self._reasons, causes=causes)
+
+    def _requests(self, orders: list[Order]) -> Iterator[Request]:
+        """The orders that are not for the guard itself."""
+        reactions = self.machine.reactions
+        for order in orders:
+            task = reactions.tasks[order.task]
+            match task.effect:
+                case Limit() | Scale() | Reset():
+                    continue
+                case Publish(command=int() as command) if command in self._acted:
+                    continue
+                case (
+                    Publish() | Call() | SetParameter() | SwitchControllers() | SendGoal()
+                    | CancelGoal() | Log() | Diagnose() | Hook()
+                ):  # fmt: skip
+                    rule = self.machine.rules[self._rules[order.task]].name
+                    action = reactions.actions[task.action].name
+                    yield Request(order.kind, rule, action, task.effect, order.task)
+
+
+def _require_array(what: str, array: object) -> None:
+    if not isinstance(array, np.ndarray):
+        _refuse(what, array)
+    elif array.ndim != 1:
+        raise MappingError(f"the {what} has the shape {array.shape}, not that of a flat array")
+    elif array.dtype not in _FLOATS:
+        raise MappingError(f"the {what} holds {array.dtype}, not float64 or float32")
+
+
+def _refuse(what: str, array: object) -> Array:
+    raise TypeError(f"the {what} is a {type(array).__name__}, not an array of numpy")

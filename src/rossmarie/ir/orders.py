@@ -1,0 +1,68 @@
+"""The words of a reactor: orders about tasks, where tasks stand, and the bounds on commands."""
+
+from __future__ import annotations
+
+import enum
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from rossmarie.ir.verdict import Event
+
+
+class State(enum.IntEnum):
+    """Where a task stands."""
+
+    IDLE = 0
+    RUNNING = 1  # ordered; its end is awaited
+    HOLDING = 2  # in force, until it is stopped
+    WAITING = 3  # overruled; wanted again when its rule owns the resource
+    DONE = 4
+    FAILED = 5
+    OVERDUE = 6  # overruled for longer than its time: it has failed, and is wanted again
+
+
+class OrderKind(enum.Enum):
+    """The instruction about a task, or the news of it."""
+
+    START = "start"
+    STOP = "stop"  # its rule was released: undo it
+    OVERRULED = "overruled"  # another rule has the resource: give it up, or do not begin
+    FAILED = "failed"  # give it up
+
+
+@dataclass(frozen=True)
+class Order:
+    """An order to whoever performs: a thing to do, or to know. `by` is the rule that overrules."""
+
+    kind: OrderKind
+    task: int
+    by: int | None = None
+
+
+class Told(NamedTuple):
+    """The words of a monitor and its reactor, each in its order."""
+
+    events: list[Event]
+    orders: list[Order]
+
+    def __bool__(self) -> bool:
+        """Say whether there is anything."""
+        return bool(self.events or self.orders)
+
+
+@dataclass(frozen=True)
+class FieldBounds:
+    """The bounds on a field of a command: x becomes `min(max(x * factor, low), high)`, and 0 if it
+    is not finite.
+    """
+
+    factor: float
+    low: float
+    high: float
+
+    def of(self, value: float) -> float:
+        """A number of a command, bounded."""
+        if not math.isfinite(value):
+            return 0.0
+        return min(max(value * self.factor, self.low), self.high)

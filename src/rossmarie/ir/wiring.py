@@ -1,0 +1,64 @@
+"""The places of fields of messages in flat arrays: of inputs in observations, of commands in
+actions.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Part:
+    """The numbers of a field: `count` of them from `first` on, `step` apart; none if the arrays do
+    not have the field. A number x stands for `x * scale + offset` in the unit of the message, or
+    for a flag.
+    """
+
+    first: int = 0
+    count: int = 0
+    step: int = 1
+    scale: float = 1.0
+    offset: float = 0.0
+    is_flag: bool = False
+
+    @property
+    def places(self) -> range:
+        """The indexes of its numbers."""
+        return range(self.first, self.first + self.count * self.step, self.step)
+
+
+@dataclass(frozen=True)
+class CommandPart:
+    """A field of a command that actions have."""
+
+    command: int
+    field: int
+    part: Part
+
+
+@dataclass(frozen=True)
+class Publication:
+    """A command that a task publishes: its numbers take the places of those of the action, as
+    long as the task holds, or once. They come in the order of the parts of the command.
+    """
+
+    task: int
+    command: int
+    is_lasting: bool
+    numbers: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Wiring:
+    """All of that for arrays of these sizes. `slots` and `arrays` have an entry for each of the
+    machine; `arriving` are the channels on which a message comes with each observation; `commands`
+    are sorted by command.
+    """
+
+    observed: int
+    acted: int
+    slots: tuple[Part, ...]
+    arrays: tuple[Part, ...]
+    arriving: frozenset[int]
+    commands: tuple[CommandPart, ...]
+    publications: tuple[Publication, ...]

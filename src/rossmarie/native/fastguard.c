@@ -1,0 +1,155 @@
+/* Python functions for a guard: those of fastcall.c, which let the reactor follow each message, and
+ * one for a step.
+ *
+ * Compiled together with guarding.c where the headers of Python are at hand.
+ */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+#include "guarding.c"
+
+#define TAKE_PACKED guard_packed
+#include "fastcall.c"
+
+typedef struct stepper {
+    host *machine;
+    PyObject *owner; /* keeps the machine and the wiring alive */
+    const guard_wiring *wiring;
+    double *observation; /* room for numbers that were float32 */
+    double *action;
+} stepper;
+
+/* The numbers of an array of one dimension: its own memory, or a copy in `room`; NULL if it is not
+ * of this length, or holds no floats. `view` is to be released if it has an object.
+ */
+static double *numbers_of(PyObject *array, size_t length, double *room, Py_buffer *view, int flags)
+{
+    if (PyObject_GetBuffer(array, view, flags | PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) != 0) {
+        PyErr_Clear();
+        view->obj = NULL;
+        return NULL;
+    }
+    if (view->ndim != 1 || (size_t)view->shape[0] != length || !view->format || view->format[1])
+        return NULL;
+    if (view->format[0] == 'd')
+        return (double *)view->buf;
+    if (view->format[0] != 'f')
+        return NULL;
+    for (size_t i = 0; i != length; i++)
+        room[i] = ((const float *)view->buf)[i];
+    return room;
+}
+
+/* Numbers that were changed go back into their array: a float32 not further from 0 than they are.
+ */
+static void put_back(const double *numbers, const Py_buffer *view)
+{
+    float *floats = (float *)view->buf;
+    if (view->format[0] != 'f')
+        return;
+    for (Py_ssize_t i = 0; i != view->shape[0]; i++) {
+        const float nearest = (float)numbers[i];
+        const bool is_beyond = fabs((double)nearest) > fabs(numbers[i]);
+        floats[i] = is_beyond ? nextafterf(nearest, 0.0f) : nearest;
+    }
+}
+
+/* What is known after a step: what happened, which rules are active and, if the action was changed,
+ * the tasks.
+ */
+static PyObject *noted(const host *h, int said)
+{
+    const size_t rules = sizeof h->machine.active;
+    const size_t tasks = said & GUARD_CHANGED ? GUARD_TASKS : 0;
+    PyObject *note = PyBytes_FromStringAndSize(NULL, (Py_ssize_t)(1 + rules + 9 * tasks));
+    unsigned char *to;
+    if (!note)
+        return NULL;
+    to = (unsigned char *)PyBytes_AS_STRING(note);
+    to[0] = (unsigned char)said;
+    memcpy(to + 1, h->machine.active, rules);
+    if (tasks) {
+        int64_t since_ns[GUARD_TASKS + 1];
+        guard_note(h, to + 1 + rules, since_ns);
+        memcpy(to + 1 + rules + tasks, since_ns, 8 * tasks);
+    }
+    return note;
+}
+
+/* (at_ns, observation, action) -> what is known then; None if the arrays or the instant do not fit:
+ * then nothing has happened.
+ */
+static PyObject *faststep(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
+{
+    stepper *by = (stepper *)PyCapsule_GetPointer(self, NULL);
+    Py_buffer seen = {0}, done = {0};
+    const double *observation;
+    double *action = NULL;
+    int said = -1;
+    long long t_ns;
+    if (count != 3)
+        return PyErr_Format(PyExc_TypeError, "wanted an instant, an observation and an action");
+    t_ns = PyLong_AsLongLong(arguments[0]);
+    if (t_ns == -1 && PyErr_Occurred()) {
+        if (!PyErr_ExceptionMatches(PyExc_OverflowError))
+            return NULL;
+        PyErr_Clear();
+        Py_RETURN_NONE;
+    }
+    observation = numbers_of(arguments[1], by->wiring->observed, by->observation, &seen, 0);
+    if (observation)
+        action = numbers_of(arguments[2], by->wiring->acted, by->action, &done, PyBUF_WRITABLE);
+    if (action) {
+        said = guard_step(by->machine, by->wiring, t_ns, observation, action);
+        if (said >= 0 && said & GUARD_CHANGED)
+            put_back(action, &done);
+    }
+    if (seen.obj)
+        PyBuffer_Release(&seen);
+    if (done.obj)
+        PyBuffer_Release(&done);
+    if (host_failed(by->machine))
+        return PyErr_NoMemory();
+    if (said < 0)
+        Py_RETURN_NONE;
+    return noted(by->machine, said);
+}
+
+static PyMethodDef step_definition = {
+    "step", (PyCFunction)(void (*)(void))faststep, METH_FASTCALL,
+    "A step: (at_ns, observation, action) -> what is known then, or None if they do not fit."};
+
+static void forget_stepper(PyObject *capsule)
+{
+    stepper *by = (stepper *)PyCapsule_GetPointer(capsule, NULL);
+    Py_DECREF(by->owner);
+    PyMem_Free(by->observation);
+    PyMem_Free(by->action);
+    PyMem_Free(by);
+}
+
+/* The function for a guard; NULL with an exception if there is no memory. */
+PyObject *guard_python_step(void *machine, void *wiring, PyObject *owner)
+{
+    PyObject *capsule, *function;
+    stepper *by = (stepper *)PyMem_Calloc(1, sizeof *by);
+    if (!by)
+        return PyErr_NoMemory();
+    by->machine = (host *)machine;
+    by->wiring = (const guard_wiring *)wiring;
+    by->owner = owner;
+    Py_INCREF(owner);
+    by->observation = (double *)PyMem_Calloc(by->wiring->observed + 1, sizeof(double));
+    by->action = (double *)PyMem_Calloc(by->wiring->acted + 1, sizeof(double));
+    capsule = by->observation && by->action ? PyCapsule_New(by, NULL, forget_stepper) : NULL;
+    if (!capsule) {
+        Py_DECREF(owner);
+        PyMem_Free(by->observation);
+        PyMem_Free(by->action);
+        PyMem_Free(by);
+        return PyErr_Occurred() ? NULL : PyErr_NoMemory();
+    }
+    function = PyCFunction_NewEx(&step_definition, capsule, NULL);
+    Py_DECREF(capsule);
+    return function;
+}

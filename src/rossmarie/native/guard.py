@@ -1,0 +1,237 @@
+"""A monitor in C with the reactor of its rules, in this process.
+
+Takes the machine and the C text that a target wrote for it, of which only the functions of `host.c`
+and `guard.c` are known here.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Mapping
+from functools import partial
+
+from rossmarie import ir
+from rossmarie.ir import (
+    ChannelValues,
+    Event,
+    FieldBounds,
+    Order,
+    OrderKind,
+    State,
+    Told,
+    Wiring,
+    require_instant,
+)
+from rossmarie.native.events import EventReader
+from rossmarie.native.library import Library
+from rossmarie.native.monitor import Mains, NativeMonitor, load_library
+from rossmarie.native.signatures import declarations, fields_of
+from rossmarie.native.steps import (
+    DECLARATIONS,
+    NativeRow,
+    StepCall,
+    WiringTable,
+    packed_note,
+    plain_step,
+)
+
+_MAINS = Mains("guarding.c", "fastguard.c")
+_ORDER = struct.Struct("@3i")
+_KINDS = tuple(OrderKind)
+_STATES = tuple(State)
+_NEVER = 2**63 - 1
+_BYTES = "unsigned char[]"
+
+_FUNCTIONS = """
+host *guard_new(void);
+void guard_free(host *);
+void guard_restart(host *);
+size_t guard_memory_size(void);
+void guard_save(host *, unsigned char *);
+void guard_load(host *, unsigned char *, void *, size_t);
+size_t guard_order_count(host *);
+void *guard_orders(host *);
+void guard_forget_orders(host *);
+bool guard_has_all_inputs(host *);
+void guard_open(host *);
+void guard_follow(host *, int64_t);
+void guard_report(host *, int64_t, int, bool);
+int guard_packed(host *, int, int64_t, double *);
+int64_t guard_next_wake(host *);
+int guard_task_state(host *, int);
+void guard_bounds(host *, int64_t, int, double *);
+"""
+
+
+def load_native_guard(machine: ir.Machine, files: Mapping[str, str]) -> NativeGuard:
+    """Build the files (`guard.c` among them) and give a guard that has seen nothing. Raises what
+    `load_native` raises.
+    """
+    reader = EventReader(machine)
+    declared = declarations(fields_of(machine)) + _FUNCTIONS + DECLARATIONS
+    return NativeGuard(machine, load_library(_MAINS, files, declared, reader), reader)
+
+
+class NativeGuard:
+    """A monitor and its reactor, which looks after each call of the monitor, at the same instant.
+    Every method that takes an instant raises `ValueError` outside of `ir.EARLIEST_NS` and
+    `ir.LATEST_NS`, but for `bounds`.
+    """
+
+    def __init__(self, machine: ir.Machine, library: Library, reader: EventReader) -> None:
+        """Raises `OSError` if the arithmetic of the library is not that of IEEE 754."""
+        self._machine = machine
+        self._reader = reader
+        self._monitor = NativeMonitor(machine, library, reader, "guard")
+        self.library = library
+        self.host = self._monitor.host
+        self._fields = [len(command.fields) for command in machine.reactions.commands]
+        self._events: list[Event] = []
+
+    def fresh(self) -> NativeGuard:
+        """Another guard of the same machine, that has seen nothing."""
+        return NativeGuard(self._machine, self.library, self._reader)
+
+    @property
+    def active(self) -> tuple[bool, ...]:
+        """The rules that are active, by index."""
+        return self._monitor.active
+
+    @property
+    def states(self) -> tuple[State, ...]:
+        """Where each task stands, by index."""
+        state = self.library.function("guard_task_state")
+        tasks = range(len(self._machine.reactions.tasks))
+        return tuple(_STATES[state(self.host, task)] for task in tasks)
+
+    @property
+    def has_all_inputs(self) -> bool:
+        """True once every input with a timeout has arrived."""
+        return bool(self.library.function("guard_has_all_inputs")(self.host))
+
+    def open(self) -> None:
+        """Commands may pass (R12)."""
+        self.library.function("guard_open")(self.host)
+
+    def next_wake(self) -> int | None:
+        """The instant at which `advance` is wanted if nothing else comes before."""
+        wake_ns: int = self.library.function("guard_next_wake")(self.host)
+        return None if wake_ns == _NEVER else wake_ns
+
+    def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
+        """The bounds on the fields of a command topic at an instant (R11)."""
+        count = self._fields[command]
+        room = self.library.new("double[]", 3 * count + 1)
+        self.library.function("guard_bounds")(self.host, at_ns, command, room)
+        return tuple(FieldBounds(*room[3 * n : 3 * n + 3]) for n in range(count))
+
+    # --- what happens ------------------------------------------------------------------------
+
+    def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> None:
+        """The messages that arrive at one instant, by channel index."""
+        self._events += self._monitor.update(at_ns, messages)
+        self._follow(at_ns)
+
+    def advance(self, at_ns: int) -> None:
+        """Time passes without a message; what is due at this very instant happens as well."""
+        self._events += self._monitor.advance(at_ns)
+        self._follow(at_ns)
+
+    def reset(self, at_ns: int, rule: int | None = None) -> None:
+        """An operator resets one latched rule, or all."""
+        self._events += self._monitor.reset(at_ns, rule)
+        self._follow(at_ns)
+
+    def report(self, at_ns: int, task: int, *, success: bool) -> None:
+        """The end of a task that was ordered to start. Raises `IndexError` if there is none."""
+        if not 0 <= task < len(self._machine.reactions.tasks):
+            raise IndexError(f"there is no task {task}")
+        require_instant(at_ns)
+        self.library.function("guard_report")(self.host, at_ns, task, success)
+
+    def update_call(self, channel: int) -> Callable[..., int]:
+        """A function `(at_ns, *slots) -> number of new events and orders` for one message on a
+        channel, as `NativeMonitor.update_call` describes it.
+        """
+        made = self._monitor.update_call(channel)
+        if not isinstance(made, partial):
+            return made
+        packed, new = self.library.function("guard_packed"), self.library.new
+        return lambda at_ns, *slots: packed(self.host, channel, at_ns, new("double[]", [*slots, 0]))
+
+    def step_call(self, wiring: Wiring) -> StepCall:
+        """The fastest step, for arrays of the sizes of a wiring."""
+        table = self._table(wiring)
+        if made := self.library.step_function(self.host, table.pointer, (self, table)):
+            return made
+        return plain_step(self.library, self.host, table, self._note)
+
+    def row(self, wiring: Wiring, count: int) -> NativeRow:
+        """So many guards of the same machine, that have seen nothing."""
+        return NativeRow(self.library, count, self._table(wiring), len(self._machine.rules))
+
+    def take_events(self) -> list[Event]:
+        """The events that were told since the last time; orders wait on."""
+        events, self._events = self._events, []
+        return events + self._monitor.take_events()
+
+    def save(self) -> bytes:
+        """All that it knows, and orders that nobody has taken."""
+        room = bytearray(self._size)
+        self.library.function("guard_save")(self.host, self.library.pointer(_BYTES, room))
+        return bytes(room) + self._order_log()
+
+    def load(self, saved: bytes) -> None:
+        """Know what another guard of the same rules has known. Raises `ValueError` if that was one
+        of another program.
+        """
+        count, left = divmod(len(saved) - self._size, _ORDER.size)
+        if count < 0 or left:
+            raise ValueError("it was saved by another program")
+        memory = self.library.pointer(_BYTES, saved)
+        orders = self.library.pointer(_BYTES, saved[self._size :])
+        self.library.function("guard_load")(self.host, memory, orders, count)
+        self._events = []
+
+    @property
+    def _size(self) -> int:
+        return int(self.library.function("guard_memory_size")())
+
+    def restart(self) -> None:
+        """Forget everything."""
+        self.library.function("guard_restart")(self.host)
+        self._events = []
+
+    def _table(self, wiring: Wiring) -> WiringTable:
+        channels = len(self._machine.channels)
+        return WiringTable(self.library, wiring, channels, max(self._fields, default=0))
+
+    def _note(self, said: int) -> bytes:
+        tasks = len(self._machine.reactions.tasks)
+        states = self.library.new("unsigned char[]", tasks or 1)
+        since_ns = self.library.new("int64_t[]", tasks or 1)
+        self.library.function("guard_note")(self.host, states, since_ns)
+        bits = self._monitor.active_bits
+        return packed_note(said, bits, list(states)[:tasks], list(since_ns)[:tasks])
+
+    def take(self) -> Told:
+        """All that was told since the last time. Raises `MemoryError` if any of it was lost for
+        lack of memory, from then on.
+        """
+        return Told(self.take_events(), self._orders())
+
+    def _follow(self, at_ns: int) -> None:
+        self.library.function("guard_follow")(self.host, at_ns)
+
+    def _orders(self) -> list[Order]:
+        log = self._order_log()
+        self.library.function("guard_forget_orders")(self.host)
+        return [
+            Order(_KINDS[kind], task, None if by < 0 else by)
+            for kind, task, by in _ORDER.iter_unpack(log)
+        ]
+
+    def _order_log(self) -> bytes:
+        count = self.library.function("guard_order_count")(self.host)
+        found = self.library.function("guard_orders")(self.host)
+        return self.library.bytes_at(found, count * _ORDER.size)

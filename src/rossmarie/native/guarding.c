@@ -1,0 +1,250 @@
+/* Guards for policies: an observation goes into the monitor, the reactor follows, and what it says
+ * lies on the action. One at a time, or many in a row.
+ *
+ * Compiled together with host.c and guard.c.
+ */
+#include "batch.c"
+
+#include "guard.c"
+
+/* How numbers of observations and actions stand for fields of messages. A field has as many numbers
+ * as `count` says, from `first` on, `step` apart; a scalar has one, and none if it is not carried.
+ * A number x stands for x * scale + offset in the unit of the message.
+ */
+typedef struct guard_part {
+    int64_t first;
+    int64_t step;
+    size_t count;
+    double scale;
+    double offset;
+    int32_t is_flag;
+    int32_t command; /* of an action */
+    int32_t field;
+    int32_t unused;
+} guard_part;
+
+/* What a task publishes in the place of an action: the numbers of all parts of a command. */
+typedef struct guard_publication {
+    int32_t task;
+    int32_t command;
+    int32_t lasts; /* else it takes the place of one action only */
+    int32_t first; /* in `published` */
+} guard_publication;
+
+typedef struct guard_wiring {
+    size_t observed; /* numbers of an observation, and of an action */
+    size_t acted;
+    size_t slot_count;
+    size_t array_count;
+    size_t part_count;
+    size_t publication_count;
+    const unsigned char *present; /* the channels that arrive with each observation */
+    const guard_part *slots;
+    const guard_part *arrays;
+    const guard_part *parts; /* of actions, command by command */
+    const guard_publication *publications;
+    const double *published;
+    double *slot_room;
+    double *element_room;
+    const double **array_room;
+    size_t *count_room;
+    double *bound_room;
+} guard_wiring;
+
+/* What guard_step says: bits of its result. */
+enum { GUARD_CHANGED = 1, GUARD_REFUSED = 2, GUARD_TOLD = 4, GUARD_CLOSED = 8 };
+
+static double of_message(const guard_part *part, double x)
+{
+    if (part->is_flag)
+        return isfinite(x) ? (double)(x != 0.0) : NAN;
+    return part->scale == 1.0 && part->offset == 0.0 ? x : x * part->scale + part->offset;
+}
+
+static double of_action(const guard_part *part, double value)
+{
+    const bool is_same = part->scale == 1.0 && part->offset == 0.0;
+    return is_same ? value : (value - part->offset) / part->scale;
+}
+
+static int take_observation(host *h, const guard_wiring *w, int64_t t_ns, const double *observation)
+{
+    double *elements = w->element_room;
+    for (size_t i = 0; i != w->slot_count; i++) {
+        const guard_part *part = &w->slots[i];
+        w->slot_room[i] = part->count ? of_message(part, observation[part->first]) : NAN;
+    }
+    for (size_t i = 0; i != w->array_count; i++) {
+        const guard_part *part = &w->arrays[i];
+        w->array_room[i] = elements;
+        w->count_room[i] = part->count;
+        for (size_t k = 0; k != part->count; k++)
+            *elements++ = of_message(part, observation[part->first + (int64_t)k * part->step]);
+    }
+    return host_step(h, t_ns, w->present, w->slot_room, w->array_room, w->count_room);
+}
+
+/* Whether a task publishes in the place of this action: it does so still, or it has just begun,
+ * which an order that nobody has taken yet says.
+ */
+static bool publishes(const host *h, const guard_publication *one)
+{
+    const guard *g = guard_of(h);
+    if (one->lasts)
+        return guard_task_state(h, one->task) == GUARD_HOLDING;
+    for (size_t i = 0; i != g->count; i++)
+        if (g->orders[i].task == one->task && g->orders[i].order == GUARD_START)
+            return true;
+    return false;
+}
+
+/* Whether all numbers of an action that commands have are finite. */
+static bool is_finite(const guard_wiring *w, const double *action)
+{
+    for (size_t i = 0; i != w->part_count; i++)
+        for (size_t k = 0; k != w->parts[i].count; k++)
+            if (!isfinite(of_message(&w->parts[i],
+                                     action[w->parts[i].first + (int64_t)k * w->parts[i].step])))
+                return false;
+    return true;
+}
+
+/* Whether bounds let every number pass. */
+static bool are_free(const double *bounds, size_t count)
+{
+    for (size_t i = 0; i != count; i++)
+        if (bounds[3 * i] != 1.0 || bounds[3 * i + 1] != -INFINITY || bounds[3 * i + 2] != INFINITY)
+            return false;
+    return true;
+}
+
+/* The parts of one command, from `first` up to `end`: bounded, as a whole 0 if any is not finite.
+ */
+static int bound_parts(const host *h, const guard_wiring *w, int64_t t_ns, size_t first, size_t end,
+                       const double *published, double *action)
+{
+    int said = 0;
+    const double *numbers = published;
+    guard_bounds(h, t_ns, w->parts[first].command, w->bound_room);
+    for (size_t i = first; i != end; i++) {
+        const guard_part *part = &w->parts[i];
+        for (size_t k = 0; k != part->count; k++) {
+            const double x = published
+                                 ? *numbers++
+                                 : of_message(part, action[part->first + (int64_t)k * part->step]);
+            if (!isfinite(x))
+                said |= GUARD_REFUSED;
+        }
+    }
+    numbers = published;
+    for (size_t i = first; i != end; i++) {
+        const guard_part *part = &w->parts[i];
+        for (size_t k = 0; k != part->count; k++) {
+            double *place = &action[part->first + (int64_t)k * part->step];
+            const double given = of_message(part, *place);
+            const double wanted = published ? *numbers++ : given;
+            const double bounded =
+                said & GUARD_REFUSED ? 0.0 : guard_bounded(w->bound_room + 3 * part->field, wanted);
+            if (bounded != given) {
+                *place = of_action(part, bounded);
+                said |= GUARD_CHANGED;
+            }
+        }
+    }
+    return said;
+}
+
+/* Whether a guard can be at an instant: it is in range, and time does not go back. */
+static bool can_be_at(const host *h, int64_t t_ns)
+{
+    return t_ns > -(INT64_C(1) << 61) && t_ns < INT64_C(1) << 62 &&
+           !(h->machine.started && t_ns < h->machine.now_ns);
+}
+
+/* A step: an observation arrives, and an action becomes what may be done. Bits of what happened, or
+ * -1 if the guard cannot be at this instant; then nothing has.
+ */
+int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *observation,
+               double *action)
+{
+    int said = 0;
+    bool is_free = true;
+    if (!can_be_at(h, t_ns) || take_observation(h, w, t_ns, observation) < 0)
+        return -1;
+    guard_follow(h, t_ns);
+    if (!guard_of(h)->is_open && guard_has_all_inputs(h))
+        guard_open(h);
+    if (guard_of(h)->is_free && is_finite(w, action))
+        return h->count ? GUARD_TOLD : 0;
+    for (size_t first = 0, end = 0; first != w->part_count; first = end) {
+        const double *published = NULL;
+        while (end != w->part_count && w->parts[end].command == w->parts[first].command)
+            end++;
+        for (size_t i = 0; i != w->publication_count; i++) {
+            const guard_publication *one = &w->publications[i];
+            if (one->command == w->parts[first].command && publishes(h, one))
+                published = w->published + one->first;
+        }
+        said |= bound_parts(h, w, t_ns, first, end, published, action);
+        is_free =
+            is_free && !published && are_free(w->bound_room, (size_t)w->parts[end - 1].field + 1);
+    }
+    guard_of(h)->is_free = is_free && guard_of(h)->count == 0;
+    said |= guard_of(h)->is_open ? 0 : GUARD_CLOSED;
+    return said | (h->count || guard_of(h)->count ? GUARD_TOLD : 0);
+}
+
+/* --- many guards --------------------------------------------------------------------------- */
+
+/* So many guards in a row that have seen nothing; NULL if there is no memory. */
+host *guards_new(size_t count)
+{
+    guard *guards = (guard *)calloc(count, sizeof *guards);
+    for (size_t i = 0; guards && i != count; i++)
+        guard_restart(&guards[i].base);
+    return guards ? &guards->base : NULL;
+}
+
+void guards_free(host *first, size_t count)
+{
+    guard *guards = guard_of(first);
+    for (size_t i = 0; i != count; i++) {
+        free(guards[i].orders);
+        free(guards[i].base.events);
+    }
+    free(guards);
+}
+
+host *guards_at(host *first, size_t index) { return &(guard_of(first) + index)->base; }
+
+/* Start those again that have a byte that is not 0. */
+void guards_restart(host *first, size_t count, const unsigned char *which)
+{
+    for (size_t i = 0; i != count; i++)
+        if (which[i])
+            guard_restart(guards_at(first, i));
+}
+
+/* A step of each guard in its row: its instant, `time_step` after that of the row before, its
+ * observation, its action, and room for whether each rule is active, and for whether the action was
+ * changed. What they tell is forgotten. Returns the number of rows, or the first row whose guard
+ * cannot be at its instant: then nothing has happened to any.
+ */
+size_t guards_step(host *first, size_t count, const guard_wiring *w, const int64_t *times,
+                   size_t time_step, const double *observations, double *actions,
+                   unsigned char *active, unsigned char *changed)
+{
+    for (size_t i = 0; i != count; i++)
+        if (!can_be_at(guards_at(first, i), times[i * time_step]))
+            return i;
+    for (size_t i = 0; i != count; i++) {
+        host *h = guards_at(first, i);
+        const int said = guard_step(h, w, times[i * time_step], observations + i * w->observed,
+                                    actions + i * w->acted);
+        changed[i] = (said & GUARD_CHANGED) != 0;
+        for (size_t rule = 0; rule != GUARD_RULES; rule++)
+            *active++ = h->machine.active[rule / 8] >> rule % 8 & 1;
+        h->count = guard_of(h)->count = 0;
+    }
+    return count;
+}

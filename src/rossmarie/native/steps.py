@@ -1,0 +1,219 @@
+"""Steps of guards in C: an observation arrives, and an action becomes what may be done."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Sequence
+from operator import index as as_index
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.ir import Part, Wiring, require_instant
+from rossmarie.native.library import Library, Pointer
+
+Floats: TypeAlias = NDArray[np.float64]
+StepCall: TypeAlias = Callable[[int, "NDArray[Any]", "NDArray[Any]"], "bytes | None"]
+"""An instant, an observation, and an action that is changed in its place; gives what is known then
+(`Note` reads it), or None if they do not fit.
+"""
+
+DECLARATIONS = """
+typedef struct guard_part {
+    int64_t first;
+    int64_t step;
+    size_t count;
+    double scale;
+    double offset;
+    int32_t is_flag;
+    int32_t command;
+    int32_t field;
+    int32_t unused;
+} guard_part;
+typedef struct guard_publication {
+    int32_t task;
+    int32_t command;
+    int32_t lasts;
+    int32_t first;
+} guard_publication;
+typedef struct guard_wiring {
+    size_t observed;
+    size_t acted;
+    size_t slot_count;
+    size_t array_count;
+    size_t part_count;
+    size_t publication_count;
+    unsigned char *present;
+    guard_part *slots;
+    guard_part *arrays;
+    guard_part *parts;
+    guard_publication *publications;
+    double *published;
+    double *slot_room;
+    double *element_room;
+    double **array_room;
+    size_t *count_room;
+    double *bound_room;
+} guard_wiring;
+int guard_step(host *, guard_wiring *, int64_t, double *, double *);
+void guard_note(host *, unsigned char *, int64_t *);
+host *guards_new(size_t);
+void guards_free(host *, size_t);
+host *guards_at(host *, size_t);
+void guards_restart(host *, size_t, unsigned char *);
+size_t guards_step(host *, size_t, guard_wiring *, int64_t *, size_t, double *, double *,
+                   unsigned char *, unsigned char *);
+"""
+
+CHANGED, REFUSED, TOLD, CLOSED = 1, 2, 4, 8
+"""The bits of what happened in a step: the action was changed, was not finite, there is news, and
+nothing passes yet.
+"""
+
+
+class WiringTable:
+    """A wiring in C; it must live as long as `pointer` is used."""
+
+    def __init__(self, library: Library, wiring: Wiring, channels: int, fields: int) -> None:
+        """For so many channels, and at most so many fields of a command."""
+        present = [int(channel in wiring.arriving) for channel in range(channels)] or [0]
+        elements = sum(part.count for part in wiring.arrays)
+        published = [number for each in wiring.publications for number in each.numbers]
+        members = {
+            "observed": wiring.observed,
+            "acted": wiring.acted,
+            "slot_count": len(wiring.slots),
+            "array_count": len(wiring.arrays),
+            "part_count": len(wiring.commands),
+            "publication_count": len(wiring.publications),
+            "present": library.new("unsigned char[]", present),
+            "slots": library.new("guard_part[]", [_part(part) for part in wiring.slots] or 1),
+            "arrays": library.new("guard_part[]", [_part(part) for part in wiring.arrays] or 1),
+            "parts": library.new(
+                "guard_part[]",
+                [_part(each.part, each.command, each.field) for each in wiring.commands] or 1,
+            ),
+            "publications": library.new("guard_publication[]", _publications(wiring) or 1),
+            "published": library.new("double[]", published or 1),
+            "slot_room": library.new("double[]", len(wiring.slots) or 1),
+            "element_room": library.new("double[]", elements or 1),
+            "array_room": library.new("double *[]", len(wiring.arrays) or 1),
+            "count_room": library.new("size_t[]", len(wiring.arrays) or 1),
+            "bound_room": library.new("double[]", 3 * fields or 1),
+        }
+        self.pointer = library.new("guard_wiring *", members)
+        self._memory = members
+
+
+def _part(part: Part, command: int = 0, field: int = 0) -> Sequence[float]:
+    return (
+        part.first, part.step, part.count, part.scale, part.offset, part.is_flag, command, field, 0,
+    )  # fmt: skip
+
+
+def _publications(wiring: Wiring) -> list[tuple[int, ...]]:
+    found: list[tuple[int, ...]] = []
+    first = 0
+    for each in wiring.publications:
+        found.append((each.task, each.command, each.is_lasting, first))
+        first += len(each.numbers)
+    return found
+
+
+def plain_step(library: Library, host: Pointer, table: WiringTable, note: NoteCall) -> StepCall:
+    """A step without the headers of Python."""
+    wiring = table.pointer
+    call = library.function("guard_step")
+
+    def step(at_ns: int, observation: NDArray[Any], action: NDArray[Any]) -> bytes | None:
+        if not (fits(observation, wiring.observed) and fits(action, wiring.acted)):
+            return None
+        require_instant(as_index(at_ns))
+        numbers = action.astype(np.float64)
+        seen = np.ascontiguousarray(observation, np.float64)
+        said = call(
+            host,
+            wiring,
+            at_ns,
+            library.pointer("double[]", seen),
+            library.pointer("double[]", numbers),
+        )
+        if said < 0:
+            return None
+        if said & CHANGED:
+            put_back(numbers, action)
+        return note(said)
+
+    return step
+
+
+NoteCall: TypeAlias = Callable[[int], bytes]
+
+
+def fits(array: object, length: int) -> bool:
+    """Say whether something is an array of so many floats."""
+    return (
+        isinstance(array, np.ndarray)
+        and array.shape == (length,)
+        and array.dtype in (np.float64, np.float32)
+    )
+
+
+def put_back(numbers: Floats, action: NDArray[Any]) -> None:
+    """Put numbers into an array: a float32 not further from 0 than they are."""
+    with np.errstate(over="ignore"):
+        nearest = numbers.astype(action.dtype)
+    is_beyond = np.abs(nearest.astype(np.float64)) > np.abs(numbers)
+    action[:] = np.where(is_beyond, np.nextafter(nearest, action.dtype.type(0)), nearest)
+
+
+def packed_note(said: int, active: bytes, states: Sequence[int], since_ns: Sequence[int]) -> bytes:
+    """The facts after a step, as bytes; tasks only if the action was changed."""
+    note = bytes([said]) + active
+    if said & CHANGED:
+        note += bytes(states) + struct.pack(f"={len(since_ns)}q", *since_ns)
+    return note
+
+
+class NativeRow:
+    """Guards in a row, that have seen nothing: a step of all of them is one call."""
+
+    def __init__(self, library: Library, count: int, table: WiringTable, rules: int) -> None:
+        made = library.function("guards_new")(count)
+        if library.is_null(made):
+            raise MemoryError
+        free = library.function("guards_free")
+        self._first = library.owned(made, lambda first: free(first, count))
+        self._library = library
+        self._count = count
+        self._table = table
+        self._step = library.function("guards_step")
+        self._shape = (count, rules)
+
+    def step(
+        self, times_ns: NDArray[np.int64], observations: Floats, actions: Floats
+    ) -> tuple[int, NDArray[np.bool_], NDArray[np.bool_]]:
+        """Let one instant, or one for each guard, come; actions are changed in their places. Gives
+        the first row that cannot be at its instant (then nothing has happened), or the number of
+        rows; which rules are active, of shape (rows, rules), and which actions were changed.
+        """
+        pointer = self._library.pointer
+        active, changed = np.empty(self._shape, np.bool_), np.empty(self._count, np.bool_)
+        done = self._step(
+            self._first,
+            self._count,
+            self._table.pointer,
+            pointer("int64_t[]", times_ns),
+            int(len(times_ns) != 1),
+            pointer("double[]", observations),
+            pointer("double[]", actions),
+            pointer("unsigned char[]", active),
+            pointer("unsigned char[]", changed),
+        )
+        return int(done), active, changed
+
+    def restart(self, which: NDArray[np.bool_]) -> None:
+        """Let those that are marked forget everything."""
+        mask = self._library.pointer("unsigned char[]", which)
+        self._library.function("guards_restart")(self._first, self._count, mask)

@@ -1,0 +1,101 @@
+"""A guard of a policy decides the same in C and in Python, and in a row as by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rossmarie.guard import Guard, GuardBatch
+from support.c_compiler import needs_c
+from support.depth import examples, phases_of_compiled
+from support.policies import PolicyCase, Step, policy_cases, run_policy
+
+pytestmark = needs_c
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
+def in_python(case: PolicyCase) -> Guard:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CC", "no-such-compiler")
+        guard = case.guard()
+    assert guard.kind == "python"
+    return guard
+
+
+@settings(phases=phases_of_compiled(), max_examples=examples(0.5))
+@given(policy_cases())
+def test_same_decisions_in_c_and_in_python(case: PolicyCase) -> None:
+    native, python = case.guard(), in_python(case)
+    assert native.kind == "native"
+    for steps in case.episodes:
+        assert run_policy(native, steps) == run_policy(python, steps)
+        native.restart()
+        python.restart()
+
+
+@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@given(policy_cases(), st.integers(0, 8))
+def test_a_guard_that_is_restored_goes_on_as_the_one_that_was_saved(
+    case: PolicyCase, place: int
+) -> None:
+    for guard, another in ((case.guard(), case.guard()), (in_python(case), in_python(case))):
+        for steps in case.episodes:
+            guard.restart()
+            run_policy(guard, steps[:place])
+            state = guard.state()
+            wanted = run_policy(guard, steps[place:], is_begun=place > 0)
+            for restored in (another, guard):
+                restored.restore(state)
+                assert run_policy(restored, steps[place:], is_begun=place > 0) == wanted
+
+
+Found = tuple[bytes, list[list[bool]], list[bool]]
+
+
+def row_by_row(guards: list[Guard], steps: list[Step]) -> Found:
+    """What guards that know nothing of each other decide."""
+    found = [
+        guard.step(step.at_ns, step.observation, step.action)
+        for guard, step in zip(guards, steps, strict=True)
+    ]
+    active = [[rule in decision.active for rule in guards[0].rules] for decision in found]
+    actions = np.array([decision.action for decision in found])
+    return actions.tobytes(), active, [decision.changed for decision in found]
+
+
+def in_a_row(batch: GuardBatch, steps: list[Step]) -> Found:
+    """What guards in a row decide."""
+    decided = batch.step(
+        np.array([step.at_ns for step in steps]),
+        np.array([step.observation for step in steps]),
+        np.array([step.action for step in steps]),
+    )
+    return decided.actions.tobytes(), decided.active.tolist(), decided.changed.tolist()
+
+
+@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@given(policy_cases(), st.lists(st.integers(0, 3), max_size=4))
+def test_guards_in_a_row_decide_as_each_by_itself(case: PolicyCase, restarts: list[int]) -> None:
+    shortest = min(map(len, case.episodes))
+    for guard in (case.guard(), in_python(case)):
+        batch, alone = guard.batch(len(case.episodes)), [case.guard() for _ in case.episodes]
+        for number in range(shortest):
+            if number in restarts:
+                batch.restart(np.arange(len(alone)) == number)
+                alone[number].restart()
+            steps = [
+                replace(steps[number], action=steps[number].action.astype(np.float64))
+                for steps in case.episodes
+            ]
+            assert in_a_row(batch, steps) == row_by_row(alone, steps)

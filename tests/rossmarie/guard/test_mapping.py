@@ -1,0 +1,90 @@
+"""Declarations of observations and actions: names, units, shapes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rossmarie.guard import Declared, MappingError
+from support.c_compiler import needs_c
+from support.policy_rules import ACT, OBSERVE, RULES, guard_of
+
+MODE = 'input mode = topic /mode : std_msgs/String;\nrule m: if mode == "a" then { slow; };\n'
+
+
+def refusal(folder: Path, observe: Any = OBSERVE, act: Any = ACT, more: str = "") -> str:
+    with pytest.raises(MappingError) as caught:
+        guard_of("python", folder, rules=RULES + more, observe=observe, act=act)
+    return str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"sped": 0}, "no rule reads `sped`; did you mean `speed`?"),
+        ({"speed": (0, "mm")}, "`speed` is in m/s, and cannot be in mm"),
+        ({"speed": (0, "furlong")}, "`speed`: there is no unit `furlong`"),
+        ({"speed": (0, "meter")}, "`speed`: there is no unit `meter`; did you mean `m`?"),
+        ({"held": (1, "m")}, "`held` is in 1, and cannot be in m"),
+        ({"scan": 2}, "`scan` is an array: a slice, such as slice(0, 7)"),
+        ({"scan.ranges": slice(2, 4)}, "`scan` and `scan.ranges` are one field"),
+    ],
+)
+def test_observations_are_refused(tmp_path: Path, changed: Any, words: str) -> None:
+    assert refusal(tmp_path, observe={**OBSERVE, **changed}) == words
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"linear.w": 1}, "no rule bounds `linear.w`; did you mean `linear.z`?"),
+        ({"x": 1}, "no rule bounds `x`"),
+        ({"linear.x": (0, "rad/s")}, "`linear.x` is in m/s, and cannot be in rad/s"),
+        ({"/cmd_vel.linear.x": 1}, "`linear.x` and `/cmd_vel.linear.x` are one field"),
+    ],
+)
+def test_actions_are_refused(tmp_path: Path, changed: Any, words: str) -> None:
+    assert refusal(tmp_path, act={**ACT, **changed}).startswith(words)
+
+
+def test_what_rules_read_has_to_be_declared(tmp_path: Path) -> None:
+    words = "rules read `held`, `scan`, which `observe` lacks (None: it is never observed)"
+    assert refusal(tmp_path, observe={"speed": 0}) == words
+
+
+def test_what_rules_bound_has_to_be_declared(tmp_path: Path) -> None:
+    words = "rules bound `/cmd_vel.linear.x`, which `act` lacks"
+    assert refusal(tmp_path, act={"angular.z": 0}).startswith(words)
+
+
+def test_a_text_is_no_number(tmp_path: Path) -> None:
+    text = refusal(tmp_path, observe={**OBSERVE, "mode": 4}, more=MODE)
+    assert text == "`mode` is a text, which is no number of an array"
+
+
+@needs_c
+def test_indexes_count_from_the_end_and_slices_have_steps(tmp_path: Path) -> None:
+    observe: Declared = {"speed": -1, "held": 1, "scan": slice(None, None, 3)}
+    guard = guard_of("native", tmp_path, observe=observe, act={"linear.x": -1})
+    decision = guard.step(0, np.array([2.0, 0.0, 0.0, 0.3, 1.5]), np.array([9.0, 0.8]))
+    assert decision.active == ("fast", "near")
+    assert decision.action.tolist() == [9.0, -0.1]
+
+
+@needs_c
+def test_units_are_converted(tmp_path: Path) -> None:
+    guard = guard_of(
+        "native",
+        tmp_path,
+        observe={**OBSERVE, "speed": (0, "mm/s"), "scan": (slice(2, 4), "cm")},
+        act={"linear.x": (0, "km/h"), "angular.z": (1, "deg/s")},
+    )
+    decision = guard.step(0, np.array([1100, 0, 200, 200.0]), np.array([3.6, 10.0]))
+    assert decision.active == ("fast",)
+    assert decision.action.tolist() == pytest.approx([0.72, 10.0])
+    decision = guard.step(1, np.array([900, 0, 200, 600.0]), np.array([0.0, 0.0]))
+    assert decision.active == ("far",)
+    assert decision.action[1] == pytest.approx(np.rad2deg(0.5))
