@@ -6,6 +6,8 @@ PYTHON ?= python3
 READY := .venv/.ready
 RUN := .venv/bin
 HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
+# Python keeps what it has compiled: tests start hundreds of programs, and each worker reads all tests.
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: help demo evaluate test check deep bench fmt fuzz clean browser compiler display drawing ros1 prover
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import signal
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -17,7 +18,7 @@ _SLOW_MACHINE = (HealthCheck.too_slow,)
 
 settings.register_profile(
     "usual",
-    max_examples=25,
+    max_examples=15,
     deadline=None,
     derandomize="CI" in os.environ,
     print_blob=True,
@@ -62,6 +63,17 @@ def pytest_configure(config: pytest.Config) -> None:
     settings.load_profile("deep" if config.getoption("--deep") else "usual")
     if config.getoption("--bless") and os.environ.get("CI"):
         raise pytest.UsageError("--bless is for people; it is refused where CI is set")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """Tests live until the end of the run: nobody looks for garbage among them, then or later."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.enable()
+        gc.freeze()
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from fuzz.mutation import mutate
 from fuzz.targets import TARGETS
 from rossmarie.driver import check_file
+from support.depth import deep
 
 FOUND = sorted((Path(__file__).parent / "found").glob("*/*"))
 ROUNDS = 60
@@ -58,12 +59,19 @@ def test_any_bytes_are_findings_not_crashes(
         b"(" * 100_000,
         b"const a = " + b"not " * 50_000,
         b"const a = " + b"-" * 50_000 + b"1",
-        b"const a = 1" + b" + 1" * 100_000,
+        b"const a = 1" + b" + 1" * 25_000,
         b"'''" + b"x" * 2_000_000,
         b"entity e { a : b.c" + b".d" * 50_000 + b"; }",
-        b"rule " * 150_000,
+        b"rule " * 30_000,
         b"const a = 3 " + b"m" * 100_000,
-        b"input x = topic " + b"/a" * 100_000,
+        b"input x = topic " + b"/a" * 25_000,
+        *deep(
+            [
+                b"const a = 1" + b" + 1" * 100_000,
+                b"rule " * 150_000,
+                b"input x = topic " + b"/a" * 100_000,
+            ]
+        ),
     ],
     ids=lambda content: content[:20].decode("latin-1"),
 )

@@ -154,6 +154,7 @@ def visit(arm: Arm) -> HumanEpisode:
     return run_human(arm, Person.INSIDE, 3, (), USUAL)
 
 
+@pytest.mark.deep
 def test_a_range_scan_tells_nothing_of_bumps_and_torque() -> None:
     found = drive(Arm.COLLISION_MONITOR, Terrain.GENTLE).measures
     without = drive(Arm.NONE, Terrain.GENTLE).measures

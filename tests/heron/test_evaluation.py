@@ -35,6 +35,7 @@ from heron.evaluation.statistics import compare, median, share
 from heron.evaluation.study_section import slope_torque
 from heron.experiments import EXPERIMENTS, STUDIES
 from heron.variants import Arm, Person
+from support.depth import deep
 
 DOCS = Folder(Path(__file__).parents[2] / "docs")
 PLACING = EXPERIMENTS["place"]
@@ -205,6 +206,7 @@ def test_studies_are_run_for_the_experiments_that_are_chosen() -> None:
     assert any(key.startswith("torque=6.5/nav") for key in keys_of(EXPERIMENTS.values(), 1))
 
 
+@pytest.mark.deep
 def test_an_operator_who_stands_beside_the_robot_costs_no_half_minute() -> None:
     usual, at_once = (row_of(f"{study}place/high/deros/3") for study in ("", "operator=0/"))
     assert "study" not in usual
@@ -252,9 +254,8 @@ def test_the_page_in_the_documentation_is_made_of_the_rows_beside_it() -> None:
     [
         "place/high/rossmarie/1",
         "nav/gentle/none/1",
-        "nav/gentle/collision_monitor/1",
-        "human/inside/deros/1",
         "human/inside/collision_monitor/1",
+        *deep(["nav/gentle/collision_monitor/1", "human/inside/deros/1"]),
     ],
 )
 def test_an_episode_that_is_run_again_is_the_one_in_the_documentation(key: str) -> None:

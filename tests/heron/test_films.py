@@ -10,6 +10,7 @@ import imageio_ffmpeg
 import numpy as np
 import pytest
 
+from support.depth import is_deep
 from support.parts import EGL, MOUNTS, MUJOCO, needs, require
 
 require(MUJOCO)
@@ -25,10 +26,28 @@ from heron.films.movie import encode, speed_for
 DOCS = Path(__file__).parents[2] / "docs"
 
 
+WIDTH, HEIGHT = (640, 360) if is_deep() else (160, 90)
+RATE = 20 if is_deep() else 5
+"""The size of pictures, and how many there are in a second: drawing takes a processor long."""
+SMALL = f"""\
+from heron.cli.choices import draw_without_display
+draw_without_display()
+from heron.cli import filming
+from heron.cli.main import main
+from heron.films import movie
+filming._SIZE = ({WIDTH}, {HEIGHT})
+movie._RATES[".mp4"] = {RATE}
+main()
+"""
+
+
 def heron(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
     """The command in a process of its own, which alone looks at how to draw."""
-    program = Path(sys.executable).with_name("heron")
-    return subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
+    return started(Path(sys.executable).with_name("heron"), *arguments)
+
+
+def started(*command: str | Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
 def test_an_episode_is_shown_so_fast_that_nobody_waits() -> None:
@@ -40,7 +59,8 @@ def test_an_episode_is_shown_so_fast_that_nobody_waits() -> None:
 @needs(EGL)
 def test_an_episode_becomes_a_film_that_players_read(tmp_path: Path) -> None:
     path = tmp_path / "placing.mp4"
-    done = heron("run", "place", "--seed", "3", "--arm", "none", "--film", path)
+    words = ("run", "place", "--seed", "3", "--arm", "none", "--film", path)
+    done = heron(*words) if is_deep() else started(sys.executable, "-c", SMALL, *words)
     assert done.returncode == 0, done.stderr
     assert f"the film:  {path}" in done.stdout
     assert "none, table 4.2 cm too high, seed 3" in done.stdout
@@ -50,9 +70,9 @@ def test_an_episode_becomes_a_film_that_players_read(tmp_path: Path) -> None:
         check=True,
     )
     assert b"Video: h264" in decoded.stderr
-    pictures = np.frombuffer(decoded.stdout, np.uint8).reshape(-1, 360 + STRIP, 640, 3)
-    assert len(pictures) / 20 == pytest.approx(1.0 + 7.9 + 1.0, abs=0.2), "hazard, film, end"
-    first, start, last = (pictures[index, :360].astype(int) for index in (0, 25, -1))
+    pictures = np.frombuffer(decoded.stdout, np.uint8).reshape(-1, HEIGHT + STRIP, WIDTH, 3)
+    assert len(pictures) / RATE == pytest.approx(1.0 + 7.9 + 1.0, abs=0.2), "hazard, film, end"
+    first, start, last = (pictures[index, :HEIGHT].astype(int) for index in (0, RATE + RATE // 4, -1))
     assert np.abs(start - last).mean() > 3
     assert np.abs(first - start).mean() > 3, "the first picture shows the hazard"
     assert list(tmp_path.iterdir()) == [path], "nothing else is left"
@@ -80,7 +100,7 @@ def test_a_film_that_does_not_fit_the_disk_is_no_film(suffix: str, tmp_path: Pat
     small = tmp_path / "small"
     small.mkdir()
     subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "none", small], check=True)
-    noise = np.random.default_rng(0).integers(0, 256, (20, 360, 640, 3), np.uint8)
+    noise = np.random.default_rng(0).integers(0, 256, (20, 90, 160, 3), np.uint8)
     try:
         with pytest.raises(OSError, match=r"(?i)no space left on device"):
             encode(small / f"a{suffix}", iter(noise), 20)

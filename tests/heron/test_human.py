@@ -38,6 +38,7 @@ def during(found: HumanEpisode, begin: str, end: str, column: str) -> np.ndarray
     return found.trace.columns[column][(times > instants[begin]) & (times < instants[end])]
 
 
+@pytest.mark.deep
 def test_the_same_seed_is_the_same_episode() -> None:
     first = episode(Arm.ROSSMARIE, Person.INSIDE)
     again = run_human(Arm.ROSSMARIE, Person.INSIDE, SEED)

@@ -29,6 +29,7 @@ def episode(arm: Arm, terrain: Terrain) -> NavigationEpisode:
     return run_navigation(arm, terrain, SEED)
 
 
+@pytest.mark.deep
 def test_the_same_seed_is_the_same_episode() -> None:
     first = episode(Arm.ROSSMARIE, Terrain.FLAT)
     again = run_navigation(Arm.ROSSMARIE, Terrain.FLAT, SEED)
@@ -105,6 +106,7 @@ def test_with_rules_that_recover_it_arrives_by_itself() -> None:
     assert found.reactions["gentle"] < 1.0
 
 
+@pytest.mark.deep
 def test_with_rules_that_stop_it_waits_for_its_operator() -> None:
     found = episode(Arm.DEROS, Terrain.GENTLE).measures
     recovered = episode(Arm.ROSSMARIE, Terrain.GENTLE).measures

@@ -94,6 +94,7 @@ def test_with_rules_that_recover_the_first_torque_spike_is_cut_and_the_others_st
     assert found.attempts == 1, "the block is placed at the first attempt, as it would be"
 
 
+@pytest.mark.deep
 def test_with_rules_that_stop_an_operator_turns_a_hurried_arm_down() -> None:
     found = episode(Arm.DEROS, Table.HURRIED).measures
     assert found.is_completed

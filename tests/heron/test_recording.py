@@ -46,6 +46,7 @@ def changes(episode: Episode) -> list[tuple[float, str]]:
     return [(at_s, words.partition(":")[0]) for at_s, words in episode.told]
 
 
+@pytest.mark.deep
 def test_a_recording_is_replayed_with_the_verdicts_of_the_episode(tmp_path: Path) -> None:
     path = tmp_path / "new" / "room.mcap"
     recorded("human", path)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import bz2
 import json
-import resource
 import sqlite3
 import struct
 import subprocess
@@ -23,6 +22,7 @@ import pytest
 from rosbags import rosbag1
 from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer
 
+from support import command_line
 from support.ontologies import HALL
 from support.recordings import (
     ROS1,
@@ -46,19 +46,8 @@ SECONDS = 60.0
 
 
 def run(program: str, *arguments: str | Path) -> subprocess.CompletedProcess[str]:
-    """An installed program in a process of its own that may take so much memory and time."""
-
-    def limit() -> None:
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-
-    return subprocess.run(
-        [Path(sys.executable).with_name(program), *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        timeout=SECONDS,
-        check=False,
-        preexec_fn=limit,
-    )
+    """An installed program that may take so much memory and time."""
+    return command_line.run(program, *arguments, timeout=SECONDS, memory=MEMORY)
 
 
 # --- ontologies and scenes -------------------------------------------------------------------

@@ -48,10 +48,25 @@ def rules(tmp_path: Path) -> Path:
     return path
 
 
+@pytest.fixture(scope="module")
+def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A cache with the library of the rules, and its key, to copy: it takes a second to fill."""
+    folder = tmp_path_factory.mktemp("filled")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(folder / "cache"))
+        patch.setenv("XDG_STATE_HOME", str(folder / "state"))
+        rules = folder / "rules.ross"
+        rules.write_text(RULES)
+        stops_at(rules, 0.6)
+    load_grammar.cache_clear()
+    return folder
+
+
 @pytest.fixture
-def library(cache: Path, rules: Path) -> Path:
+def library(cache: Path, filled: Path) -> Path:
     """The library of the rules in the cache."""
-    stops_at(rules, 0.6)
+    for name in ("cache", "state"):
+        shutil.copytree(filled / name, cache.parents[1] / name)
     return kept(cache, ".so")
 
 

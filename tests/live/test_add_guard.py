@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from support.depth import is_deep
 from support.guard_packages import AmentPackage, CatkinPackage, GuardPackage
 from support.parts import ROS1, ROS2, needs
 
@@ -100,7 +101,7 @@ MISTAKES = {
 def test_mistakes_are_told(package: GuardPackage) -> None:
     package.write("rossmarie_add_guard(tilt tilt.ross)", **RULES)
     needed = asked_for(package)
-    for guards, reason in MISTAKES.items():
+    for guards, reason in list(MISTAKES.items())[:: 1 if is_deep() else 2]:
         package.write(guards, needs=needed, **RULES)
         assert reason in refusal(package)
 

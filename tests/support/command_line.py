@@ -38,11 +38,12 @@ def run(
     given: str = "",
     timeout: float = TIME_LIMIT_S,
     is_merged: bool = False,
+    memory: int | None = None,
 ) -> subprocess.CompletedProcess[str]:
     """Run an installed program, or a file of Python, in `folder`, with `given` to read.
 
     Its environment is that of the test with `variables`. If `is_merged`, `stdout` has also what it
-    writes to standard error. A run that takes longer than `timeout` seconds is killed with all
+    writes to standard error. It has at most `memory` bytes of addresses. A run that takes longer than `timeout` seconds is killed with all
     processes of its group, and raises `subprocess.TimeoutExpired`.
     """
     path = Path(sys.executable).with_name(program) if isinstance(program, str) else program
@@ -51,6 +52,7 @@ def run(
         "arguments": words,
         "folder": str((folder or Path()).absolute()),
         "environment": _environment(variables or {}),
+        "memory": memory,
     }
     with _file(json.dumps(request)) as asked, _file(given) as read, _file() as out, _file() as err:
         files = (asked, read, out, out if is_merged else err)

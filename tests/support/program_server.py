@@ -17,6 +17,7 @@ import json
 import multiprocessing.process
 import os
 import pkgutil
+import resource
 import socket
 import struct
 import sys
@@ -98,6 +99,8 @@ def _get_ready(request: dict[str, Any], files: list[int]) -> None:
     os.environ.clear()
     os.environ.update(request["environment"])
     os.chdir(request["folder"])
+    if request["memory"] is not None:
+        resource.setrlimit(resource.RLIMIT_AS, (request["memory"], request["memory"]))
     vars(multiprocessing.process)["ORIGINAL_DIR"] = request["folder"]
     sys.argv = request["arguments"]
     sys.path.insert(0, str(Path(sys.argv[0]).absolute().parent))

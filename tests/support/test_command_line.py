@@ -209,6 +209,12 @@ def test_what_hangs_is_ended_with_those_it_has_started(script: Path, tmp_path: P
     assert run(script).stdout == "as ever\n"
 
 
+def test_it_has_no_more_memory_than_it_may(script: Path) -> None:
+    script.write_text("try:\n    bytes(2 << 30)\nexcept MemoryError:\n    print('no more')")
+    assert run(script, memory=1 << 30).stdout == "no more\n"
+    assert run(script).stdout == ""
+
+
 def test_a_server_that_is_killed_is_replaced(script: Path) -> None:
     script.write_text("import os; os.kill(os.getppid(), 9)")
     with pytest.raises(RuntimeError, match=r"the server of programs has ended: -9"):

@@ -27,6 +27,7 @@ def needs_of_husky(_generation: str) -> Sequence[Wanted]:
     return [compile_file(HUSKY).machine]
 
 
+@pytest.mark.deep
 @needs(A_DRIVE)
 @pytest.mark.builds(by=needs_of_husky)
 def test_a_part_of_a_real_drive_gives_the_same_verdicts(

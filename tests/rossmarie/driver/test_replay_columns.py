@@ -252,6 +252,7 @@ def test_rows_of_a_table(tmp_path: Path) -> None:
         assert told(rules, recording) == in_columns
 
 
+@pytest.mark.deep
 @needs(A_DRIVE)
 def test_a_real_drive() -> None:
     rules = ROOT / "examples/husky/husky.ross"

@@ -14,6 +14,7 @@ from rossmarie.driver.witness_tests import witness_tests
 from rossmarie.ir import ChannelValues
 from rossmarie.ir.script import Script
 from rossmarie.testing.shown import is_shown, script_of
+from support.depth import deep
 from support.testing import compiled
 
 INPUTS = """
@@ -50,6 +51,8 @@ PAIRS = {
     "swing": ("oscillates(turning.y, 4 times, within 2.0 sec, by 0.2 rad/s)", "bumped"),
 }
 TOGETHER = sorted((Path(__file__).parents[2] / "fixtures" / "together").glob("*.ross"))
+LENGTHY = {"decided", "limits", "rates"}
+"""Fixtures with so many findings that it takes seconds."""
 
 
 def kept(analysis: Analysis, rules: Path) -> tuple[str, Outcome]:
@@ -89,7 +92,14 @@ def test_a_conflict_is_kept_as_a_test_in_which_both_rules_are_active(
     assert ends_active(outcome, conflict) == {"one", "two"}
 
 
-@pytest.mark.parametrize("fixture", TOGETHER, ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "fixture",
+    [
+        *(path for path in TOGETHER if path.stem not in LENGTHY),
+        *deep(path for path in TOGETHER if path.stem in LENGTHY),
+    ],
+    ids=lambda path: path.stem,
+)
 def test_all_witnesses_of_all_questions_can_be_kept(fixture: Path, tmp_path: Path) -> None:
     rules = tmp_path / fixture.name
     rules.write_text(fixture.read_text(encoding="utf-8"), encoding="utf-8")

@@ -10,6 +10,7 @@ from dslkit.diagnostics import Diagnostic
 from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, format_module
 from rossmarie.syntax.limits import MAXIMUM_DEPTH, MAXIMUM_ERRORS, MAXIMUM_NESTING
 from rossmarie.syntax.walk import depth, expressions
+from support.depth import deep
 from support.effort import takes_at_most
 
 Parsed = Callable[[str], tuple[ast.Module, tuple[Diagnostic, ...]]]
@@ -143,8 +144,17 @@ HUGE = {
 }
 
 
-@pytest.mark.parametrize("share", [4, pytest.param(1, marks=pytest.mark.deep)])
-@pytest.mark.parametrize("name", HUGE)
+LENGTHY = {
+    *("actions", "arguments", "braces", "chain", "commas", "comparisons", "conditions", "entity"),
+    *("items", "nul", "one long mistake", "one mistake", "rules"),
+}
+"""What takes seconds to read: a part is enough to see how that grows."""
+
+
+@pytest.mark.parametrize(
+    ("name", "share"),
+    [*((name, 16 if name in LENGTHY else 4) for name in HUGE), *deep((name, 1) for name in HUGE)],
+)
 def test_huge_files_take_time_in_proportion(parsed: Parsed, name: str, share: int) -> None:
     assert len(HUGE[name]) <= MAXIMUM_FILE_SIZE
     text = HUGE[name][: MAXIMUM_FILE_SIZE // share]

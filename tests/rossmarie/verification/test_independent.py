@@ -113,7 +113,6 @@ def verdicts(prover: Prover, asked: Asked, check: str) -> Iterator[Verdict]:
 SUPPORT = "ir/support.py"
 _COMPARED = "            return (left, right)"
 QUICK = (
-    Fault(SUPPORT, _COMPARED, f"{_COMPARED}[:1]", "numbers_belt", TWO_TOPICS),
     Fault(
         "targets/c99/types.py",
         "text = repr(value)",
@@ -130,6 +129,7 @@ _TERMS = "return tuple(_terms(machine, condition))"
 _OF_SLOT = "inputs=frozenset({slot.input}),"
 _OF_READ = "slots=frozenset({slot}),\n                inputs=frozenset({used}),"
 FAULTS = (
+    Fault(SUPPORT, _COMPARED, f"{_COMPARED}[:1]", "numbers_belt", TWO_TOPICS),
     Fault(SUPPORT, _OPERANDS, f"{_OPERANDS}[:1]", "numbers_belt"),
     Fault(SUPPORT, _OF_TRUTHS, f"{_OF_TRUTHS}[:1]", "visit"),
     Fault(SUPPORT, _TERMS, f"{_TERMS}[:1]", "visit"),

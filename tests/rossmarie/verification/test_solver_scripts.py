@@ -8,6 +8,7 @@ from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.program import PRELUDE
 from rossmarie.verification.prover import Prover, Verdict
+from support.depth import deep
 from support.provers import real_prover
 
 
@@ -47,7 +48,7 @@ def test_what_is_told_of_differences_is_so(prover: Prover, fact: str) -> None:
     ("claim", "expected"),
     [
         ("isnan(x * y / (x + y)) || x * y / (x + y) == x * y / (x + y)", Verdict.PROVED),
-        ("isnan(x) || x * 1.0 == x", Verdict.PROVED),
+        *deep([("isnan(x) || x * 1.0 == x", Verdict.PROVED)]),
         ("x + 1.0 > x", Verdict.REFUTED),
         ("!isfinite(x) || !isfinite(y) || x - y == x", Verdict.REFUTED),
     ],

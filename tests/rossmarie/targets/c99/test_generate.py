@@ -23,6 +23,7 @@ from support.c_compiler import (
     run,
     write,
 )
+from support.depth import is_deep
 from support.drafts import Draft
 from support.golden import assert_golden
 from support.parts import NM, needs
@@ -145,6 +146,7 @@ def invented_functions() -> set[str]:
 def test_names_of_users_cannot_break_the_code(case: str, tmp_path: Path) -> None:
     fields = sorted(invented_functions() | {"while", "fabs", "sqrt", "isnan", "m", "value", "i"})
     assert "cross" in fields
+    fields = fields if is_deep() else [*fields[::5], "cross", "value", "while"]
     sources = []
     for number, field in enumerate(fields):
         machine = replace(renamed(CASES[case](), NASTY, field), name=f"{case}_{number}")
