@@ -50,6 +50,9 @@ _FOR_MODULES = frozenset(
 imported.
 """
 _CHANGING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
+_WAITING = 10
+"""How many times as long code may take on the clock as on the processor."""
+_LONGEST_WAITING_S = 50.0  # before `confinement` gives the whole check up
 _IMPORTING = "<frozen importlib"
 _INTERCEPTING = str(Path(__file__).with_name("intercept.py"))
 
@@ -222,8 +225,10 @@ def _guarding_python() -> Iterator[None]:
 
 @contextmanager
 def guarded(seconds: float, *, is_import: bool = False) -> Iterator[Guard]:
-    """Within, side effects raise `SideEffectError`, and code that takes longer than `seconds` is
-    ended by `TimeOverError` (in the main thread of systems that have timers).
+    """Within, side effects raise `SideEffectError`, and code that takes more than `seconds` of the
+    processor is ended by `TimeOverError` (in the main thread of systems that have timers).
+
+    What else runs on the machine does not count, but code that only waits does not go on for ever.
     """
     _install()
     guard = Guard(is_import)
@@ -255,11 +260,19 @@ def _limited(seconds: float) -> Iterator[None]:
     def end(_signal: int, _frame: FrameType | None) -> None:
         raise TimeOverError
 
-    before = signal.signal(signal.SIGALRM, end)
-    # Again and again: code with `except:` may go on after the first time.
-    signal.setitimer(signal.ITIMER_REAL, seconds, seconds)
+    waiting = min(_WAITING * seconds, _LONGEST_WAITING_S)
+    timers = (
+        (signal.ITIMER_PROF, signal.SIGPROF, seconds),
+        (signal.ITIMER_REAL, signal.SIGALRM, waiting),
+    )
+    before = [(number, signal.signal(number, end)) for _, number, _ in timers]
+    for timer, _, limit in timers:
+        # Again and again: code with `except:` may go on after the first time.
+        signal.setitimer(timer, limit, limit)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        for timer, _, _ in timers:
+            signal.setitimer(timer, 0)
+        for number, handler in before:
+            signal.signal(number, handler)

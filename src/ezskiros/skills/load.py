@@ -43,7 +43,7 @@ from ezskiros.skills.stand_ins import is_installed
 from ezskiros.skills.syntax import classes_of
 
 SECONDS = 20.0
-"""For the import of one module, with all that it imports."""
+"""Processor time for the import of one module, with all that it imports."""
 
 T = TypeVar("T")
 

@@ -28,7 +28,7 @@ from ezskiros.skills.syntax import definition, file_of
 from ezskiros.skills.values import MOST_PATHS, Decisions, deciding
 
 SECONDS = 5.0
-"""For one run of one method."""
+"""Processor time for one run of one method."""
 
 T = TypeVar("T")
 

@@ -110,6 +110,27 @@ def test_clients_of_ros_are_not_used_even_if_they_are_installed(
     assert (warned(result), found(result)) == ([("EZS233", "import planner")], [TYPO])
 
 
+def waiting(seconds: str) -> str:
+    """A module that waits in a call that nobody intercepts, and uses no processor."""
+    return f"import select\nselect.select([], [], [], {seconds})\n"
+
+
+def test_a_busy_machine_makes_no_import_endless(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(load, "SECONDS", 0.5)
+    result = check_folder(tmp_path, a=waiting("1.0") + skill(WRONG))
+    assert [each.code for each in result.diagnostics] == ["EZS301"]
+
+
+def test_an_import_that_only_waits_comes_to_an_end(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(load, "SECONDS", 0.1)
+    result = check_folder(tmp_path, a=waiting("None") + skill(WRONG))
+    assert [each.code for each in result.diagnostics] == ["EZS232"]
+
+
 def test_an_import_that_does_not_end_hides_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
