@@ -55,6 +55,7 @@ def browns(picture: bytes) -> int:
     return int(np.sum((red > green + 20) & (green > blue + 20)))
 
 
+@pytest.mark.deep  # `test_films.py` draws in each run
 @needs(EGL)
 def test_a_film_shows_the_episode_and_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     shot = shot_in_a_process("egl", monkeypatch)

@@ -72,7 +72,9 @@ def test_an_episode_becomes_a_film_that_players_read(tmp_path: Path) -> None:
     assert b"Video: h264" in decoded.stderr
     pictures = np.frombuffer(decoded.stdout, np.uint8).reshape(-1, HEIGHT + STRIP, WIDTH, 3)
     assert len(pictures) / RATE == pytest.approx(1.0 + 7.9 + 1.0, abs=0.2), "hazard, film, end"
-    first, start, last = (pictures[index, :HEIGHT].astype(int) for index in (0, RATE + RATE // 4, -1))
+    first, start, last = (
+        pictures[index, :HEIGHT].astype(int) for index in (0, RATE + RATE // 4, -1)
+    )
     assert np.abs(start - last).mean() > 3
     assert np.abs(first - start).mean() > 3, "the first picture shows the hazard"
     assert list(tmp_path.iterdir()) == [path], "nothing else is left"

@@ -20,7 +20,7 @@ def needs(_generation: str) -> Sequence[Wanted]:
     return patient(THESIS / "arm.ross"), THESIS / "msg" / "heron_msgs"
 
 
-pytestmark = pytest.mark.builds(by=needs)
+pytestmark = [pytest.mark.builds(by=needs), pytest.mark.deep]
 
 
 @pytest.fixture

@@ -71,7 +71,7 @@ class PackedCalls(FastCalls):
         return int(packed(self._native.host, channel, at_ns, memory))
 
 
-@settings(phases=phases_of_compiled(), max_examples=examples(4))
+@settings(phases=phases_of_compiled(), max_examples=examples(2))
 @given(whole_cases())
 def test_same_events_wakes_and_states(case: Case) -> None:
     machine, trace, table = case.machine, case.trace, case.table

@@ -151,6 +151,7 @@ def test_a_fault_in_what_the_generator_reads_is_refuted(
     assert Verdict.REFUTED in set(verdicts(prover, asked, fault.refuted_by))
 
 
+@pytest.mark.deep
 def test_undamaged_sources_are_proved(prover: Prover, tmp_path: Path) -> None:
     asked = written(Path(rossmarie.__file__).parents[1], tmp_path, MORE_RULES)
     assert set(verdicts(prover, asked, "numbers_belt")) == {Verdict.PROVED}
