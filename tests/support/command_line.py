@@ -43,8 +43,9 @@ def run(
     """Run an installed program, or a file of Python, in `folder`, with `given` to read.
 
     Its environment is that of the test with `variables`. If `is_merged`, `stdout` has also what it
-    writes to standard error. It has at most `memory` bytes of addresses. A run that takes longer than `timeout` seconds is killed with all
-    processes of its group, and raises `subprocess.TimeoutExpired`.
+    writes to standard error. It has at most `memory` bytes of addresses. A run that takes longer
+    than `timeout` seconds is killed with all processes of its group, and raises
+    `subprocess.TimeoutExpired`.
     """
     path = Path(sys.executable).with_name(program) if isinstance(program, str) else program
     words = [str(path), *map(str, arguments)]

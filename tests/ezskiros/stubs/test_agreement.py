@@ -12,7 +12,8 @@ from ezskiros.ontology import Ontology, load
 from ezskiros.ontology.iris import split
 from ezskiros.ontology.python_names import identifier
 from ezskiros.stubs import write_stub
-from support.type_checkers import Checker, each_checker
+from support.parts import PYRIGHT, needs
+from support.type_checkers import Checker, mypy, pyright
 
 ODD = Path(__file__).with_name("odd")
 ABOUT_TERMS = {"EZS301", "EZS302", "EZS401", "EZS402", "EZS403", "EZS404", "EZS405"}
@@ -48,7 +49,11 @@ def expected(skills: Path) -> set[int]:
     return {each.primary.span.begin.line for each in found if each.code in ABOUT_TERMS}
 
 
-@each_checker
+@pytest.mark.parametrize(
+    "checker",
+    [mypy, pytest.param(pyright, marks=[needs(PYRIGHT), pytest.mark.deep])],
+    ids=lambda each: each.__name__,
+)
 def test_what_is_refused_is_what_check_finds(
     checker: Checker, skills: Path, expected: set[int]
 ) -> None:
