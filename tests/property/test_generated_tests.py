@@ -78,7 +78,7 @@ def test_mutated_thresholds_and_durations_are_noticed(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = written(tmp_path, MUTATED)
-    tried = list(mutants(MUTATED))[:: 1 if is_deep() else 3]
+    tried = list(mutants(MUTATED))[:: 1 if is_deep() else 5]
     missed = []
     for mutant in tried:
         path.write_text(INPUTS + mutant, encoding="utf-8")

@@ -22,6 +22,7 @@ from rossmarie.cli.main import app
 from rossmarie.verification.prover import Prover
 from support import transcript
 from support.command_line import TIME_LIMIT_S
+from support.depth import deep
 from support.golden import assert_golden
 from support.markdown import blocks
 from support.provers import StandIn, is_running, programs, wait_for
@@ -299,7 +300,7 @@ if __name__ == "__main__":
 
 @pytest.mark.parametrize(
     ("number", "code"),
-    [(signal.SIGINT, 130), (signal.SIGTERM, 143), (signal.SIGKILL, -signal.SIGKILL)],
+    [(signal.SIGINT, 130), (signal.SIGKILL, -signal.SIGKILL), *deep([(signal.SIGTERM, 143)])],
 )
 def test_a_run_that_is_ended_leaves_nothing_behind(rules: Path, number: int, code: int) -> None:
     Path("run.py").write_text(HANGING)

@@ -153,7 +153,7 @@ LENGTHY = {
 
 @pytest.mark.parametrize(
     ("name", "share"),
-    [*((name, 16 if name in LENGTHY else 4) for name in HUGE), *deep((name, 1) for name in HUGE)],
+    [*((name, 16 if name in LENGTHY else 8) for name in HUGE), *deep((name, 1) for name in HUGE)],
 )
 def test_huge_files_take_time_in_proportion(parsed: Parsed, name: str, share: int) -> None:
     assert len(HUGE[name]) <= MAXIMUM_FILE_SIZE
