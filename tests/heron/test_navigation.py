@@ -40,6 +40,7 @@ def test_the_same_seed_is_the_same_episode() -> None:
     )
 
 
+@pytest.mark.deep
 def test_another_seed_is_another_episode() -> None:
     one = episode(Arm.ROSSMARIE, Terrain.FLAT)
     other = run_navigation(Arm.ROSSMARIE, Terrain.FLAT, SEED + 1)

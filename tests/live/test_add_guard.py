@@ -101,7 +101,7 @@ MISTAKES = {
 def test_mistakes_are_told(package: GuardPackage) -> None:
     package.write("rossmarie_add_guard(tilt tilt.ross)", **RULES)
     needed = asked_for(package)
-    for guards, reason in list(MISTAKES.items())[:: 1 if is_deep() else 2]:
+    for guards, reason in list(MISTAKES.items())[:: 1 if is_deep() else 3]:
         package.write(guards, needs=needed, **RULES)
         assert reason in refusal(package)
 
