@@ -51,7 +51,7 @@ imported.
 """
 _CHANGING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 _WAITING = 10
-"""How many times as long code may take on the clock as on the processor."""
+"""Code may take so many times as long on the clock as on the processor."""
 _LONGEST_WAITING_S = 50.0  # before `confinement` gives the whole check up
 _IMPORTING = "<frozen importlib"
 _INTERCEPTING = str(Path(__file__).with_name("intercept.py"))
