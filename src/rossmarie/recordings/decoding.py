@@ -6,7 +6,7 @@ those that are not as it expects; where it cannot do it either, it says why.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,7 +15,7 @@ from rosbags.serde import SerdeError
 from rosbags.typesys.store import Typestore
 
 from rossmarie.recordings.definitions import full_type
-from rossmarie.recordings.extraction import Message, Wanted, compile_extractor
+from rossmarie.recordings.extraction import Message, NameSearch, Wanted, compile_extractor
 from rossmarie.recordings.limits import LimitError
 from rossmarie.recordings.message_sizes import Sizes
 from rossmarie.recordings.planning import plan_for
@@ -63,8 +63,14 @@ class Decoder:
         extractor = compile_extractor(store, connection.message_type, wanted, texts)
         self._read, self._found = extractor.read, extractor.found
         self.missing = extractor.missing
+        self._searches = extractor.searches
         self._plan = plan_for(store, connection.message_type, connection.encoding, self._found)
         self._texts = {text.encode(): float(number) for number, text in enumerate(texts)}
+
+    @property
+    def never_named(self) -> Iterator[NameSearch]:
+        """The elements of which no message so far had the name, although some had others."""
+        return (each for each in self._searches if each.names and not each.is_found)
 
     def decode(self, messages: Packed) -> Decoded:
         """The values that are read of some messages."""

@@ -97,6 +97,21 @@ class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
         column: str
 
 
+class NameNeverRecorded(Warning, code="ROSS609", name="name-never-recorded"):
+    """An element that goes by a name that no recorded message has."""
+
+    title = "no message on `{topic}` has an element `{element}`"
+    label = "`{field}` stays unknown in this replay"
+    note = "they have {names}"
+    topic: str
+    element: str
+    field: str
+    names: str
+
+    class Check(Remark):
+        says = "check the name, and that the recording is of this robot"
+
+
 class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     """Messages of a topic, or cells of a CSV file, that are not what they should be."""
 
@@ -299,6 +314,7 @@ ALL: tuple[type[Template], ...] = (
     TopicOfAnotherType,
     TopicNeverSent,
     FieldNotRecorded,
+    NameNeverRecorded,
     MessagesUnreadable,
     DefinitionMissing,
     MessagesPassedOver,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from operator import attrgetter
 from typing import Any
 
@@ -20,6 +20,9 @@ from rossmarie.ir import Array, ByName, ChannelValues, Kind, Path, Slot
 from rossmarie.recordings.definitions import full_type
 
 _TEXTS = ("string", "wstring")
+_MOST_NAMES = 64
+"""Names that are kept to tell of; more than that nobody reads."""
+
 _INSTANTS = ("builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration")
 
 Message = Any
@@ -36,13 +39,35 @@ class Wanted:
     arrays: Mapping[int, Array]
 
 
+@dataclass
+class NameSearch:
+    """The search for the name of an element in one message after the other: whether any had it, and
+    some of the names that they had.
+    """
+
+    slot: Slot
+    is_found: bool = False
+    names: dict[str, None] = field(default_factory=dict)
+
+    def place(self, element: ByName, names: Sequence[str]) -> int | None:
+        """The place of the element in a message with these names."""
+        found = element.place(names)
+        self.is_found = self.is_found or found is not None
+        if not self.is_found and len(self.names) < _MOST_NAMES:
+            self.names.update(dict.fromkeys(names[:_MOST_NAMES]))
+        return found
+
+
 @dataclass(frozen=True)
 class Extractor:
-    """Reads the wanted values of a message: those `found` in its type, not those `missing`."""
+    """Reads the wanted values of a message: those `found` in its type, not those `missing`. What
+    came of the names of elements stands in `searches`.
+    """
 
     read: Callable[[Message], ChannelValues]
     found: Wanted
     missing: tuple[Slot | Array, ...]
+    searches: tuple[NameSearch, ...]
 
 
 def compile_extractor(
@@ -53,6 +78,7 @@ def compile_extractor(
     numbers: dict[int, str] = {}
     others: dict[int, Callable[[Message], float]] = {}
     arrays: dict[int, Callable[[Message], list[float]]] = {}
+    searches = {index: NameSearch(slot) for index, slot in wanted.slots.items()}
     missing: list[Slot | Array] = []
     for index, slot in wanted.slots.items():
         description = _describe(store, root, slot.path)
@@ -61,7 +87,7 @@ def compile_extractor(
         elif _is_number(description) and not _has_element(slot.path):
             numbers[index] = _attributes(slot.path)
         else:
-            others[index] = _scalar_reader(slot, description, texts)
+            others[index] = _scalar_reader(searches[index], description, texts)
     for index, array in wanted.arrays.items():
         description = _describe(store, root, array.path)
         if description is None or not _is_numeric_array(description):
@@ -76,7 +102,9 @@ def compile_extractor(
         },
         {index: array for index, array in wanted.arrays.items() if index in arrays},
     )
-    return Extractor(_reader(numbers, others, arrays), found, tuple(missing))
+    read = _reader(numbers, others, arrays)
+    named = tuple(each for each in searches.values() if _goes_by_name(each.slot.path))
+    return Extractor(read, found, tuple(missing), named)
 
 
 def _reader(
@@ -111,9 +139,10 @@ def _nothing(_: Message) -> tuple[float, ...]:
 
 
 def _scalar_reader(
-    slot: Slot, description: Any, texts: Sequence[str]
+    search: NameSearch, description: Any, texts: Sequence[str]
 ) -> Callable[[Message], float]:
-    get = _path_reader(slot.path)
+    slot = search.slot
+    get = _path_reader(slot.path, search)
     if slot.kind is Kind.TEXT:
         numbers = {text: float(number) for number, text in enumerate(texts)}
         return lambda message: numbers.get(get(message), -1.0)
@@ -131,16 +160,15 @@ def _seconds(value: Any) -> float:
 
 
 def _array_reader(path: Path) -> Callable[[Message], list[float]]:
-    get = _path_reader(path)
+    get = attrgetter(_attributes(path))
 
     def read(message: Message) -> list[float]:
-        elements = get(message)
-        return [] if elements is None else list(map(float, elements.tolist()))
+        return list(map(float, get(message).tolist()))
 
     return read
 
 
-def _path_reader(path: Path) -> Callable[[Message], Any]:
+def _path_reader(path: Path, search: NameSearch) -> Callable[[Message], Any]:
     """Reads along a path; None where an array has no such element."""
     if not _has_element(path):
         return attrgetter(_attributes(path))
@@ -151,7 +179,7 @@ def _path_reader(path: Path) -> Callable[[Message], Any]:
             if isinstance(part, str):
                 value = getattr(value, normalize_fieldname(part))
                 continue
-            place = part if isinstance(part, int) else part.place(_names_at(message, part))
+            place = _place(message, part, search)
             if place is None or place >= len(value):
                 return None
             value = value[place]
@@ -160,9 +188,14 @@ def _path_reader(path: Path) -> Callable[[Message], Any]:
     return read
 
 
-def _names_at(message: Message, element: ByName) -> Sequence[str]:
-    names: Sequence[str] = attrgetter(_attributes(element.names))(message)
-    return names
+def _place(message: Message, element: int | ByName, search: NameSearch) -> int | None:
+    if isinstance(element, int):
+        return element
+    return search.place(element, attrgetter(_attributes(element.names))(message))
+
+
+def _goes_by_name(path: Path) -> bool:
+    return any(isinstance(part, ByName) for part in path)
 
 
 def _has_element(path: Path) -> bool:

@@ -83,6 +83,26 @@ def test_each_message_is_read_by_its_own_names(tmp_path: Path, kind: str) -> Non
     ] * len(FOUND)
 
 
+@pytest.mark.parametrize("kind", ["bag", "mcap"])
+def test_a_name_that_never_comes_is_told_with_those_that_do(tmp_path: Path, kind: str) -> None:
+    path = write_kind(tmp_path, kind, recorded(ROS1 if kind == "bag" else ROS2))
+    misspelt = machine(
+        [("/joint_states", "sensor_msgs/JointState")],
+        [("speed", 0)],
+        [slot(0, "velocity", ByName(("name",), "elbwo")), slot(0, "effort", ELBOW)],
+    )
+    _, found = replay(path, misspelt)
+    assert codes(found) == ["ROSS609"]
+    assert "`elbow` and `shoulder`" in found[0].notes[0]
+    assert found[0].help == "did you mean `elbow`?"
+
+
+def test_a_recording_without_any_name_says_nothing_of_names(tmp_path: Path) -> None:
+    silent = [each for each in recorded(ROS1) if not each[3].name]
+    _, found = replay(write_kind(tmp_path, "bag", silent), READS)
+    assert codes(found) == []
+
+
 def test_a_table_has_a_column_for_each_name(tmp_path: Path) -> None:
     path = tmp_path / "arm.csv"
     path.write_text("time,speed.velocity.elbow,speed.effort.elbow,speed.velocity.0\n0,1,2,3\n")
