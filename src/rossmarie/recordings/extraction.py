@@ -39,6 +39,10 @@ class Wanted:
     arrays: Mapping[int, Array]
 
 
+Find = Callable[[ByName, Sequence[str]], int | None]
+"""The place of an element in a message with these names."""
+
+
 @dataclass
 class NameSearch:
     """The search for the name of an element in one message after the other: whether any had it, and
@@ -142,7 +146,7 @@ def _scalar_reader(
     search: NameSearch, description: Any, texts: Sequence[str]
 ) -> Callable[[Message], float]:
     slot = search.slot
-    get = _path_reader(slot.path, search)
+    get = _path_reader(slot.path, search.place)
     if slot.kind is Kind.TEXT:
         numbers = {text: float(number) for number, text in enumerate(texts)}
         return lambda message: numbers.get(get(message), -1.0)
@@ -160,15 +164,16 @@ def _seconds(value: Any) -> float:
 
 
 def _array_reader(path: Path) -> Callable[[Message], list[float]]:
-    get = attrgetter(_attributes(path))
+    get = _path_reader(path, ByName.place)
 
     def read(message: Message) -> list[float]:
-        return list(map(float, get(message).tolist()))
+        elements = get(message)
+        return [] if elements is None else list(map(float, elements.tolist()))
 
     return read
 
 
-def _path_reader(path: Path, search: NameSearch) -> Callable[[Message], Any]:
+def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
     """Reads along a path; None where an array has no such element."""
     if not _has_element(path):
         return attrgetter(_attributes(path))
@@ -179,7 +184,7 @@ def _path_reader(path: Path, search: NameSearch) -> Callable[[Message], Any]:
             if isinstance(part, str):
                 value = getattr(value, normalize_fieldname(part))
                 continue
-            place = _place(message, part, search)
+            place = _place(message, part, find)
             if place is None or place >= len(value):
                 return None
             value = value[place]
@@ -188,10 +193,10 @@ def _path_reader(path: Path, search: NameSearch) -> Callable[[Message], Any]:
     return read
 
 
-def _place(message: Message, element: int | ByName, search: NameSearch) -> int | None:
+def _place(message: Message, element: int | ByName, find: Find) -> int | None:
     if isinstance(element, int):
         return element
-    return search.place(element, attrgetter(_attributes(element.names))(message))
+    return find(element, attrgetter(_attributes(element.names))(message))
 
 
 def _goes_by_name(path: Path) -> bool:
