@@ -125,9 +125,11 @@ def main() -> None:
         sys.setrecursionlimit(20_000)  # ours raises it where it ticks
     times = []
     for _ in range(TICKS):
-        start = time.process_time()
+        # Of the thread: a limit on the time of the process, which descriptions have, makes the clock
+        # of the process as coarse as the scheduler's for a while.
+        start = time.thread_time()
         state = tick()
-        times.append(time.process_time() - start)
+        times.append(time.thread_time() - start)
     assert getattr(state, "name", "") == ("RUNNING" if TREES[tree][1] == "step" else "SUCCESS")
     print(json.dumps({"start": times[0], "tick": statistics.median(times[1:])}))
 
