@@ -125,8 +125,8 @@ def main() -> None:
         sys.setrecursionlimit(20_000)  # ours raises it where it ticks
     times = []
     for _ in range(TICKS):
-        # Of the thread: a limit on the time of the process, which descriptions have, makes the clock
-        # of the process as coarse as the scheduler's for a while.
+        # Of the thread: a limit on the time of the process, which descriptions have, makes the
+        # clock of the process as coarse as the scheduler's for a while.
         start = time.thread_time()
         state = tick()
         times.append(time.thread_time() - start)
