@@ -15,7 +15,7 @@ help:
 	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot"
 	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; goes on where it was;"
 	@echo "               and films of them -> docs/gallery.md"
-	@echo "make test    the tests, ten minutes on two processors; OPTIONS='...' are those of pytest"
+	@echo "make test    the tests, a quarter of an hour on two processors; OPTIONS='...' are those of pytest"
 	@echo "make check   format, lint, types, import layers, and the tests"
 	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; two to three hours"
 	@echo "make bench   measure, and write docs/reference/performance*.md"
