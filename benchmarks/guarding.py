@@ -1,4 +1,4 @@
-"""What a guard of a policy costs, alone and in a row: writes the tables as a page."""
+"""Measure a guard of a policy, alone and in a row, and write the tables as a page."""
 
 from __future__ import annotations
 

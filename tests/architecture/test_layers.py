@@ -77,7 +77,7 @@ DATA_OF_MESSAGES = {
     "Assignment", "Bound", "CommandField", "CommandTopic", "FieldPath", "Interrupted", "Level",
     "Scalar", "Target",
 }  # fmt: skip
-"""What the checker may use of reactions: the facts about messages and resources."""
+"""The types of reactions that the checker may use: facts about messages and resources."""
 
 
 def used_of_reactions(path: Path) -> Iterator[str]:

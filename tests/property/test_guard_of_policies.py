@@ -64,7 +64,7 @@ Found = tuple[bytes, list[list[bool]], list[bool]]
 
 
 def row_by_row(guards: list[Guard], steps: list[Step]) -> Found:
-    """What guards that know nothing of each other decide."""
+    """The decisions of guards that know nothing of each other."""
     found = [
         guard.step(step.at_ns, step.observation, step.action)
         for guard, step in zip(guards, steps, strict=True)
@@ -75,7 +75,7 @@ def row_by_row(guards: list[Guard], steps: list[Step]) -> Found:
 
 
 def in_a_row(batch: GuardBatch, steps: list[Step]) -> Found:
-    """What guards in a row decide."""
+    """The decisions of guards in a row."""
     decided = batch.step(
         np.array([step.at_ns for step in steps]),
         np.array([step.observation for step in steps]),

@@ -60,7 +60,7 @@ class Performer(Protocol):
 
 @dataclass
 class Nothing:
-    """Of a task that the core, or the verdicts, say all about."""
+    """The performer of a task that needs no deed: its bounds or its verdicts say all."""
 
     due_ns: int = NEVER
 

@@ -37,7 +37,7 @@ class GuardBatch:
     ) -> None:
         """`row_of` makes the guards for the sizes of an observation and of an action."""
         if count < 1:
-            raise ValueError(f"a batch of {count} guards")
+            raise ValueError(f"a batch has at least one guard, not {count}")
         self.rules = rules
         self._count = count
         self._row_of = row_of
@@ -60,7 +60,9 @@ class GuardBatch:
         times = self._times(times_ns)
         sizes = self._width("observations", observations), self._width("actions", actions)
         if self._sizes not in (None, sizes):
-            raise MappingError(f"rows have {sizes} numbers, at first {self._sizes}")
+            raise MappingError(
+                f"observations and actions have {sizes} numbers, but had {self._sizes} at first"
+            )
         if self._row is None:
             self._row, self._sizes = self._row_of(*sizes), sizes
         numbers = np.array(actions, np.float64, order="C")
@@ -69,7 +71,9 @@ class GuardBatch:
         if done != self._count:
             at_ns = int(times[done if len(times) > 1 else 0])
             require_instant(at_ns)
-            raise ValueError(f"time goes back to {at_ns} ns in row {done}; `restart` forgets it")
+            raise ValueError(
+                f"time goes back to {at_ns} ns in row {done}; call `restart` before a new episode"
+            )
         if actions.dtype == np.float64:
             return BatchDecision(numbers, active, changed)
         executed = np.array(actions, order="C")

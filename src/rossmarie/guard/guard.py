@@ -1,4 +1,6 @@
-"""The guard of a policy: an observation and an action go in, and what may be done comes out."""
+"""The guard of a policy: an observation and an action go in, and the action that may be executed
+comes out (thesis, section 6.4, figure 5: the safety interface).
+"""
 
 from __future__ import annotations
 
@@ -202,12 +204,13 @@ class Guard:
         ):
             _require_array(what, array)
             if array.size != size:
-                raise MappingError(f"the {what} has {array.size} numbers, at first {size}")
+                raise MappingError(f"the {what} has {array.size} numbers, but had {size} at first")
         instant = as_index(at_ns)
         require_instant(instant)
         if self._at_ns is not None and instant < self._at_ns:
             raise ValueError(
-                f"time goes back from {self._at_ns} ns to {instant} ns; `restart` forgets it"
+                f"time goes back from {self._at_ns} ns to {instant} ns; "
+                "call `restart` before a new episode"
             )
         return self.step(instant, np.ascontiguousarray(observation), np.ascontiguousarray(action))
 

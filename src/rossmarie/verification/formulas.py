@@ -36,7 +36,7 @@ def name(function: Function, count: int) -> str:
 
 
 def definition(function: Function, count: int) -> str:
-    """That C function, before S4."""
+    """The definition in C of a function of `count` operands, before S4."""
     names = parameters(count)
     remark = f"{row(function).rule}: {row(function).worded(names)}"
     return _definition(name(function, count), names, defined(function, count), remark)
@@ -53,7 +53,7 @@ def name_of_subfunction(function: Subfunction) -> str:
 
 
 def definition_of_subfunction(function: Subfunction) -> str:
-    """That C function."""
+    """The definition in C of a function that others apply."""
     remark = f"S5: {function.phrase.format(*function.parameters)}"
     name = name_of_subfunction(function)
     return _definition(name, function.parameters, function.expression, remark)
@@ -65,7 +65,7 @@ def name_of_samples(function: Sampling) -> str:
 
 
 def definition_of_samples(function: Sampling) -> str:
-    """That C function, before S4."""
+    """The definition in C of a function of samples, before S4."""
     declared = sampling_row(function)
     names = [view.value for view in declared.views]
     remark = f"{declared.rule}: {declared.worded('a number', 'a window')}"

@@ -251,7 +251,7 @@ def test_terms_interpolate_at_chebyshev_nodes(
 
 
 def surplus(function: Callable[[Fraction], int], z: Fraction) -> Fraction:
-    """What the polynomial stands for, `(f(x) / x - 1) / z` in `z = x * x`."""
+    """The function that the polynomial approximates: `(f(x) / x - 1) / z` in `z = x * x`."""
     x = Fraction(math.isqrt(exact_angles.fixed(z) * exact_angles.ONE), exact_angles.ONE)
     return rounded((Fraction(function(x), exact_angles.ONE) / x - 1) / z)
 

@@ -56,7 +56,7 @@ def test_floats_of_32_bits_stay_so(guard: Guard) -> None:
 REFUSED: list[tuple[Any, Any, Any, type[Exception], str]] = [
     (1, SEEN[:2], WANTED, MappingError, r"observations have the shape \(2, 4\), not \(3, ...\)"),
     (1, SEEN, WANTED[0], MappingError, r"actions have the shape \(2,\)"),
-    (1, SEEN[:, :3], WANTED, MappingError, r"rows have \(3, 2\) numbers, at first \(4, 2\)"),
+    (1, SEEN[:, :3], WANTED, MappingError, r"have \(3, 2\) numbers, but had \(4, 2\)"),
     (1, SEEN.astype(int), WANTED, MappingError, "observations hold int64"),
     (1, SEEN.tolist(), WANTED, TypeError, "observations are a list"),
     (1.0, SEEN, WANTED, MappingError, "instants are one int64"),
@@ -75,5 +75,5 @@ def test_what_does_not_fit_is_refused_and_changes_nothing(guard: Guard) -> None:
     assert batch.step(1, SEEN, WANTED).active.any(axis=1).tolist() == [False, True, True]
     with pytest.raises(MappingError, match="a mask is bool"):
         batch.restart(np.zeros(2, np.bool_))
-    with pytest.raises(ValueError, match="a batch of 0 guards"):
+    with pytest.raises(ValueError, match="at least one guard, not 0"):
         guard.batch(0)

@@ -179,14 +179,20 @@ def test_an_episode_begins_anew(make: Make) -> None:
 
 
 REFUSED: list[tuple[Any, Any, Any, type[Exception], str]] = [
-    (1, np.zeros(5), np.zeros(2), MappingError, "the observation has 5 numbers, at first 4"),
-    (1, np.zeros(4), np.zeros(3), MappingError, "the action has 3 numbers, at first 2"),
+    (
+        1,
+        np.zeros(5),
+        np.zeros(2),
+        MappingError,
+        "the observation has 5 numbers, but had 4 at first",
+    ),
+    (1, np.zeros(4), np.zeros(3), MappingError, "the action has 3 numbers, but had 2 at first"),
     (1, np.zeros((1, 4)), np.zeros(2), MappingError, r"the shape \(1, 4\)"),
     (1, np.zeros(4, np.int64), np.zeros(2), MappingError, "holds int64, not float64 or float32"),
     (1, np.zeros(4), np.zeros(2, np.float16), MappingError, "the action holds float16"),
     (1, [0.0] * 4, np.zeros(2), TypeError, "the observation is a list"),
     (1, np.zeros(4), (0.0, 0.0), TypeError, "the action is a tuple"),
-    (0, np.zeros(4), np.zeros(2), ValueError, "time goes back from 1 ns to 0 ns; `restart`"),
+    (0, np.zeros(4), np.zeros(2), ValueError, "time goes back from 1 ns to 0 ns; call `restart`"),
     (2**63, np.zeros(4), np.zeros(2), ValueError, "out of range"),
     (2**62, np.zeros(4), np.zeros(2), ValueError, "out of range"),
     (1.5, np.zeros(4), np.zeros(2), TypeError, "integer"),

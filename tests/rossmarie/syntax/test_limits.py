@@ -148,7 +148,7 @@ LENGTHY = {
     *("actions", "arguments", "braces", "chain", "commas", "comparisons", "conditions", "entity"),
     *("items", "nul", "one long mistake", "one mistake", "rules"),
 }
-"""What takes seconds to read: a part is enough to see how that grows."""
+"""Files that take seconds to read: a part of each is enough to see how the time grows."""
 
 
 @pytest.mark.parametrize(
