@@ -18,6 +18,10 @@ class NotACondition(Error, code="ROSS201", name="not-a-condition"):
         says = 'compare it with a string, `{text} == "..."`'
         text: str
 
+    class Fields(Remark):
+        says = "choose a field: {fields}"
+        fields: str
+
     class Angle(Remark):
         says = "compare an angle of it, `{text}.pitch() > ...`"
         text: str
@@ -89,6 +93,10 @@ class NotANumber(Error, code="ROSS205", name="not-a-number"):
 
     class Range(Remark):
         says = "a range can only stand after `in`"
+
+    class Fields(Remark):
+        says = "choose a field: {fields}"
+        fields: str
 
 
 class ArrayAsScalar(Error, code="ROSS206", name="array-as-scalar"):

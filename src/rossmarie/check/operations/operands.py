@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dslkit.diagnostics import Diagnostic, Edit, Fix, Write
 from dslkit.source import Span
+from rossmarie.check.names.fields import members
 from rossmarie.check.operations.errors import (
     ArrayAsScalar,
     DurationOutOfRange,
@@ -25,6 +26,7 @@ from rossmarie.syntax.walk import children
 from rossmarie.types import (
     Array,
     Boolean,
+    Entry,
     Message,
     Quantity,
     Quaternion,
@@ -86,11 +88,17 @@ def _not_a_number(node: ast.Expression, type_: Type) -> Diagnostic:
     if isinstance(type_, Message):
         return message_as_value(node, type_)
     finding = NotANumber(found=describe(type_))
+    if isinstance(type_, Entry):
+        return finding.at(node.span, help=finding.Fields(fields=_fields(text, type_)))
     if is_truth(type_):
         return finding.at(node.span, help=finding.Truth())
     if isinstance(type_, Text):
         return finding.at(node.span, help=finding.String())
     return finding.at(node.span, help=finding.Range())
+
+
+def _fields(text: str, entry: Entry) -> str:
+    return ", ".join([f"`{text}.{name}`" for name in members(entry)][:8])
 
 
 def message_as_value(node: ast.Expression, message: Message) -> Diagnostic:
@@ -121,6 +129,8 @@ def _not_a_condition(node: ast.Expression, type_: Type) -> Diagnostic:
     if isinstance(type_, Message):
         return message_as_value(node, type_)
     finding = NotACondition(found=describe(type_), text=text)
+    if isinstance(type_, Entry):
+        return finding.at(node.span, help=finding.Fields(fields=_fields(text, type_)))
     if isinstance(type_, Text):
         return finding.at(node.span, help=finding.String(text=text))
     if isinstance(type_, Quaternion):
