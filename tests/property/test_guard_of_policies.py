@@ -99,3 +99,35 @@ def test_guards_in_a_row_decide_as_each_by_itself(case: PolicyCase, restarts: li
                 for steps in case.episodes
             ]
             assert in_a_row(batch, steps) == row_by_row(alone, steps)
+
+
+def in_two_calls(batch: GuardBatch, steps: list[Step], which: list[bool]) -> Found:
+    """The same, with observations before actions, and the rows of a mask before the others."""
+    times = np.array([step.at_ns for step in steps])
+    observations = np.array([step.observation for step in steps])
+    actions = np.array([step.action for step in steps])
+    changed = np.zeros(len(steps), np.bool_)
+    for mask in (np.array(which), ~np.array(which)):
+        active = batch.observe(times, observations, mask)
+        passing = batch.allows(actions) if mask.all() else None
+        decided = batch.decide(actions, mask)
+        actions = decided.actions
+        changed |= decided.changed
+        if passing is not None:
+            assert (passing.diagonal() <= ~changed).all()
+    return actions.tobytes(), active.tolist(), changed.tolist()
+
+
+@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@given(policy_cases(), st.lists(st.booleans(), min_size=4, max_size=4))
+def test_observations_and_actions_in_two_calls_give_the_same(
+    case: PolicyCase, which: list[bool]
+) -> None:
+    for guard in (case.guard(), in_python(case)):
+        batch, alone = guard.batch(len(case.episodes)), [case.guard() for _ in case.episodes]
+        for number in range(min(map(len, case.episodes))):
+            steps = [
+                replace(steps[number], action=steps[number].action.astype(np.float64))
+                for steps in case.episodes
+            ]
+            assert in_two_calls(batch, steps, which) == row_by_row(alone, steps)

@@ -133,9 +133,9 @@ class PythonGuard:
 
         return call
 
-    def row(self, wiring: Wiring, count: int) -> PythonRow:
+    def row(self, count: int) -> PythonRow:
         """So many guards of the same machine, that have seen nothing."""
-        return PythonRow([self.fresh() for _ in range(count)], wiring)
+        return PythonRow([self.fresh() for _ in range(count)])
 
     def take_events(self) -> list[Event]:
         """The events that were told since the last time; orders wait on."""
@@ -157,7 +157,11 @@ class PythonGuard:
 
     def step_call(self, wiring: Wiring) -> StepCall:
         """The fastest step, for arrays of the sizes of a wiring."""
-        return PythonSteps(self._machine, self, wiring).step
+        return self.steps(wiring).step
+
+    def steps(self, wiring: Wiring) -> PythonSteps:
+        """Steps for arrays of the sizes of a wiring."""
+        return PythonSteps(self._machine, self, wiring)
 
     def take(self) -> Told:
         """All that was told since the last time."""

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie import ir
-from rossmarie.native import CHANGED, StepCall
+from rossmarie.engines.python_steps import PythonSteps
+from rossmarie.native import CHANGED
 
 
 class Steered(Protocol):
@@ -26,40 +27,73 @@ class Steered(Protocol):
     def take(self) -> ir.Told:
         """All that was told since the last time."""
 
+    def take_events(self) -> list[ir.Event]:
+        """The events among it; orders wait on."""
+
     def restart(self) -> None:
         """Forget everything."""
 
-    def step_call(self, wiring: ir.Wiring) -> StepCall:
-        """The fastest step."""
+    def steps(self, wiring: ir.Wiring) -> PythonSteps:
+        """Steps for arrays of the sizes of a wiring."""
 
 
 class PythonRow:
     """Guards in a row: a step of all of them is one call."""
 
-    def __init__(self, guards: Sequence[Steered], wiring: ir.Wiring) -> None:
+    def __init__(self, guards: Sequence[Steered]) -> None:
         self._guards = guards
-        self._steps = [guard.step_call(wiring) for guard in guards]
+        self._steps: list[PythonSteps] = []
+
+    def connect(self, wiring: ir.Wiring) -> None:
+        """Take arrays of the sizes of a wiring from now on."""
+        self._steps = [guard.steps(wiring) for guard in self._guards]
 
     def step(
         self,
-        times_ns: NDArray[np.int64],
-        observations: NDArray[np.float64],
-        actions: NDArray[np.float64],
+        which: NDArray[np.bool_] | None,
+        times_ns: NDArray[np.int64] | None,
+        observations: NDArray[np.float64] | None,
+        actions: NDArray[np.float64] | None,
     ) -> tuple[int, NDArray[np.bool_], NDArray[np.bool_]]:
         """As `NativeRow.step`."""
-        times = np.broadcast_to(times_ns, len(self._guards)).tolist()
-        active = np.empty((len(self._guards), len(self._guards[0].active)), np.bool_)
-        changed = np.empty(len(self._guards), np.bool_)
-        for row, (guard, at_ns) in enumerate(zip(self._guards, times, strict=True)):
-            if not ir.EARLIEST_NS < at_ns < ir.LATEST_NS or at_ns < guard.now_ns:
+        count = len(self._guards)
+        active = np.empty((count, len(self._guards[0].active)), np.bool_)
+        changed = np.zeros(count, np.bool_)
+        marked = range(count) if which is None else np.flatnonzero(which).tolist()
+        instants = {row: self._instant(row, times_ns) for row in marked}
+        for row, at_ns in instants.items():
+            if at_ns is None:
                 return row, active, changed
-        for row, (guard, at_ns) in enumerate(zip(self._guards, times, strict=True)):
-            note = self._steps[row](at_ns, observations[row], actions[row])
+        for row, at_ns in instants.items():
+            assert at_ns is not None
+            seen = None if observations is None else observations[row]
+            note = self._steps[row].step(at_ns, seen, None if actions is None else actions[row])
             assert note is not None
-            guard.take()
-            active[row] = guard.active
+            self._guards[row].take_events()
+            if actions is not None:
+                self._guards[row].take()
             changed[row] = bool(note[0] & CHANGED)
-        return len(self._guards), active, changed
+        for row, guard in enumerate(self._guards):
+            active[row] = guard.active
+        return count, active, changed
+
+    def _instant(self, row: int, times_ns: NDArray[np.int64] | None) -> int | None:
+        """The instant of a row; None if it cannot be at it, or if there is none yet."""
+        now_ns = self._guards[row].now_ns
+        if times_ns is None:
+            return None if now_ns == ir.EARLIEST_NS else now_ns
+        at_ns = int(times_ns[row if len(times_ns) > 1 else 0])
+        can_be = ir.EARLIEST_NS < at_ns < ir.LATEST_NS and at_ns >= now_ns
+        return at_ns if can_be else None
+
+    def allow(self, actions: NDArray[np.float64]) -> tuple[int, NDArray[np.bool_]]:
+        """As `NativeRow.allow`."""
+        allowed = np.empty((len(self._guards), len(actions)), np.bool_)
+        for row, guard in enumerate(self._guards):
+            if guard.now_ns == ir.EARLIEST_NS:
+                return row, allowed
+            allowed[row] = [self._steps[row].allows(each) for each in actions]
+        return len(self._guards), allowed
 
     def restart(self, which: NDArray[np.bool_]) -> None:
         """Let those that are marked forget everything."""

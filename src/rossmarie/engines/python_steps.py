@@ -89,7 +89,9 @@ class PythonSteps:
                 arrays[channel][index] = part
         return slots, arrays
 
-    def step(self, at_ns: int, observation: NDArray[Any], action: NDArray[Any]) -> bytes | None:
+    def step(
+        self, at_ns: int, observation: NDArray[Any] | None, action: NDArray[Any] | None
+    ) -> bytes | None:
         """An instant, an observation, and an action that is changed in its place; gives what is
         known then, or None if they do not fit: then nothing has happened.
         """
@@ -98,7 +100,16 @@ class PythonSteps:
         at_ns = as_index(at_ns)
         if not ir.EARLIEST_NS < at_ns < ir.LATEST_NS or at_ns < self._guard.now_ns:
             return None
-        self._take(at_ns, observation.astype(np.float64).tolist())
+        if observation is not None:
+            self._take(at_ns, observation.astype(np.float64).tolist())
+        elif self._guard.now_ns == ir.EARLIEST_NS:
+            return None
+        said = 0 if action is None else self._decide(at_ns, action)
+        said |= 0 if self._guard.has_all_inputs else CLOSED
+        return self._guard.note(said | (TOLD if self._guard.has_news else 0))
+
+    def _decide(self, at_ns: int, action: NDArray[Any]) -> int:
+        """Let an action become what may be done; gives bits of what happened to it."""
         begun = self._guard.begun
         numbers = action.astype(np.float64).tolist()
         said = 0
@@ -106,8 +117,11 @@ class PythonSteps:
             said |= self._bound(at_ns, command, parts, self._published(command, begun), numbers)
         if said & CHANGED:
             put_back(np.array(numbers), action)
-        said |= 0 if self._guard.has_all_inputs else CLOSED
-        return self._guard.note(said | (TOLD if self._guard.has_news else 0))
+        return said
+
+    def allows(self, action: NDArray[np.float64]) -> bool:
+        """Say whether an action would pass as it is, at the instant of the last observation."""
+        return self._decide(self._guard.now_ns, action.copy()) == 0
 
     def _take(self, at_ns: int, observation: Sequence[float]) -> None:
         """Let an observation arrive."""

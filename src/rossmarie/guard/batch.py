@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rossmarie.engines import GuardRow
 from rossmarie.guard.mapping import MappingError
-from rossmarie.ir import require_instant
+from rossmarie.ir import Wiring, require_instant
 from rossmarie.native import put_back
 
 Array = NDArray[Any]
@@ -33,16 +33,22 @@ class GuardBatch:
     """
 
     def __init__(
-        self, count: int, rules: tuple[str, ...], row_of: Callable[[int, int], GuardRow]
+        self,
+        count: int,
+        rules: tuple[str, ...],
+        row_of: Callable[[int], GuardRow],
+        wiring_of: Callable[[int, int | None], Wiring],
     ) -> None:
-        """`row_of` makes the guards for the sizes of an observation and of an action."""
+        """`row_of` makes so many guards, `wiring_of` connects arrays of the sizes of an observation
+        and of an action.
+        """
         if count < 1:
             raise ValueError(f"a batch has at least one guard, not {count}")
         self.rules = rules
         self._count = count
-        self._row_of = row_of
-        self._row: GuardRow | None = None
-        self._sizes: tuple[int, int] | None = None
+        self._row = row_of(count)
+        self._wiring_of = wiring_of
+        self._sizes: tuple[int, int | None] | None = None
 
     def __len__(self) -> int:
         """The number of guards."""
@@ -57,36 +63,98 @@ class GuardBatch:
         Raises `MappingError` for arrays of another shape or type, `ValueError` for an instant
         before the last one of its guard or out of range: then nothing has happened to any.
         """
-        times = self._times(times_ns)
-        sizes = self._width("observations", observations), self._width("actions", actions)
-        if self._sizes not in (None, sizes):
-            raise MappingError(
-                f"observations and actions have {sizes} numbers, but had {self._sizes} at first"
-            )
-        if self._row is None:
-            self._row, self._sizes = self._row_of(*sizes), sizes
+        self._connect(observations, actions)
         numbers = np.array(actions, np.float64, order="C")
-        seen = np.ascontiguousarray(observations, np.float64)
-        done, active, changed = self._row.step(times, seen, numbers)
-        if done != self._count:
+        active, changed = self._step(None, self._times(times_ns), observations, numbers)
+        return BatchDecision(_of_type(numbers, actions), active, changed)
+
+    def observe(
+        self,
+        times_ns: int | NDArray[np.int64],
+        observations: Array,
+        which: NDArray[np.bool_] | None = None,
+    ) -> NDArray[np.bool_]:
+        """Let an observation arrive in each environment, or in those that a mask of shape (n,)
+        marks, for `decide`; gives which rules are active, of shape (n, rules).
+
+        Raises what `step` raises.
+        """
+        self._connect(observations, None)
+        return self._step(self._mask(which), self._times(times_ns), observations, None)[0]
+
+    def decide(self, actions: Array, which: NDArray[np.bool_] | None = None) -> BatchDecision:
+        """Decide about an action in each environment, or in those that a mask marks, at the
+        instants of their last observations. Raises what `step` raises, and `ValueError` for a guard
+        that has observed nothing.
+        """
+        self._connect(None, actions)
+        numbers = np.array(actions, np.float64, order="C")
+        active, changed = self._step(self._mask(which), None, None, numbers)
+        return BatchDecision(_of_type(numbers, actions), active, changed)
+
+    def allows(self, actions: Array) -> NDArray[np.bool_]:
+        """Which of some actions, of shape (k, m), would pass as they are in each environment: of
+        shape (n, k). Nothing happens. Raises what `decide` raises.
+        """
+        self._connect(None, actions, "k")
+        done, allowed = self._row.allow(np.ascontiguousarray(actions, np.float64))
+        self._require_observed(done)
+        return allowed
+
+    def _step(
+        self,
+        which: NDArray[np.bool_] | None,
+        times: NDArray[np.int64] | None,
+        observations: Array | None,
+        numbers: Array | None,
+    ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        seen = None if observations is None else np.ascontiguousarray(observations, np.float64)
+        done, active, changed = self._row.step(which, times, seen, numbers)
+        if times is None:
+            self._require_observed(done)
+        elif done != self._count:
             at_ns = int(times[done if len(times) > 1 else 0])
             require_instant(at_ns)
             raise ValueError(
                 f"time goes back to {at_ns} ns in row {done}; call `restart` before a new episode"
             )
-        if actions.dtype == np.float64:
-            return BatchDecision(numbers, active, changed)
-        executed = np.array(actions, order="C")
-        put_back(numbers, executed)
-        return BatchDecision(executed, active, changed)
+        return active, changed
+
+    def _require_observed(self, done: int) -> None:
+        if done != self._count:
+            raise ValueError(f"row {done} has observed nothing: `observe` comes first")
+
+    def _connect(
+        self, observations: Array | None, actions: Array | None, rows: str | None = None
+    ) -> None:
+        """Connect the arrays when their sizes are known; raise what is wrong with them."""
+        observed, acted = self._sizes or (None, None)
+        given = (
+            None if observations is None else self._width("observations", observations),
+            None if actions is None else self._width("actions", actions, rows),
+        )
+        sizes = (given[0] if observed is None else observed, given[1] if acted is None else acted)
+        for what, width, size in zip(("observations", "actions"), given, sizes, strict=True):
+            if width not in (None, size):
+                raise MappingError(f"{what} have {width} numbers, but had {size} at first")
+        if sizes[0] is None:
+            raise ValueError("nothing has been observed yet: `observe` comes first")
+        if self._sizes != sizes:
+            self._row.connect(self._wiring_of(sizes[0], sizes[1]))
+            self._sizes = (sizes[0], sizes[1])
 
     def restart(self, which: NDArray[np.bool_] | None = None) -> None:
         """Forget everything, in all environments or in those that a mask of shape (n,) marks."""
-        mask = np.ones(self._count, np.bool_) if which is None else np.asarray(which)
+        mask = self._mask(which)
+        self._row.restart(np.ones(self._count, np.bool_) if mask is None else mask)
+
+    def _mask(self, which: NDArray[np.bool_] | None) -> NDArray[np.bool_] | None:
+        if which is None:
+            return None
+        mask = np.asarray(which)
         if mask.shape != (self._count,) or mask.dtype != np.bool_:
             raise MappingError(f"a mask is bool of shape ({self._count},)")
-        if self._row is not None:
-            self._row.restart(np.ascontiguousarray(mask))
+        return np.ascontiguousarray(mask)
 
     def _times(self, times_ns: int | NDArray[np.int64]) -> NDArray[np.int64]:
         times = np.atleast_1d(np.asarray(times_ns))
@@ -97,11 +165,23 @@ class GuardBatch:
             )
         return np.ascontiguousarray(times)
 
-    def _width(self, what: str, rows: Array) -> int:
+    def _width(self, what: str, rows: Array, length: str | None = None) -> int:
+        """The numbers in a row; there are `length` rows, or as many as guards."""
         if not isinstance(rows, np.ndarray):
             raise TypeError(f"{what} are a {type(rows).__name__}, not an array of numpy")
-        if rows.ndim != 2 or len(rows) != self._count:
-            raise MappingError(f"{what} have the shape {rows.shape}, not ({self._count}, ...)")
+        if rows.ndim != 2 or (length is None and len(rows) != self._count):
+            raise MappingError(
+                f"{what} have the shape {rows.shape}, not ({length or self._count}, ...)"
+            )
         if rows.dtype not in _FLOATS:
             raise MappingError(f"{what} hold {rows.dtype}, not float64 or float32")
         return int(rows.shape[1])
+
+
+def _of_type(numbers: Array, actions: Array) -> Array:
+    """Numbers as actions of the type of those that were wanted."""
+    if actions.dtype == np.float64:
+        return numbers
+    executed = np.array(actions, order="C")
+    put_back(numbers, executed)
+    return executed

@@ -9,12 +9,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from operator import index as as_index
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.engines import GuardEngine, GuardRow, Started, start_guard
+from rossmarie.engines import GuardEngine, Started, start_guard
 from rossmarie.guard.batch import GuardBatch
 from rossmarie.guard.decision import Decision, Reasons, Request
 from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
@@ -24,7 +24,6 @@ from rossmarie.ir import (
     Machine,
     Order,
     Verdict,
-    Wiring,
     machine_to_json,
     near_name,
     require_instant,
@@ -51,12 +50,16 @@ _NEWS = CHANGED | TOLD
 _FLOATS = (np.float64, np.float32)
 
 
+Sizes: TypeAlias = tuple[int, int | None]
+"""How many numbers an observation and an action have; None if there was no action yet."""
+
+
 @dataclass(frozen=True)
 class GuardState:
     """All that a guard knows; `fingerprint` says of which rules, and in which kind of guard."""
 
     fingerprint: str
-    sizes: tuple[int, int] | None
+    sizes: Sizes | None
     at_ns: int | None
     causes: Mapping[int, Verdict]
     known: Any
@@ -81,10 +84,10 @@ class Guard:
         self._begin()
 
     def _begin(self) -> None:
-        self._reasons: Reasons
+        self._reasons: Reasons  # connected by the first step
         self._step: StepCall = self._first_step
         self._at_ns: int | None = None
-        self._sizes: tuple[int, int] | None = None
+        self._sizes: Sizes | None = None
 
     @property
     def rules(self) -> tuple[str, ...]:
@@ -103,11 +106,47 @@ class Guard:
         if note is None:
             return self._step_in_order(at_ns, observation, action)
         self._at_ns = at_ns
+        return self._decision(at_ns, executed, note, action)
+
+    def observe(self, at_ns: int, observation: Array) -> NDArray[np.bool_]:
+        """Let an observation arrive, for `decide`; gives which rules are active, of shape (rules,).
+
+        Raises what `step` raises.
+        """
+        if not isinstance(observation, np.ndarray):
+            _refuse("observation", observation)
+        note = self._step(at_ns, observation, None)
+        if note is None:
+            self._require_fit(at_ns, observation, None)
+            note = self._step(as_index(at_ns), np.ascontiguousarray(observation), None)
+            assert note is not None, "it fits now"
+        self._at_ns = at_ns
+        return self._active_in(note)
+
+    def decide(self, action: Array) -> Decision:
+        """Decide about an action at the instant of the last observation: `observe` and `decide` are
+        together one `step`. Raises what `step` raises, and `ValueError` before any observation.
+        """
+        at_ns = self._now()
+        executed = action.copy() if isinstance(action, np.ndarray) else _refuse("action", action)
+        note = self._step(at_ns, None, executed)
+        if note is None:
+            self._require_fit(at_ns, None, action)
+            executed = np.array(action, order="C")
+            note = self._step(at_ns, None, executed)
+            assert note is not None, "it fits now"
+        return self._decision(at_ns, executed, note, action)
+
+    def _decision(self, at_ns: int, executed: Array, note: bytes, wanted: Array) -> Decision:
         if not note[0] & _NEWS:
             return Decision(at_ns, executed, note, self._reasons)
         requests = self._take() if note[0] & TOLD else ()
-        given = action.copy() if note[0] & CHANGED else None
+        given = wanted.copy() if note[0] & CHANGED else None
         return Decision(at_ns, executed, note, self._reasons, given, requests)
+
+    def _active_in(self, note: bytes) -> NDArray[np.bool_]:
+        bits = np.frombuffer(note, np.uint8, offset=1, count=(len(self.rules) + 7) // 8)
+        return np.unpackbits(bits, count=len(self.rules), bitorder="little").astype(np.bool_)
 
     def report(self, request: Request | int, *, success: bool) -> None:
         """The end of something that was requested, or of a task by its number; what follows comes
@@ -136,11 +175,7 @@ class Guard:
 
     def batch(self, count: int) -> GuardBatch:
         """So many guards by the same rules and declarations, which have seen nothing."""
-
-        def row_of(observed: int, acted: int) -> GuardRow:
-            return self._engine.row(self._mapping.wiring(observed, acted), count)
-
-        return GuardBatch(count, self.rules, row_of)
+        return GuardBatch(count, self.rules, self._engine.row, self._mapping.wiring)
 
     def state(self) -> GuardState:
         """All that it knows, for `restore`; it can be pickled if the guard is native."""
@@ -162,9 +197,9 @@ class Guard:
         if state.sizes is None:
             self.restart()
             return
-        wiring = self._mapping.wiring(*state.sizes)
+        self._mapping.wiring(*state.sizes)
         self._engine.load(state.known)
-        self._connect(wiring)
+        self._connect(*state.sizes)
         self._at_ns = state.at_ns
         self._reasons = replace(self._reasons, causes=state.causes)
 
@@ -182,26 +217,44 @@ class Guard:
             raise ValueError("nothing has happened yet: the first step comes first")
         return as_index(self._at_ns)
 
-    def _first_step(self, at_ns: int, observation: Array, action: Array) -> bytes | None:
+    def _first_step(
+        self, at_ns: int, observation: Array | None, action: Array | None
+    ) -> bytes | None:
         """Connect the arrays by their sizes."""
-        for what, array in (("observation", observation), ("action", action)):
-            _require_array(what, array)
+        assert observation is not None, "an action comes after the first observation"
+        _require_array("observation", observation)
+        if action is not None:
+            _require_array("action", action)
         require_instant(as_index(at_ns))
-        self._connect(self._mapping.wiring(observation.size, action.size))
+        self._connect(observation.size, None if action is None else action.size)
         return self._step(at_ns, observation, action)
 
-    def _connect(self, wiring: Wiring) -> None:
-        self._sizes = (wiring.observed, wiring.acted)
-        self._reasons = Reasons(self.machine, self._mapping, wiring, {})
+    def _connect(self, observed: int, acted: int | None) -> None:
+        wiring = self._mapping.wiring(observed, acted)
+        self._sizes = (observed, acted)
+        causes = self._reasons.causes if self._at_ns is not None else {}
+        self._reasons = Reasons(self.machine, self._mapping, wiring, causes)
         self._acted = {each.command for each in wiring.commands}
         self._step = self._engine.step_call(wiring)
 
     def _step_in_order(self, at_ns: int, observation: Array, action: Array) -> Decision:
         """Take a step for which the arrays have to be copied first; raise what is wrong with it."""
+        self._require_fit(at_ns, observation, action)
+        return self.step(
+            as_index(at_ns), np.ascontiguousarray(observation), np.ascontiguousarray(action)
+        )
+
+    def _require_fit(self, at_ns: int, observation: Array | None, action: Array | None) -> None:
+        """Raise what does not fit; with the first action, connect again for its size."""
         assert self._sizes is not None
+        if action is not None and self._sizes[1] is None:
+            _require_array("action", action)
+            self._connect(self._sizes[0], action.size)
         for what, array, size in zip(
             ("observation", "action"), (observation, action), self._sizes, strict=True
         ):
+            if array is None:
+                continue
             _require_array(what, array)
             if array.size != size:
                 raise MappingError(f"the {what} has {array.size} numbers, but had {size} at first")
@@ -212,7 +265,6 @@ class Guard:
                 f"time goes back from {self._at_ns} ns to {instant} ns; "
                 "call `restart` before a new episode"
             )
-        return self.step(instant, np.ascontiguousarray(observation), np.ascontiguousarray(action))
 
     def _take(self) -> tuple[Request, ...]:
         """Take note of what was told."""

@@ -78,18 +78,20 @@ class ArrayMapping:
             self._act(known, name, place)
         self._require_limited()
 
-    def wiring(self, observed: int, acted: int) -> Wiring:
-        """The same for arrays of these sizes. Raises `MappingError` if they are too small."""
+    def wiring(self, observed: int, acted: int | None) -> Wiring:
+        """The same for arrays of these sizes; None: there was no action yet. Raises `MappingError`
+        if they are too small.
+        """
         slots = [self._slots[index] for index in range(len(self._machine.slots))]
         arrays = [self._arrays[index] for index in range(len(self._machine.arrays))]
         commands = tuple(
             CommandPart(command, field, part)
             for (command, field), entry in sorted(self._fields.items())
-            if (part := entry.placed("action", acted)).count
+            if acted is not None and (part := entry.placed("action", acted)).count
         )
         return Wiring(
             observed=observed,
-            acted=acted,
+            acted=acted or 0,
             slots=tuple(entry.placed("observation", observed) for entry in slots),
             arrays=tuple(entry.placed("observation", observed) for entry in arrays),
             arriving=self._arriving(),

@@ -76,15 +76,16 @@ static PyObject *noted(const host *h, int said)
     return note;
 }
 
-/* (at_ns, observation, action) -> what is known then; None if the arrays or the instant do not fit:
- * then nothing has happened.
+/* (at_ns, observation or None, action or None) -> what is known then; None if the arrays or the
+ * instant do not fit: then nothing has happened.
  */
 static PyObject *faststep(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
 {
     stepper *by = (stepper *)PyCapsule_GetPointer(self, NULL);
     Py_buffer seen = {0}, done = {0};
-    const double *observation;
+    const double *observation = NULL;
     double *action = NULL;
+    bool fits = true;
     int said = -1;
     long long t_ns;
     if (count != 3)
@@ -96,12 +97,17 @@ static PyObject *faststep(PyObject *self, PyObject *const *arguments, Py_ssize_t
         PyErr_Clear();
         Py_RETURN_NONE;
     }
-    observation = numbers_of(arguments[1], by->wiring->observed, by->observation, &seen, 0);
-    if (observation)
+    if (arguments[1] != Py_None) {
+        observation = numbers_of(arguments[1], by->wiring->observed, by->observation, &seen, 0);
+        fits = observation != NULL;
+    }
+    if (fits && arguments[2] != Py_None) {
         action = numbers_of(arguments[2], by->wiring->acted, by->action, &done, PyBUF_WRITABLE);
-    if (action) {
+        fits = action != NULL;
+    }
+    if (fits) {
         said = guard_step(by->machine, by->wiring, t_ns, observation, action);
-        if (said >= 0 && said & GUARD_CHANGED)
+        if (action && said >= 0 && said & GUARD_CHANGED)
             put_back(action, &done);
     }
     if (seen.obj)

@@ -166,9 +166,9 @@ class NativeGuard:
             return made
         return plain_step(self.library, self.host, table, self._note)
 
-    def row(self, wiring: Wiring, count: int) -> NativeRow:
+    def row(self, count: int) -> NativeRow:
         """So many guards of the same machine, that have seen nothing."""
-        return NativeRow(self.library, count, self._table(wiring), len(self._machine.rules))
+        return NativeRow(self.library, count, len(self._machine.rules), self._table)
 
     def take_events(self) -> list[Event]:
         """The events that were told since the last time; orders wait on."""

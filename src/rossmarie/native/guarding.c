@@ -49,6 +49,7 @@ typedef struct guard_wiring {
     const double **array_room;
     size_t *count_room;
     double *bound_room;
+    double *action_room;
 } guard_wiring;
 
 /* What guard_step says: bits of its result. */
@@ -161,21 +162,24 @@ static bool can_be_at(const host *h, int64_t t_ns)
            !(h->machine.started && t_ns < h->machine.now_ns);
 }
 
-/* A step: an observation arrives, and an action becomes what may be done. Bits of what happened, or
- * -1 if the guard cannot be at this instant; then nothing has.
- */
-int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *observation,
-               double *action)
+/* An observation arrives, and the reactor follows. Less than 0 if the observation is refused. */
+static int observe(host *h, const guard_wiring *w, int64_t t_ns, const double *observation)
 {
-    int said = 0;
-    bool is_free = true;
-    if (!can_be_at(h, t_ns) || take_observation(h, w, t_ns, observation) < 0)
+    if (take_observation(h, w, t_ns, observation) < 0)
         return -1;
     guard_follow(h, t_ns);
     if (!guard_of(h)->is_open && guard_has_all_inputs(h))
         guard_open(h);
+    return 0;
+}
+
+/* An action becomes what may be done at this instant; bits of what happened to it. */
+static int decide(host *h, const guard_wiring *w, int64_t t_ns, double *action)
+{
+    int said = 0;
+    bool is_free = true;
     if (guard_of(h)->is_free && is_finite(w, action))
-        return h->count ? GUARD_TOLD : 0;
+        return 0;
     for (size_t first = 0, end = 0; first != w->part_count; first = end) {
         const double *published = NULL;
         while (end != w->part_count && w->parts[end].command == w->parts[first].command)
@@ -190,6 +194,23 @@ int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *obser
             is_free && !published && are_free(w->bound_room, (size_t)w->parts[end - 1].field + 1);
     }
     guard_of(h)->is_free = is_free && guard_of(h)->count == 0;
+    return said;
+}
+
+/* A step: an observation arrives, and an action becomes what may be done. Without an observation it
+ * is that of the last one, at the same instant; without an action, nothing is decided yet. Bits of
+ * what happened, or -1 if the guard cannot be at this instant; then nothing has.
+ */
+int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *observation,
+               double *action)
+{
+    int said = 0;
+    if (!can_be_at(h, t_ns) || (!observation && !h->machine.started))
+        return -1;
+    if (observation && observe(h, w, t_ns, observation) < 0)
+        return -1;
+    if (action)
+        said = decide(h, w, t_ns, action);
     said |= guard_of(h)->is_open ? 0 : GUARD_CLOSED;
     return said | (h->count || guard_of(h)->count ? GUARD_TOLD : 0);
 }
@@ -225,26 +246,58 @@ void guards_restart(host *first, size_t count, const unsigned char *which)
             guard_restart(guards_at(first, i));
 }
 
-/* A step of each guard in its row: its instant, `time_step` after that of the row before, its
- * observation, its action, and room for whether each rule is active, and for whether the action was
- * changed. What they tell is forgotten. Returns the number of rows, or the first row whose guard
- * cannot be at its instant: then nothing has happened to any.
+/* A step of each guard in its row: its instant, `time_step` after that of the row before (without
+ * instants, that at which it is), its observation, its action, and room for whether each rule is
+ * active, and for whether the action was changed. Observations or actions may be left out, as in
+ * guard_step; so are the rows that `which` does not mark, if it is there. What an action followed
+ * is forgotten. Returns the number of rows, or the first row whose guard cannot be at its instant:
+ * then nothing has happened to any.
  */
-size_t guards_step(host *first, size_t count, const guard_wiring *w, const int64_t *times,
-                   size_t time_step, const double *observations, double *actions,
-                   unsigned char *active, unsigned char *changed)
+size_t guards_step(host *first, size_t count, const guard_wiring *w, const unsigned char *which,
+                   const int64_t *times, size_t time_step, const double *observations,
+                   double *actions, unsigned char *active, unsigned char *changed)
 {
-    for (size_t i = 0; i != count; i++)
-        if (!can_be_at(guards_at(first, i), times[i * time_step]))
+    for (size_t i = 0; i != count; i++) {
+        const host *h = guards_at(first, i);
+        if (which && !which[i])
+            continue;
+        if (times ? !can_be_at(h, times[i * time_step]) : !h->machine.started)
             return i;
+    }
     for (size_t i = 0; i != count; i++) {
         host *h = guards_at(first, i);
-        const int said = guard_step(h, w, times[i * time_step], observations + i * w->observed,
-                                    actions + i * w->acted);
-        changed[i] = (said & GUARD_CHANGED) != 0;
+        changed[i] = 0;
+        if (!which || which[i]) {
+            const int64_t t_ns = times ? times[i * time_step] : h->machine.now_ns;
+            const int said =
+                guard_step(h, w, t_ns, observations ? observations + i * w->observed : NULL,
+                           actions ? actions + i * w->acted : NULL);
+            changed[i] = (said & GUARD_CHANGED) != 0;
+            h->count = 0;
+            if (actions)
+                guard_of(h)->count = 0;
+        }
         for (size_t rule = 0; rule != GUARD_RULES; rule++)
             *active++ = h->machine.active[rule / 8] >> rule % 8 & 1;
-        h->count = guard_of(h)->count = 0;
+    }
+    return count;
+}
+
+/* Which of some actions each guard would let pass as they are: a byte for each, guard by guard.
+ * Returns the number of guards, or the first that has observed nothing.
+ */
+size_t guards_allow(host *first, size_t count, const guard_wiring *w, const double *actions,
+                    size_t action_count, unsigned char *allowed)
+{
+    for (size_t i = 0; i != count; i++) {
+        host *h = guards_at(first, i);
+        if (!h->machine.started)
+            return i;
+        for (size_t k = 0; k != action_count; k++) {
+            for (size_t n = 0; n != w->acted; n++)
+                w->action_room[n] = actions[k * w->acted + n];
+            *allowed++ = decide(h, w, h->machine.now_ns, w->action_room) == 0;
+        }
     }
     return count;
 }

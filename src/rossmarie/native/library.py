@@ -46,8 +46,8 @@ class Library:
         return self._ffi.gc(pointer, release)
 
     def pointer(self, kind: str, buffer: Any) -> Pointer:
-        """The memory of an array; it must live as long as the pointer is used."""
-        return self._ffi.from_buffer(kind, buffer)
+        """The memory of an array, which must live as long as the pointer is used; of None, none."""
+        return self.null if buffer is None else self._ffi.from_buffer(kind, buffer)
 
     def new(self, kind: str, initial: object) -> Pointer:
         """New memory, filled."""

@@ -14,9 +14,10 @@ from rossmarie.ir import Part, Wiring, require_instant
 from rossmarie.native.library import Library, Pointer
 
 Floats: TypeAlias = NDArray[np.float64]
-StepCall: TypeAlias = Callable[[int, "NDArray[Any]", "NDArray[Any]"], "bytes | None"]
-"""An instant, an observation, and an action that is changed in its place; gives what is known then
-(`Note` reads it), or None if they do not fit.
+StepCall: TypeAlias = Callable[[int, "NDArray[Any] | None", "NDArray[Any] | None"], "bytes | None"]
+"""An instant, an observation, and an action that is changed in its place; gives what is known then,
+or None if they do not fit. None for an observation: nothing new is seen. None for an action: it is
+decided later.
 """
 
 DECLARATIONS = """
@@ -55,6 +56,7 @@ typedef struct guard_wiring {
     double **array_room;
     size_t *count_room;
     double *bound_room;
+    double *action_room;
 } guard_wiring;
 int guard_step(host *, guard_wiring *, int64_t, double *, double *);
 void guard_note(host *, unsigned char *, int64_t *);
@@ -62,10 +64,12 @@ host *guards_new(size_t);
 void guards_free(host *, size_t);
 host *guards_at(host *, size_t);
 void guards_restart(host *, size_t, unsigned char *);
-size_t guards_step(host *, size_t, guard_wiring *, int64_t *, size_t, double *, double *,
-                   unsigned char *, unsigned char *);
+size_t guards_step(host *, size_t, guard_wiring *, unsigned char *, int64_t *, size_t, double *,
+                   double *, unsigned char *, unsigned char *);
+size_t guards_allow(host *, size_t, guard_wiring *, double *, size_t, unsigned char *);
 """
 
+_BYTES = "unsigned char[]"
 CHANGED, REFUSED, TOLD, CLOSED = 1, 2, 4, 8
 """The bits of what happened in a step: the action was changed, was not finite, there is news, and
 nothing passes yet.
@@ -101,6 +105,7 @@ class WiringTable:
             "array_room": library.new("double *[]", len(wiring.arrays) or 1),
             "count_room": library.new("size_t[]", len(wiring.arrays) or 1),
             "bound_room": library.new("double[]", 3 * fields or 1),
+            "action_room": library.new("double[]", wiring.acted or 1),
         }
         self.pointer = library.new("guard_wiring *", members)
         self._memory = members
@@ -126,12 +131,14 @@ def plain_step(library: Library, host: Pointer, table: WiringTable, note: NoteCa
     wiring = table.pointer
     call = library.function("guard_step")
 
-    def step(at_ns: int, observation: NDArray[Any], action: NDArray[Any]) -> bytes | None:
+    def step(
+        at_ns: int, observation: NDArray[Any] | None, action: NDArray[Any] | None
+    ) -> bytes | None:
         if not (fits(observation, wiring.observed) and fits(action, wiring.acted)):
             return None
         require_instant(as_index(at_ns))
-        numbers = action.astype(np.float64)
-        seen = np.ascontiguousarray(observation, np.float64)
+        numbers = None if action is None else action.astype(np.float64)
+        seen = None if observation is None else np.ascontiguousarray(observation, np.float64)
         said = call(
             host,
             wiring,
@@ -141,7 +148,7 @@ def plain_step(library: Library, host: Pointer, table: WiringTable, note: NoteCa
         )
         if said < 0:
             return None
-        if said & CHANGED:
+        if action is not None and numbers is not None and said & CHANGED:
             put_back(numbers, action)
         return note(said)
 
@@ -152,8 +159,8 @@ NoteCall: TypeAlias = Callable[[int], bytes]
 
 
 def fits(array: object, length: int) -> bool:
-    """Say whether something is an array of so many floats."""
-    return (
+    """Say whether something is an array of so many floats, or left out."""
+    return array is None or (
         isinstance(array, np.ndarray)
         and array.shape == (length,)
         and array.dtype in (np.float64, np.float32)
@@ -179,7 +186,9 @@ def packed_note(said: int, active: bytes, states: Sequence[int], since_ns: Seque
 class NativeRow:
     """Guards in a row, that have seen nothing: a step of all of them is one call."""
 
-    def __init__(self, library: Library, count: int, table: WiringTable, rules: int) -> None:
+    def __init__(
+        self, library: Library, count: int, rules: int, table_of: Callable[[Wiring], WiringTable]
+    ) -> None:
         made = library.function("guards_new")(count)
         if library.is_null(made):
             raise MemoryError
@@ -187,33 +196,65 @@ class NativeRow:
         self._first = library.owned(made, lambda first: free(first, count))
         self._library = library
         self._count = count
-        self._table = table
-        self._step = library.function("guards_step")
         self._shape = (count, rules)
+        self._table_of = table_of
+        self._table: WiringTable | None = None
+
+    def connect(self, wiring: Wiring) -> None:
+        """Take arrays of the sizes of a wiring from now on."""
+        self._table = self._table_of(wiring)
 
     def step(
-        self, times_ns: NDArray[np.int64], observations: Floats, actions: Floats
+        self,
+        which: NDArray[np.bool_] | None,
+        times_ns: NDArray[np.int64] | None,
+        observations: Floats | None,
+        actions: Floats | None,
     ) -> tuple[int, NDArray[np.bool_], NDArray[np.bool_]]:
-        """Let one instant, or one for each guard, come; actions are changed in their places. Gives
-        the first row that cannot be at its instant (then nothing has happened), or the number of
-        rows; which rules are active, of shape (rows, rules), and which actions were changed.
+        """Let one instant, or one for each guard, come; actions are changed in their places. None
+        stands for all guards, the instants at which they are, nothing new, and nothing to decide.
+
+        Gives the first row that cannot be at its instant (then nothing has happened), or the number
+        of rows; which rules are active, of shape (rows, rules), and which actions were changed.
         """
-        pointer = self._library.pointer
+        library = self._library
         active, changed = np.empty(self._shape, np.bool_), np.empty(self._count, np.bool_)
-        done = self._step(
+        done = library.function("guards_step")(
             self._first,
             self._count,
-            self._table.pointer,
-            pointer("int64_t[]", times_ns),
-            int(len(times_ns) != 1),
-            pointer("double[]", observations),
-            pointer("double[]", actions),
-            pointer("unsigned char[]", active),
-            pointer("unsigned char[]", changed),
+            self._wired.pointer,
+            library.pointer(_BYTES, which),
+            library.pointer("int64_t[]", times_ns),
+            int(times_ns is not None and len(times_ns) != 1),
+            library.pointer("double[]", observations),
+            library.pointer("double[]", actions),
+            library.pointer(_BYTES, active),
+            library.pointer(_BYTES, changed),
         )
         return int(done), active, changed
 
+    def allow(self, actions: Floats) -> tuple[int, NDArray[np.bool_]]:
+        """Which of some actions each guard would let pass as they are, of shape (rows, actions);
+        and the first row that has seen nothing, or the number of rows.
+        """
+        library = self._library
+        allowed = np.empty((self._count, len(actions)), np.bool_)
+        done = library.function("guards_allow")(
+            self._first,
+            self._count,
+            self._wired.pointer,
+            library.pointer("double[]", actions),
+            len(actions),
+            library.pointer(_BYTES, allowed),
+        )
+        return int(done), allowed
+
     def restart(self, which: NDArray[np.bool_]) -> None:
         """Let those that are marked forget everything."""
-        mask = self._library.pointer("unsigned char[]", which)
-        self._library.function("guards_restart")(self._first, self._count, mask)
+        call = self._library.function("guards_restart")
+        call(self._first, self._count, self._library.pointer(_BYTES, which))
+
+    @property
+    def _wired(self) -> WiringTable:
+        assert self._table is not None, "connected first"
+        return self._table

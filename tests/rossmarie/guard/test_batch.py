@@ -46,6 +46,58 @@ def test_some_rows_begin_anew(guard: Guard) -> None:
     assert not batch.step(0, SEEN, WANTED).active[:, 3].any()
 
 
+def test_an_observation_and_an_action_may_come_one_after_the_other(guard: Guard) -> None:
+    whole, batch = guard.batch(3), guard.batch(3)
+    far = np.array([[0.0, 0.0, 2.0, 6.0]] * 3)  # a command that is published once
+    for at_ns, seen in ((0, SEEN), (7, SEEN), (8, far)):
+        decided = whole.step(at_ns, seen, WANTED)
+        assert (batch.observe(at_ns, seen) == decided.active).all()
+        found = batch.decide(WANTED)
+        assert found.actions.tolist() == decided.actions.tolist()
+        assert found.changed.tolist() == decided.changed.tolist()
+        assert (found.active == decided.active).all()
+
+
+def test_rows_that_are_not_marked_stay_as_they_are(guard: Guard) -> None:
+    batch = guard.batch(3)
+    batch.observe(0, SEEN)
+    first = np.array([True, False, False])
+    assert batch.observe(5, SEEN + np.array([0, 1, 0, 0]), first)[:, 3].tolist() == [
+        True,
+        False,
+        False,
+    ]
+    batch.restart(first)
+    assert batch.observe(0, SEEN, first)[:, 3].tolist() == [False, False, False]
+    found = batch.decide(WANTED, np.array([False, True, False]))
+    assert found.changed.tolist() == [False, True, False]
+    assert found.actions.tolist() == [[0.8, 0.1], [0.2, 0.1], [0.8, 0.1]]
+
+
+def test_actions_that_would_pass_are_told_and_nothing_happens(guard: Guard) -> None:
+    batch = guard.batch(3)
+    batch.observe(0, SEEN)
+    some = np.array([[0.8, 0.1], [0.2, 0.1], [-0.1, 0.0], [np.nan, 0.0]])
+    for _ in range(2):
+        assert batch.allows(some).tolist() == [
+            [True, True, True, False],
+            [False, True, True, False],
+            [False, False, True, False],
+        ]
+    assert batch.decide(WANTED).actions.tolist() == [[0.8, 0.1], [0.2, 0.1], [-0.1, 0.0]]
+
+
+def test_nothing_is_decided_before_an_observation(guard: Guard) -> None:
+    batch = guard.batch(3)
+    with pytest.raises(ValueError, match="nothing has been observed yet"):
+        batch.decide(WANTED)
+    batch.observe(0, SEEN)
+    batch.restart(np.array([False, True, False]))
+    for call in (batch.decide, batch.allows):
+        with pytest.raises(ValueError, match="row 1 has observed nothing"):
+            call(WANTED)
+
+
 def test_floats_of_32_bits_stay_so(guard: Guard) -> None:
     found = guard.batch(3).step(0, SEEN.astype(np.float32), WANTED.astype(np.float32)).actions
     assert found.dtype == np.float32
@@ -56,7 +108,7 @@ def test_floats_of_32_bits_stay_so(guard: Guard) -> None:
 REFUSED: list[tuple[Any, Any, Any, type[Exception], str]] = [
     (1, SEEN[:2], WANTED, MappingError, r"observations have the shape \(2, 4\), not \(3, ...\)"),
     (1, SEEN, WANTED[0], MappingError, r"actions have the shape \(2,\)"),
-    (1, SEEN[:, :3], WANTED, MappingError, r"have \(3, 2\) numbers, but had \(4, 2\)"),
+    (1, SEEN[:, :3], WANTED, MappingError, "observations have 3 numbers, but had 4 at first"),
     (1, SEEN.astype(int), WANTED, MappingError, "observations hold int64"),
     (1, SEEN.tolist(), WANTED, TypeError, "observations are a list"),
     (1.0, SEEN, WANTED, MappingError, "instants are one int64"),

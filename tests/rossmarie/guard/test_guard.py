@@ -252,3 +252,54 @@ def test_the_state_before_the_first_step_is_that_of_a_new_guard(make: Make) -> N
     step(guard, 5, HELD)
     guard.restore(state)
     assert step(guard, 0).active == ()
+
+
+def test_an_observation_comes_first_and_an_action_after_it(make: Make) -> None:
+    whole, guard = make(), make()
+    for at_ns, seen in ((0, FAST), (1, NEAR), (2, FAR), (3, HELD)):
+        wanted = np.array([0.8, 0.1], np.float32)
+        decision = whole.step(at_ns, np.array(seen), wanted)
+        active = guard.observe(at_ns, np.array(seen))
+        assert tuple(np.array(guard.rules)[active]) == decision.active
+        other = guard.decide(wanted)
+        assert other.action.tolist() == decision.action.tolist()
+        assert other.requests == decision.requests
+        assert other.why() == decision.why()
+    assert wanted.tolist() == np.array([0.8, 0.1], np.float32).tolist()
+
+
+def test_a_second_action_at_one_instant_is_decided_by_the_same_bounds(make: Make) -> None:
+    guard = make()
+    guard.observe(0, np.array(FAST))
+    for _ in range(2):
+        assert guard.decide(np.array([0.8, 0.1])).action.tolist() == [0.2, 0.1]
+
+
+def test_a_state_between_observation_and_action_is_kept(make: Make) -> None:
+    guard, other = make(), make()
+    guard.observe(0, np.array(FAST))
+    other.restore(guard.state())
+    assert other.decide(np.array([0.8, 0.1])).action.tolist() == [0.2, 0.1]
+    assert other.decide(np.array([0.8, 0.1])).changed_by == ("fast",)
+
+
+def test_what_does_not_fit_an_action_by_itself_is_refused(make: Make) -> None:
+    guard = make()
+    wrong: Any = [0.8, 0.1]
+    with pytest.raises(ValueError, match="nothing has happened yet"):
+        guard.decide(np.array(wrong))
+    guard.observe(5, np.array(CALM))
+    with pytest.raises(TypeError, match="the action is a list"):
+        guard.decide(wrong)
+    with pytest.raises(MappingError, match=r"`angular.z` is action\[1\], of 1 numbers"):
+        guard.decide(np.zeros(1))
+    guard.decide(np.zeros(2))
+    with pytest.raises(MappingError, match="the action has 3 numbers, but had 2 at first"):
+        guard.decide(np.zeros(3))
+    with pytest.raises(MappingError, match="the observation has 3 numbers, but had 4"):
+        guard.observe(6, np.zeros(3))
+    with pytest.raises(ValueError, match="time goes back from 5 ns to 4 ns"):
+        guard.observe(4, np.array(CALM))
+    assert not guard.observe(6, np.array([CALM, CALM]).T[:, 0]).any(), "a column of a matrix fits"
+    column = np.array([[0.8, 0.1]] * 2).T[:, 0]
+    assert guard.decide(column).action.tolist() == column.tolist()
