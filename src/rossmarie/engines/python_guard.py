@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from copy import copy, deepcopy
 
+import numpy as np
+
 from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.engines.python_row import PythonRow
 from rossmarie.engines.python_steps import PythonSteps
@@ -22,7 +24,7 @@ from rossmarie.ir import (
     Wiring,
     reactions,
 )
-from rossmarie.native import StepCall, packed_note
+from rossmarie.native import AllowCall, StepCall, packed_note
 
 
 class PythonGuard:
@@ -158,6 +160,11 @@ class PythonGuard:
     def step_call(self, wiring: Wiring) -> StepCall:
         """The fastest step, for arrays of the sizes of a wiring."""
         return self.steps(wiring).step
+
+    def allow_call(self, wiring: Wiring) -> AllowCall:
+        """Say which of some actions would pass as they are."""
+        steps = self.steps(wiring)
+        return lambda actions: np.array([steps.allows(each) for each in actions], np.bool_)
 
     def steps(self, wiring: Wiring) -> PythonSteps:
         """Steps for arrays of the sizes of a wiring."""

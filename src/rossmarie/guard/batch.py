@@ -93,8 +93,8 @@ class GuardBatch:
         return BatchDecision(_of_type(numbers, actions), active, changed)
 
     def allows(self, actions: Array) -> NDArray[np.bool_]:
-        """Which of some actions, of shape (k, m), would pass as they are in each environment: of
-        shape (n, k). Nothing happens. Raises what `decide` raises.
+        """Say which of some actions, of shape (k, m), would pass as they are in each environment:
+        of shape (n, k). Nothing happens. Raises what `decide` raises.
         """
         self._connect(None, actions, "k")
         done, allowed = self._row.allow(np.ascontiguousarray(actions, np.float64))

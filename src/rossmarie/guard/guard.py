@@ -51,7 +51,7 @@ _FLOATS = (np.float64, np.float32)
 
 
 Sizes: TypeAlias = tuple[int, int | None]
-"""How many numbers an observation and an action have; None if there was no action yet."""
+"""The numbers that an observation and an action have; None if there was no action yet."""
 
 
 @dataclass(frozen=True)
@@ -93,6 +93,12 @@ class Guard:
     def rules(self) -> tuple[str, ...]:
         """The names of the rules."""
         return tuple(rule.name for rule in self.machine.rules)
+
+    def require_sizes(self, observed: int, acted: int) -> None:
+        """Raise `MappingError` if observations and actions of so many numbers lack a place that is
+        declared.
+        """
+        self._mapping.wiring(observed, acted)
 
     def step(self, at_ns: int, observation: Array, action: Array) -> Decision:
         """Decide about an action that a policy wants to execute after an observation.
@@ -136,6 +142,19 @@ class Guard:
             note = self._step(at_ns, None, executed)
             assert note is not None, "it fits now"
         return self._decision(at_ns, executed, note, action)
+
+    def allows(self, actions: Array) -> NDArray[np.bool_]:
+        """Say which of some actions, of shape (k, m), would pass as they are after the last
+        observation: of shape (k,). Nothing happens. Raises what `decide` raises.
+        """
+        at_ns = self._now()
+        if not isinstance(actions, np.ndarray):
+            _refuse("action", actions)
+        if actions.ndim != 2:
+            raise MappingError(f"actions have the shape {actions.shape}, not (k, m)")
+        if len(actions):
+            self._require_fit(at_ns, None, actions[0])
+        return self._allow(np.ascontiguousarray(actions, np.float64))
 
     def _decision(self, at_ns: int, executed: Array, note: bytes, wanted: Array) -> Decision:
         if not note[0] & _NEWS:
@@ -236,6 +255,7 @@ class Guard:
         self._reasons = Reasons(self.machine, self._mapping, wiring, causes)
         self._acted = {each.command for each in wiring.commands}
         self._step = self._engine.step_call(wiring)
+        self._allow = self._engine.allow_call(wiring)
 
     def _step_in_order(self, at_ns: int, observation: Array, action: Array) -> Decision:
         """Take a step for which the arrays have to be copied first; raise what is wrong with it."""

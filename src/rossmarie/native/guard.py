@@ -10,6 +10,9 @@ import struct
 from collections.abc import Callable, Mapping
 from functools import partial
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rossmarie import ir
 from rossmarie.ir import (
     ChannelValues,
@@ -28,6 +31,8 @@ from rossmarie.native.monitor import Mains, NativeMonitor, load_library
 from rossmarie.native.signatures import declarations, fields_of
 from rossmarie.native.steps import (
     DECLARATIONS,
+    AllowCall,
+    Floats,
     NativeRow,
     StepCall,
     WiringTable,
@@ -165,6 +170,19 @@ class NativeGuard:
         if made := self.library.step_function(self.host, table.pointer, (self, table)):
             return made
         return plain_step(self.library, self.host, table, self._note)
+
+    def allow_call(self, wiring: Wiring) -> AllowCall:
+        """Say which of some actions would pass as they are."""
+        library, table = self.library, self._table(wiring)
+        call = library.function("guards_allow")
+
+        def allow(actions: Floats) -> NDArray[np.bool_]:
+            allowed = np.empty(len(actions), np.bool_)
+            seen = library.pointer("double[]", actions)
+            call(self.host, 1, table.pointer, seen, len(actions), library.pointer(_BYTES, allowed))
+            return allowed
+
+        return allow
 
     def row(self, count: int) -> NativeRow:
         """So many guards of the same machine, that have seen nothing."""

@@ -283,7 +283,7 @@ size_t guards_step(host *first, size_t count, const guard_wiring *w, const unsig
     return count;
 }
 
-/* Which of some actions each guard would let pass as they are: a byte for each, guard by guard.
+/* The actions that each guard would let pass as they are: a byte for each, guard by guard.
  * Returns the number of guards, or the first that has observed nothing.
  */
 size_t guards_allow(host *first, size_t count, const guard_wiring *w, const double *actions,

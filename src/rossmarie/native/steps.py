@@ -20,6 +20,9 @@ or None if they do not fit. None for an observation: nothing new is seen. None f
 decided later.
 """
 
+AllowCall: TypeAlias = Callable[[Floats], "NDArray[np.bool_]"]
+"""Say which of some actions, of shape (k, m), would pass as they are after the last observation."""
+
 DECLARATIONS = """
 typedef struct guard_part {
     int64_t first;
@@ -234,8 +237,8 @@ class NativeRow:
         return int(done), active, changed
 
     def allow(self, actions: Floats) -> tuple[int, NDArray[np.bool_]]:
-        """Which of some actions each guard would let pass as they are, of shape (rows, actions);
-        and the first row that has seen nothing, or the number of rows.
+        """Say which of some actions each guard would let pass as they are, of shape (rows,
+        actions); first comes the first row that has seen nothing, or the number of rows.
         """
         library = self._library
         allowed = np.empty((self._count, len(actions)), np.bool_)

@@ -1,0 +1,125 @@
+"""Actions of an environment as flat arrays of numbers, and back: vectors, or numbers of choices.
+
+Everything works on one action, of shape (m,), and on those of many environments, of shape (n, m).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from math import prod
+from typing import Any, Protocol, TypeAlias
+
+import numpy as np
+from gymnasium import Space, spaces
+from numpy.typing import NDArray
+
+from rossmarie.guard import Declared, MappingError
+from rossmarie.gym.observations import Array, Spots
+
+Allows: TypeAlias = Callable[[Array], NDArray[np.bool_]]
+"""A question: would flat actions, of shape (k, m), pass as they are? Answers: (k,) or (n, k)."""
+
+
+class Actions(Protocol):
+    """The actions of one environment."""
+
+    declared: Declared
+    """The meaning of the numbers of flat actions, for a guard."""
+    size: int
+    """The number of numbers in a flat action."""
+
+    def flat(self, action: Any) -> Array:
+        """Actions as flat arrays."""
+
+    def executed(self, action: Any, bounded: Array, allows: Allows, /) -> Any:
+        """The actions to execute, for those that were wanted and as the guard has bounded them."""
+
+    def mask(self, allows: Allows, /) -> NDArray[np.int8] | None:
+        """The choices that would pass as they are; None where there is no choice."""
+
+
+def actions_of(space: Space[Any], act: Mapping[str, Any]) -> Actions:
+    """The actions of a space by their declarations. Raises `MappingError` for others."""
+    match space:
+        case spaces.Box() if space.dtype in (np.float64, np.float32):
+            return Vectors(space, act)
+        case spaces.Discrete():
+            return Choices(space, act)
+        case _:
+            raise MappingError(
+                f"actions are {space}; a guard bounds a Box of floats, or a Discrete choice"
+            )
+
+
+class Vectors:
+    """Actions that are arrays of floats."""
+
+    def __init__(self, space: spaces.Box, act: Spots) -> None:
+        self._shape = space.shape
+        self.size = prod(space.shape)
+        self.declared: Declared = {
+            name: tuple(spot) if isinstance(spot, list) else spot  # type: ignore[misc]
+            for name, spot in act.items()
+        }
+
+    def flat(self, action: Any) -> Array:
+        """Actions as flat arrays, with a copy only of what is no array yet."""
+        array = np.asarray(action)
+        leading = array.shape[: array.ndim - len(self._shape)]
+        return array.reshape((*leading, -1))
+
+    def executed(self, action: Any, bounded: Array, _: Allows, /) -> Any:
+        """The bounded ones in their own shape."""
+        return bounded.reshape(np.shape(action))
+
+    def mask(self, _: Allows, /) -> None:
+        """There is none."""
+
+
+class Choices:
+    """Actions that are numbers of choices; `act` has a list with the number of each choice."""
+
+    def __init__(self, space: spaces.Discrete, act: Mapping[str, Any]) -> None:
+        self._first = int(space.start)
+        self.declared: Declared = {}
+        columns: list[Sequence[float]] = []
+        for name, given in act.items():
+            numbers, unit = given if _has_unit(given) else (given, None)
+            if np.shape(numbers) != (int(space.n),) or not np.isfinite(numbers).all():
+                raise MappingError(
+                    f"`{name}` has to be a list of {space.n} finite numbers, one for each choice"
+                )
+            self.declared = {
+                **self.declared,
+                name: len(columns) if unit is None else (len(columns), unit),
+            }
+            columns.append(numbers)
+        self.size = len(columns)
+        self._table = np.array(columns, np.float64).reshape(len(columns), -1).T.copy()
+
+    def flat(self, action: Any) -> Array:
+        """The numbers of the choices."""
+        found: Array = self._table[np.asarray(action) - self._first]
+        return found
+
+    def executed(self, action: Any, bounded: Array, allows: Allows, /) -> Any:
+        """The choices themselves, or where their numbers would be changed, those that pass and are
+        nearest to the bounded ones; where none passes, the nearest.
+        """
+        is_changed = (bounded != self.flat(action)).any(axis=-1)
+        if not is_changed.any():
+            return action
+        distances = np.abs(self._table - bounded[..., None, :]).max(axis=-1)
+        passing = allows(self._table)
+        distances = np.where(passing | ~passing.any(axis=-1, keepdims=True), distances, np.inf)
+        nearest = distances.argmin(axis=-1) + self._first
+        chosen = np.where(is_changed, nearest, action).astype(np.asarray(action).dtype)
+        return chosen if chosen.ndim else chosen[()]
+
+    def mask(self, allows: Allows, /) -> NDArray[np.int8]:
+        """1 for each choice that would pass as it is."""
+        return allows(self._table).astype(np.int8)
+
+
+def _has_unit(given: Any) -> bool:
+    return isinstance(given, tuple | list) and len(given) == 2 and isinstance(given[1], str)

@@ -1,0 +1,113 @@
+"""One environment behind a guard."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, SupportsFloat
+
+import numpy as np
+from gymnasium import Env, Wrapper
+from gymnasium.utils import RecordConstructorArgs
+from numpy.typing import NDArray
+
+from rossmarie.guard import Decision
+from rossmarie.gym.interface import Declarations, Interface, Latched, Rules
+from rossmarie.gym.observations import Array, Spots
+
+
+class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
+    """An environment in which only what the rules allow is executed.
+
+    The guard has seen the observation that the policy saw when it bounds the action; then it sees
+    the observation that follows, one period later. Time is counted in steps, from 0 in each
+    episode. `info` has:
+
+    - `guard`: the actions `proposed` and `executed`, `intervened` (whether they differ) and
+      `active` (which rules are active at the new observation, in the order of `rules`);
+    - `cost`: 1.0 while a rule is active, added to that of the environment if it has one;
+    - `action_mask`, for choices: 1 for each that would pass as it is in the next step.
+    """
+
+    def __init__(
+        self,
+        env: Env[Any, Any],
+        rules: Rules,
+        *,
+        period_ns: int,
+        observe: Spots,
+        act: Mapping[str, Any],
+        latched: Latched = "hold",
+        targets: Mapping[str, Any] | None = None,
+    ) -> None:
+        """`observe` and `act` are the declarations of `Monitor.guard`; in a dictionary of
+        observations a place stands behind its key, and for choices `act` has a list with the number
+        of each. `latched` says whether a latched rule holds the robot or truncates the episode.
+        `targets` are names of `act` that are places to go to, with the numbers of observations that
+        say where the robot is. The rules are a file, or a monitor of it.
+
+        Raises `RulesError` for rules with errors, and `MappingError` for declarations that do not
+        fit the rules or the spaces.
+        """
+        RecordConstructorArgs.__init__(
+            self, _disable_deepcopy=True, rules=rules, period_ns=period_ns, observe=observe,
+            act=act, latched=latched, targets=targets,
+        )  # fmt: skip
+        super().__init__(env)
+        declared = Declarations(rules, period_ns, observe, act, latched, targets or {})
+        self._interface = Interface(declared, env.observation_space, env.action_space)
+        self.guard = self._interface.guard
+        self.decision: Decision | None = None
+        """The decision of the last step: its reasons, and what rules want done beside it."""
+        self._at_ns = 0
+
+    @property
+    def rules(self) -> tuple[str, ...]:
+        """The names of the rules."""
+        return self.guard.rules
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Any, dict[str, Any]]:
+        """Begin another episode, of which the guard has seen the first observation only."""
+        observation, info = self.env.reset(seed=seed, options=options)
+        self.guard.restart()
+        self.decision = None
+        self._at_ns = 0
+        flat = self._interface.observations.row(observation)
+        self._interface.targets.reset(flat)
+        self.guard.observe(0, flat)
+        return observation, self._with_mask(info)
+
+    def step(self, action: Any) -> tuple[Any, SupportsFloat, bool, bool, dict[str, Any]]:
+        """Take a step with what may be done of an action."""
+        passed = self._interface.passed(action, self._decide, self.guard.allows)
+        observation, reward, terminated, truncated, info = self.env.step(passed.executed)
+        self._at_ns += self._interface.period_ns
+        active = self.guard.observe(self._at_ns, self._interface.observations.row(observation))
+        told = {
+            "proposed": passed.proposed,
+            "executed": passed.executed,
+            "intervened": bool(passed.intervened),
+            "active": active,
+        }
+        cost = float(info.get("cost", 0.0)) + float(active.any())
+        is_over = bool(self._interface.is_over(active))
+        whole = self._with_mask({**info, "guard": told, "cost": cost})
+        return observation, reward, terminated, truncated or is_over, whole
+
+    def action_masks(self) -> NDArray[np.bool_]:
+        """Say which choices would pass as they are in the next step, as MaskablePPO asks for them.
+        Raises `TypeError` where actions are no choices.
+        """
+        mask = self._interface.actions.mask(self.guard.allows)
+        if mask is None:
+            raise TypeError("actions are vectors: they are bounded, and have no masks")
+        return mask.astype(np.bool_)
+
+    def _decide(self, flat: Array) -> Array:
+        self.decision = self.guard.decide(flat)
+        return self.decision.action
+
+    def _with_mask(self, info: dict[str, Any]) -> dict[str, Any]:
+        mask = self._interface.actions.mask(self.guard.allows)
+        return info if mask is None else {**info, "action_mask": mask}

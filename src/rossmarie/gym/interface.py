@@ -1,0 +1,97 @@
+"""The safety interface between a learner and an environment (thesis, section 6.4, figure 5): the
+guard sees observations, and says how much of an action may be done. Of one environment, or of many.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from operator import index as as_index
+from os import PathLike
+from typing import Any, Literal, NamedTuple, TypeAlias, get_args
+
+import numpy as np
+from gymnasium import Space
+from numpy.typing import NDArray
+
+from rossmarie.driver.monitor import Monitor, load
+from rossmarie.guard import MappingError
+from rossmarie.gym.actions import Allows, actions_of
+from rossmarie.gym.observations import Array, Observations, Spots
+from rossmarie.gym.targets import Targets, with_speeds
+
+Rules: TypeAlias = "str | PathLike[str] | Monitor"
+Latched: TypeAlias = Literal["hold", "truncate"]
+
+
+@dataclass(frozen=True)
+class Declarations:
+    """All that a user says about an environment; `GuardedEnv` describes it."""
+
+    rules: Rules
+    period_ns: int
+    observe: Spots
+    act: Mapping[str, Any]
+    latched: Latched
+    targets: Mapping[str, Any]
+
+
+class Passed(NamedTuple):
+    """An action on its way, or actions: as wanted, as executed, and whether these differ."""
+
+    proposed: Any
+    executed: Any
+    intervened: NDArray[np.bool_]
+
+
+class Interface:
+    """Declarations that fit the rules and the spaces of an environment."""
+
+    def __init__(
+        self, declared: Declarations, observations: Space[Any], actions: Space[Any]
+    ) -> None:
+        """Raises `RulesError` for rules with errors, `MappingError` for declarations that do not
+        fit.
+        """
+        self.period_ns = as_index(declared.period_ns)
+        if self.period_ns <= 0:
+            raise MappingError(f"a period is a positive number of ns, not {self.period_ns}")
+        if declared.latched not in get_args(Latched):
+            raise MappingError(f'`latched` is "hold" or "truncate", not {declared.latched!r}')
+        self.observations = Observations(observations)
+        self.actions = actions_of(actions, declared.act)
+        seen = {
+            name: self.observations.number(name, spot) for name, spot in declared.targets.items()
+        }
+        self.targets = Targets(seen, self.actions.declared, self.period_ns)
+        rules = declared.rules
+        monitor = rules if isinstance(rules, Monitor) else load(rules)
+        self.guard = monitor.guard(
+            observe=self.observations.declared(declared.observe),
+            act=with_speeds(self.actions.declared, seen),
+        )
+        self.guard.require_sizes(self.observations.size, self.actions.size)
+        latched = [rule.release is None for rule in monitor.machine.rules]
+        self._ending = np.array(latched, np.bool_) & (declared.latched == "truncate")
+
+    def is_over(self, active: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """True where an active rule truncates the episode."""
+        return np.asarray((active & self._ending).any(axis=-1))
+
+    def passed(
+        self,
+        action: Any,
+        decide: Callable[[Array], Array],
+        allows: Allows,
+        which: NDArray[np.bool_] | None = None,
+    ) -> Passed:
+        """Let an action pass, or actions, as far as the rules allow: `decide` bounds flat ones. In
+        many environments, only those that `which` marks execute theirs.
+        """
+        proposed = self.actions.flat(action)
+        speeds = self.targets.speeds(proposed)
+        bounded = self.targets.back(proposed, speeds, decide(speeds))
+        executed = self.actions.executed(action, bounded, allows)
+        done = self.actions.flat(executed)
+        self.targets.take(done, which)
+        return Passed(action, executed, np.asarray((proposed != done).any(axis=-1)))

@@ -1,0 +1,151 @@
+"""Many environments behind guards, of which one call decides for all."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from gymnasium import logger
+from gymnasium.vector import AutoresetMode, VectorEnv, VectorWrapper
+from numpy.typing import NDArray
+
+from rossmarie.guard import MappingError
+from rossmarie.gym.interface import Declarations, Interface, Latched, Rules
+from rossmarie.gym.observations import Array, Spots
+
+Mask = NDArray[np.bool_]
+
+
+class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
+    """Environments in which only what the rules allow is executed: each as in a `GuardedEnv`.
+
+    `infos` has the same entries, with a row for each environment, and masks as Gymnasium has them.
+    How an episode ends and the next one begins follows `metadata["autoreset_mode"]`. In the step of
+    NEXT_STEP in which an environment begins anew, its action is ignored: `_executed` is false.
+    """
+
+    def __init__(
+        self,
+        env: VectorEnv[Any, Any, Any],
+        rules: Rules,
+        *,
+        period_ns: int,
+        observe: Spots,
+        act: Mapping[str, Any],
+        latched: Latched = "hold",
+        targets: Mapping[str, Any] | None = None,
+    ) -> None:
+        """The arguments are those of `GuardedEnv`. Environments that begin anew by themselves do
+        not know that a latched rule has truncated an episode, so there `latched` is "hold"; or let
+        each of them be a `GuardedEnv`. Raises what `GuardedEnv` raises.
+        """
+        super().__init__(env)
+        self._mode = _mode_of(env)
+        if latched == "truncate" and self._mode is not AutoresetMode.DISABLED:
+            raise MappingError(
+                'latched="truncate" needs environments that are reset by a mask '
+                '(autoreset_mode=DISABLED); or let each one be a GuardedEnv with latched="truncate"'
+            )
+        declared = Declarations(rules, period_ns, observe, act, latched, targets or {})
+        self._interface = Interface(declared, env.single_observation_space, env.single_action_space)
+        self._guards = self._interface.guard.batch(env.num_envs)
+        self._at_ns = np.zeros(env.num_envs, np.int64)
+        self._ended = np.zeros(env.num_envs, np.bool_)
+
+    @property
+    def rules(self) -> tuple[str, ...]:
+        """The names of the rules."""
+        return self._guards.rules
+
+    def reset(
+        self, *, seed: Any = None, options: dict[str, Any] | None = None
+    ) -> tuple[Any, dict[str, Any]]:
+        """Begin another episode in all environments, or in those that `options["reset_mask"]`
+        marks.
+        """
+        marked = (options or {}).get("reset_mask")
+        which = np.ones(self.num_envs, np.bool_) if marked is None else np.array(marked, np.bool_)
+        observations, infos = self.env.reset(seed=seed, options=options)
+        self._begin(self._seen(observations), which)
+        return observations, self._with_mask(infos)
+
+    def step(self, actions: Any) -> tuple[Any, Any, Any, Any, dict[str, Any]]:
+        """Take a step in each environment with what may be done of its action."""
+        anew = self._ended & (self._mode is AutoresetMode.NEXT_STEP)
+        passed = self._interface.passed(
+            actions,
+            lambda flat: self._guards.decide(flat, ~anew).actions,
+            self._guards.allows,
+            ~anew,
+        )
+        observations, rewards, terminated, truncated, infos = self.env.step(passed.executed)
+        ended = terminated | truncated
+        active = self._observe(self._seen(observations), infos, anew, ended)
+        truncated = truncated | (self._interface.is_over(active) & ~anew)
+        self._ended = terminated | truncated
+        told = {
+            "proposed": passed.proposed,
+            "executed": passed.executed,
+            "intervened": passed.intervened & ~anew,
+            "active": active,
+        }
+        everywhere = np.ones(self.num_envs, np.bool_)
+        masks = {f"_{name}": everywhere for name in told} | {"_executed": ~anew}
+        cost = np.asarray(infos.get("cost", 0.0)) + (active.any(axis=-1) & ~anew)
+        whole = {**infos, "guard": {**told, **masks}, "_guard": everywhere}
+        whole |= {"cost": cost, "_cost": everywhere}
+        return observations, rewards, terminated, truncated, self._with_mask(whole)
+
+    # --- observations ------------------------------------------------------------------------
+
+    def _observe(
+        self, seen: Array, infos: Mapping[str, Any], anew: Mask, ended: Mask
+    ) -> NDArray[np.bool_]:
+        """Let the observations of a step arrive; gives which rules are active at them."""
+        last = self._last(seen, infos, ended)
+        self._at_ns[~anew] += self._interface.period_ns
+        if not anew.any():
+            active = self._guards.observe(self._at_ns, last)
+        else:
+            self._begin(seen, anew)
+            active = self._guards.observe(self._at_ns, last, ~anew)
+        if self._mode is AutoresetMode.SAME_STEP and ended.any():
+            self._begin(seen, ended)
+        return active
+
+    def _last(self, seen: Array, infos: Mapping[str, Any], ended: Mask) -> Array:
+        """The last observations of episodes that have ended, which SAME_STEP gives beside those of
+        the next ones.
+        """
+        if self._mode is not AutoresetMode.SAME_STEP or not ended.any():
+            return seen
+        last = np.array(seen)
+        for row in np.flatnonzero(ended).tolist():
+            last[row] = self._interface.observations.row(infos["final_obs"][row])
+        return last
+
+    def _begin(self, seen: Array, which: Mask) -> None:
+        """Episodes begin in those environments that are marked."""
+        self._guards.restart(which)
+        self._at_ns[which] = 0
+        self._ended = self._ended & ~which
+        self._interface.targets.reset(seen, which)
+        self._guards.observe(self._at_ns, seen, which)
+
+    def _seen(self, observations: Any) -> Array:
+        return self._interface.observations.rows(observations, self.num_envs)
+
+    def _with_mask(self, infos: dict[str, Any]) -> dict[str, Any]:
+        mask = self._interface.actions.mask(self._guards.allows)
+        if mask is None:
+            return infos
+        return {**infos, "action_mask": mask, "_action_mask": np.ones(self.num_envs, np.bool_)}
+
+
+def _mode_of(env: VectorEnv[Any, Any, Any]) -> AutoresetMode:
+    """The way in which environments begin anew."""
+    if "autoreset_mode" not in env.metadata:
+        logger.warn(f"{env} does not say its autoreset_mode; its guard goes by NEXT_STEP")
+        return AutoresetMode.NEXT_STEP
+    return AutoresetMode(env.metadata["autoreset_mode"])
