@@ -4,6 +4,7 @@ from rossmarie.core import Function, Sampling
 from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
+from rossmarie.ir.defined import Once, Response, defined
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
 from rossmarie.ir.limits import (
     EARLIEST_NS,
@@ -47,6 +48,7 @@ from rossmarie.ir.model import (
     Sampled,
     Signal,
     SignalNode,
+    Since,
     Slot,
     Truth,
     TruthNode,
@@ -122,6 +124,7 @@ __all__ = [
     "Machine",
     "MalformedMachine",
     "Not",
+    "Once",
     "Or",
     "Order",
     "OrderKind",
@@ -134,11 +137,13 @@ __all__ = [
     "Reactions",
     "Read",
     "Reading",
+    "Response",
     "Rule",
     "Sampled",
     "Sampling",
     "Signal",
     "SignalNode",
+    "Since",
     "Slot",
     "State",
     "Step",
@@ -155,6 +160,7 @@ __all__ = [
     "Wiring",
     "arrival_names",
     "compared_signals",
+    "defined",
     "dump_text",
     "each_update",
     "element_arrays",

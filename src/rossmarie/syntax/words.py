@@ -56,6 +56,7 @@ MEMBER_WORDS = {
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by"}
     | {"unless", "mitigates", "publishes", "subscribes"}
+    | {"since", "once", "after"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
 
