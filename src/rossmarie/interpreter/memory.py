@@ -67,8 +67,8 @@ class Samples:
 
 @dataclass
 class HeldMemory:
-    """Since when the operand of a `for` has been true, and its value before (S33): true if it counts
-    as true before the start.
+    """Since when the operand of a `for` has been true, and its value before (S33). Before the start
+    it is true only if it counts as such.
     """
 
     start_ns: int | None = None

@@ -4,7 +4,7 @@ from rossmarie.core import Function, Sampling
 from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
-from rossmarie.ir.defined import Once, Response, defined
+from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
 from rossmarie.ir.limits import (
     EARLIEST_NS,
@@ -73,6 +73,7 @@ from rossmarie.ir.support import (
     samplings,
     signal_operands,
     supports,
+    told_truths,
     truth_operands,
 )
 from rossmarie.ir.text import dump_text
@@ -168,6 +169,7 @@ __all__ = [
     "explain",
     "field_names",
     "functions",
+    "held_of",
     "is_leaf",
     "leaf_truths",
     "machine_from_json",
@@ -183,6 +185,7 @@ __all__ = [
     "samplings",
     "signal_operands",
     "supports",
+    "told_truths",
     "truth_operands",
     "verify",
     "wakes",

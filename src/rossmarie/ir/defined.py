@@ -62,3 +62,12 @@ def _response(machine: ir.Machine, since: ir.Since, duration_ns: int) -> Respons
     if isinstance(begun, ir.And) and begun.operands[1:] == (since.held,):
         return Response(begun.operands[0], missing.operand, duration_ns)
     return None
+
+
+def held_of(machine: ir.Machine, truth: int) -> int | None:
+    """The `for` that a truth is, or that its definition has; None if there is none."""
+    node = machine.truths[truth].node
+    if isinstance(node, ir.Held):
+        return truth
+    is_by_definition = isinstance(node, ir.Not) and defined(machine, truth) is not None
+    return node.operand if isinstance(node, ir.Not) and is_by_definition else None

@@ -228,8 +228,8 @@ class _Snapshot:
 
     def _since(self, truth: int) -> int:
         node = self._machine.truths[truth].node
-        is_told = isinstance(node, ir.Held) and not node.initially
-        if is_told and self._value(truth) is TruthValue.TRUE:
+        is_true = isinstance(node, ir.Held) and self._value(truth) is TruthValue.TRUE
+        if isinstance(node, ir.Held) and is_true and not node.initially:
             return self._since_ns[truth] - node.duration_ns
         # A negation changes together with what it negates.
         return next(self._since_ns[i] for i in self._chain(truth) if i in self._since_ns)

@@ -287,8 +287,8 @@ class Or:
 
 @dataclass(frozen=True)
 class Held:
-    """The operand has been true throughout the last `duration_ns`; if `initially`, it counts as true
-    before the start of a trace.
+    """The operand has been true throughout the last `duration_ns`; if `initially`, it counts as
+    true before the start of a trace.
     """
 
     operand: int

@@ -316,7 +316,7 @@ def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
 
 
 def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
-    for index in _told_truths(machine, condition):
+    for index in told_truths(machine, condition):
         truth = machine.truths[index]
         is_over_time = isinstance(truth.node, ir.Held | ir.Since)
         is_telling = truth.name is not None or is_over_time or defined(machine, index) is not None
@@ -324,7 +324,7 @@ def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
             yield index
 
 
-def _told_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
+def told_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
     """The truth and all below it that users wrote, in index order; no elementwise ones."""
     found: set[int] = set()
     waiting = [truth]

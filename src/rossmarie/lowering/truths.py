@@ -88,16 +88,8 @@ class Truths:
                 return self._comparison(node)
             case ast.Membership():
                 return self._membership(node)
-            case ast.Held(condition=condition, duration=duration):
-                held = self._truth(condition, entity)
-                return self._nodes.held(held, self._duration_ns(duration), _shown(node))
-            case ast.Since(held=left, begun=right):
-                sides = self._truth(left, entity), self._truth(right, entity)
-                return self._nodes.since(*sides, _shown(node))
-            case ast.Once():
-                return self._once(node, entity)
-            case ast.Response():
-                return self._response(node, entity)
+            case (ast.Held() | ast.Since() | ast.Once() | ast.Response()) as over_time:
+                return self._over_time(over_time, entity)
             case ast.Oscillates():
                 return self._oscillates(node)
             case ast.Call():
@@ -115,7 +107,22 @@ class Truths:
             return self._nodes.conjunction(operands, _shown(node))
         return self._nodes.disjunction(operands, _shown(node))
 
-    # --- defined by others -------------------------------------------------------------------
+    # --- over time ---------------------------------------------------------------------------
+
+    def _over_time(
+        self, node: ast.Held | ast.Since | ast.Once | ast.Response, entity: str | None
+    ) -> int:
+        match node:
+            case ast.Held(condition=condition, duration=duration):
+                operand = self._truth(condition, entity)
+                return self._nodes.held(operand, self._duration_ns(duration), _shown(node))
+            case ast.Since(held=held, begun=begun):
+                sides = self._truth(held, entity), self._truth(begun, entity)
+                return self._nodes.since(*sides, _shown(node))
+            case ast.Once():
+                return self._once(node, entity)
+            case ast.Response():
+                return self._response(node, entity)
 
     def _once(self, node: ast.Once, entity: str | None) -> int:
         """S45: `not (not A for T)`, where `not A` counts as true before the start."""

@@ -1,5 +1,6 @@
-"""Conditions over time: `for`, `since`, `once` and `after`. Their operands are conditions of the whole
-machine, never of the elements of an array.
+"""Conditions over time: `for`, `since`, `once` and `after`.
+
+Their operands are conditions of the whole machine, never of the elements of an array.
 """
 
 from __future__ import annotations
