@@ -175,8 +175,8 @@ class Frames:
             age = f"old.now_ns - old.stamp_ns[{index}]"
             longest = f"{age} < LONGEST ? {age} : LONGEST"
             lines.append(f"expected.stamp_ns[{index}] = t_ns - ({longest});")
-        for place in self._places.get("gap", ()):
-            lines.append(f"expected.{place} = old.started ? UNKNOWN : FALSE;")
+        gaps = self._places.get("gap", ())
+        lines += [f"expected.{place} = old.started ? UNKNOWN : FALSE;" for place in gaps]
         for k, truth in enumerate(self._layout.held):
             node = self._machine.truths[truth].node
             at_start = "TRUE" if isinstance(node, ir.Held) and node.initially else "FALSE"

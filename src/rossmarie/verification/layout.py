@@ -38,8 +38,8 @@ class Value:
 class Layout:
     """The layout of one machine. Lists of truths are in the order in which a monitor has them.
 
-    `held`, `sinces`, `oscillations`, `sampled` and `windows` (signals, each with how long its samples are
-    remembered) are in the order of what is remembered of them.
+    `held`, `sinces`, `oscillations`, `sampled` and `windows` (signals, each with how long its
+    samples are remembered) are in the order of what is remembered of them.
     """
 
     machine: ir.Machine

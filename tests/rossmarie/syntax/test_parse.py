@@ -17,6 +17,9 @@ def expression_of(accepted: Accepted, text: str) -> ast.Expression:
     return entity.conditions[0].expression
 
 
+OVER_TIME = {ast.Held: "for", ast.Since: "since", ast.Once: "once", ast.Response: "after"}
+
+
 def shape(node: ast.Expression) -> str:
     """An expression with every operator in parentheses."""
     inside = " ".join(shape(child) for child in children(node))
@@ -33,14 +36,8 @@ def shape(node: ast.Expression) -> str:
             return f"({operator.value} {inside})"
         case ast.Membership(is_negated=is_negated):
             return f"({'not in' if is_negated else 'in'} {inside})"
-        case ast.Held():
-            return f"(for {inside})"
-        case ast.Since():
-            return f"(since {inside})"
-        case ast.Once():
-            return f"(once {inside})"
-        case ast.Response():
-            return f"(after {inside})"
+        case ast.Held() | ast.Since() | ast.Once() | ast.Response():
+            return f"({OVER_TIME[type(node)]} {inside})"
         case ast.Parenthesized():
             return f"<{inside}>"
         case ast.Oscillates():

@@ -57,24 +57,18 @@ def report_ambiguous(node: ast.Binary, context: Context) -> None:
     """Report `a and b for 2 sec`, `a and b since c` and `a since b and c`, where `for` or `since`
     reads as if it covered both sides of the `and`.
     """
-    first, last = _first_operand(node.right), _last_operand(node.left)
+    first = _first_operand(node.right)
     if isinstance(first, ast.Held):
         context.collector.add(_ambiguous_for(node, first))
-    elif isinstance(first, ast.Since):
-        context.collector.add(_ambiguous_held(node, first))
-    elif isinstance(last, ast.Since):
-        context.collector.add(_ambiguous_begun(node, last))
+    elif isinstance(node.right, ast.Since):
+        context.collector.add(_ambiguous_held(node, node.right))
+    elif isinstance(node.left, ast.Since):
+        context.collector.add(_ambiguous_begun(node, node.left))
 
 
 def _first_operand(node: ast.Expression) -> ast.Expression:
     while isinstance(node, ast.Binary) and node.operator in ast.JUNCTIONS:
         node = node.left
-    return node
-
-
-def _last_operand(node: ast.Expression) -> ast.Expression:
-    while isinstance(node, ast.Binary) and node.operator in ast.JUNCTIONS:
-        node = node.right
     return node
 
 
