@@ -54,7 +54,8 @@ def timer_cases(draw: st.DrawFn) -> Case:
             st.builds(ir.Not, some),
             st.builds(ir.And, st.tuples(some, some)),
             st.builds(ir.Or, st.tuples(some, some)),
-            st.builds(ir.Held, some, st.integers(1, 3 * TICK)),
+            st.builds(ir.Held, some, st.integers(1, 3 * TICK), st.booleans()),
+            st.builds(ir.Since, some, some),
         )
         truths.append(draft.truth(draw(nodes)))
     draft.rule(truths[-1])

@@ -145,6 +145,7 @@ class Growing:
             grow += [self._flag_or_text]
         if self.truths:
             grow += [self._not, self._and, self._or, self._held, self._held, self._literal]
+            grow += [self._since]
         self.truths.append(self.draw(st.sampled_from(grow))())
 
     def _name(self) -> str | None:
@@ -203,7 +204,11 @@ class Growing:
         return self._add(ir.Or(self._operands()))
 
     def _held(self) -> int:
-        return self._add(ir.Held(self.one_of(self.truths), self.draw(durations)))
+        initially = self.draw(st.booleans())
+        return self._add(ir.Held(self.one_of(self.truths), self.draw(durations), initially))
+
+    def _since(self) -> int:
+        return self._add(ir.Since(self.one_of(self.truths), self.one_of(self.truths)))
 
     def rule(self) -> None:
         condition = self.one_of(self.truths)

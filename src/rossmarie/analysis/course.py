@@ -167,7 +167,8 @@ class Moment(Encoding):
     def held(self, _: int, node: ir.Held, operand: Fact) -> Fact:
         """True once the operand has been for long enough; before that what the operand was."""
         matured = self.elapsed(node.operand) >= node.duration_ns
-        return choice(operand.true, choice(matured, literal(True), self.was(node.operand)), operand)
+        was = self.was(node.operand, node.initially)
+        return choice(operand.true, choice(matured, literal(True), was), operand)
 
     def elapsed(self, operand: int) -> z3.ArithRef:
         """For how long a truth has been true, where it is, at the least."""
@@ -184,12 +185,16 @@ class Moment(Encoding):
             self._elapsed[operand] = begun
         return self._elapsed[operand]
 
-    def was(self, operand: int) -> Fact:
-        """The value of a truth before it became true, where it is."""
+    def was(self, operand: int, initially: bool) -> Fact:
+        """The value of a truth before it became true, where it is; before the start, as told."""
         if self._before is None:
-            return FALSE
+            return literal(initially)
         before = self._before.truth(operand)
-        return choice(before.true, self._before.was(operand), before)
+        return choice(before.true, self._before.was(operand, initially), before)
+
+    def remembered(self, index: int) -> Fact:
+        """Its value at the moment before."""
+        return FALSE if self._before is None else self._before.truth(index)
 
     def oscillating(self, index: int) -> Fact:
         """The value that the messages of the leg give to an oscillation."""

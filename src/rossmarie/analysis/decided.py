@@ -48,6 +48,7 @@ from rossmarie.ir import (
     Quantified,
     Read,
     Sampled,
+    Since,
     Slot,
     TruthValue,
     compared_signals,
@@ -84,9 +85,11 @@ def find_decided(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
 
 
 def _lacking(machine: Machine, constant: Mapping[int, TruthValue], truth: int) -> TruthValue | None:
-    """The value that a truth lacks, if it does; `not` and `for` lack what is inside of them."""
+    """The value that a truth lacks, if it does; `not` and `for` lack what is inside of them, and
+    `since` what begins it.
+    """
     match machine.truths[truth].node:
-        case Held(operand=operand):
+        case Held(operand=operand) | Since(begun=operand):
             return _lacking(machine, constant, operand)
         case Not(operand=operand):
             inner = _lacking(machine, constant, operand)
@@ -129,7 +132,7 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
     varied: set[int] = set()
     for truth in sorted(used):
         node = machine.truths[truth].node
-        is_plain = isinstance(node, Literal | Not | Held) or not rests_on[truth].inputs
+        is_plain = isinstance(node, Literal | Not | Held | Since) or not rests_on[truth].inputs
         if is_plain or _is_free(machine, truth) or _joins_apart(inquiry, truth, varied):
             varied.add(truth)
             continue

@@ -135,6 +135,10 @@ class Encoding(ABC):
         """S33."""
 
     @abstractmethod
+    def remembered(self, index: int) -> Fact:
+        """S44: what a `since` was at the last evaluation."""
+
+    @abstractmethod
     def oscillating(self, index: int) -> Fact:
         """S32, where the signal is known."""
 
@@ -219,6 +223,8 @@ class Encoding(ABC):
                 return joined(node, [self._truths[each] for each in ir.truth_operands(node)])
             case ir.Held(operand=operand):
                 return self.held(index, node, self._truths[operand])
+            case ir.Since(held=held, begun=begun):
+                return self._since(index, self._truths[held], self._truths[begun])
             case ir.Oscillates(signal=signal):
                 return self._oscillates(index, node, self.signal(signal))
             case ir.AgeReaches(input=used, age_ns=age_ns):
@@ -232,6 +238,11 @@ class Encoding(ABC):
                 known = z3.And([number.known for number in numbers])
                 values = [number.value for number in numbers]
                 return self._leaf(index, node, known, holds(node, values))
+
+    def _since(self, index: int, held: Fact, begun: Fact) -> Fact:
+        """S44."""
+        before = disjunction([begun, self.remembered(index)])
+        return disjunction([begun, conjunction([held, before])])
 
     def _leaf(self, index: int, node: ir.TruthNode, known: z3.BoolRef, is_so: z3.BoolRef) -> Fact:
         unknown = z3.Not(known)
@@ -319,7 +330,7 @@ class Encoding(ABC):
                 return joined(node, operands)
             case ir.Compare() | ir.Between() | ir.Flag():
                 return self._element_leaf(node, element)
-            case ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
+            case ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held() | ir.Since():
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
     def _element_leaf(self, node: ir.Compare | ir.Between | ir.Flag, element: Number) -> Fact:

@@ -337,7 +337,7 @@ def _long_enough(machine: Machine, part: Machine, rules: Sequence[int]) -> int:
                 found.append(time_ns)
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified()
-                | ir.Not() | ir.And() | ir.Or()
+                | ir.Not() | ir.And() | ir.Or() | ir.Since()
             ):  # fmt: skip
                 pass
     for rule in rules:

@@ -113,6 +113,8 @@ def moved_truth(
             return dataclasses.replace(node, element=places[element])
         case ir.Not(operand=operand) | ir.Held(operand=operand):
             return dataclasses.replace(node, operand=places[operand])
+        case ir.Since(held=held, begun=begun):
+            return ir.Since(places[held], places[begun])
         case ir.And(operands=operands) | ir.Or(operands=operands):
             return dataclasses.replace(node, operands=tuple(places[each] for each in operands))
         case ir.Literal() | ir.AgeReaches():

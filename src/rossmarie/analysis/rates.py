@@ -40,10 +40,12 @@ from rossmarie.ir import (
     Oscillates,
     Quantified,
     Sampled,
+    Since,
     TruthValue,
     compared_signals,
     reachable_truths,
     signal_operands,
+    told_truths,
 )
 from rossmarie.ir.duration_text import duration_text
 
@@ -56,7 +58,7 @@ def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
     if all(channel.gaps_ns is None for channel in machine.channels):
         return
     roots = {root for rule in range(len(machine.rules)) for root in truths_of(machine, (rule,))}
-    used = sorted({truth for root in roots for truth in reachable_truths(machine, root)})
+    used = sorted({truth for root in roots for truth in told_truths(machine, root)})
     rests_on = inquiry.asked.supports.truths
     in_rules = {each for root in roots for each in rests_on[root].inputs}
     for index in sorted(in_rules):
@@ -215,7 +217,7 @@ def _reason(inquiry: Inquiry, truth: int, channel: int, gap_ns: int) -> Remark |
             return _forgotten(inquiry, node.signal, channel, gap_ns)
         case (
             Literal() | Compare() | Between() | Flag() | AgeReaches() | Quantified() | Not()
-            | And() | Or()
+            | And() | Or() | Since()
         ) as node:  # fmt: skip
             for signal in _remembering(machine, compared_signals(node)):
                 reason = _forgotten(inquiry, signal, channel, gap_ns)

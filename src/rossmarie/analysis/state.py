@@ -2,7 +2,7 @@
 
 Every state that a trace leads to is one of these, so what holds in all of them holds always. The
 opposite is not true: memories (`for`, `rate`, `previous`, `oscillates`) hold anything that fits the
-present value of what they remember.
+present value of what they remember, and that of a `since` holds anything.
 """
 
 from __future__ import annotations
@@ -100,9 +100,11 @@ class ArbitraryState(Encoding):
         """True once its condition has been true for long enough, before that whatever it was."""
         if self._settled:
             return operand
-        matured = self.elapsed(node.operand) >= node.duration_ns
+        is_true = self.elapsed(node.operand) >= node.duration_ns
+        if node.initially:
+            is_true = z3.Or(is_true, z3.Bool(f"truth{node.operand}.initially"))
         return choice(
-            operand.true, choice(matured, literal(True), self.before(node.operand)), operand
+            operand.true, choice(is_true, literal(True), self.before(node.operand)), operand
         )
 
     def before(self, operand: int) -> Fact:
@@ -138,6 +140,13 @@ class ArbitraryState(Encoding):
         was_unknown = z3.And(self.truth(operand).true, self.before(operand).is_value(value))
         is_equal = self.elapsed(other) == self.elapsed(operand)
         return z3.Implies(was_unknown, z3.And(self.before(other).is_value(value), is_equal))
+
+    def remembered(self, index: int) -> Fact:
+        """Anything, whatever its operands are now."""
+        found = free_fact(f"truth{index}.remembered", self.facts)
+        if not self.asked.has_timeout(self.asked.supports.truths[index].inputs):
+            self.facts.append(z3.Not(found.lost))
+        return found
 
     def oscillating(self, index: int) -> Fact:
         """Anything."""

@@ -71,7 +71,7 @@ class Times:
                     below += window_ns
                 case (
                     ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
-                    | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
+                    | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since()
                 ):  # fmt: skip
                     pass
             needed[truth] = below

@@ -105,6 +105,8 @@ class Evaluator:
                 return kleene.disjunction(self._known(operand) for operand in operands)
             case ir.Held():
                 return self._held(index, node, at_ns)
+            case ir.Since():
+                return self._since(index, node)
             case ir.Oscillates():
                 return self._oscillates(index, node, at_ns, updated)
             case ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Quantified():
@@ -192,3 +194,11 @@ class Evaluator:
         if held.start_ns is None:
             held.start_ns = at_ns
         return TruthValue.TRUE if at_ns - held.start_ns >= node.duration_ns else held.before
+
+    def _since(self, index: int, node: ir.Since) -> TruthValue:
+        """S44."""
+        held, begun = self._known(node.held), self._known(node.begun)
+        before = kleene.disjunction((begun, self._memory.since[index]))
+        value = kleene.disjunction((begun, kleene.conjunction((held, before))))
+        self._memory.since[index] = value
+        return value

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from rossmarie import ir
 from rossmarie.core import MOST_SAMPLES, View
 from rossmarie.interpreter.arithmetic import NAN
-from rossmarie.ir import InputState, TruthValue
+from rossmarie.ir import InputState, TruthValue, kleene
 
 
 @dataclass
@@ -67,7 +67,9 @@ class Samples:
 
 @dataclass
 class HeldMemory:
-    """Since when the operand of a `for` has been true, and its value before (S33)."""
+    """Since when the operand of a `for` has been true, and its value before (S33). Before the start
+    it is true only if it counts as such.
+    """
 
     start_ns: int | None = None
     before: TruthValue = TruthValue.FALSE
@@ -138,7 +140,7 @@ class Oscillation:
 @dataclass
 class Memory:
     """All of it, by the indexes of the machine. Elementwise signals and truths have no entry of
-    their own: they stay NaN and None.
+    their own: they stay NaN and None. `since` holds what each `since` was at the last evaluation.
     """
 
     slots: list[float]
@@ -150,6 +152,7 @@ class Memory:
     since_ns: list[int]
     oscillations: dict[int, Oscillation]
     held: dict[int, HeldMemory]
+    since: dict[int, TruthValue]
     now_ns: int | None = None
 
     def restart(self, at_ns: int) -> None:
@@ -184,8 +187,13 @@ def fresh_memory(machine: ir.Machine) -> Memory:
             if isinstance(truth.node, ir.Oscillates)
         },
         held={
-            index: HeldMemory()
+            index: HeldMemory(before=kleene.truth_of(truth.node.initially))
             for index, truth in enumerate(machine.truths)
             if isinstance(truth.node, ir.Held)
+        },
+        since={
+            index: TruthValue.FALSE
+            for index, truth in enumerate(machine.truths)
+            if isinstance(truth.node, ir.Since)
         },
     )

@@ -35,7 +35,7 @@ def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
                     yield since_ns + window_ns
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
-                | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+                | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
             ):  # fmt: skip
                 pass
 

@@ -4,6 +4,7 @@ from rossmarie.core import Function, Sampling
 from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
+from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
 from rossmarie.ir.limits import (
     EARLIEST_NS,
@@ -47,6 +48,7 @@ from rossmarie.ir.model import (
     Sampled,
     Signal,
     SignalNode,
+    Since,
     Slot,
     Truth,
     TruthNode,
@@ -71,6 +73,7 @@ from rossmarie.ir.support import (
     samplings,
     signal_operands,
     supports,
+    told_truths,
     truth_operands,
 )
 from rossmarie.ir.text import dump_text
@@ -122,6 +125,7 @@ __all__ = [
     "Machine",
     "MalformedMachine",
     "Not",
+    "Once",
     "Or",
     "Order",
     "OrderKind",
@@ -134,11 +138,13 @@ __all__ = [
     "Reactions",
     "Read",
     "Reading",
+    "Response",
     "Rule",
     "Sampled",
     "Sampling",
     "Signal",
     "SignalNode",
+    "Since",
     "Slot",
     "State",
     "Step",
@@ -155,6 +161,7 @@ __all__ = [
     "Wiring",
     "arrival_names",
     "compared_signals",
+    "defined",
     "dump_text",
     "each_update",
     "element_arrays",
@@ -162,6 +169,7 @@ __all__ = [
     "explain",
     "field_names",
     "functions",
+    "held_of",
     "is_leaf",
     "leaf_truths",
     "machine_from_json",
@@ -177,6 +185,7 @@ __all__ = [
     "samplings",
     "signal_operands",
     "supports",
+    "told_truths",
     "truth_operands",
     "verify",
     "wakes",

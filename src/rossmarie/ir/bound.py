@@ -14,7 +14,10 @@ rest on expires, and a leaf over one is lost from then on (S30). An `and` or `or
 to be true or false only together with one of its operands. `C for d` becomes true when its timer
 falls due and ceases to be when C does; it becomes false only when C does, for while C is true and
 it is not, it is what C was before (S33); and it ceases to be false when its timer falls due, or
-when C ceases to be false or to be true.
+when C ceases to be false or to be true. (What counts as true before the start is true without
+maturing; that is at the first event, before which no timer falls due.) `A since B` becomes true or
+ceases to be false only when B does, for it was what its memory says; it ceases to be true or
+becomes false only when A or B does (S44).
 """
 
 from __future__ import annotations
@@ -103,6 +106,8 @@ class _Counted:
                 return operands[0].negated()
             case ir.Held():
                 return self._held(operands[0])
+            case ir.Since():
+                return _since(*operands)
             case ir.AgeReaches(input=used, age_ns=age_ns):
                 due = self._age(self._machine.inputs[used].channel, age_ns)
                 return _Changes(becomes_true=due, ceases_false=due)
@@ -139,3 +144,12 @@ class _Counted:
         new = ((1 << count) - 1) << self.total
         self.total += count
         return new
+
+
+def _since(held: _Changes, begun: _Changes) -> _Changes:
+    return _Changes(
+        becomes_true=begun.becomes_true,
+        ceases_true=held.ceases_true | begun.ceases_true,
+        becomes_false=held.becomes_false | begun.becomes_false,
+        ceases_false=begun.ceases_false,
+    )

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from dslkit.source import Span
 from rossmarie.ir import kleene
 from rossmarie.ir import model as ir
+from rossmarie.ir.defined import defined
 from rossmarie.ir.support import compared_signals, is_leaf, leaf_truths, supports
 from rossmarie.ir.verdict import Change, Event, InputState, TruthValue, Verdict
 
@@ -176,13 +177,20 @@ class _Snapshot:
     # --- causes ------------------------------------------------------------------------------
 
     def _deciding(self, truth: int) -> tuple[int, ...]:
-        """The operands that alone decide a truth: those of an equal value, or the negated one."""
+        """The operands that alone decide a truth: those of an equal value, or the negated one; of
+        what looks back in time, those that it names.
+        """
+        whole = defined(self._machine, truth)
+        if whole is not None:
+            return whole.operands
         match self._machine.truths[truth].node:
             case ir.And(operands=operands) | ir.Or(operands=operands):
                 value = self._value(truth)
                 return tuple(operand for operand in operands if self._value(operand) is value)
             case ir.Not(operand=operand) | ir.Held(operand=operand):
                 return (operand,)
+            case ir.Since(held=held, begun=begun):
+                return (held, begun)
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
                 | ir.Oscillates() | ir.Quantified()
@@ -194,7 +202,7 @@ class _Snapshot:
         node = self._machine.truths[truth].node
         while isinstance(node, ir.Not):
             node = self._machine.truths[node.operand].node
-        return is_leaf(node) or isinstance(node, ir.Held)
+        return is_leaf(node) or isinstance(node, ir.Held | ir.Since)
 
     def _cause(self, truth: int, around: str | None) -> Cause:
         chain = tuple(self._chain(truth))
@@ -220,7 +228,8 @@ class _Snapshot:
 
     def _since(self, truth: int) -> int:
         node = self._machine.truths[truth].node
-        if isinstance(node, ir.Held) and self._value(truth) is TruthValue.TRUE:
+        is_true = isinstance(node, ir.Held) and self._value(truth) is TruthValue.TRUE
+        if isinstance(node, ir.Held) and is_true and not node.initially:
             return self._since_ns[truth] - node.duration_ns
         # A negation changes together with what it negates.
         return next(self._since_ns[i] for i in self._chain(truth) if i in self._since_ns)
@@ -297,6 +306,6 @@ class _Snapshot:
                 return kleene.disjunction(self._value(operand) for operand in operands)
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
-                | ir.Quantified() | ir.Held()
+                | ir.Quantified() | ir.Held() | ir.Since()
             ) as node:  # fmt: skip
                 raise AssertionError(f"{type(node).__name__} is among the terms of its rule")

@@ -287,10 +287,21 @@ class Or:
 
 @dataclass(frozen=True)
 class Held:
-    """The operand has been true throughout the last `duration_ns`."""
+    """The operand has been true throughout the last `duration_ns`; if `initially`, it counts as
+    true before the start of a trace.
+    """
 
     operand: int
     duration_ns: int
+    initially: bool = False
+
+
+@dataclass(frozen=True)
+class Since:
+    """`begun` has been true, and `held` ever since."""
+
+    held: int
+    begun: int
 
 
 TruthNode = (
@@ -305,6 +316,7 @@ TruthNode = (
     | And
     | Or
     | Held
+    | Since
 )
 
 

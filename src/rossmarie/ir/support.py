@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from rossmarie.core import Function, Sampling, sampling_row
 from rossmarie.ir import model as ir
+from rossmarie.ir.defined import defined
 
 
 @dataclass(frozen=True)
@@ -67,6 +68,8 @@ def truth_operands(node: ir.TruthNode) -> tuple[int, ...]:
             return (operand,)
         case ir.And(operands=operands) | ir.Or(operands=operands):
             return operands
+        case ir.Since(held=held, begun=begun):
+            return (held, begun)
         case ir.Quantified(element=element):
             return (element,)
         case (
@@ -87,7 +90,7 @@ def compared_signals(node: ir.TruthNode) -> tuple[int, ...]:
             return (signal,)
         case (
             ir.Literal() | ir.AgeReaches() | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
-            | ir.Held()
+            | ir.Held() | ir.Since()
         ):  # fmt: skip
             return ()
 
@@ -100,7 +103,7 @@ def is_leaf(node: ir.TruthNode) -> bool:
             | ir.Quantified()
         ):  # fmt: skip
             return True
-        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since():
             return False
 
 
@@ -172,7 +175,10 @@ def _truth_support(
             return Support(inputs=frozenset({used}), channels=frozenset({channel}))
         case ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates():
             return _union(signals[signal] for signal in compared_signals(node))
-        case ir.Literal() | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+        case (
+            ir.Literal() | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            | ir.Since()
+        ):  # fmt: skip
             return _union(truths[operand] for operand in truth_operands(node))
 
 
@@ -228,7 +234,10 @@ def _truth_array(
             return _single(truths[operand] for operand in truth_operands(node))
         case ir.Compare() | ir.Between() | ir.Flag():
             return _single(signals[signal] for signal in compared_signals(node))
-        case ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
+        case (
+            ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()
+            | ir.Since()
+        ):  # fmt: skip
             return None
 
 
@@ -287,7 +296,7 @@ def _whole_operands(node: ir.TruthNode) -> tuple[int, ...]:
             return ()
         case (
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
-            | ir.Oscillates() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            | ir.Oscillates() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
         ):  # fmt: skip
             return truth_operands(node)
 
@@ -300,18 +309,33 @@ def leaf_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
 
 
 def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
-    """The truths that a verdict of a rule on this condition carries: the named ones, the leaves
-    and the durations.
+    """The truths that a verdict of a rule on this condition carries: the named ones, the leaves,
+    what rests on time, and instead of its parts what is defined by others (`once`, `after`).
     """
     return tuple(_terms(machine, condition))
 
 
 def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
-    for index in reachable_truths(machine, condition):
+    for index in told_truths(machine, condition):
         truth = machine.truths[index]
-        is_telling = truth.name is not None or isinstance(truth.node, ir.Held)
+        is_over_time = isinstance(truth.node, ir.Held | ir.Since)
+        is_telling = truth.name is not None or is_over_time or defined(machine, index) is not None
         if is_telling or is_leaf(truth.node):
             yield index
+
+
+def told_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
+    """The truth and all below it that users wrote, in index order; no elementwise ones."""
+    found: set[int] = set()
+    waiting = [truth]
+    while waiting:
+        index = waiting.pop()
+        if index not in found:
+            found.add(index)
+            whole = defined(machine, index)
+            node = machine.truths[index].node
+            waiting.extend(_whole_operands(node) if whole is None else whole.operands)
+    return tuple(sorted(found))
 
 
 def rule_signals(machine: ir.Machine, condition: int) -> tuple[int, ...]:

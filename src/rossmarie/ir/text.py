@@ -116,8 +116,11 @@ def _truth(node: ir.TruthNode) -> str:
             return f"and {_names('t', operands)}"
         case ir.Or(operands=operands):
             return f"or {_names('t', operands)}"
-        case ir.Held(operand=operand, duration_ns=duration_ns):
-            return f"t{operand} for {duration_text(duration_ns)}"
+        case ir.Held(operand=operand, duration_ns=duration_ns, initially=initially):
+            counts = ", true before the start" if initially else ""
+            return f"t{operand} for {duration_text(duration_ns)}{counts}"
+        case ir.Since(held=held, begun=begun):
+            return f"t{held} since t{begun}"
         case ir.Quantified(quantifier=quantifier, element=element):
             return f"{quantifier.value} over elements t{element}"
         case ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates():

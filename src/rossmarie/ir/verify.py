@@ -141,7 +141,10 @@ def _verify_truth(machine: ir.Machine, node: ir.TruthNode, where: str) -> None:
             require_duration(window_ns, where)
             require_finite((swing,), where)
             require(swing >= 0.0, where, f"a swing of {swing}")
-        case ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified() | ir.Not():
+        case (
+            ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified() | ir.Not()
+            | ir.Since()
+        ):  # fmt: skip
             pass
 
 

@@ -108,11 +108,18 @@ class Nodes:
             return left[0] if left else self.literal(False, shown)
         return self._add_truth(ir.Or(left), shown)
 
-    def held(self, operand: int, duration_ns: int, shown: Shown) -> int:
-        """`for`; even what is always true has not held before the start."""
-        if self._is_literal(operand, value=False):
+    def held(self, operand: int, duration_ns: int, shown: Shown, *, initially: bool = False) -> int:
+        """`for`; even what is always true has not held before the start, unless `initially`."""
+        if self._is_literal(operand, value=initially) or self._is_literal(operand, value=False):
             return operand
-        return self._add_truth(ir.Held(operand, duration_ns), shown)
+        return self._add_truth(ir.Held(operand, duration_ns, initially), shown)
+
+    def since(self, held: int, begun: int, shown: Shown) -> int:
+        """`since`; what always begins, or never, decides alone, and what never holds is nothing."""
+        is_decided = isinstance(self.truths[begun].node, ir.Literal)
+        if is_decided or self._is_literal(held, value=False):
+            return begun
+        return self._add_truth(ir.Since(held, begun), shown)
 
     def name(self, index: int, name: str) -> None:
         """Give a truth the name of a condition. The first name stays; literals have none, for
@@ -134,7 +141,7 @@ class Nodes:
                 return comparison.is_between(*values)
             case (
                 ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified()
-                | ir.Not() | ir.And() | ir.Or() | ir.Held()
+                | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
             ):  # fmt: skip
                 return None
 

@@ -96,7 +96,8 @@ class Numbers:
                 return self._call(node)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-                | ast.Index() | ast.Oscillates() | ast.Membership() | ast.Held() | ast.Broken()
+                | ast.Index() | ast.Oscillates() | ast.Membership() | ast.Held() | ast.Since()
+                | ast.Once() | ast.Response() | ast.Broken()
             ):  # fmt: skip
                 raise AssertionError(f"checked: {type(node).__name__} is no number")
 
@@ -129,7 +130,7 @@ class Numbers:
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Call()
                 | ast.Oscillates() | ast.Unary() | ast.Binary() | ast.Membership() | ast.Held()
-                | ast.Broken()
+                | ast.Since() | ast.Once() | ast.Response() | ast.Broken()
             ):  # fmt: skip
                 return None
 

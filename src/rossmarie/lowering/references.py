@@ -21,7 +21,8 @@ def referred_condition(
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
             | ast.Member() | ast.Index() | ast.Call() | ast.Oscillates() | ast.Unary()
-            | ast.Binary() | ast.Membership() | ast.Held() | ast.Parenthesized() | ast.Broken()
+            | ast.Binary() | ast.Membership() | ast.Held() | ast.Since() | ast.Once()
+            | ast.Response() | ast.Parenthesized() | ast.Broken()
         ):  # fmt: skip
             return None
     return key if key in symbols.conditions else None

@@ -88,9 +88,8 @@ class Truths:
                 return self._comparison(node)
             case ast.Membership():
                 return self._membership(node)
-            case ast.Held(condition=condition, duration=duration):
-                held = self._truth(condition, entity)
-                return self._nodes.held(held, self._duration_ns(duration), _shown(node))
+            case (ast.Held() | ast.Since() | ast.Once() | ast.Response()) as over_time:
+                return self._over_time(over_time, entity)
             case ast.Oscillates():
                 return self._oscillates(node)
             case ast.Call():
@@ -107,6 +106,46 @@ class Truths:
         if node.operator is ast.BinaryOperator.AND:
             return self._nodes.conjunction(operands, _shown(node))
         return self._nodes.disjunction(operands, _shown(node))
+
+    # --- over time ---------------------------------------------------------------------------
+
+    def _over_time(
+        self, node: ast.Held | ast.Since | ast.Once | ast.Response, entity: str | None
+    ) -> int:
+        match node:
+            case ast.Held(condition=condition, duration=duration):
+                operand = self._truth(condition, entity)
+                return self._nodes.held(operand, self._duration_ns(duration), _shown(node))
+            case ast.Since(held=held, begun=begun):
+                sides = self._truth(held, entity), self._truth(begun, entity)
+                return self._nodes.since(*sides, _shown(node))
+            case ast.Once():
+                return self._once(node, entity)
+            case ast.Response():
+                return self._response(node, entity)
+
+    def _once(self, node: ast.Once, entity: str | None) -> int:
+        """S45: `not (not A for T)`, where `not A` counts as true before the start."""
+        calm = f"not {_operand(node.condition)}"
+        operand = self._truth(node.condition, entity)
+        never = self._nodes.negation(operand, Shown(calm, node.span))
+        text = f"{calm} for {words(node.duration.span)}"
+        duration_ns = self._duration_ns(node.duration)
+        held = self._nodes.held(never, duration_ns, Shown(text, node.span), initially=True)
+        return self._nodes.negation(held, _shown(node))
+
+    def _response(self, node: ast.Response, entity: str | None) -> int:
+        """S46: `not ((not B since (A and not B)) for T)`."""
+        cause, answer = self._truth(node.cause, entity), self._truth(node.answer, entity)
+        missing = f"not {_operand(node.answer)}"
+        begun = f"{_operand(node.cause)} and {missing}"
+        pending = f"({missing} since ({begun}))"
+        without = self._nodes.negation(answer, Shown(missing, node.span))
+        both = self._nodes.conjunction((cause, without), Shown(begun, node.span))
+        since = self._nodes.since(without, both, Shown(pending[1:-1], node.span))
+        text = f"{pending} for {words(node.duration.span)}"
+        overdue = self._nodes.held(since, self._duration_ns(node.duration), Shown(text, node.span))
+        return self._nodes.negation(overdue, _shown(node))
 
     # --- leaves ------------------------------------------------------------------------------
 
@@ -198,6 +237,13 @@ def _side(axis: int, ends: tuple[float, ...], unit: Unit | None) -> str:
 
 def _shown(node: ast.Expression) -> Shown:
     return Shown(words(node.span), node.span)
+
+
+def _operand(node: ast.Expression) -> str:
+    """The words of an operand, in parentheses unless they stand by themselves."""
+    text = words(node.span)
+    is_one_word = isinstance(node, ast.Reference | ast.Member | ast.Call | ast.Parenthesized)
+    return text if is_one_word else f"({text})"
 
 
 def _parts(node: ast.Expression, operator: ast.BinaryOperator) -> tuple[ast.Expression, ...]:

@@ -94,9 +94,10 @@ def _below(machine: ir.Machine, rule: str, top: int, *, releases: bool) -> Itera
         if ir.is_leaf(truth.node):
             yield _Use(rule, index, name, positive, releases)
             continue
-        inner = positive != isinstance(truth.node, ir.Not)
-        operands = reversed(ir.truth_operands(truth.node))
-        waiting.extend((operand, name, inner) for operand in operands)
+        whole = ir.defined(machine, index)
+        inner = positive != (whole is None and isinstance(truth.node, ir.Not))
+        operands = ir.truth_operands(truth.node) if whole is None else whole.operands
+        waiting.extend((operand, name, inner) for operand in reversed(operands))
 
 
 def _plan(machine: ir.Machine, index: int, uses: list[_Use]) -> PlotPlan:
@@ -137,7 +138,7 @@ def _shape(machine: ir.Machine, node: ir.TruthNode, signal: int) -> tuple[float,
             others = (low, high)
         case (
             ir.Literal() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
-            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
         ):  # fmt: skip
             return None
     nodes = [machine.signals[other].node for other in others]

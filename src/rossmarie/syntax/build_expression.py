@@ -73,11 +73,20 @@ class ExpressionBuilder:
         return ast.Unary(ast.UnaryOperator.NEGATE, operand, span)
 
     def held(self, parts: list[Any]) -> ast.Expression:
-        """`a for 4 sec`."""
+        """`a for 4 sec`, `a since b`, from the left."""
         value: ast.Expression = parts[0]
-        for duration in parts[2::2]:
-            value = ast.Held(value, duration, value.span.to(duration.span))
+        for word, right in zip(parts[1::2], parts[2::2], strict=True):
+            node = ast.Since if word.text == "since" else ast.Held
+            value = node(value, right, value.span.to(right.span))
         return value
+
+    def once(self, parts: list[Any]) -> ast.Once:
+        """`once a within 4 sec`."""
+        return ast.Once(parts[1], parts[3], self._span(parts))
+
+    def response(self, parts: list[Any]) -> ast.Response:
+        """`after a, b within 4 sec`."""
+        return ast.Response(parts[1], parts[3], parts[5], self._span(parts))
 
     def not_in(self, parts: list[Any]) -> _Comparator:
         """`not in`."""

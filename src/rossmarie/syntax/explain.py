@@ -16,6 +16,7 @@ from dslkit.source import Span
 from rossmarie.syntax import errors
 from rossmarie.syntax.grammar import Failure
 from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.temporal import PREFIXES, is_operator
 from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, PART_WORDS, RESERVED, nearest
 
 _PARTNER = {"(": ")", "[": "]", "{": "}", ")": "(", "]": "[", "}": "{"}
@@ -189,12 +190,22 @@ class _Case:
             self._form = "a message type is written `PACKAGE/TYPE`, such as `sensor_msgs/Imu`"
         elif failure.expected == {_VALUE}:
             self._form = "an element of an array is chosen by a whole number, as in `ranges[0]`"
+        elif failure.expected & {"within", ","} and self._is_over_time():
+            self._form = FORMS["over_time"]
 
     def finding(self) -> Diagnostic:
         """The best explanation."""
         if self._index >= self._last:
             return self._bracket() or self._at_end()
         return self._character() or self._bracket() or self._name() or self._value() or self._sign()
+
+    def _is_over_time(self) -> bool:
+        """Say whether a `once` or an `after` stands in front of the failure."""
+        tokens = self._tokens
+        return any(
+            tokens[index].text in PREFIXES and is_operator(tokens, index)
+            for index in range(self._first, self._index)
+        )
 
     @property
     def _found(self) -> Token:

@@ -21,6 +21,7 @@ from lark import Lark, Transformer, UnexpectedInput
 
 from rossmarie.cache import kept
 from rossmarie.syntax.scan import Scan, Token
+from rossmarie.syntax.temporal import PREFIXES, is_operator
 from rossmarie.syntax.words import (
     COMPARISONS,
     EFFECT_WORDS,
@@ -211,7 +212,8 @@ class Recognizer:
         """
         token = self._tokens[index]
         kind, text = token.kind, token.text
-        if text in fitting:
+        is_name = text in PREFIXES and "$NAME" in fitting and not is_operator(self._tokens, index)
+        if text in fitting and not is_name:
             return text, token, index + 1
         if kind == "number":
             return "$NUMBER", token, index + 1

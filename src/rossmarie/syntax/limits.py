@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rossmarie.syntax.scan import Token
+from rossmarie.syntax.temporal import PREFIXES, is_operator
 from rossmarie.syntax.words import FOREIGN, OPERATOR_WORDS
 
 MAXIMUM_FILE_SIZE = 2**20
@@ -17,7 +18,7 @@ MAXIMUM_TOKENS = 300_000
 """Words and signs in one file; at this many, ordinary text has reached the limit in bytes."""
 
 MAXIMUM_NESTING = 64
-"""Brackets and prefix operators inside each other."""
+"""Brackets, prefix operators, and `once` and `after` up to their `within`, inside each other."""
 
 MAXIMUM_DEPTH = 250
 """Levels of an expression, each operator of `a + b + c` being one."""
@@ -34,17 +35,17 @@ _RESTART = frozenset(";{}:")
 
 def too_deep(tokens: Sequence[Token], first: int, last: int) -> int | None:
     """The number of the token that exceeds the nesting limit, if one does."""
-    levels: list[int] = []
+    levels: list[tuple[str, int]] = []
     level = 0
     prefixes = 0
     for index in range(first, last):
         text = tokens[index].text
-        if text in ("(", "["):
-            levels.append(1 + prefixes)
+        if text in ("(", "[") or (text in PREFIXES and is_operator(tokens, index)):
+            levels.append((text, 1 + prefixes))
             level += 1 + prefixes
             prefixes = 0
-        elif text in _CLOSING:
-            level -= levels.pop() if levels else 0
+        elif text in _CLOSING or (text == "within" and levels and levels[-1][0] in PREFIXES):
+            level -= _closed(levels, text)
             prefixes = 0
         elif FOREIGN.get(text, text) == "not" or (text == "-" and is_prefix(tokens, index, first)):
             prefixes += 1
@@ -56,6 +57,17 @@ def too_deep(tokens: Sequence[Token], first: int, last: int) -> int | None:
         if level + prefixes > MAXIMUM_NESTING:
             return index
     return None
+
+
+def _closed(levels: list[tuple[str, int]], text: str) -> int:
+    """The levels that end with a bracket or a `within`; a bracket also ends what is open in it."""
+    closed = 0
+    while levels:
+        opening, count = levels.pop()
+        closed += count
+        if text == "within" or opening not in PREFIXES:
+            break
+    return closed
 
 
 def is_prefix(tokens: Sequence[Token], index: int, first: int) -> bool:

@@ -200,8 +200,8 @@ class Style:
                     self.tight_behind.add(value.span.end)
                 case (
                     ast.Boolean() | ast.Text() | ast.Reference() | ast.Member() | ast.Unary()
-                    | ast.Binary() | ast.Membership() | ast.Held() | ast.Parenthesized()
-                    | ast.Broken()
+                    | ast.Binary() | ast.Membership() | ast.Held() | ast.Since() | ast.Once()
+                    | ast.Response() | ast.Parenthesized() | ast.Broken()
                 ):  # fmt: skip
                     pass
 
@@ -223,7 +223,7 @@ def _peeled(node: ast.Expression) -> ast.Expression:
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
                 | ast.Member() | ast.Index() | ast.Call() | ast.Oscillates() | ast.Binary()
-                | ast.Membership() | ast.Broken()
+                | ast.Membership() | ast.Since() | ast.Once() | ast.Response() | ast.Broken()
             ):  # fmt: skip
                 return node
 

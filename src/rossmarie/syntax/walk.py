@@ -22,8 +22,12 @@ def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
             found = (left, right)
         case ast.Membership(value=left, container=right):
             found = (left, right)
-        case ast.Held(condition=left, duration=right):
+        case ast.Held(condition=left, duration=right) | ast.Once(condition=left, duration=right):
             found = (left, right)
+        case ast.Since(held=left, begun=right):
+            found = (left, right)
+        case ast.Response(cause=cause, answer=answer, duration=duration):
+            found = (cause, answer, duration)
         case ast.Oscillates(value=value, count=count, window=window, swing=swing):
             found = (value, count, window, swing)
         case ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Broken():

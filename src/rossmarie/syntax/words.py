@@ -56,6 +56,7 @@ MEMBER_WORDS = {
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by"}
     | {"unless", "mitigates", "publishes", "subscribes"}
+    | {"since", "once", "after"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
 
@@ -110,8 +111,10 @@ FORMS = {
     "unless": "rules that come first are written `if CONDITION unless RULE, RULE then ...`",
     "contract": "a resume contract is `clear when CONDITION`, `clear for 2 sec` or "
     "`latched until reset`",
-    "expression": "a condition is built of names, comparisons, `and`, `or`, `not` and "
-    "`for DURATION`",
+    "expression": "a condition is built of names, comparisons, `and`, `or`, `not`, "
+    "`for DURATION`, `since`, `once` and `after`",
+    "over_time": "`once` and `after` end with a time: `once CONDITION within 2 sec`, "
+    "`after CONDITION, CONDITION within 2 sec`; write `once (A and B) within 2 sec`",
     "topic_declaration": "a topic is declared as `topic /TOPIC : PACKAGE/TYPE;`",
     "service_declaration": "a service is declared as `service /SERVICE : PACKAGE/TYPE;`",
     "server_declaration": "an action server is declared as `server /SERVER : PACKAGE/TYPE;`",

@@ -49,8 +49,11 @@ def cover(machine: ir.Machine, scripts: Iterable[Script]) -> Coverage:
 
 @dataclass
 class _Timer:
-    """Since when the operand of a `for` has been true, None if it is not."""
+    """Since when the operand of a `for` has been true; None if it is not, or if it has counted as
+    true since before the start.
+    """
 
+    is_from_start: bool
     start_ns: int | None = None
 
 
@@ -131,7 +134,7 @@ def evaluate(machine: ir.Machine, truth: int, values: Mapping[int, TruthValue]) 
             return kleene.truth_of(value)
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
-            | ir.Quantified() | ir.Held()
+            | ir.Quantified() | ir.Held() | ir.Since()
         ) as node:  # fmt: skip
             raise AssertionError(f"{type(node).__name__} is an atom")
 
@@ -158,12 +161,8 @@ class _Trace:
         self._recorder = recorder
         self._now_ns = ir.EARLIEST_NS
         self._has_begun = has_begun
-        self._held = {
-            atom
-            for decision in decisions
-            for atom in decision.atoms
-            if isinstance(machine.truths[atom].node, ir.Held)
-        }
+        held = (ir.held_of(machine, atom) for decision in decisions for atom in decision.atoms)
+        self._held = {each for each in held if each is not None}
 
     def begin(self, at_ns: int) -> None:
         """Run the wakes before an instant, each looked at; a trace begins at 0 s at the latest."""
@@ -276,13 +275,14 @@ class _Trace:
         """The time for which the operand of a `for` was true when it ended; None if it goes on."""
         node = self._machine.truths[held].node
         assert isinstance(node, ir.Held)
-        timer = self._timers.setdefault(held, _Timer())
+        timer = self._timers.setdefault(held, _Timer(node.initially))
         ended = None
-        if truths[node.operand] is TruthValue.TRUE:
-            if timer.start_ns is None:
-                timer.start_ns = at_ns
-        elif timer.start_ns is not None:
-            ended, timer.start_ns = at_ns - timer.start_ns, None
+        if truths[node.operand] is not TruthValue.TRUE:
+            if timer.start_ns is not None:
+                ended = at_ns - timer.start_ns
+            timer.is_from_start, timer.start_ns = False, None
+        elif timer.start_ns is None and not timer.is_from_start:
+            timer.start_ns = at_ns
         return ended
 
     def _look_at_deadline(
@@ -293,19 +293,20 @@ class _Trace:
         at_ns: int,
         running: Mapping[int, int | None],
     ) -> None:
-        node = self._machine.truths[atom].node
-        due_ns = deadline_ns(node)
+        due_ns = deadline_ns(self._machine, atom)
         if due_ns is None:
             return
-        if isinstance(node, ir.AgeReaches):
-            start_ns = self._stamps.get(node.input)
-        else:
-            start_ns = self._timers[atom].start_ns
-            ended = running[atom]
+        node = self._machine.truths[atom].node
+        held = ir.held_of(self._machine, atom)
+        if held is not None:
+            start_ns = self._timers[held].start_ns
+            ended = running[held]
             if ended is not None and 0 < due_ns - ended <= deadline_step_ns(due_ns):
                 self._add(decision, Aspect.UNDER, atom)
+        elif isinstance(node, ir.AgeReaches):
+            start_ns = self._stamps.get(node.input)
         is_due = start_ns is not None and at_ns - start_ns == due_ns
-        if is_due and truths[atom] is TruthValue.TRUE:
+        if is_due and truths[atom if held is None else held] is TruthValue.TRUE:
             self._add(decision, Aspect.AT, atom)
 
 

@@ -1,10 +1,11 @@
 """Goals of the coverage of a rule: its conditions to MC/DC, thresholds, deadlines, lost inputs.
 
-A rule has *decisions*: its condition, what clears it, and what stands in front of each `for`. A
-decision is made of *atoms*, joined by `and`, `or` and `not`: comparisons and other leaves, and
-`for`s as a whole. An atom counts as covered when it was seen true and seen false while the
-decision hung on it alone: had it been the other way round, the decision would have been so, too
-(masking MC/DC; an atom that stands in a decision twice is turned round in both places).
+A rule has *decisions*: its condition, what clears it, and what `for`, `since`, `once` and `after`
+look at. A decision is made of *atoms*, joined by `and`, `or` and `not`: comparisons and other
+leaves, and what these four give as a whole. An atom counts as covered when it was seen true and
+seen false while the decision hung on it alone: had it been the other way round, the decision would
+have been so, too (masking MC/DC; an atom that stands in a decision twice is turned round in both
+places).
 """
 
 from __future__ import annotations
@@ -95,7 +96,7 @@ def _edges_of(machine: ir.Machine, rule: int, atom: int, decision: int) -> Itera
     for number, _ in enumerate(edges(machine, atom)):
         for aspect in (Aspect.UNDER, Aspect.AT, Aspect.OVER):
             yield Goal(rule, aspect, atom, decision, number)
-    if deadline_ns(machine.truths[atom].node) is not None:
+    if deadline_ns(machine, atom) is not None:
         yield Goal(rule, Aspect.UNDER, atom, decision)
         yield Goal(rule, Aspect.AT, atom, decision)
 
@@ -110,16 +111,23 @@ def decisions(machine: ir.Machine, rule: ir.Rule) -> list[int]:
             continue
         found[decision] = None
         for atom in atoms(machine, decision):
-            node = machine.truths[atom].node
-            if isinstance(node, ir.Held):
-                waiting.append(node.operand)
+            waiting += _judged_over_time(machine, atom)
     return list(found)
+
+
+def _judged_over_time(machine: ir.Machine, atom: int) -> tuple[int, ...]:
+    """The conditions that an atom is a matter of over time; none of a leaf."""
+    whole = ir.defined(machine, atom)
+    if whole is not None:
+        return whole.operands
+    node = machine.truths[atom].node
+    return () if is_leaf(node) else truth_operands(node)
 
 
 def _plain(machine: ir.Machine, truth: int) -> int:
     """The truth at the end of a chain of `not`."""
     node = machine.truths[truth].node
-    while isinstance(node, ir.Not):
+    while isinstance(node, ir.Not) and ir.defined(machine, truth) is None:
         truth, node = node.operand, machine.truths[node.operand].node
     return truth
 
@@ -131,7 +139,8 @@ def atoms(machine: ir.Machine, decision: int) -> tuple[int, ...]:
     while waiting:
         truth = waiting.pop()
         node = machine.truths[truth].node
-        if isinstance(node, ir.Held) or is_leaf(node):
+        is_over_time = isinstance(node, ir.Held | ir.Since) or ir.defined(machine, truth)
+        if is_over_time or is_leaf(node):
             found.add(truth)
         elif not isinstance(node, ir.Literal):
             waiting.extend(truth_operands(node))
@@ -166,7 +175,7 @@ def _pairs(node: ir.TruthNode) -> tuple[tuple[int, int], ...]:
             return (signal, low), (signal, high)
         case (
             ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified()
-            | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
         ):  # fmt: skip
             return ()
 
@@ -192,14 +201,17 @@ def visible_step(number: float) -> float:
     return float(f"1e{math.floor(math.log10(abs(number))) - 3}")
 
 
-def deadline_ns(node: ir.TruthNode) -> int | None:
-    """The time that an atom takes to become true, if it is a matter of time."""
-    match node:
+def deadline_ns(machine: ir.Machine, atom: int) -> int | None:
+    """The time that an atom takes to become true, or of `once` and `after` false, if it is a matter
+    of time.
+    """
+    held = ir.held_of(machine, atom)
+    match machine.truths[atom if held is None else held].node:
         case ir.Held(duration_ns=duration_ns) | ir.AgeReaches(age_ns=duration_ns):
             return duration_ns
         case (
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
-            | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since()
         ):  # fmt: skip
             return None
 

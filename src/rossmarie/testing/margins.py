@@ -65,15 +65,17 @@ def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
         for root in rule.roots
         for truth in ir.reachable_truths(machine, root)
     }
+    wholes = {ir.held_of(machine, truth): truth for truth in reached if ir.defined(machine, truth)}
     for truth in sorted(reached):
         found = machine.truths[truth]
         match found.node:
             case ir.Held(duration_ns=due_ns) | ir.AgeReaches(age_ns=due_ns):
-                text = f"the time of {' '.join(found.text.split())}"
+                told = machine.truths[wholes.get(truth, truth)]
+                text = f"the time of {' '.join(told.text.split())}"
                 yield Threshold((truth,), None, text, due_ns / 1e9)
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
-                | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
+                | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since()
             ):  # fmt: skip
                 pass
         for edge in edges(machine, truth):

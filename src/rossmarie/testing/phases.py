@@ -250,7 +250,7 @@ def delay_ns(machine: ir.Machine, truth: int, *, value: bool = True) -> int:
             own_ns = age_ns // 1000 * 1000 if value else 0
         case ir.Compare() | ir.Between() | ir.Flag():
             own_ns = max(_windows(machine, ir.compared_signals(node)), default=0)
-        case ir.Literal() | ir.Quantified() | ir.And() | ir.Or():
+        case ir.Literal() | ir.Quantified() | ir.And() | ir.Or() | ir.Since():
             pass
     below = (delay_ns(machine, each, value=value) for each in ir_operands(node))
     return own_ns + max(below, default=0)

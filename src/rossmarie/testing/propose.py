@@ -2,7 +2,7 @@
 
 For each leaf: values at, just under and just over its threshold on which the whole condition
 hangs. For each `for` and each age: held for a step less, then for as long as it takes. For each
-input with a timeout: silence.
+input with a timeout: silence. Where a `since` goes on, what it begins with comes before.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ from rossmarie.testing.whole import is_carried
 
 _MOST_BEATS = 20_000
 _LONGEST_NAME = 90
+_MOST_BEFORE = 3  # phases that lead to another one
 
 
 @dataclass(frozen=True)
@@ -78,9 +79,7 @@ class _Proposer:
             yield from self._leaf(leaf, calm)
         for decision in decisions(self._machine, self._rule):
             for atom in atoms(self._machine, decision):
-                node = self._machine.truths[atom].node
-                if isinstance(node, ir.Held):
-                    yield from self._held(atom, node, decision, calm)
+                yield from self._held(atom, decision, calm)
         for used in losable_inputs(self._machine, self._rule):
             yield from self._silence(used)
 
@@ -153,7 +152,11 @@ class _Proposer:
 
     # --- durations ---------------------------------------------------------------------------
 
-    def _held(self, held: int, node: ir.Held, decision: int, calm: Values) -> Iterator[Proposal]:
+    def _held(self, atom: int, decision: int, calm: Values) -> Iterator[Proposal]:
+        held = ir.held_of(self._machine, atom)
+        node = None if held is None else self._machine.truths[held].node
+        if held is None or not isinstance(node, ir.Held):
+            return
         formula = self._world.formula(node.operand)
         hangs = self._hangs_on(held, decision)
         on = self._world.solve([formula, hangs], calm)
@@ -174,7 +177,7 @@ class _Proposer:
             self._phase(values, length_ns)
             for values, length_ns in zip((off, on, off, on, off), lengths, strict=True)
         ]
-        yield self._proposal(self._text(held), phases)
+        yield self._proposal(self._text(atom), phases)
 
     # --- lost inputs -------------------------------------------------------------------------
 
@@ -239,7 +242,19 @@ class _Proposer:
 
     def _proposal(self, name: str, phases: Sequence[Phase]) -> Proposal:
         cleaned = f"{self._rule.name}: {name}".replace('"', "'")
-        return Proposal(self._index, self._stage.script(cleaned, phases))
+        led = [each for phase in phases for each in self._led_to(phase)]
+        return Proposal(self._index, self._stage.script(cleaned, led))
+
+    def _led_to(self, phase: Phase) -> list[Phase]:
+        """A phase, behind those that make each `since` what it takes it for."""
+        phases = [phase]
+        while len(phases) <= _MOST_BEFORE:
+            wanted = self._world.before(phases[0].values)
+            values = self._world.solve(wanted, phases[0].values) if wanted else None
+            if values is None:
+                break
+            phases.insert(0, self._phase(values, self._hold_ns))
+        return phases
 
     def _text(self, truth: int) -> str:
         found = self._machine.truths[truth]

@@ -2,7 +2,8 @@
 
 The picture is one of an unchanging world: every `for` is as what stands in front of it. Fields are
 real numbers in SI; an angle of an orientation, a rate, a previous sample, an age and an oscillation
-are values of their own, which `phases` knows how to bring about. Whatever is found is only a
+are values of their own, which `phases` knows how to bring about; so is what a `since` was, which
+takes other values before. Whatever is found is only a
 proposal: the interpreter has the last word.
 
 So this is no `analysis.encoding.Encoding`, which says of each truth whether it is T, F or L, and of
@@ -41,8 +42,8 @@ _ANGLES = {Function.ROLL: "roll", Function.PITCH: "pitch", Function.YAW: "yaw"}
 @dataclass(frozen=True)
 class Variable:
     """Something to choose: `kind` is `slot`, `element` (`index` of an array, `part` the element),
-    `angle` (`index` of the signal), `rate`, `previous`, `aged` or `oscillating` (`index` of the
-    signal, or of the truth).
+    `angle` (`index` of the signal), `rate`, `previous`, `aged`, `oscillating` or `remembered`
+    (`index` of the signal, of the input, or of the truth).
     """
 
     kind: str
@@ -122,10 +123,10 @@ class World:
                 return z3.And([self.formula(each, fixed, part) for each in operands])
             case ir.Or(operands=operands):
                 return z3.Or([self.formula(each, fixed, part) for each in operands])
-            case ir.Held() | ir.Quantified() if self.is_free:
+            case ir.Quantified() if self.is_free:
                 return self._bool(Variable("free", truth))
-            case ir.Held(operand=operand):
-                return self.formula(operand, fixed)
+            case (ir.Held() | ir.Since()) as node:
+                return self._over_time(truth, node, fixed)
             case ir.AgeReaches(input=used):
                 return self._bool(Variable("aged", used))
             case ir.Oscillates():
@@ -137,6 +138,16 @@ class World:
             case (ir.Compare() | ir.Between() | ir.Flag()) as node:
                 values = [self.signal(signal, part) for signal in ir.compared_signals(node)]
                 return holds(node, values)
+
+    def _over_time(
+        self, truth: int, node: ir.Held | ir.Since, fixed: Mapping[int, bool] | None
+    ) -> z3.BoolRef:
+        if self.is_free:
+            return self._bool(Variable("free", truth))
+        if isinstance(node, ir.Held):
+            return self.formula(node.operand, fixed)
+        held, begun = self.formula(node.held, fixed), self.formula(node.begun, fixed)
+        return z3.Or(begun, z3.And(held, self._bool(Variable("remembered", truth))))
 
     def _of_elements(self, truth: int) -> list[z3.BoolRef]:
         return [self.formula(truth, part=part) for part in range(self.length)]
@@ -275,8 +286,25 @@ class World:
 
     def _bounds(self) -> Iterator[z3.BoolRef]:
         for variable, term in self.variables.items():
-            if variable.kind in ("aged", "oscillating"):
+            if variable.kind in ("aged", "oscillating", "remembered"):
                 yield z3.Or(term == 0, term == 1)
+
+    def before(self, values: Values) -> list[z3.BoolRef]:
+        """The formulas that have to hold before these values for each `since` to have been what
+        they take it for; none where it does not matter.
+        """
+        wanted = []
+        for variable, was in values.items():
+            node = self.machine.truths[variable.index].node if _is_memory(variable) else None
+            if isinstance(node, ir.Since):
+                held, begun = self.formula(node.held), self.formula(node.begun)
+                if self._is_so(z3.And(held, z3.Not(begun)), values):
+                    wanted.append(begun if was else z3.Not(z3.Or(held, begun)))
+        return wanted
+
+    def _is_so(self, formula: z3.BoolRef, values: Values) -> bool:
+        pairs = [(self.variables[each], constant(value)) for each, value in values.items()]
+        return z3.is_true(z3.simplify(z3.substitute(formula, *pairs)))
 
     def _clear(self, apart: int | None) -> Iterator[z3.BoolRef]:
         for truth in self.truths:
@@ -340,6 +368,10 @@ class World:
     def _reads(self, edge: Edge, variable: Variable) -> bool:
         term = self.signal(edge.signal, variable.part if variable.kind == "element" else None)
         return any(z3.eq(each, self.variables[variable]) for each in constants_in(term))
+
+
+def _is_memory(variable: Variable) -> bool:
+    return variable.kind == "remembered"
 
 
 def rests_on(machine: ir.Machine, truth: int) -> tuple[int, ...]:

@@ -202,7 +202,10 @@ class Definitions:
                 return logic(node, lambda operand: f"spec_element_is_{operand}(e)")
             case ir.Compare() | ir.Between() | ir.Flag():
                 return compared(node, self._element_number, "UNKNOWN")
-            case ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
+            case (
+                ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()
+                | ir.Since()
+            ):  # fmt: skip
                 raise AssertionError(f"{type(node).__name__} is not of one element")
 
     # --- truths ------------------------------------------------------------------------------
@@ -229,6 +232,8 @@ class Definitions:
                 return logic(node, self.truth)
             case ir.Held():
                 return self._held(index, node)
+            case ir.Since():
+                return self.since_then(self._layout.sinces.index(index), "m->")
             case ir.AgeReaches(input=used, age_ns=age_ns):
                 reached = f"t_ns - m->stamp_ns[{used}] >= INT64_C({age_ns}) ? TRUE : FALSE"
                 return f"m->state[{used}] == NEVER_RECEIVED ? {unknown} : {reached}"
@@ -251,6 +256,14 @@ class Definitions:
         matured = f"t_ns - {start} >= INT64_C({node.duration_ns}) ? TRUE : m->held_before[{k}]"
         return f"{operand} != TRUE ? {operand} : {matured}"
 
+    def since_then(self, k: int, memory: str) -> str:
+        """S44: the k-th `since` by what it was in a memory, and its operands now."""
+        node = self._machine.truths[self._layout.sinces[k]].node
+        assert isinstance(node, ir.Since), "the layout lists them"
+        held, begun = self.truth(node.held), self.truth(node.begun)
+        before = f"spec_or({begun}, {memory}since_before[{k}])"
+        return f"spec_or({begun}, spec_and({held}, {before}))"
+
     def since(self, truth: int) -> str:
         """Since when a truth has its value."""
         return f"m->since_ns[{self._layout.node_of_truth[truth]}]"
@@ -258,7 +271,7 @@ class Definitions:
     def _unknown(self, index: int, node: ir.TruthNode) -> Iterator[str]:
         """S30: whether an unknown leaf is lost or just unknown."""
         match node:
-            case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+            case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since():
                 return
             case ir.Quantified() | ir.AgeReaches():
                 whole = True

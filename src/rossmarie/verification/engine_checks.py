@@ -68,6 +68,7 @@ class EngineChecks:
             claim("!is_marked_up_to(m, node)", "what depends on a truth stands behind it"),
             *(self._rule(index, node) for index in range(len(self._machine.rules))),
             *(self._before(k, node) for k in range(len(self._layout.held))),
+            *(self._remembered(k, node) for k in range(len(self._layout.sinces))),
             self._frames.visited(node),
         ]
         pending = ""
@@ -109,6 +110,15 @@ class EngineChecks:
         if node == self._layout.node_of_truth[truth]:
             was = f"({operand} != TRUE ? {operand} : {was})"
         return claim(f"m->held_before[{k}] == {was}", f"what `{declared.text}` was before")
+
+    def _remembered(self, k: int, node: int) -> str:
+        """S44: what a `since` was when it was last evaluated."""
+        truth = self._layout.sinces[k]
+        was = f"old.since_before[{k}]"
+        if node == self._layout.node_of_truth[truth]:
+            was = self._definitions.since_then(k, "old.")
+        text = self._machine.truths[truth].text
+        return claim(f"m->since_before[{k}] == {was}", f"what `{text}` was")
 
     # --- the interface -----------------------------------------------------------------------
 
@@ -160,8 +170,16 @@ class EngineChecks:
     __CPROVER_assert(!fault, "its arithmetic is that of IEEE 754");
     __CPROVER_assert(m->on_event == base.on_event && m->user == base.user, "it has its listener");
     __CPROVER_assert(!m->started && {name}_next_wake(m) == NEVER, "it waits for nothing");
-    for (int rule = 0; rule != RULES; rule++)
+{self._nothing_was()}    for (int rule = 0; rule != RULES; rule++)
         __CPROVER_assert(!{name}_is_active(m, rule), "no rule is active");"""
+
+    def _nothing_was(self) -> str:
+        """S44: before the first evaluation each `since` is false."""
+        claims = (
+            claim(f"m->since_before[{k}] == FALSE", "nothing has held before the start")
+            for k in range(len(self._layout.sinces))
+        )
+        return "".join(f"{each}\n" for each in claims)
 
     def _latch(self) -> str:
         told = self._frames.latched("(!old.started && rule == {index})", "true")

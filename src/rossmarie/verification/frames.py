@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
+from rossmarie.ir import model as ir
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import first_turn, oscillation, remark_of
 from rossmarie.verification.layout import Layout
@@ -131,16 +132,16 @@ class Frames:
     def visited(self, node: int) -> str:
         """Of `visit`; what becomes of rules is claimed apart."""
         held = [k for k, t in enumerate(self._layout.held) if self._layout.node_of_truth[t] == node]
-        swings = [
-            k
-            for k, truth in enumerate(self._layout.oscillations)
-            if self._layout.node_of_truth[truth] == node
-        ]
+        sinces, swings = (
+            [k for k, truth in enumerate(each) if self._layout.node_of_truth[truth] == node]
+            for each in (self._layout.sinces, self._layout.oscillations)
+        )
         lines = [
             *self.any_marks(),
             *self._any("wake_ns", "active"),
             *self._truths([node] if node < self._layout.truth_count else []),
             *(line for name in ("held_due_ns", "held_before") for line in self._some(name, held)),
+            *self._some("since_before", sinces),
             *(line for name in ("gap", "gap_end_ns") for line in self._some(name, swings)),
         ]
         return self.kept(lines)
@@ -174,9 +175,12 @@ class Frames:
             age = f"old.now_ns - old.stamp_ns[{index}]"
             longest = f"{age} < LONGEST ? {age} : LONGEST"
             lines.append(f"expected.stamp_ns[{index}] = t_ns - ({longest});")
-        for name in ("held_before", "gap"):
-            was = "old.started ? UNKNOWN : FALSE"
-            lines += [f"expected.{place} = {was};" for place in self._places.get(name, ())]
+        gaps = self._places.get("gap", ())
+        lines += [f"expected.{place} = old.started ? UNKNOWN : FALSE;" for place in gaps]
+        for k, truth in enumerate(self._layout.held):
+            node = self._machine.truths[truth].node
+            at_start = "TRUE" if isinstance(node, ir.Held) and node.initially else "FALSE"
+            lines.append(f"expected.held_before[{k}] = old.started ? UNKNOWN : {at_start};")
         rates = [v for v, found in enumerate(self._layout.values) if self._is_sampled(v)]
         others = [v for v in range(len(self._layout.values)) if v not in rates]
         lines += [

@@ -59,6 +59,11 @@ def first_turn(layout: Layout, k: int) -> int:
     return sum(oscillation(layout, before).count for before in range(k))
 
 
+def _is_true_initially(machine: ir.Machine, truth: int) -> bool:
+    node = machine.truths[truth].node
+    return isinstance(node, ir.Held) and node.initially
+
+
 class Invariants:
     """Writes the predicates of one machine."""
 
@@ -226,7 +231,15 @@ class Invariants:
             before = f"m->held_before[{self._layout.held.index(truth)}]"
             text = self._machine.truths[truth].text
             held = f"{before} == FALSE || {before} == UNKNOWN || {before} == LOST"
+            if _is_true_initially(self._machine, truth):
+                held = f"{before} <= LOST"
             yield Sentence(f"`{text}` was not true before it began", held)
+        for k, truth in enumerate(self._layout.sinces):
+            before, text = f"m->since_before[{k}]", self._machine.truths[truth].text
+            marked = self.marked(self._layout.node_of_truth[truth])
+            told = f"{before} == {self._definitions.truth(truth)}"
+            yield Sentence(f"what `{text}` was is a truth", f"{before} <= LOST")
+            yield Sentence(f"`{text}` is remembered", f"{marked} || {told}")
 
     def _timer(self, truth: int) -> Iterator[str]:
         """S33: the instant at which a duration is over, NEVER if it has not begun."""

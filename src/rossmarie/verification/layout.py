@@ -38,8 +38,8 @@ class Value:
 class Layout:
     """The layout of one machine. Lists of truths are in the order in which a monitor has them.
 
-    `held`, `oscillations`, `sampled` and `windows` (signals, each with how long its samples are
-    remembered) are in the order of what is remembered of them.
+    `held`, `sinces`, `oscillations`, `sampled` and `windows` (signals, each with how long its
+    samples are remembered) are in the order of what is remembered of them.
     """
 
     machine: ir.Machine
@@ -53,6 +53,7 @@ class Layout:
     oscillations: tuple[int, ...]
     derived: tuple[int, ...]
     held: tuple[int, ...]
+    sinces: tuple[int, ...]
     sampled: tuple[int, ...]
     windows: tuple[tuple[int, int], ...]
     node_of_truth: Mapping[int, int]
@@ -122,7 +123,7 @@ class _Sorted:
     def layout(self) -> Layout:
         swings = self._of(ir.Oscillates)
         still = [index for index in swings if not self._channels(index)]
-        derived = self._of(ir.Not, ir.And, ir.Or, ir.Held)
+        derived = self._of(ir.Not, ir.And, ir.Or, ir.Held, ir.Since)
         self._check([index for index in swings if index not in still])
         return Layout(
             machine=self._machine,
@@ -136,6 +137,7 @@ class _Sorted:
             oscillations=self._places.oscillations,
             derived=tuple(sorted(derived, key=self._places.node_of_truth.__getitem__)),
             held=self._places.held,
+            sinces=self._places.sinces,
             sampled=self._places.sampled,
             windows=self._places.windows,
             node_of_truth=self._places.node_of_truth,
@@ -196,6 +198,7 @@ class _Sorted:
         leaves = [leaf for guard in places.guards for leaf in guard.leaves]
         _same(leaves, self._of(ir.Compare, ir.Between, ir.Flag, ir.Quantified), "leaves of guards")
         _same(places.held, self._of(ir.Held), "durations")
+        _same(places.sinces, self._of(ir.Since), "truths that remember what they were")
         _same(places.oscillations, moving, "oscillations")
         samplings = [
             (node.signal, node.window_ns)

@@ -45,6 +45,7 @@ class Places:
     node_of_truth: Mapping[int, int]
     guards: tuple[Watched, ...]
     held: tuple[int, ...]
+    sinces: tuple[int, ...]
     oscillations: tuple[int, ...]
     sampled: tuple[int, ...]
     windows: tuple[tuple[int, int], ...]
@@ -72,6 +73,7 @@ def places_of(machine: ir.Machine) -> Places:
             Watched(guard.value, tuple(guard.leaves), len(guard.limits)) for guard in found.guards
         ),
         held=found.held,
+        sinces=found.sinces,
         oscillations=found.oscillations,
         sampled=found.sampled,
         windows=found.windows,

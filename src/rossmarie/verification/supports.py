@@ -29,7 +29,7 @@ def numbers_of(node: Node) -> tuple[int, ...]:
             return (element,)
         case (
             ir.Constant() | ir.Read() | ir.Element() | ir.Count() | ir.Literal() | ir.AgeReaches()
-            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
         ):  # fmt: skip
             return ()
 
@@ -41,6 +41,8 @@ def truths_of(node: Node) -> tuple[int, ...]:
             return operands
         case ir.Not(operand=operand) | ir.Held(operand=operand):
             return (operand,)
+        case ir.Since(held=held, begun=begun):
+            return held, begun
         case ir.Count(element=element) | ir.Quantified(element=element):
             return (element,)
         case (
@@ -171,7 +173,7 @@ def _array(node: Node, signals: list[int | None], truths: list[int | None]) -> i
             return next((array for array in named if array is not None), None)
         case (
             ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count() | ir.Literal()
-            | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()
+            | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held() | ir.Since()
         ):  # fmt: skip
             return None
 
@@ -189,12 +191,17 @@ class Told:
 
 
 def told(machine: ir.Machine, condition: int) -> Told:
-    """S41: the named conditions, the leaves and the durations; the signals and the inputs."""
+    """S41: the named conditions, the leaves and what rests on time; the signals and the inputs."""
     whole = _whole(machine, condition)
     leaves = [index for index in whole if is_leaf(machine.truths[index].node)]
+    over_time = [index for index in whole if _is_over_time(machine, index)]
     looked_at = {index for leaf in leaves for index in numbers_of(machine.truths[leaf].node)}
     return Told(
-        terms=tuple(index for index in whole if index in leaves or _tells(machine.truths[index])),
+        terms=tuple(
+            index
+            for index in whole
+            if index in leaves or index in over_time or machine.truths[index].name is not None
+        ),
         signals=tuple(
             index
             for index in sorted(looked_at)
@@ -205,25 +212,51 @@ def told(machine: ir.Machine, condition: int) -> Told:
 
 
 def _whole(machine: ir.Machine, condition: int) -> list[int]:
-    """A truth and those that it is made of; what is asked of elements of arrays is left out."""
+    """A truth and those that it is made of; what is asked of elements of arrays is left out, and
+    so are the parts of what is defined by others (S45, S46), but for those that a user names.
+    """
     found, waiting = {condition}, [condition]
     while waiting:
-        node = machine.truths[waiting.pop()].node
+        index = waiting.pop()
+        node = machine.truths[index].node
         if not isinstance(node, ir.Quantified):
-            new = set(truths_of(node)) - found
+            named = _named_by(machine, index)
+            new = set(truths_of(node) if named is None else named) - found
             found |= new
             waiting += new
     return sorted(found)
 
 
-def _tells(truth: ir.Truth) -> bool:
-    return truth.name is not None or isinstance(truth.node, ir.Held)
+def _is_over_time(machine: ir.Machine, truth: int) -> bool:
+    node = machine.truths[truth].node
+    return isinstance(node, ir.Held | ir.Since) or _named_by(machine, truth) is not None
+
+
+def _named_by(machine: ir.Machine, truth: int) -> tuple[int, ...] | None:
+    """The conditions that `once` (S45) and `after` (S46) name, from what they stand for."""
+    nodes = [each.node for each in machine.truths]
+    match nodes[truth]:
+        case ir.Not(operand=held) if isinstance(lasting := nodes[held], ir.Held):
+            inner = nodes[lasting.operand]
+        case _:  # open: no `not` of a `for`
+            return None
+    if isinstance(inner, ir.Not) and lasting.initially:
+        return (inner.operand,)
+    if not isinstance(inner, ir.Since) or lasting.initially:
+        return None
+    missing, begun = nodes[inner.held], nodes[inner.begun]
+    if not isinstance(missing, ir.Not):
+        return None
+    if inner.begun == inner.held:
+        return inner.begun, missing.operand
+    is_both = isinstance(begun, ir.And) and begun.operands[1:] == (inner.held,)
+    return (begun.operands[0], missing.operand) if isinstance(begun, ir.And) and is_both else None
 
 
 def is_leaf(node: ir.TruthNode) -> bool:
     """Say whether a truth looks at numbers, arrays or ages itself (S30)."""
     match node:
-        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since():
             return False
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()

@@ -17,6 +17,9 @@ def expression_of(accepted: Accepted, text: str) -> ast.Expression:
     return entity.conditions[0].expression
 
 
+OVER_TIME = {ast.Held: "for", ast.Since: "since", ast.Once: "once", ast.Response: "after"}
+
+
 def shape(node: ast.Expression) -> str:
     """An expression with every operator in parentheses."""
     inside = " ".join(shape(child) for child in children(node))
@@ -33,8 +36,8 @@ def shape(node: ast.Expression) -> str:
             return f"({operator.value} {inside})"
         case ast.Membership(is_negated=is_negated):
             return f"({'not in' if is_negated else 'in'} {inside})"
-        case ast.Held():
-            return f"(for {inside})"
+        case ast.Held() | ast.Since() | ast.Once() | ast.Response():
+            return f"({OVER_TIME[type(node)]} {inside})"
         case ast.Parenthesized():
             return f"<{inside}>"
         case ast.Oscillates():
@@ -67,6 +70,21 @@ def leaf(node: ast.Number | ast.Boolean | ast.Text | ast.Reference | ast.Broken)
         ("a and b for 2 sec", "(and a (for b 2sec))"),
         ("(a and b) for 2 sec", "(for <(and a b)> 2sec)"),
         ("a for 1 s for 2 s", "(for (for a 1s) 2s)"),
+        ("a since b for 2 sec", "(for (since a b) 2sec)"),
+        ("a for 2 sec since b since not c", "(since (since (for a 2sec) b) (not c))"),
+        ("not a since b and c", "(and (since (not a) b) c)"),
+        ("once a > 2 within 2 sec or b", "(or (once (> a 2) 2sec) b)"),
+        ("not once not a within 2 sec", "(not (once (not a) 2sec))"),
+        ("once once a within 1 s within 2 s", "(once (once a 1s) 2s)"),
+        ("not after a or b, c and d within 2 sec", "(not (after (or a b) (and c d) 2sec))"),
+        ("after a, after b, c within 1 s within 2 s", "(after a (after b c 1s) 2s)"),
+        ("a since after b, c within 1 s", "(since a (after b c 1s))"),
+        ("once and after or not since", "(or (and once after) (not since))"),
+        ("after.since since once.within", "(since after.since once.within)"),
+        ("once > 2 or after[1] < since", "(or (> once 2) (< after[1] since))"),
+        ("once once within 1 s", "(once once 1s)"),
+        ("once since since", "(since once since)"),
+        ("after after, after within 1 s", "(after after after 1s)"),
         ("not a < b", "(not (< a b))"),
         ("a + b * c - d / e", "(- (+ a (* b c)) (/ d e))"),
         ("a - b - c", "(- (- a b) c)"),

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie.check.expressions.errors import ConstantCondition, NeverCleared
+from rossmarie.check.operations.elements import Temporal
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import constant_of, stripped
 from rossmarie.syntax import ast
@@ -94,9 +95,9 @@ def _is_switch(node: ast.Expression, context: Context) -> bool:
 
 
 def _is_apart(node: ast.Expression, context: Context) -> bool:
-    """Say whether a condition names no input and no other one, and holds nothing for a time."""
+    """Say whether a condition names no input and no other one, and looks at no time."""
     return isinstance(context.type_of(node), Boolean) and not any(
-        isinstance(part, ast.Held)
+        isinstance(part, Temporal)
         or (isinstance(part, ast.Reference) and constant_of(part, context.declarations) is None)
         for part in walk(node)
     )
@@ -128,9 +129,15 @@ def _outcome(node: ast.Expression, outcomes: NodeMap[bool], context: Context) ->
             return deciding if deciding in sides else None
         case ast.Held(condition=condition) if outcomes.get(condition) is False:
             return False
+        case ast.Since(begun=condition) | ast.Once(condition=condition):
+            return outcomes.get(condition)
+        case ast.Response(cause=cause, answer=answer) if (
+            outcomes.get(cause) is False or outcomes.get(answer) is True
+        ):
+            return True
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
             | ast.Member() | ast.Index() | ast.Call() | ast.Oscillates() | ast.Unary()
-            | ast.Binary() | ast.Membership() | ast.Held() | ast.Broken()
+            | ast.Binary() | ast.Membership() | ast.Held() | ast.Response() | ast.Broken()
         ):  # fmt: skip
             return None

@@ -11,8 +11,9 @@ from rossmarie.check.names.references import is_value, type_of_member, type_of_r
 from rossmarie.check.operations.constants import fold, record
 from rossmarie.check.operations.functions import type_of_call, type_of_oscillates
 from rossmarie.check.operations.indexes import element_of, no_element
-from rossmarie.check.operations.operators import type_of_binary, type_of_held, type_of_unary
+from rossmarie.check.operations.operators import type_of_binary, type_of_unary
 from rossmarie.check.operations.ranges import type_of_bracket, type_of_membership
+from rossmarie.check.operations.temporal import type_of_temporal
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import text_of
 from rossmarie.check.units.quantities import read_unit
@@ -22,8 +23,9 @@ from rossmarie.types import Boolean, Quantity, Text, Type, Unknown
 from rossmarie.units import DIMENSIONLESS
 
 _Operation = (
-    ast.Unary | ast.Binary | ast.Membership | ast.Held | ast.Call | ast.Oscillates | ast.Bracket
-)
+    ast.Unary | ast.Binary | ast.Membership | ast.Held | ast.Since | ast.Once | ast.Response
+    | ast.Call | ast.Oscillates | ast.Bracket
+)  # fmt: skip
 
 
 def infer(expression: ast.Expression, context: Context) -> Type:
@@ -77,8 +79,8 @@ def _type_of(node: ast.Expression, context: Context) -> Type:
         case ast.Broken():
             return Unknown()
         case (
-            ast.Unary() | ast.Binary() | ast.Membership() | ast.Held() | ast.Call()
-            | ast.Oscillates() | ast.Bracket()
+            ast.Unary() | ast.Binary() | ast.Membership() | ast.Held() | ast.Since()
+            | ast.Once() | ast.Response() | ast.Call() | ast.Oscillates() | ast.Bracket()
         ):  # fmt: skip
             return _type_of_operation(node, context)
 
@@ -91,8 +93,8 @@ def _type_of_operation(node: _Operation, context: Context) -> Type:
             return type_of_binary(node, context)
         case ast.Membership():
             return type_of_membership(node, context)
-        case ast.Held():
-            return type_of_held(node, context)
+        case ast.Held() | ast.Since() | ast.Once() | ast.Response():
+            return type_of_temporal(node, context)
         case ast.Call():
             return type_of_call(node, context)
         case ast.Oscillates():

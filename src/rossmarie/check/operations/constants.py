@@ -109,7 +109,8 @@ def _number(node: ast.Expression, quantity: Quantity, context: Context) -> float
         case (
             ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference() | ast.Member()
             | ast.Index() | ast.Call() | ast.Oscillates() | ast.Unary() | ast.Membership()
-            | ast.Held() | ast.Parenthesized() | ast.Broken()
+            | ast.Held() | ast.Since() | ast.Once() | ast.Response() | ast.Parenthesized()
+            | ast.Broken()
         ):  # fmt: skip
             return None
 

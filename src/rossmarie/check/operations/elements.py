@@ -17,6 +17,9 @@ from rossmarie.syntax import ast
 from rossmarie.syntax.walk import children
 from rossmarie.types import Array, Boolean, Unknown
 
+Temporal = ast.Held | ast.Since | ast.Once | ast.Response
+"""The operators over time."""
+
 _QUANTIFIERS = frozenset({"any", "all"})
 _ELEMENTWISE = _QUANTIFIERS | {"count"}
 
@@ -70,17 +73,25 @@ def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
     return None
 
 
-def report_held_elements(held: ast.Held, fold: ast.Call, context: Context) -> None:
-    """Report that `for` stands on the elements of an array, inside `fold`."""
+def report_elements_over_time(
+    node: Temporal, operand: ast.Expression, fold: ast.Call, context: Context
+) -> None:
+    """Report that an operator over time stands on the elements of an array, inside `fold`."""
     function = fold.function.text
     finding = ArrayAsScalar(expected="condition")
-    help: Remark = finding.NotWatched()
+    is_whole = stripped(fold.arguments[0]) is node and function in _QUANTIFIERS
+    help: Remark
     fix = None
-    if stripped(fold.arguments[0]) is held and function in _QUANTIFIERS:
-        meant = f"{function}({held.condition.span.text}) for {held.duration.span.text}"
-        help = finding.WatchedTogether(meant=quoted(meant))
-        fix = rewritten(fold, meant, context)
-    context.collector.add(finding.at(held.condition.span, help=help, fix=fix))
+    match node:
+        case ast.Held() if is_whole:
+            meant = f"{function}({operand.span.text}) for {node.duration.span.text}"
+            help = finding.WatchedTogether(meant=quoted(meant))
+            fix = rewritten(fold, meant, context)
+        case ast.Held():
+            help = finding.NotWatched()
+        case ast.Since() | ast.Once() | ast.Response():
+            help = finding.WatchedOutside(function=function)
+    context.collector.add(finding.at(operand.span, help=help, fix=fix))
 
 
 def _parts(argument: ast.Expression, context: Context) -> Iterator[ast.Expression]:

@@ -109,6 +109,10 @@ class ArrayAsScalar(Error, code="ROSS206", name="array-as-scalar"):
     class NotWatched(Remark):
         says = "no single element is watched over time: put `for` after the whole condition"
 
+    class WatchedOutside(Remark):
+        says = "no single element is watched over time: take it out of `{function}(...)`"
+        function: str
+
     class WatchedTogether(Remark):
         says = "no single element is watched over time: write `{meant}`"
         meant: str
@@ -280,6 +284,18 @@ class AmbiguousFor(Error, code="ROSS403", name="ambiguous-for"):
     wide: str
 
 
+class AmbiguousSince(Error, code="ROSS232", name="ambiguous-since"):
+    """`since` beside `and` or `or` without parentheses."""
+
+    title = "it is not clear how far `since` reaches"
+    label = "to `{near}` alone, or to all of it?"
+    note = "`since` binds tighter than `and` and `or`, but reads as if it covered all around it"
+    help = "write `{narrow}` or `{wide}`"
+    near: str
+    narrow: str
+    wide: str
+
+
 class ExactEquality(Warning, code="ROSS404", name="exact-equality"):
     """Measured numbers compared for equality."""
 
@@ -324,6 +340,7 @@ ALL: tuple[type[Template], ...] = (
     DurationOutOfRange,
     TemperatureArithmetic,
     AmbiguousFor,
+    AmbiguousSince,
     ExactEquality,
     JumpingAngle,
 )

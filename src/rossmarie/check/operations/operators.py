@@ -6,11 +6,8 @@ import math
 from collections.abc import Mapping, Sequence
 
 from dslkit.diagnostics import Edit, Fix, Remark, Write
-from dslkit.source import Span
 from rossmarie.check.operations.angles import warn_of_difference
-from rossmarie.check.operations.elements import enclosing_fold, report_held_elements
 from rossmarie.check.operations.errors import (
-    AmbiguousFor,
     DivisionByZero,
     ExactEquality,
     Incomparable,
@@ -25,8 +22,8 @@ from rossmarie.check.operations.operands import (
     report_misused_age,
     report_not_a_condition,
     report_not_a_number,
-    require_condition,
 )
+from rossmarie.check.operations.temporal import report_ambiguous
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import constant_of, quoted, stripped, text_of
 from rossmarie.check.units.quantities import Operand, check_fit_of, operand_of
@@ -34,7 +31,6 @@ from rossmarie.check.units.ratios import check_ratio
 from rossmarie.check.wording.describe import describe, is_plain
 from rossmarie.syntax import ast
 from rossmarie.types import (
-    Array,
     Boolean,
     Box,
     Fault,
@@ -62,9 +58,7 @@ def type_of_binary(node: ast.Binary, context: Context) -> Type:
     """The type of an infix expression whose operands have theirs."""
     operator = Operator(node.operator.value)
     if operator in LOGIC:
-        held = _first_operand(node.right)
-        if isinstance(held, ast.Held):
-            _report_ambiguous_for(node, held, context)
+        report_ambiguous(node, context)
         return applied(operator, (node.left, node.right), context)
     if operator in ARITHMETIC:
         if operator is Operator.SUBTRACT:
@@ -82,19 +76,6 @@ def type_of_unary(node: ast.Unary, context: Context) -> Type:
             return applied(Operator.NOT, (node.operand,), context)
         case ast.UnaryOperator.NEGATE:
             return applied(Operator.NEGATE, (node.operand,), context)
-
-
-def type_of_held(node: ast.Held, context: Context) -> Type:
-    """`condition for 2 sec` is one truth."""
-    duration_ns(node.duration, "what stands after `for`", context)
-    type_ = context.type_of(node.condition)
-    fold = enclosing_fold(node, context)
-    if fold is not None and isinstance(type_, Array | Unknown):
-        if isinstance(type_, Array):
-            report_held_elements(node, fold, context)
-        return Unknown()
-    require_condition(node.condition, context)
-    return Boolean()
 
 
 def applied(operator: Operator, operands: Sequence[ast.Expression], context: Context) -> Type:
@@ -150,34 +131,6 @@ def _report_temperature(operands: Sequence[ast.Expression], context: Context) ->
         unit = None if operand is None else operand.quantity.unit
         if unit is not None and unit.offset:
             context.collector.add(TemperatureArithmetic(unit=unit.symbol).at(node.span))
-
-
-# --- logic -----------------------------------------------------------------------------------
-
-
-def _first_operand(node: ast.Expression) -> ast.Expression:
-    while isinstance(node, ast.Binary) and node.operator in ast.JUNCTIONS:
-        node = node.left
-    return node
-
-
-def _report_ambiguous_for(node: ast.Binary, held: ast.Held, context: Context) -> None:
-    file, start = held.span.file, node.left.span.start
-    before = Span(file, start, held.span.start).text
-    inside = Span(file, start, held.condition.span.end).text
-    behind = Span(file, held.condition.span.end, held.span.end).text
-    finding = AmbiguousFor(
-        duration=text_of(held.duration),
-        last=text_of(held.condition),
-        narrow=quoted(f"{before}({held.span.text})"),
-        wide=quoted(f"({inside}){behind}"),
-    )
-    edits = (
-        Edit(Span(file, held.span.start, held.span.start), "("),
-        Edit(Span(file, held.span.end, held.span.end), ")"),
-    )
-    fix = Fix(f"write `({text_of(held)})`", edits)
-    context.collector.add(finding.at(held.span, fix=fix))
 
 
 # --- comparison ------------------------------------------------------------------------------

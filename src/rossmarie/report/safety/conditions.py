@@ -47,6 +47,9 @@ class Conditions:
     def in_full(self, index: int, is_so: bool = True) -> Phrase:
         """A truth by what it stands on."""
         truth = self._machine.truths[index]
+        whole = ir.defined(self._machine, index)
+        if whole is not None:
+            return self._defined(truth, whole, is_so)
         match truth.node:
             case ir.Not(operand=operand):
                 found = self.phrase(operand, not is_so)
@@ -61,6 +64,9 @@ class Conditions:
                 return self._junction(truth, operands, is_so, all_of=not is_so)
             case ir.Held(operand=operand, duration_ns=duration_ns):
                 return self._held(truth, operand, duration_ns, is_so)
+            case ir.Since(held=held, begun=begun):
+                head = "the first of these is so, or it was and the second has been so ever since:"
+                return self._over_time(truth, head, (begun, held), is_so)
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
                 | ir.Quantified()
@@ -98,6 +104,25 @@ class Conditions:
         head = f"{'this has' if is_so else 'it is not so that this has'} held {duration}:"
         return Phrase(head, (self.phrase(operand),), truth.span, _named(truth, is_so))
 
+    def _defined(self, truth: ir.Truth, whole: ir.Once | ir.Response, is_so: bool) -> Phrase:
+        """S45 and S46."""
+        duration = duration_text(whole.duration_ns)
+        match whole:
+            case ir.Once():
+                head = f"this has been so at least once within the last {duration}:"
+            case ir.Response():
+                head = (
+                    f"within {duration} after each instant at which the first of these is so, "
+                    "the second is:"
+                )
+        return self._over_time(truth, head, whole.operands, is_so)
+
+    def _over_time(
+        self, truth: ir.Truth, head: str, operands: tuple[int, ...], is_so: bool
+    ) -> Phrase:
+        parts = tuple(self.phrase(operand) for operand in operands)
+        return Phrase(_negated(head, is_so), parts, truth.span, _named(truth, is_so))
+
     def _stripped(self, index: int) -> tuple[ir.TruthNode, bool]:
         """Give the subject of an unnamed chain of negations, and whether the chain says that it is
         so.
@@ -114,6 +139,9 @@ class Conditions:
         truth = self._machine.truths[index]
         if self._sizes[index] > MOST_PARTS:
             return self._by_name(index, is_so).text
+        whole = ir.defined(self._machine, index)
+        if whole is not None:
+            return _whether(self._inline_defined(whole), is_so)
         match truth.node:
             case ir.Not(operand=operand):
                 return self.inline(operand, not is_so)
@@ -125,12 +153,24 @@ class Conditions:
                 return "always" if value is is_so else "never"
             case ir.Held(operand=operand, duration_ns=duration_ns):
                 held = f"({self.inline(operand)}) throughout the last {duration_text(duration_ns)}"
-                return held if is_so else f"not ({held})"
+                return _whether(held, is_so)
+            case ir.Since(held=operand, begun=begun):
+                before = f"it was and ({self.inline(operand)}) ever since"
+                return _whether(f"({self.inline(begun)}), or {before}", is_so)
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
                 | ir.Quantified()
             ) as node:  # fmt: skip
                 return self._leaf(node, is_so)
+
+    def _inline_defined(self, whole: ir.Once | ir.Response) -> str:
+        duration = duration_text(whole.duration_ns)
+        match whole:
+            case ir.Once(condition=condition):
+                return f"({self.inline(condition)}) at least once within the last {duration}"
+            case ir.Response(cause=cause, answer=answer):
+                each = f"after each instant at which ({self.inline(cause)})"
+                return f"within {duration} {each}, ({self.inline(answer)})"
 
     # --- leaves ------------------------------------------------------------------------------
 
@@ -151,7 +191,7 @@ class Conditions:
                 return self._oscillates(node, is_so, verb)
             case ir.Quantified():
                 return self._quantified(node, is_so, verb)
-            case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+            case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since():
                 raise AssertionError(f"{type(node).__name__} is no leaf")
 
     def _compare(self, node: ir.Compare, is_so: bool, verb: str) -> str:
@@ -216,6 +256,14 @@ class Conditions:
 def _named(truth: ir.Truth, is_so: bool) -> str | None:
     """The user's name of a truth or, if it is negated, of its opposite."""
     return truth.name if truth.name is None or is_so else f"not {truth.name}"
+
+
+def _negated(head: str, is_so: bool) -> str:
+    return head if is_so else f"it is not so that {head}"
+
+
+def _whether(text: str, is_so: bool) -> str:
+    return text if is_so else f"not ({text})"
 
 
 def _fit_side_by_side(parts: tuple[Phrase, ...]) -> bool:

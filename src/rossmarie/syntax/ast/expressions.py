@@ -172,6 +172,34 @@ class Held:
 
 
 @dataclass(frozen=True)
+class Since:
+    """`held since begun`."""
+
+    held: Expression
+    begun: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
+class Once:
+    """`once condition within 4.0 sec`."""
+
+    condition: Expression
+    duration: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
+class Response:
+    """`after cause, answer within 4.0 sec`."""
+
+    cause: Expression
+    answer: Expression
+    duration: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
 class Parenthesized:
     """`(x)`; kept so that the formatter can keep it."""
 
@@ -200,6 +228,9 @@ Expression = (
     | Binary
     | Membership
     | Held
+    | Since
+    | Once
+    | Response
     | Parenthesized
     | Broken
 )

@@ -172,7 +172,7 @@ class Expressions:
                 return self._unknown((signal,), write), f"{write(signal)} != 0.0"
             case (
                 ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Not()
-                | ir.And() | ir.Or() | ir.Held()
+                | ir.And() | ir.Or() | ir.Held() | ir.Since()
             ):  # fmt: skip
                 raise AssertionError(f"{type(node).__name__} does not compare")
 

@@ -69,6 +69,7 @@ class Layout:
     oscillations: tuple[int, ...]
     derived: tuple[int, ...]
     held: tuple[int, ...]
+    sinces: tuple[int, ...]
     sampled: tuple[int, ...]
     windows: tuple[Window, ...]
     node_of_truth: dict[int, int]
@@ -88,6 +89,12 @@ class Layout:
     def truth_count(self) -> int:
         """The number of truths that a monitor keeps."""
         return len(self.node_of_truth)
+
+    @property
+    def held_initially(self) -> list[bool]:
+        """Of each truth that lasts, whether it counts as true before the start."""
+        nodes = (self.machine.truths[index].node for index in self.held)
+        return [node.initially for node in nodes if isinstance(node, ir.Held)]
 
     def aged_inputs(self) -> set[int]:
         """The inputs whose age a truth asks."""
@@ -184,7 +191,7 @@ class _Builder:
         oscillations = tuple(i for i in swinging if not self._is_still(i))
         literals = (*self._of(ir.Literal), *(i for i in swinging if self._is_still(i)))
         ages = self._of(ir.AgeReaches)
-        derived = self._of(ir.Not, ir.And, ir.Or, ir.Held)
+        derived = self._of(ir.Not, ir.And, ir.Or, ir.Held, ir.Since)
         guarded = [leaf for guard in guards for leaf in guard.leaves]
         order = [*guarded, *ages, *literals, *oscillations, *derived]
         return Layout(
@@ -202,6 +209,7 @@ class _Builder:
             oscillations=oscillations,
             derived=derived,
             held=self._of(ir.Held),
+            sinces=self._of(ir.Since),
             sampled=self._sampled(),
             windows=self._windows(),
             node_of_truth={truth: node for node, truth in enumerate(order)},

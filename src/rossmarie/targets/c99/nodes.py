@@ -46,6 +46,10 @@ def _expression(layout: Layout, index: int, node: ir.TruthNode) -> str:
         case ir.Held(operand=operand):
             number = layout.held.index(index)
             return f"held(m, {number}, {layout.truth_names[operand]}, t_ns)"
+        case ir.Since(held=held, begun=begun):
+            number = layout.sinces.index(index)
+            sides = f"{layout.truth_names[held]}, {layout.truth_names[begun]}"
+            return f"since(m, {number}, {sides})"
         case (
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
             | ir.Quantified()

@@ -45,6 +45,8 @@ def members(layout: Layout) -> list[str]:
     if layout.held:
         found.append(f"int64_t held_due_ns[{len(layout.held)}];")
         found.append(f"unsigned char held_before[{len(layout.held)}];")
+    if layout.sinces:
+        found.append(f"unsigned char since_before[{len(layout.sinces)}];")
     found += _sample_members(len(layout.sampled))
     found += [*_window_members(len(layout.windows)), *_turn_members(turns(layout))]
     return [*found, f"{layout.name}_callback on_event;", "void *user;"]

@@ -54,6 +54,8 @@ def _sizes(layout: Layout) -> dict[str, int]:
         "COVERED": len(covered_values(layout)),
         "LITERALS": len(layout.literals),
         "HELD": len(layout.held),
+        "HELD_INITIALLY": sum(layout.held_initially),
+        "SINCES": len(layout.sinces),
         "AGES": len(layout.ages),
         "OSCILLATIONS": len(layout.oscillations),
         "SAMPLED": len(layout.sampled),
@@ -346,9 +348,12 @@ def _held_tables(layout: Layout) -> list[str]:
         assert isinstance(node, ir.Held), "the layout lists durations"
         rows.append((duration(node.duration_ns), _remark(layout, index)))
     nodes = [layout.truth_names[index] for index in layout.held]
+    initially = layout.held_initially
+    values = [_value(holds) for holds in initially]
     return [
         remarked_table("int64_t", "held_durations", rows),
         table("index_t", "held_nodes", nodes),
+        table("unsigned char", "held_initially", values) if any(initially) else "",
     ]
 
 

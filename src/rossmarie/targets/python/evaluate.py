@@ -163,6 +163,8 @@ def _truth(layout: Layout, index: int) -> Function:
     match truth.node:
         case ir.Held():
             _held(layout, index, truth.node, function)
+        case ir.Since():
+            _since(layout, index, truth.node, function)
         case ir.Oscillates():
             _oscillates(layout, index, truth.node, function)
         case (
@@ -187,6 +189,7 @@ def _text(layout: Layout, index: int, node: ir.TruthNode) -> str:
             return expressions.compared(layout, node, layout.value, unknown)
         case (
             ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Oscillates() | ir.Held()
+            | ir.Since()
         ):  # fmt: skip
             return expressions.logic(node, layout.truth)
 
@@ -202,6 +205,16 @@ def _held(layout: Layout, index: int, node: ir.Held, function: Function) -> None
     function.assign(f"due_{index}", f"at_ns + {node.duration_ns}", 2)
     function.line(f"if at_ns < due_{index}:", 1)
     function.line(f"v = before_{index}", 2)
+    _record(layout, index, "v", function)
+
+
+def _since(layout: Layout, index: int, node: ir.Since, function: Function) -> None:
+    """S44."""
+    held, begun = layout.truth(node.held), layout.truth(node.begun)
+    function.line(f"v = {expressions.either(begun, f'before_{index}')}")
+    function.line(f"v = {expressions.both(held, 'v')}")
+    function.line(f"v = {expressions.either(begun, 'v')}")
+    function.assign(f"before_{index}", "v")
     _record(layout, index, "v", function)
 
 

@@ -72,7 +72,7 @@ def holds(node: ir.TruthNode, write: Write) -> str:
             return f"{write(signal)} != 0.0"
         case (
             ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Not()
-            | ir.And() | ir.Or() | ir.Held()
+            | ir.And() | ir.Or() | ir.Held() | ir.Since()
         ):  # fmt: skip
             raise AssertionError(f"{type(node).__name__} does not compare")
 
@@ -123,16 +123,24 @@ def logic(node: ir.TruthNode, write: Write) -> str:
             text = write(operand)
             return f"{text} if {text} > 1 else 1 - {text}"
         case ir.And(operands=operands):
-            parts = [write(operand) for operand in operands]
-            return f"{' and '.join(parts)} and {_greatest(parts)}"
+            return both(*map(write, operands))
         case ir.Or(operands=operands):
-            parts = [write(operand) for operand in operands]
-            return f"1 if {' or '.join(f'{part} == 1' for part in parts)} else {_greatest(parts)}"
+            return either(*map(write, operands))
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
-            | ir.Quantified() | ir.Held()
+            | ir.Quantified() | ir.Held() | ir.Since()
         ):  # fmt: skip
             raise AssertionError(f"{type(node).__name__} is no logic")
+
+
+def both(*parts: str) -> str:
+    """`and` of truths."""
+    return f"{' and '.join(parts)} and {_greatest(parts)}"
+
+
+def either(*parts: str) -> str:
+    """`or` of truths."""
+    return f"1 if {' or '.join(f'{part} == 1' for part in parts)} else {_greatest(parts)}"
 
 
 def _greatest(parts: Iterable[str]) -> str:

@@ -145,6 +145,11 @@ class Layout:
         return [(index, node) for index, node in nodes if isinstance(node, ir.Held)]
 
     @cached_property
+    def sinces(self) -> list[int]:
+        """The truths that remember what they were."""
+        return [i for i in self.truths if isinstance(self.machine.truths[i].node, ir.Since)]
+
+    @cached_property
     def oscillations(self) -> list[tuple[int, ir.Oscillates]]:
         """The truths that follow a signal which rests on an input; others never swing."""
         nodes = ((index, self.machine.truths[index].node) for index in self.truths)

@@ -32,8 +32,9 @@ def variables(layout: Layout) -> Iterator[tuple[str, str]]:
     for index, node in layout.oscillations:
         settings = f"{node.count}, {node.window_ns}, {node.swing!r}"
         yield f"oscillation_{index}", f"Oscillation({settings})"
-    for index, _ in layout.held:
-        yield from ((f"due_{index}", "NEVER"), (f"before_{index}", "0"))
+    for index, held in layout.held:
+        yield from ((f"due_{index}", "NEVER"), (f"before_{index}", str(int(held.initially))))
+    yield from ((f"before_{index}", "0") for index in layout.sinces)
     for guard in layout.guards:
         yield from ((guard.low, "INF"), (guard.high, "INF"))
     yield from ((f"t{index}", "-1") for index in layout.kept)

@@ -101,6 +101,8 @@ def expected_of_conditions(machine: ir.Machine) -> Iterator[str]:
                     yield from (constant(machine, end) for end in (left, right))
                 case ir.Quantified() as node:
                     yield "element of " + Conditions(machine).numbers.array_of(node.element)
+                case ir.Since():
+                    yield "ever since"
                 case ir.Literal() | ir.Flag() | ir.Not() | ir.And() | ir.Or():
                     pass
         for used in rule.inputs:

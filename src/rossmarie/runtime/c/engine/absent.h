@@ -16,6 +16,12 @@
 #ifndef HELD
 #define HELD 0
 #endif
+#ifndef HELD_INITIALLY
+#define HELD_INITIALLY 0
+#endif
+#ifndef SINCES
+#define SINCES 0
+#endif
 #ifndef AGES
 #define AGES 0
 #endif

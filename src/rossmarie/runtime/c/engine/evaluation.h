@@ -62,7 +62,7 @@ static int64_t earliest_timer(const monitor *m)
 #endif
 #if HELD
     for (unsigned k = 0; k != HELD; k++)
-        if (m->held_due_ns[k] > m->now_ns)
+        if (m->held_due_ns[k] > m->now_ns && m->truth[held_nodes[k]] != TRUE)
             wake_ns = earlier(wake_ns, m->held_due_ns[k]);
 #endif
     (void)m;
@@ -138,7 +138,11 @@ static void forget_times(monitor *m, int64_t t_ns)
 #if HELD
     for (unsigned k = 0; k != HELD; k++) {
         m->held_due_ns[k] = NEVER;
+#if HELD_INITIALLY
+        m->held_before[k] = m->started ? (unsigned char)UNKNOWN : held_initially[k];
+#else
         m->held_before[k] = m->started ? UNKNOWN : FALSE;
+#endif
     }
 #endif
 #if SAMPLED

@@ -80,3 +80,15 @@ static inline unsigned char opposite(unsigned char a)
         return TRUE;
     return a == TRUE ? (unsigned char)FALSE : a;
 }
+
+#if SINCES
+
+/* `held since begun`; its memory is what it was when it was last evaluated. */
+static unsigned char since(monitor *m, unsigned k, unsigned held, unsigned begun)
+{
+    const unsigned char before = either(m->truth[begun], m->since_before[k]);
+    m->since_before[k] = either(m->truth[begun], both(m->truth[held], before));
+    return m->since_before[k];
+}
+
+#endif

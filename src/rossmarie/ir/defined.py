@@ -1,0 +1,73 @@
+"""Operators over time that are defined by others: `once` (S45) and `after` (S46).
+
+A machine has only the nodes that they stand for. What is said to users says the operator again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rossmarie.ir import model as ir
+
+
+@dataclass(frozen=True)
+class Once:
+    """`once condition within duration`."""
+
+    condition: int
+    duration_ns: int
+
+    @property
+    def operands(self) -> tuple[int, ...]:
+        """The truths that the user names."""
+        return (self.condition,)
+
+
+@dataclass(frozen=True)
+class Response:
+    """`after cause, answer within duration`."""
+
+    cause: int
+    answer: int
+    duration_ns: int
+
+    @property
+    def operands(self) -> tuple[int, ...]:
+        """The truths that the user names."""
+        return (self.cause, self.answer)
+
+
+def defined(machine: ir.Machine, truth: int) -> Once | Response | None:
+    """The operator that a truth is by definition; None if it is none of them."""
+    outer = machine.truths[truth].node
+    held = machine.truths[outer.operand].node if isinstance(outer, ir.Not) else outer
+    if held is outer or not isinstance(held, ir.Held):
+        return None
+    inner = machine.truths[held.operand].node
+    if isinstance(inner, ir.Not) and held.initially:
+        return Once(inner.operand, held.duration_ns)
+    if isinstance(inner, ir.Since) and not held.initially:
+        return _response(machine, inner, held.duration_ns)
+    return None
+
+
+def _response(machine: ir.Machine, since: ir.Since, duration_ns: int) -> Response | None:
+    """`not answer since (cause and not answer)`."""
+    missing = machine.truths[since.held].node
+    begun = machine.truths[since.begun].node
+    if not isinstance(missing, ir.Not):
+        return None
+    if since.begun == since.held:  # the cause is that the answer is missing
+        return Response(since.begun, missing.operand, duration_ns)
+    if isinstance(begun, ir.And) and begun.operands[1:] == (since.held,):
+        return Response(begun.operands[0], missing.operand, duration_ns)
+    return None
+
+
+def held_of(machine: ir.Machine, truth: int) -> int | None:
+    """The `for` that a truth is, or that its definition has; None if there is none."""
+    node = machine.truths[truth].node
+    if isinstance(node, ir.Held):
+        return truth
+    is_by_definition = isinstance(node, ir.Not) and defined(machine, truth) is not None
+    return node.operand if isinstance(node, ir.Not) and is_by_definition else None
