@@ -88,5 +88,7 @@ class Elements:
                 return kleene.conjunction(self._truth(operand, x) for operand in operands)
             case ir.Or(operands=operands):
                 return kleene.disjunction(self._truth(operand, x) for operand in operands)
-            case (ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()) as node:
+            case (
+                ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held() | ir.Recurs()
+            ) as node:  # fmt: skip
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")

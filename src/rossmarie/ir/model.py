@@ -113,7 +113,9 @@ class Apply:
 
 @dataclass(frozen=True)
 class Sampled:
-    """A function of the last samples of a signal; `window_ns` is 0 if it looks at no window."""
+    """A function of the last samples of a signal; `window_ns` is the time that it takes: the length
+    of its window, or its time constant. It is 0 if it takes none.
+    """
 
     function: Sampling
     signal: int
@@ -293,6 +295,15 @@ class Held:
     duration_ns: int
 
 
+@dataclass(frozen=True)
+class Recurs:
+    """The operand has become true `count` times within the last `window_ns`."""
+
+    operand: int
+    count: int
+    window_ns: int
+
+
 TruthNode = (
     Literal
     | Compare
@@ -305,6 +316,7 @@ TruthNode = (
     | And
     | Or
     | Held
+    | Recurs
 )
 
 

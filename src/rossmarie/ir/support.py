@@ -63,7 +63,7 @@ def signal_operands(node: ir.SignalNode) -> tuple[int, ...]:
 def truth_operands(node: ir.TruthNode) -> tuple[int, ...]:
     """The truths that a truth is computed from, elementwise ones included."""
     match node:
-        case ir.Not(operand=operand) | ir.Held(operand=operand):
+        case ir.Not(operand=operand) | ir.Held(operand=operand) | ir.Recurs(operand=operand):
             return (operand,)
         case ir.And(operands=operands) | ir.Or(operands=operands):
             return operands
@@ -87,7 +87,7 @@ def compared_signals(node: ir.TruthNode) -> tuple[int, ...]:
             return (signal,)
         case (
             ir.Literal() | ir.AgeReaches() | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
-            | ir.Held()
+            | ir.Held() | ir.Recurs()
         ):  # fmt: skip
             return ()
 
@@ -100,7 +100,7 @@ def is_leaf(node: ir.TruthNode) -> bool:
             | ir.Quantified()
         ):  # fmt: skip
             return True
-        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Recurs():
             return False
 
 
@@ -172,7 +172,10 @@ def _truth_support(
             return Support(inputs=frozenset({used}), channels=frozenset({channel}))
         case ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates():
             return _union(signals[signal] for signal in compared_signals(node))
-        case ir.Literal() | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+        case (
+            ir.Literal() | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            | ir.Recurs()
+        ):  # fmt: skip
             return _union(truths[operand] for operand in truth_operands(node))
 
 
@@ -228,7 +231,10 @@ def _truth_array(
             return _single(truths[operand] for operand in truth_operands(node))
         case ir.Compare() | ir.Between() | ir.Flag():
             return _single(signals[signal] for signal in compared_signals(node))
-        case ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held():
+        case (
+            ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()
+            | ir.Recurs()
+        ):  # fmt: skip
             return None
 
 
@@ -237,6 +243,21 @@ def _single(arrays: Iterable[int | None]) -> int | None:
     if len(found) > 1:
         raise ValueError(f"elements of {len(found)} arrays meet")
     return found.pop() if found else None
+
+
+# --- kinds -----------------------------------------------------------------------------------
+
+
+def kind_of(machine: ir.Machine, signal: int) -> ir.Kind:
+    """The kind of values that a signal holds."""
+    match machine.signals[signal].node:
+        case ir.Read(slot=slot):
+            return machine.slots[slot].kind
+        case ir.Sampled(function=function, signal=sampled):
+            gives_a_sample = sampling_row(function).gives_a_sample
+            return kind_of(machine, sampled) if gives_a_sample else ir.Kind.REAL
+        case ir.Constant() | ir.Apply() | ir.Element() | ir.Fold() | ir.Count():
+            return ir.Kind.REAL
 
 
 # --- functions -------------------------------------------------------------------------------
@@ -287,7 +308,7 @@ def _whole_operands(node: ir.TruthNode) -> tuple[int, ...]:
             return ()
         case (
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
-            | ir.Oscillates() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            | ir.Oscillates() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Recurs()
         ):  # fmt: skip
             return truth_operands(node)
 
@@ -300,8 +321,8 @@ def leaf_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
 
 
 def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
-    """The truths that a verdict of a rule on this condition carries: the named ones, the leaves
-    and the durations.
+    """The truths that a verdict of a rule on this condition carries: the named ones, the leaves,
+    the durations and the counts of edges.
     """
     return tuple(_terms(machine, condition))
 
@@ -309,7 +330,7 @@ def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
 def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
     for index in reachable_truths(machine, condition):
         truth = machine.truths[index]
-        is_telling = truth.name is not None or isinstance(truth.node, ir.Held)
+        is_telling = truth.name is not None or isinstance(truth.node, ir.Held | ir.Recurs)
         if is_telling or is_leaf(truth.node):
             yield index
 

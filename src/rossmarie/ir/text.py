@@ -118,6 +118,8 @@ def _truth(node: ir.TruthNode) -> str:
             return f"or {_names('t', operands)}"
         case ir.Held(operand=operand, duration_ns=duration_ns):
             return f"t{operand} for {duration_text(duration_ns)}"
+        case ir.Recurs(operand=operand, count=count, window_ns=window_ns):
+            return f"{count} edges of t{operand} within {duration_text(window_ns)}"
         case ir.Quantified(quantifier=quantifier, element=element):
             return f"{quantifier.value} over elements t{element}"
         case ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates():

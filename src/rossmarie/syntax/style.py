@@ -199,9 +199,9 @@ class Style:
                 case ast.Index(value=value):
                     self.tight_behind.add(value.span.end)
                 case (
-                    ast.Boolean() | ast.Text() | ast.Reference() | ast.Member() | ast.Unary()
-                    | ast.Binary() | ast.Membership() | ast.Held() | ast.Parenthesized()
-                    | ast.Broken()
+                    ast.Boolean() | ast.Text() | ast.Reference() | ast.Member() | ast.Edges()
+                    | ast.Unary() | ast.Binary() | ast.Membership() | ast.Held()
+                    | ast.Parenthesized() | ast.Broken()
                 ):  # fmt: skip
                     pass
 
@@ -222,8 +222,8 @@ def _peeled(node: ast.Expression) -> ast.Expression:
                 continue
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-                | ast.Member() | ast.Index() | ast.Call() | ast.Oscillates() | ast.Binary()
-                | ast.Membership() | ast.Broken()
+                | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
+                | ast.Binary() | ast.Membership() | ast.Broken()
             ):  # fmt: skip
                 return node
 

@@ -77,7 +77,10 @@ def _is_apart(machine: ir.Machine, truth: int, moved: Sequence[int]) -> bool:
             return True
         case ir.Quantified():
             return _is_alone(machine, node, moved)
-        case ir.Literal() | ir.Flag() | ir.Oscillates() | ir.Not() | ir.And() | ir.Or():
+        case (
+            ir.Literal() | ir.Flag() | ir.Oscillates() | ir.Not() | ir.And() | ir.Or()
+            | ir.Recurs()
+        ):  # fmt: skip
             return False
 
 

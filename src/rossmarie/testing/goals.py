@@ -111,7 +111,7 @@ def decisions(machine: ir.Machine, rule: ir.Rule) -> list[int]:
         found[decision] = None
         for atom in atoms(machine, decision):
             node = machine.truths[atom].node
-            if isinstance(node, ir.Held):
+            if isinstance(node, ir.Held | ir.Recurs):
                 waiting.append(node.operand)
     return list(found)
 
@@ -131,7 +131,7 @@ def atoms(machine: ir.Machine, decision: int) -> tuple[int, ...]:
     while waiting:
         truth = waiting.pop()
         node = machine.truths[truth].node
-        if isinstance(node, ir.Held) or is_leaf(node):
+        if isinstance(node, ir.Held | ir.Recurs) or is_leaf(node):
             found.add(truth)
         elif not isinstance(node, ir.Literal):
             waiting.extend(truth_operands(node))
@@ -166,7 +166,7 @@ def _pairs(node: ir.TruthNode) -> tuple[tuple[int, int], ...]:
             return (signal, low), (signal, high)
         case (
             ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified()
-            | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Recurs()
         ):  # fmt: skip
             return ()
 
@@ -199,7 +199,7 @@ def deadline_ns(node: ir.TruthNode) -> int | None:
             return duration_ns
         case (
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
-            | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Recurs()
         ):  # fmt: skip
             return None
 

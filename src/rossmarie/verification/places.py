@@ -46,6 +46,7 @@ class Places:
     guards: tuple[Watched, ...]
     held: tuple[int, ...]
     oscillations: tuple[int, ...]
+    recurring: tuple[int, ...]
     sampled: tuple[int, ...]
     windows: tuple[tuple[int, int], ...]
     kept_raw: frozenset[int]
@@ -73,6 +74,7 @@ def places_of(machine: ir.Machine) -> Places:
         ),
         held=found.held,
         oscillations=found.oscillations,
+        recurring=found.recurring,
         sampled=found.sampled,
         windows=found.windows,
         kept_raw=covered_values(found),

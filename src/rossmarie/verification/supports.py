@@ -29,7 +29,7 @@ def numbers_of(node: Node) -> tuple[int, ...]:
             return (element,)
         case (
             ir.Constant() | ir.Read() | ir.Element() | ir.Count() | ir.Literal() | ir.AgeReaches()
-            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Recurs()
         ):  # fmt: skip
             return ()
 
@@ -39,7 +39,7 @@ def truths_of(node: Node) -> tuple[int, ...]:
     match node:
         case ir.And(operands=operands) | ir.Or(operands=operands):
             return operands
-        case ir.Not(operand=operand) | ir.Held(operand=operand):
+        case ir.Not(operand=operand) | ir.Held(operand=operand) | ir.Recurs(operand=operand):
             return (operand,)
         case ir.Count(element=element) | ir.Quantified(element=element):
             return (element,)
@@ -171,7 +171,7 @@ def _array(node: Node, signals: list[int | None], truths: list[int | None]) -> i
             return next((array for array in named if array is not None), None)
         case (
             ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count() | ir.Literal()
-            | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()
+            | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held() | ir.Recurs()
         ):  # fmt: skip
             return None
 
@@ -217,13 +217,13 @@ def _whole(machine: ir.Machine, condition: int) -> list[int]:
 
 
 def _tells(truth: ir.Truth) -> bool:
-    return truth.name is not None or isinstance(truth.node, ir.Held)
+    return truth.name is not None or isinstance(truth.node, ir.Held | ir.Recurs)
 
 
 def is_leaf(node: ir.TruthNode) -> bool:
     """Say whether a truth looks at numbers, arrays or ages itself (S30)."""
     match node:
-        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Recurs():
             return False
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()

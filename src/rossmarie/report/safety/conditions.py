@@ -61,6 +61,10 @@ class Conditions:
                 return self._junction(truth, operands, is_so, all_of=not is_so)
             case ir.Held(operand=operand, duration_ns=duration_ns):
                 return self._held(truth, operand, duration_ns, is_so)
+            case ir.Recurs() as node:
+                head = f"this {_often(node, is_so)}:"
+                parts = (self.phrase(node.operand),)
+                return Phrase(head, parts, truth.span, _named(truth, is_so))
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
                 | ir.Quantified()
@@ -126,6 +130,8 @@ class Conditions:
             case ir.Held(operand=operand, duration_ns=duration_ns):
                 held = f"({self.inline(operand)}) throughout the last {duration_text(duration_ns)}"
                 return held if is_so else f"not ({held})"
+            case ir.Recurs() as node:
+                return f"({self.inline(node.operand)}) {_often(node, is_so)}"
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
                 | ir.Quantified()
@@ -151,7 +157,7 @@ class Conditions:
                 return self._oscillates(node, is_so, verb)
             case ir.Quantified():
                 return self._quantified(node, is_so, verb)
-            case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held():
+            case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Recurs():
                 raise AssertionError(f"{type(node).__name__} is no leaf")
 
     def _compare(self, node: ir.Compare, is_so: bool, verb: str) -> str:
@@ -223,3 +229,10 @@ def _fit_side_by_side(parts: tuple[Phrase, ...]) -> bool:
     return len(parts) <= _MOST_SIDE_BY_SIDE and not any(
         part.parts or part.name or " and " in part.text or " or " in part.text for part in parts
     )
+
+
+def _often(node: ir.Recurs, is_so: bool) -> str:
+    """S48: how often a condition has become true."""
+    times = "once" if node.count == 1 else f"{node.count} times"
+    often = f"become true at least {times} within the last {duration_text(node.window_ns)}"
+    return f"has {often}" if is_so else f"has not {often}"

@@ -90,6 +90,9 @@ def expected_of_conditions(machine: ir.Machine) -> Iterator[str]:
             match machine.truths[index].node:
                 case ir.Held(duration_ns=duration_ns):
                     yield duration_text(duration_ns)
+                case ir.Recurs(count=count, window_ns=window_ns):
+                    times = "once" if count == 1 else f"{count} times"
+                    yield f"become true at least {times} within the last {duration_text(window_ns)}"
                 case ir.AgeReaches(input=used, age_ns=age_ns):
                     yield f"the last message of {machine.inputs[used].name}"
                     yield duration_text(age_ns - (age_ns % 1000 == 1))
