@@ -34,6 +34,7 @@ def type_of_changed(node: ast.Call, context: Context) -> Type:
         context.collector.add(finding.at(argument.span, help=counted))
     elif isinstance(type_, Array) and isinstance(type_.element, Quantity):
         report_array(argument, context)
+        return Unknown()
     else:
         report_not_a_number(argument, context)
     return Boolean()

@@ -120,12 +120,12 @@ class ChangedMisused(Error, code="ROSS236", name="changed-misused"):
 
     class Texts(Remark):
         says = (
-            "texts that the rules do not mention are one and the same to a monitor: "
+            "strings that the rules do not mention are one and the same to a monitor: "
             "it would miss most changes"
         )
 
     class Compared(Remark):
-        says = 'compare it with the text that matters: `{text} == "..."`'
+        says = 'compare it with the string that matters: `{text} == "..."`'
         text: str
 
     class Edges(Remark):

@@ -145,7 +145,9 @@ def is_truth(type_: Type) -> bool:
 def report_not_a_condition(node: ast.Expression, context: Context) -> None:
     """Report if something else stands where something true or false has to be."""
     type_ = context.type_of(node)
-    if not isinstance(type_, Unknown) and not is_truth(type_):
+    if is_edge_count(node):
+        report_uncompared(node, "it is a number, and no condition", context)
+    elif not isinstance(type_, Unknown) and not is_truth(type_):
         context.collector.add(_not_a_condition(node, type_))
 
 
