@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from hypothesis import strategies as st
 
 from rossmarie import ir
-from rossmarie.core import row
+from rossmarie.core import row, sampling_row
 from support.drafts import SECOND, Draft
 
 TICK = SECOND // 10
@@ -64,7 +64,7 @@ class Growing:
 
     def signal(self) -> None:
         grow = [self._constant, self._apply, self._apply, self._rate, self._previous]
-        grow += [self._median]
+        grow += [self._timed]
         if self.element_numbers:
             grow += [self._fold, self._fold, self._count]
         self.numbers.append(self.draw(st.sampled_from(grow))())
@@ -87,11 +87,11 @@ class Growing:
     def _previous(self) -> int:
         return self.draft.signal(ir.Sampled(ir.Sampling.PREVIOUS, self.one_of(self.numbers)))
 
-    def _median(self) -> int:
+    def _timed(self) -> int:
+        timed = [each for each in ir.Sampling if sampling_row(each).takes_time]
+        function = self.draw(st.sampled_from(timed))
         window_ns = self.draw(durations)
-        return self.draft.signal(
-            ir.Sampled(ir.Sampling.MEDIAN, self.one_of(self.numbers), window_ns)
-        )
+        return self.draft.signal(ir.Sampled(function, self.one_of(self.numbers), window_ns))
 
     def _fold(self) -> int:
         folding = self.draw(st.sampled_from(ir.Folding))
@@ -146,6 +146,7 @@ class Growing:
         if self.truths:
             grow += [self._not, self._and, self._or, self._held, self._held, self._literal]
             grow += [self._since]
+            grow += [self._recurs, self._recurs]
         self.truths.append(self.draw(st.sampled_from(grow))())
 
     def _name(self) -> str | None:
@@ -202,6 +203,10 @@ class Growing:
 
     def _or(self) -> int:
         return self._add(ir.Or(self._operands()))
+
+    def _recurs(self) -> int:
+        count = self.draw(st.integers(1, 3))
+        return self._add(ir.Recurs(self.one_of(self.truths), count, self.draw(durations)))
 
     def _held(self) -> int:
         initially = self.draw(st.booleans())

@@ -126,14 +126,14 @@ class Moment(Encoding):
         number, brings = self.signal(node.signal), self._is_sampled(node.signal)
         at_rest = Formulas([number.value], exactly).term(declared.at_rest(Operand(0)))
         if self._before is None:
-            known = z3.And(brings, number.known) if declared.has_window else NO
+            known = z3.And(brings, number.known) if declared.takes_time else NO
             return Number(known, at_rest)
         earlier = self._before.signal(index)
         needed = [number.known] if View.NEWEST in declared.views else []
         if self._is_end:
             known = z3.And(z3.If(brings, number.known, earlier.known), *needed)
             return Number(known, z3.If(brings, at_rest, earlier.value))
-        if declared.has_window:
+        if declared.takes_time:
             return earlier
         last = self._before.signal(node.signal)
         known = z3.If(brings, z3.And(last.known, *needed), earlier.known)
@@ -150,8 +150,8 @@ class Moment(Encoding):
                 return last.value
             case View.SECONDS:
                 return z3.Q(self._times.period_ns, SECOND)
-            case View.LOWER | View.UPPER:
-                raise AssertionError("windows are not looked into")
+            case View.LOWER | View.UPPER | View.TOTAL | View.COUNT | View.CONSTANT:
+                raise AssertionError("windows and filters are not looked into")
 
     def count(self, node: ir.Count) -> Number:
         """Those for which it is true."""
@@ -195,6 +195,23 @@ class Moment(Encoding):
     def remembered(self, index: int) -> Fact:
         """Its value at the moment before."""
         return FALSE if self._before is None else self._before.truth(index)
+
+    def recurring(self, _: int, node: ir.Recurs) -> Fact:
+        """True if enough of the moments up to here are edges, and near enough."""
+        near = [
+            z3.If(z3.And(is_edge, since < node.window_ns), 1, 0)
+            for is_edge, since in self.edges(node.operand)
+        ]
+        return choice(z3.Sum(near) >= node.count, literal(True), FALSE)
+
+    def edges(self, operand: int) -> list[tuple[z3.BoolRef, z3.ArithRef]]:
+        """Of each moment up to here, whether a truth became true, and how long ago that is."""
+        now = self.truth(operand).true
+        if self._before is None:
+            return [(now, z3.IntVal(0))]
+        gap = self.leg.length_ns if self._is_end else self._times.period_ns
+        earlier = [(is_edge, since + gap) for is_edge, since in self._before.edges(operand)]
+        return [*earlier, (z3.And(self._before.truth(operand).false, now), z3.IntVal(0))]
 
     def oscillating(self, index: int) -> Fact:
         """The value that the messages of the leg give to an oscillation."""

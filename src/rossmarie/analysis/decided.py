@@ -47,6 +47,7 @@ from rossmarie.ir import (
     Oscillates,
     Quantified,
     Read,
+    Recurs,
     Sampled,
     Since,
     Slot,
@@ -96,7 +97,7 @@ def _lacking(machine: Machine, constant: Mapping[int, TruthValue], truth: int) -
             return None if inner is None else kleene.negation(inner)
         case (
             Literal() | Compare() | Between() | Flag() | AgeReaches() | Oscillates()
-            | Quantified() | And() | Or()
+            | Quantified() | And() | Or() | Recurs()
         ):  # fmt: skip
             return constant.get(truth)
 

@@ -75,7 +75,9 @@ class Questioned:
         return array
 
     def window_of(self, signal: int) -> int:
-        """The length of the window that a signal looks at, in nanoseconds; 0 if it has none."""
+        """The time that a signal looks back, in nanoseconds: its window, or its time constant; 0 if
+        it takes none.
+        """
         node = self.machine.signals[signal].node
         return node.window_ns if isinstance(node, ir.Sampled) else 0
 
@@ -124,7 +126,7 @@ class Encoding(ABC):
 
     @abstractmethod
     def sampled(self, index: int, node: ir.Sampled) -> Number:
-        """S18 to S21, S43."""
+        """S18 to S21, S43, S49, S50."""
 
     @abstractmethod
     def count(self, node: ir.Count) -> Number:
@@ -141,6 +143,10 @@ class Encoding(ABC):
     @abstractmethod
     def oscillating(self, index: int) -> Fact:
         """S32, where the signal is known."""
+
+    @abstractmethod
+    def recurring(self, index: int, node: ir.Recurs) -> Fact:
+        """S48."""
 
     # --- inputs ------------------------------------------------------------------------------
 
@@ -225,6 +231,8 @@ class Encoding(ABC):
                 return self.held(index, node, self._truths[operand])
             case ir.Since(held=held, begun=begun):
                 return self._since(index, self._truths[held], self._truths[begun])
+            case ir.Recurs():
+                return self.recurring(index, node)
             case ir.Oscillates(signal=signal):
                 return self._oscillates(index, node, self.signal(signal))
             case ir.AgeReaches(input=used, age_ns=age_ns):
@@ -330,7 +338,14 @@ class Encoding(ABC):
                 return joined(node, operands)
             case ir.Compare() | ir.Between() | ir.Flag():
                 return self._element_leaf(node, element)
-            case ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held() | ir.Since():
+            case (
+                ir.AgeReaches()
+                | ir.Oscillates()
+                | ir.Quantified()
+                | ir.Held()
+                | ir.Since()
+                | ir.Recurs()
+            ):
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
     def _element_leaf(self, node: ir.Compare | ir.Between | ir.Flag, element: Number) -> Fact:

@@ -333,7 +333,7 @@ def _long_enough(machine: Machine, part: Machine, rules: Sequence[int]) -> int:
         match truth.node:
             case ir.Held(duration_ns=time_ns) | ir.AgeReaches(age_ns=time_ns):
                 found.append(time_ns)
-            case ir.Oscillates(window_ns=time_ns):
+            case ir.Oscillates(window_ns=time_ns) | ir.Recurs(window_ns=time_ns):
                 found.append(time_ns)
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified()

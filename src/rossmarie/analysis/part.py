@@ -111,7 +111,7 @@ def moved_truth(
             return dataclasses.replace(node, signal=numbers[signal])
         case ir.Quantified(element=element):
             return dataclasses.replace(node, element=places[element])
-        case ir.Not(operand=operand) | ir.Held(operand=operand):
+        case ir.Not(operand=operand) | ir.Held(operand=operand) | ir.Recurs(operand=operand):
             return dataclasses.replace(node, operand=places[operand])
         case ir.Since(held=held, begun=begun):
             return ir.Since(places[held], places[begun])

@@ -39,6 +39,7 @@ from rossmarie.ir import (
     Or,
     Oscillates,
     Quantified,
+    Recurs,
     Sampled,
     Since,
     TruthValue,
@@ -159,7 +160,8 @@ def _unfit_window(inquiry: Inquiry, index: int) -> Iterator[Finding]:
     machine, signal = inquiry.machine, inquiry.machine.signals[index]
     channels = inquiry.asked.supports.signals[index].channels
     window_ns = inquiry.asked.window_of(index)
-    if not window_ns or len(channels) != 1:
+    has_window = isinstance(signal.node, Sampled) and sampling_row(signal.node.function).has_window
+    if not has_window or len(channels) != 1:
         return
     (channel,) = channels
     least_ns, _ = gaps = _gaps(machine, channel)
@@ -217,7 +219,7 @@ def _reason(inquiry: Inquiry, truth: int, channel: int, gap_ns: int) -> Remark |
             return _forgotten(inquiry, node.signal, channel, gap_ns)
         case (
             Literal() | Compare() | Between() | Flag() | AgeReaches() | Quantified() | Not()
-            | And() | Or() | Since()
+            | And() | Or() | Since() | Recurs()
         ) as node:  # fmt: skip
             for signal in _remembering(machine, compared_signals(node)):
                 reason = _forgotten(inquiry, signal, channel, gap_ns)
@@ -256,8 +258,10 @@ def _remembering(machine: Machine, signals: Sequence[int]) -> Iterator[int]:
     waiting = list(signals)
     while waiting:
         node = machine.signals[waiting.pop()].node
-        if isinstance(node, Sampled) and Found.BEFORE in sampling_row(node.function).views:
-            yield node.signal
+        if isinstance(node, Sampled):
+            declared = sampling_row(node.function)
+            if Found.BEFORE in declared.views and not declared.feeds_back:
+                yield node.signal
         waiting += signal_operands(node)
 
 

@@ -67,7 +67,7 @@ class Times:
             match node:
                 case ir.Held(duration_ns=duration_ns):
                     below += duration_ns
-                case ir.Oscillates(window_ns=window_ns):
+                case ir.Oscillates(window_ns=window_ns) | ir.Recurs(window_ns=window_ns):
                     below += window_ns
                 case (
                     ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()

@@ -12,20 +12,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from rossmarie.interpreter import Interpreter
-from rossmarie.ir import (
-    Apply,
-    ChannelValues,
-    Constant,
-    Count,
-    Element,
-    Fold,
-    Kind,
-    Machine,
-    Read,
-    Sampled,
-    TruthValue,
-    path_text,
-)
+from rossmarie.ir import ChannelValues, Kind, Machine, TruthValue, kind_of, path_text
 from rossmarie.ir.duration_text import duration_text
 
 SECOND = 1_000_000_000
@@ -223,19 +210,10 @@ def shown_value(machine: Machine, index: int, value: float) -> str:
     signal = machine.signals[index]
     if math.isnan(value):
         return "unknown"
-    match slot_kind(machine, index):
+    match kind_of(machine, index):
         case Kind.FLAG:
             return str(value != 0.0).lower()
         case Kind.TEXT:
             return f'"{machine.texts[int(value)]}"' if value >= 0.0 else "another string"
         case Kind.REAL:
             return f"{value * signal.scale + signal.offset:.6g} {signal.unit}".rstrip()
-
-
-def slot_kind(machine: Machine, index: int) -> Kind:
-    """The kind of values that a signal holds."""
-    match machine.signals[index].node:
-        case Read(slot=slot):
-            return machine.slots[slot].kind
-        case Constant() | Apply() | Sampled() | Element() | Fold() | Count():
-            return Kind.REAL

@@ -90,5 +90,6 @@ class Elements:
                 return kleene.disjunction(self._truth(operand, x) for operand in operands)
             case (
                 ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held() | ir.Since()
-            ) as node:
+             | ir.Recurs()
+            ) as node:  # fmt: skip
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from rossmarie import ir
-from rossmarie.core import sampling_row
+from rossmarie.core import View, sampling_row
 from rossmarie.interpreter import arithmetic
 from rossmarie.interpreter.elements import Elements
 from rossmarie.interpreter.memory import Memory, Samples
@@ -61,10 +61,8 @@ class Evaluator:
             case ir.Apply(function=function, operands=operands):
                 values = tuple(self._memory.signals[operand] for operand in operands)
                 return arithmetic.apply(function, values)
-            case ir.Sampled(function=function, signal=signal):
-                samples = self._sampled(index, signal, at_ns, updated, expired)
-                views = tuple(map(samples.view, sampling_row(function).views))
-                return arithmetic.of_samples(function, views)
+            case ir.Sampled():
+                return self._sampled(index, node, at_ns, updated, expired)
             case ir.Fold():
                 return self.elements.fold(node)
             case ir.Count():
@@ -75,19 +73,22 @@ class Evaluator:
     def _sampled(
         self,
         index: int,
-        signal: int,
+        node: ir.Sampled,
         at_ns: int,
         updated: frozenset[int],
         expired: frozenset[int],
-    ) -> Samples:
-        """S18 and S21: the samples of `signal` that the node at `index` remembers."""
-        support = self._supports.signals[signal]
+    ) -> float:
+        """S18 and S21; what a function that feeds back remembers of a sample is its result."""
+        support = self._supports.signals[node.signal]
         samples = self._memory.samples[index]
+        feeds_back = sampling_row(node.function).feeds_back
         if support.inputs & expired:
             samples.forget()
         if support.channels & updated:
-            samples.take(self._memory.signals[signal], at_ns)
-        return samples
+            samples.take(self._memory.signals[node.signal], at_ns)
+            if feeds_back:
+                samples.take(_of_samples(node.function, samples), at_ns)
+        return samples.view(View.NEWEST) if feeds_back else _of_samples(node.function, samples)
 
     # --- truths ------------------------------------------------------------------------------
 
@@ -107,6 +108,8 @@ class Evaluator:
                 return self._held(index, node, at_ns)
             case ir.Since():
                 return self._since(index, node)
+            case ir.Recurs():
+                return self._recurs(index, node, at_ns)
             case ir.Oscillates():
                 return self._oscillates(index, node, at_ns, updated)
             case ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Quantified():
@@ -176,13 +179,20 @@ class Evaluator:
             return TruthValue.FALSE
         oscillation = self._memory.oscillations[index]
         x = self._memory.signals[node.signal]
+        source = TruthValue.TRUE
         if not math.isfinite(x):
             oscillation.clear()
-            oscillation.gap, oscillation.gap_end_ns = self._unknown(index, node), None
-            return oscillation.gap
-        if channels & updated:
+            source = self._unknown(index, node)
+        elif channels & updated:
             oscillation.take(x, node.swing, at_ns)
-        return oscillation.look(node.window_ns, at_ns)
+        return oscillation.recent.look(source, node.window_ns, at_ns)
+
+    def _recurs(self, index: int, node: ir.Recurs, at_ns: int) -> TruthValue:
+        """S48."""
+        operand = self._known(node.operand)
+        recurrence = self._memory.recurrences[index]
+        recurrence.take(operand, at_ns)
+        return recurrence.recent.look(operand, node.window_ns, at_ns)
 
     def _held(self, index: int, node: ir.Held, at_ns: int) -> TruthValue:
         """S33."""
@@ -202,3 +212,8 @@ class Evaluator:
         value = kleene.disjunction((begun, kleene.conjunction((held, before))))
         self._memory.since[index] = value
         return value
+
+
+def _of_samples(function: ir.Sampling, samples: Samples) -> float:
+    views = tuple(map(samples.view, sampling_row(function).views))
+    return arithmetic.of_samples(function, views)

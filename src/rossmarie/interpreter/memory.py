@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import enum
 import math
+import operator
 from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
 
 from rossmarie import ir
-from rossmarie.core import MOST_SAMPLES, View
+from rossmarie.core import MOST_SAMPLES, View, sampling_row
 from rossmarie.interpreter.arithmetic import NAN
 from rossmarie.ir import InputState, TruthValue, kleene
 
@@ -23,11 +25,15 @@ class InputMemory:
 
 
 class Samples:
-    """The last two samples of a signal (S18), or those in a window, at most `MOST_SAMPLES`."""
+    """The last two samples of a signal (S18), or those in a window, at most `MOST_SAMPLES`. Of a
+    function that feeds back (S50) they are its results.
+    """
 
-    def __init__(self, window_ns: int = 0) -> None:
-        self._window_ns = window_ns
-        self._kept: deque[tuple[int, float]] = deque(maxlen=MOST_SAMPLES if window_ns else 2)
+    def __init__(self, node: ir.Sampled) -> None:
+        has_window = sampling_row(node.function).has_window
+        self._window_ns = node.window_ns if has_window else 0
+        self._time_ns = node.window_ns
+        self._kept: deque[tuple[int, float]] = deque(maxlen=MOST_SAMPLES if has_window else 2)
 
     def forget(self) -> None:
         """There are none."""
@@ -56,6 +62,17 @@ class Samples:
                 return self._ranked((len(self._kept) - 1) // 2)
             case View.UPPER:
                 return self._ranked(len(self._kept) // 2)
+            case View.TOTAL:
+                return self._total()
+            case View.COUNT:
+                return float(len(self._kept))
+            case View.CONSTANT:
+                return float(self._time_ns) / 1e9
+
+    def _total(self) -> float:
+        """The sum of a window, the oldest sample first."""
+        values = [value for _, value in self._kept]
+        return reduce(operator.add, values) if values else NAN
 
     def _ranked(self, rank: int) -> float:
         """The sample of a window with so many others before it by size; of equals, the earlier."""
@@ -84,33 +101,66 @@ class Direction(enum.Enum):
 
 
 @dataclass
-class Oscillation:
-    """The turning points of a signal (S32); `turns` holds the instants of the last few.
+class Recent:
+    """The instants of the last few turning points or edges, counted within a window (S32, S48).
 
-    `gap` is what the condition was when the signal was last not finite, and `gap_end_ns` when that
-    ended; None while it lasts.
+    `gap` is what their source was when it was last unknown, and `gap_end_ns` when that ended; None
+    while it lasts.
     """
 
-    turns: deque[int]
-    direction: Direction = Direction.NONE
-    extreme: float = NAN
+    instants: deque[int]
     gap: TruthValue = TruthValue.FALSE
     gap_end_ns: int | None = 0
 
-    def clear(self) -> None:
-        """Nothing is known of the signal any more."""
-        self.turns.clear()
-        self.direction = Direction.NONE
-        self.extreme = NAN
+    def forget(self, at_ns: int) -> None:
+        """Nothing is known of what was before (S17)."""
+        self.instants.clear()
+        self.gap, self.gap_end_ns = TruthValue.UNKNOWN, at_ns
 
-    def look(self, window_ns: int, at_ns: int) -> TruthValue:
-        """Say whether enough turning points lie in the window, the signal being finite."""
-        if self.gap_end_ns is None:
+    def look(self, source: TruthValue, window_ns: int, at_ns: int) -> TruthValue:
+        """Say whether enough lie in the window, the source of them being known or not."""
+        if source in (TruthValue.UNKNOWN, TruthValue.LOST):
+            self.gap, self.gap_end_ns = source, None
+        elif self.gap_end_ns is None:
             self.gap_end_ns = at_ns
         oldest_ns = self.oldest_ns()
         if oldest_ns is not None and at_ns - oldest_ns < window_ns:
             return TruthValue.TRUE
-        return self.gap if at_ns - self.gap_end_ns < window_ns else TruthValue.FALSE
+        is_near = self.gap_end_ns is None or at_ns - self.gap_end_ns < window_ns
+        return self.gap if is_near else TruthValue.FALSE
+
+    def oldest_ns(self) -> int | None:
+        """The instant of the n-th latest, once there are that many."""
+        return self.instants[0] if len(self.instants) == self.instants.maxlen else None
+
+
+@dataclass
+class Recurrence:
+    """The edges of a condition (S48), and what that was in the evaluation before."""
+
+    recent: Recent
+    before: TruthValue = TruthValue.FALSE
+
+    def take(self, value: TruthValue, at_ns: int) -> None:
+        """The value of the condition in an evaluation."""
+        if value is TruthValue.TRUE and self.before is TruthValue.FALSE:
+            self.recent.instants.append(at_ns)
+        self.before = value
+
+
+@dataclass
+class Oscillation:
+    """The turning points of a signal (S32)."""
+
+    recent: Recent
+    direction: Direction = Direction.NONE
+    extreme: float = NAN
+
+    def clear(self) -> None:
+        """Nothing is known of the signal any more."""
+        self.recent.instants.clear()
+        self.direction = Direction.NONE
+        self.extreme = NAN
 
     def take(self, x: float, swing: float, at_ns: int) -> None:
         """A finite sample."""
@@ -128,13 +178,9 @@ class Oscillation:
 
     def _turn(self, direction: Direction, x: float, at_ns: int) -> None:
         if self.direction is not Direction.NONE:
-            self.turns.append(at_ns)
+            self.recent.instants.append(at_ns)
         self.direction = direction
         self.extreme = x
-
-    def oldest_ns(self) -> int | None:
-        """The instant of the n-th latest turning point, once there are that many."""
-        return self.turns[0] if len(self.turns) == self.turns.maxlen else None
 
 
 @dataclass
@@ -151,6 +197,7 @@ class Memory:
     truths: list[TruthValue | None]
     since_ns: list[int]
     oscillations: dict[int, Oscillation]
+    recurrences: dict[int, Recurrence]
     held: dict[int, HeldMemory]
     since: dict[int, TruthValue]
     now_ns: int | None = None
@@ -161,7 +208,10 @@ class Memory:
             samples.forget()
         for oscillation in self.oscillations.values():
             oscillation.clear()
-            oscillation.gap, oscillation.gap_end_ns = TruthValue.UNKNOWN, at_ns
+            oscillation.recent.forget(at_ns)
+        for recurrence in self.recurrences.values():
+            recurrence.before = TruthValue.UNKNOWN
+            recurrence.recent.forget(at_ns)
         for held in self.held:
             self.held[held] = HeldMemory(before=TruthValue.UNKNOWN)
         self.truths = [None] * len(self.truths)
@@ -175,16 +225,21 @@ def fresh_memory(machine: ir.Machine) -> Memory:
         inputs=[InputMemory() for _ in machine.inputs],
         signals=[NAN] * len(machine.signals),
         samples={
-            index: Samples(signal.node.window_ns)
+            index: Samples(signal.node)
             for index, signal in enumerate(machine.signals)
             if isinstance(signal.node, ir.Sampled)
         },
         truths=[None] * len(machine.truths),
         since_ns=[0] * len(machine.truths),
         oscillations={
-            index: Oscillation(deque(maxlen=truth.node.count))
+            index: Oscillation(Recent(deque(maxlen=truth.node.count)))
             for index, truth in enumerate(machine.truths)
             if isinstance(truth.node, ir.Oscillates)
+        },
+        recurrences={
+            index: Recurrence(Recent(deque(maxlen=truth.node.count)))
+            for index, truth in enumerate(machine.truths)
+            if isinstance(truth.node, ir.Recurs)
         },
         held={
             index: HeldMemory(before=kleene.truth_of(truth.node.initially))

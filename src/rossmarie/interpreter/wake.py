@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
-from rossmarie.interpreter.memory import Memory, Oscillation
+from rossmarie.interpreter.memory import Memory, Recent
 from rossmarie.ir import InputState, TruthValue
 
 
@@ -30,7 +30,11 @@ def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
             case ir.AgeReaches(input=used, age_ns=age_ns) if value is TruthValue.FALSE:
                 yield memory.inputs[used].stamp_ns + age_ns
             case ir.Oscillates(window_ns=window_ns):
-                since_ns = _window_since_ns(memory.oscillations[index], value)
+                since_ns = _window_since_ns(memory.oscillations[index].recent, value)
+                if since_ns is not None:
+                    yield since_ns + window_ns
+            case ir.Recurs(window_ns=window_ns):
+                since_ns = _window_since_ns(memory.recurrences[index].recent, value)
                 if since_ns is not None:
                     yield since_ns + window_ns
             case (
@@ -40,14 +44,14 @@ def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
                 pass
 
 
-def _window_since_ns(oscillation: Oscillation, value: TruthValue | None) -> int | None:
-    """The begin of the window at whose end an oscillation changes (ns); None if it does not."""
+def _window_since_ns(recent: Recent, value: TruthValue | None) -> int | None:
+    """The begin of the window at whose end a truth changes (ns); None if it does not."""
     match value:
         case TruthValue.TRUE:
-            oldest_ns = oscillation.oldest_ns()
-            assert oldest_ns is not None, "a true oscillation has all its turning points"
+            oldest_ns = recent.oldest_ns()
+            assert oldest_ns is not None, "what is true has all its turning points or edges"
             return oldest_ns
         case TruthValue.UNKNOWN | TruthValue.LOST:
-            return oscillation.gap_end_ns
+            return recent.gap_end_ns
         case TruthValue.FALSE | None:
             return None

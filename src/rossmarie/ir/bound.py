@@ -15,9 +15,14 @@ to be true or false only together with one of its operands. `C for d` becomes tr
 falls due and ceases to be when C does; it becomes false only when C does, for while C is true and
 it is not, it is what C was before (S33); and it ceases to be false when its timer falls due, or
 when C ceases to be false or to be true. (What counts as true before the start is true without
+
+Edges of C within d become enough only with an edge, at which C becomes true and ceases to be false.
 maturing; that is at the first event, before which no timer falls due.) `A since B` becomes true or
 ceases to be false only when B does, for it was what its memory says; it ceases to be true or
 becomes false only when A or B does (S44).
+They cease to be enough when the window of one of them ends: of the one that counts now, or of one
+that came meanwhile. Besides, what is unknown after a gap is known a window after it, and a gap ends
+where C becomes true or false.
 """
 
 from __future__ import annotations
@@ -108,6 +113,8 @@ class _Counted:
                 return self._held(operands[0])
             case ir.Since():
                 return _since(*operands)
+            case ir.Recurs():
+                return self._recurs(operands[0])
             case ir.AgeReaches(input=used, age_ns=age_ns):
                 due = self._age(self._machine.inputs[used].channel, age_ns)
                 return _Changes(becomes_true=due, ceases_false=due)
@@ -125,6 +132,17 @@ class _Counted:
             ceases_true=operand.ceases_true,
             becomes_false=operand.becomes_false,
             ceases_false=matures | operand.ceases_false | operand.ceases_true,
+        )
+
+    def _recurs(self, operand: _Changes) -> _Changes:
+        edges = min(operand.becomes_true.bit_count(), operand.ceases_false.bit_count())
+        gaps = (operand.becomes_true | operand.becomes_false).bit_count()
+        closes = self._new(2 + edges + gaps)
+        return _Changes(
+            becomes_true=operand.becomes_true,
+            ceases_true=closes,
+            becomes_false=closes,
+            ceases_false=operand.ceases_true | operand.ceases_false,
         )
 
     def _lost(self, index: int) -> _Changes:

@@ -14,7 +14,7 @@ from dslkit.source import Span
 from rossmarie.ir import kleene
 from rossmarie.ir import model as ir
 from rossmarie.ir.defined import defined
-from rossmarie.ir.support import compared_signals, is_leaf, leaf_truths, supports
+from rossmarie.ir.support import compared_signals, is_leaf, kind_of, leaf_truths, supports
 from rossmarie.ir.verdict import Change, Event, InputState, TruthValue, Verdict
 
 
@@ -193,16 +193,18 @@ class _Snapshot:
                 return (held, begun)
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
-                | ir.Oscillates() | ir.Quantified()
+                | ir.Oscillates() | ir.Quantified() | ir.Recurs()
             ):  # fmt: skip
                 return ()
 
     def _is_unit(self, truth: int) -> bool:
-        """Say whether a truth is told as a whole: a leaf, a duration, or the negation of one."""
+        """Say whether a truth is told as a whole: a leaf, a duration, a count of edges, or the
+        negation of one.
+        """
         node = self._machine.truths[truth].node
         while isinstance(node, ir.Not):
             node = self._machine.truths[node.operand].node
-        return is_leaf(node) or isinstance(node, ir.Held | ir.Since)
+        return is_leaf(node) or isinstance(node, ir.Held | ir.Since | ir.Recurs)
 
     def _cause(self, truth: int, around: str | None) -> Cause:
         chain = tuple(self._chain(truth))
@@ -267,29 +269,19 @@ class _Snapshot:
         signal = self._machine.signals[index]
         value = self._values[index]
         shown = value * signal.scale + signal.offset
-        return Reading(index, signal.text, shown, signal.unit, self._shown(signal, shown))
+        return Reading(index, signal.text, shown, signal.unit, self._shown(index, shown))
 
-    def _shown(self, signal: ir.Signal, value: float) -> str:
+    def _shown(self, index: int, value: float) -> str:
         if value != value:
             return "unknown"
-        match self._kind(signal.node):
+        match kind_of(self._machine, index):
             case ir.Kind.FLAG:
                 return str(value != 0.0).lower()
             case ir.Kind.TEXT:
                 texts = self._machine.texts
                 return f'"{texts[int(value)]}"' if value >= 0.0 else "another string"
             case ir.Kind.REAL:
-                return f"{value:.6g} {signal.unit}".rstrip()
-
-    def _kind(self, node: ir.SignalNode) -> ir.Kind:
-        match node:
-            case ir.Read(slot=slot):
-                return self._machine.slots[slot].kind
-            case (
-                ir.Constant() | ir.Apply() | ir.Sampled() | ir.Element() | ir.Fold()
-                | ir.Count()
-            ):  # fmt: skip
-                return ir.Kind.REAL
+                return f"{value:.6g} {self._machine.signals[index].unit}".rstrip()
 
     def _value(self, truth: int) -> TruthValue:
         """The value of any truth below the rule's condition: told, or computed from those told."""
@@ -306,6 +298,6 @@ class _Snapshot:
                 return kleene.disjunction(self._value(operand) for operand in operands)
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
-                | ir.Quantified() | ir.Held() | ir.Since()
+                | ir.Quantified() | ir.Held() | ir.Since() | ir.Recurs()
             ) as node:  # fmt: skip
                 raise AssertionError(f"{type(node).__name__} is among the terms of its rule")

@@ -113,7 +113,9 @@ class Apply:
 
 @dataclass(frozen=True)
 class Sampled:
-    """A function of the last samples of a signal; `window_ns` is 0 if it looks at no window."""
+    """A function of the last samples of a signal; `window_ns` is the time that it takes: the length
+    of its window, or its time constant. It is 0 if it takes none.
+    """
 
     function: Sampling
     signal: int
@@ -304,6 +306,15 @@ class Since:
     begun: int
 
 
+@dataclass(frozen=True)
+class Recurs:
+    """The operand has become true `count` times within the last `window_ns`."""
+
+    operand: int
+    count: int
+    window_ns: int
+
+
 TruthNode = (
     Literal
     | Compare
@@ -317,6 +328,7 @@ TruthNode = (
     | Or
     | Held
     | Since
+    | Recurs
 )
 
 

@@ -64,7 +64,7 @@ def signal_operands(node: ir.SignalNode) -> tuple[int, ...]:
 def truth_operands(node: ir.TruthNode) -> tuple[int, ...]:
     """The truths that a truth is computed from, elementwise ones included."""
     match node:
-        case ir.Not(operand=operand) | ir.Held(operand=operand):
+        case ir.Not(operand=operand) | ir.Held(operand=operand) | ir.Recurs(operand=operand):
             return (operand,)
         case ir.And(operands=operands) | ir.Or(operands=operands):
             return operands
@@ -90,7 +90,7 @@ def compared_signals(node: ir.TruthNode) -> tuple[int, ...]:
             return (signal,)
         case (
             ir.Literal() | ir.AgeReaches() | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
-            | ir.Held() | ir.Since()
+            | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             return ()
 
@@ -103,7 +103,7 @@ def is_leaf(node: ir.TruthNode) -> bool:
             | ir.Quantified()
         ):  # fmt: skip
             return True
-        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since():
+        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs():
             return False
 
 
@@ -177,7 +177,7 @@ def _truth_support(
             return _union(signals[signal] for signal in compared_signals(node))
         case (
             ir.Literal() | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
-            | ir.Since()
+            | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             return _union(truths[operand] for operand in truth_operands(node))
 
@@ -236,7 +236,7 @@ def _truth_array(
             return _single(signals[signal] for signal in compared_signals(node))
         case (
             ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()
-            | ir.Since()
+            | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             return None
 
@@ -246,6 +246,21 @@ def _single(arrays: Iterable[int | None]) -> int | None:
     if len(found) > 1:
         raise ValueError(f"elements of {len(found)} arrays meet")
     return found.pop() if found else None
+
+
+# --- kinds -----------------------------------------------------------------------------------
+
+
+def kind_of(machine: ir.Machine, signal: int) -> ir.Kind:
+    """The kind of values that a signal holds."""
+    match machine.signals[signal].node:
+        case ir.Read(slot=slot):
+            return machine.slots[slot].kind
+        case ir.Sampled(function=function, signal=sampled):
+            gives_a_sample = sampling_row(function).gives_a_sample
+            return kind_of(machine, sampled) if gives_a_sample else ir.Kind.REAL
+        case ir.Constant() | ir.Apply() | ir.Element() | ir.Fold() | ir.Count():
+            return ir.Kind.REAL
 
 
 # --- functions -------------------------------------------------------------------------------
@@ -296,7 +311,7 @@ def _whole_operands(node: ir.TruthNode) -> tuple[int, ...]:
             return ()
         case (
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
-            | ir.Oscillates() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
+            | ir.Oscillates() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             return truth_operands(node)
 
@@ -318,7 +333,7 @@ def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
 def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
     for index in told_truths(machine, condition):
         truth = machine.truths[index]
-        is_over_time = isinstance(truth.node, ir.Held | ir.Since)
+        is_over_time = isinstance(truth.node, ir.Held | ir.Since | ir.Recurs)
         is_telling = truth.name is not None or is_over_time or defined(machine, index) is not None
         if is_telling or is_leaf(truth.node):
             yield index

@@ -121,6 +121,8 @@ def _truth(node: ir.TruthNode) -> str:
             return f"t{operand} for {duration_text(duration_ns)}{counts}"
         case ir.Since(held=held, begun=begun):
             return f"t{held} since t{begun}"
+        case ir.Recurs(operand=operand, count=count, window_ns=window_ns):
+            return f"{count} edges of t{operand} within {duration_text(window_ns)}"
         case ir.Quantified(quantifier=quantifier, element=element):
             return f"{quantifier.value} over elements t{element}"
         case ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates():

@@ -23,6 +23,7 @@ from rossmarie.ir.support import (
     ElementArrays,
     compared_signals,
     element_arrays,
+    kind_of,
     reachable_truths,
     rule_signals,
     rule_terms,
@@ -31,6 +32,8 @@ from rossmarie.ir.support import (
     truth_operands,
 )
 from rossmarie.ir.verify_reactions import verify_reactions
+
+_EQUALITY = (ir.Comparison.EQUAL, ir.Comparison.NOT_EQUAL)
 
 
 def verify(machine: ir.Machine) -> None:
@@ -110,10 +113,10 @@ def _verify_signals(machine: ir.Machine) -> None:
                 is_right = row(function).takes(len(operands))
                 require(is_right, where, f"{function.value} of {len(operands)} operands")
             case ir.Sampled(function=function, window_ns=window_ns):
-                if sampling_row(function).has_window:
+                if sampling_row(function).takes_time:
                     require_duration(window_ns, where)
                 else:
-                    require(window_ns == 0, where, "a window that it does not have")
+                    require(window_ns == 0, where, "a time that it does not take")
             case ir.Fold():
                 pass
 
@@ -133,6 +136,9 @@ def _verify_truth(machine: ir.Machine, node: ir.TruthNode, where: str) -> None:
             require(len(operands) >= 2, where, f"{len(operands)} operands")
         case ir.Held(duration_ns=duration_ns):
             require_duration(duration_ns, where)
+        case ir.Recurs(count=count, window_ns=window_ns):
+            require(count >= 1, where, f"{count} edges")
+            require_duration(window_ns, where)
         case ir.AgeReaches(input=used, age_ns=age_ns):
             require_index(used, len(machine.inputs), where, "input")
             require_duration(age_ns, where)
@@ -226,33 +232,35 @@ def _require_element_truths(
 
 
 def _verify_kinds(machine: ir.Machine) -> None:
-    """Flags are only tested, and texts only compared with literals, for equality."""
+    """Flags are only tested, or compared with flags, and texts only compared with literals, for
+    equality.
+    """
     for index, signal in enumerate(machine.signals):
         where = f"signal {index} ({type(signal.node).__name__})"
         for operand in signal_operands(signal.node):
-            kind = _kind(machine, operand)
-            require(kind is ir.Kind.REAL, where, f"operand {operand} is a {kind.value}")
+            kind = kind_of(machine, operand)
+            is_right = kind is ir.Kind.REAL or (kind is ir.Kind.FLAG and _keeps(signal.node))
+            require(is_right, where, f"operand {operand} is a {kind.value}")
     for index, truth in enumerate(machine.truths):
         where = f"truth {index} ({type(truth.node).__name__})"
         if isinstance(truth.node, ir.Flag):
-            kind = _kind(machine, truth.node.signal)
+            kind = kind_of(machine, truth.node.signal)
             is_element = isinstance(machine.signals[truth.node.signal].node, ir.Element)
             require(kind is ir.Kind.FLAG or is_element, where, f"tests a {kind.value}")
-        elif not _compares_text(machine, truth.node):
+        elif not (_compares_text(machine, truth.node) or _compares_flags(machine, truth.node)):
             for operand in compared_signals(truth.node):
-                kind = _kind(machine, operand)
+                kind = kind_of(machine, operand)
                 require(kind is ir.Kind.REAL, where, f"operand {operand} is a {kind.value}")
 
 
-def _kind(machine: ir.Machine, signal: int) -> ir.Kind:
-    match machine.signals[signal].node:
-        case ir.Read(slot=slot):
-            return machine.slots[slot].kind
-        case (
-            ir.Constant() | ir.Apply() | ir.Sampled() | ir.Element() | ir.Fold()
-            | ir.Count()
-        ):  # fmt: skip
-            return ir.Kind.REAL
+def _keeps(node: ir.SignalNode) -> bool:
+    return isinstance(node, ir.Sampled) and sampling_row(node.function).gives_a_sample
+
+
+def _compares_flags(machine: ir.Machine, node: ir.TruthNode) -> bool:
+    if not isinstance(node, ir.Compare) or node.comparison not in _EQUALITY:
+        return False
+    return all(kind_of(machine, side) is ir.Kind.FLAG for side in (node.left, node.right))
 
 
 def _compares_text(machine: ir.Machine, node: ir.TruthNode) -> bool:
@@ -261,8 +269,8 @@ def _compares_text(machine: ir.Machine, node: ir.TruthNode) -> bool:
         return False
     literal = machine.signals[node.right].node
     return (
-        node.comparison in (ir.Comparison.EQUAL, ir.Comparison.NOT_EQUAL)
-        and _kind(machine, node.left) is ir.Kind.TEXT
+        node.comparison in _EQUALITY
+        and kind_of(machine, node.left) is ir.Kind.TEXT
         and isinstance(literal, ir.Constant)
         and literal.value in range(len(machine.texts))
     )

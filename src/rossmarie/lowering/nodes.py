@@ -121,6 +121,12 @@ class Nodes:
             return begun
         return self._add_truth(ir.Since(held, begun), shown)
 
+    def recurs(self, operand: int, count: int, window_ns: int, shown: Shown) -> int:
+        """At least `count` edges within a time; what is always false has none."""
+        if count == 0 or self._is_literal(operand, value=False):
+            return self.literal(count == 0, shown)
+        return self._add_truth(ir.Recurs(operand, count, window_ns), shown)
+
     def name(self, index: int, name: str) -> None:
         """Give a truth the name of a condition. The first name stays; literals have none, for
         equal ones are shared by conditions that have nothing to do with each other.
@@ -141,7 +147,7 @@ class Nodes:
                 return comparison.is_between(*values)
             case (
                 ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified()
-                | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
+                | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
             ):  # fmt: skip
                 return None
 

@@ -96,7 +96,8 @@ class Numbers:
                 return self._call(node)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-                | ast.Index() | ast.Oscillates() | ast.Membership() | ast.Held() | ast.Since()
+                | ast.Index() | ast.Edges() | ast.Oscillates() | ast.Membership() | ast.Held()
+                | ast.Since()
                 | ast.Once() | ast.Response() | ast.Broken()
             ):  # fmt: skip
                 raise AssertionError(f"checked: {type(node).__name__} is no number")
@@ -129,8 +130,8 @@ class Numbers:
                 return None if place is None else place.element(index, self.type_of(value))
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Call()
-                | ast.Oscillates() | ast.Unary() | ast.Binary() | ast.Membership() | ast.Held()
-                | ast.Since() | ast.Once() | ast.Response() | ast.Broken()
+                | ast.Edges() | ast.Oscillates() | ast.Unary() | ast.Binary() | ast.Membership()
+                | ast.Held() | ast.Since() | ast.Once() | ast.Response() | ast.Broken()
             ):  # fmt: skip
                 return None
 
@@ -193,7 +194,7 @@ class Numbers:
             case "previous":
                 parts = self.components(arguments[0])
                 return tuple(self._sampled(node, part, shown) for part in parts)
-            case "rate" | "median":
+            case "rate" | "median" | "mean" | "low_pass":
                 return (self._sampled(node, self.scalar(arguments[0]), shown),)
             case "abs" | "hypot":
                 return self._each(_EACH[name], tuple(map(self.components, arguments)), node)
@@ -209,10 +210,17 @@ class Numbers:
             case _:
                 raise AssertionError(f"checked: {name} is no function to a number")
 
+    def previous(self, node: ast.Expression) -> Components:
+        """What the components of an expression were in the sample before."""
+        shown = self.shown(node)
+        before = replace(shown, text=f"previous({shown.text})")
+        parts = self.components(node)
+        return tuple(self._nodes.signal(ir.Sampled(ir.Sampling.PREVIOUS, x), before) for x in parts)
+
     def _sampled(self, node: ast.Call, signal: int, shown: Shown) -> int:
         function = ir.Sampling(node.function.text)
         window_ns = 0
-        if sampling_row(function).has_window:
+        if sampling_row(function).takes_time:
             window_ns = duration_ns(self._program.values[node.arguments[1]])
         return self._nodes.signal(ir.Sampled(function, signal, window_ns), shown)
 

@@ -20,7 +20,7 @@ def referred_condition(
             key = (entity, name.text)
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-            | ast.Member() | ast.Index() | ast.Call() | ast.Oscillates() | ast.Unary()
+            | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates() | ast.Unary()
             | ast.Binary() | ast.Membership() | ast.Held() | ast.Since() | ast.Once()
             | ast.Response() | ast.Parenthesized() | ast.Broken()
         ):  # fmt: skip

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, ConditionKey, Value
-from rossmarie.check.operations.operands import is_age
+from rossmarie.check.operations.operands import is_age, is_edge_count
 from rossmarie.check.scopes.trees import stripped
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs
@@ -85,7 +85,7 @@ class Truths:
             case ast.Binary(operator=ast.BinaryOperator.AND | ast.BinaryOperator.OR):
                 return self._junction(node, entity)
             case ast.Binary():
-                return self._comparison(node)
+                return self._comparison(node, entity)
             case ast.Membership():
                 return self._membership(node)
             case (ast.Held() | ast.Since() | ast.Once() | ast.Response()) as over_time:
@@ -93,10 +93,10 @@ class Truths:
             case ast.Oscillates():
                 return self._oscillates(node)
             case ast.Call():
-                return self._quantified(node)
+                return self._call(node)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-                | ast.Member() | ast.Index() | ast.Broken()
+                | ast.Member() | ast.Index() | ast.Edges() | ast.Broken()
             ):  # fmt: skip
                 flag = self._numbers.scalar(node)
                 return self._nodes.leaf(ir.Flag(flag), _shown(node))
@@ -149,8 +149,12 @@ class Truths:
 
     # --- leaves ------------------------------------------------------------------------------
 
-    def _comparison(self, node: ast.Binary) -> int:
+    def _comparison(self, node: ast.Binary, entity: str | None) -> int:
         compared = _COMPARISONS[node.operator]
+        if is_edge_count(node.left):
+            return self._edges(node.left, compared, node.right, node, entity)
+        if is_edge_count(node.right):
+            return self._edges(node.right, compared.mirrored, node.left, node, entity)
         if is_age(node.left):
             return self._age(node.left, compared, node.right, node)
         if is_age(node.right):
@@ -172,7 +176,7 @@ class Truths:
         self, age: ast.Expression, compared: ir.Comparison, limit: ast.Expression, node: ast.Binary
     ) -> int:
         """Ages are whole nanoseconds: more than d is at least d + 1 ns."""
-        place = self._numbers.place(_age_argument(age))
+        place = self._numbers.place(_arguments(age)[0])
         assert place is not None, "checked: only inputs have an age"
         is_strict = compared in (ir.Comparison.GREATER, ir.Comparison.LESS_OR_EQUAL)
         age_ns = self._duration_ns(limit) + (1 if is_strict else 0)
@@ -183,6 +187,62 @@ class Truths:
         if compared in (ir.Comparison.GREATER, ir.Comparison.GREATER_OR_EQUAL):
             return index
         return self._nodes.negation(index, _shown(node))
+
+    def _edges(
+        self,
+        counted: ast.Expression,
+        compared: ir.Comparison,
+        limit: ast.Expression,
+        node: ast.Binary,
+        entity: str | None,
+    ) -> int:
+        """S48: more than n edges are at least n + 1."""
+        (edges,) = _arguments(counted)
+        assert isinstance(edges, ast.Edges), "asked before"
+        assert edges.window is not None, "checked"
+        operand = self._truth(edges.condition, entity)
+        window_ns = self._duration_ns(edges.window)
+        number = int(self._program.values[limit].numbers[0])
+
+        def at_least(count: int) -> int:
+            sign = ">=" if count == number else ">"
+            text = f"{words(counted.span)} {sign} {words(limit.span)}"
+            return self._nodes.recurs(operand, count, window_ns, Shown(text, node.span))
+
+        def more() -> int:
+            return at_least(number + 1)
+
+        def fewer() -> int:
+            return self._nodes.negation(at_least(number), _shown(node))
+
+        match compared:
+            case ir.Comparison.GREATER:
+                return more()
+            case ir.Comparison.GREATER_OR_EQUAL:
+                return at_least(number)
+            case ir.Comparison.LESS:
+                return fewer()
+            case ir.Comparison.LESS_OR_EQUAL:
+                return self._nodes.negation(more(), _shown(node))
+            case ir.Comparison.NOT_EQUAL:
+                return self._nodes.disjunction((fewer(), more()), _shown(node))
+            case ir.Comparison.EQUAL:
+                no_more = self._nodes.negation(more(), _shown(node))
+                return self._nodes.conjunction((at_least(number), no_more), _shown(node))
+
+    def _changed(self, node: ast.Call) -> int:
+        """S47: a component is not what it was in the sample before."""
+        (argument,) = node.arguments
+        now = self._numbers.components(argument)
+        before = self._numbers.previous(argument)
+        texts = [words(node.span)]
+        if len(now) > 1:
+            texts = [f"changed({words(argument.span)}.{axis})" for axis in "xyz"]
+        parts = tuple(
+            self._nodes.leaf(ir.Compare(ir.Comparison.NOT_EQUAL, *pair), Shown(text, node.span))
+            for text, *pair in zip(texts, now, before, strict=True)
+        )
+        return self._nodes.disjunction(parts, _shown(node))
 
     def _membership(self, node: ast.Membership) -> int:
         container = self._program.values[node.container]
@@ -215,7 +275,9 @@ class Truths:
         )
         return self._nodes.leaf(oscillates, _shown(node))
 
-    def _quantified(self, node: ast.Call) -> int:
+    def _call(self, node: ast.Call) -> int:
+        if node.function.text == "changed":
+            return self._changed(node)
         quantifier = ir.Quantifier(node.function.text)
         element = self._element(node.arguments[0])
         return self._nodes.leaf(ir.Quantified(quantifier, element), _shown(node))
@@ -260,7 +322,7 @@ def _parts(node: ast.Expression, operator: ast.BinaryOperator) -> tuple[ast.Expr
     return tuple(parts)
 
 
-def _age_argument(node: ast.Expression) -> ast.Expression:
+def _arguments(node: ast.Expression) -> tuple[ast.Expression, ...]:
     inner = stripped(node)
     assert isinstance(inner, ast.Call), "asked before"
-    return inner.arguments[0]
+    return inner.arguments

@@ -138,7 +138,7 @@ def _shape(machine: ir.Machine, node: ir.TruthNode, signal: int) -> tuple[float,
             others = (low, high)
         case (
             ir.Literal() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
-            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             return None
     nodes = [machine.signals[other].node for other in others]

@@ -172,6 +172,8 @@ class ExpressionBuilder:
     ) -> ast.Expression:
         if name.text == "oscillates":
             return self._oscillates(name.span, arguments, span)
+        if [type(each) for each in arguments] == [ast.Edges, Part]:
+            arguments = arguments[:1]  # a comma in front of `within`: its absence is reported
         plain = tuple(self._plain(argument) for argument in arguments)
         return ast.Call(name, plain, is_method, span)
 
@@ -204,6 +206,17 @@ class ExpressionBuilder:
     def within(self, parts: list[Any]) -> Part:
         """`within 0.25 sec`."""
         return Part("within", parts[1], self._span(parts))
+
+    def edges(self, parts: list[Any]) -> ast.Edges:
+        """`edges of a > 1 within 10 sec`."""
+        if parts[0].text != "edges":
+            problem = "what is counted are `edges of` a condition, or the elements of an array"
+            finding = errors.ForeignForm(found=f"{parts[0].text} of", problem=problem)
+            fix = Fix("write `edges of`", (Edit(self._at(parts[0]), "edges"),))
+            form = finding.Form(form="write `edges of`")
+            self._report(finding.at(self._at(parts[0]), help=form, fix=fix))
+        window = parts[3].value if len(parts) > 3 else None
+        return ast.Edges(parts[2], window, self._span(parts))
 
     def by(self, parts: list[Any]) -> Part:
         """`by 5 N`."""

@@ -199,9 +199,9 @@ class Style:
                 case ast.Index(value=value):
                     self.tight_behind.add(value.span.end)
                 case (
-                    ast.Boolean() | ast.Text() | ast.Reference() | ast.Member() | ast.Unary()
-                    | ast.Binary() | ast.Membership() | ast.Held() | ast.Since() | ast.Once()
-                    | ast.Response() | ast.Parenthesized() | ast.Broken()
+                    ast.Boolean() | ast.Text() | ast.Reference() | ast.Member() | ast.Edges()
+                    | ast.Unary() | ast.Binary() | ast.Membership() | ast.Held() | ast.Since()
+                    | ast.Once() | ast.Response() | ast.Parenthesized() | ast.Broken()
                 ):  # fmt: skip
                     pass
 
@@ -222,8 +222,9 @@ def _peeled(node: ast.Expression) -> ast.Expression:
                 continue
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-                | ast.Member() | ast.Index() | ast.Call() | ast.Oscillates() | ast.Binary()
-                | ast.Membership() | ast.Since() | ast.Once() | ast.Response() | ast.Broken()
+                | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
+                | ast.Binary() | ast.Membership() | ast.Since() | ast.Once() | ast.Response()
+                | ast.Broken()
             ):  # fmt: skip
                 return node
 

@@ -28,6 +28,8 @@ def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
             found = (left, right)
         case ast.Response(cause=cause, answer=answer, duration=duration):
             found = (cause, answer, duration)
+        case ast.Edges(condition=left, window=last):
+            found = (left, last)
         case ast.Oscillates(value=value, count=count, window=window, swing=swing):
             found = (value, count, window, swing)
         case ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Broken():

@@ -47,7 +47,7 @@ def limits_of(machine: ir.Machine, node: ir.TruthNode) -> Limited | None:
             return Limited(signal, _flag(machine, signal))
         case (
             ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified()
-            | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
+            | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             pass
     return None

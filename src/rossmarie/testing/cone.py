@@ -79,7 +79,7 @@ def _is_apart(machine: ir.Machine, truth: int, moved: Sequence[int]) -> bool:
             return _is_alone(machine, node, moved)
         case (
             ir.Literal() | ir.Flag() | ir.Oscillates() | ir.Not() | ir.And() | ir.Or()
-            | ir.Since()
+            | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             return False
 

@@ -134,7 +134,7 @@ def evaluate(machine: ir.Machine, truth: int, values: Mapping[int, TruthValue]) 
             return kleene.truth_of(value)
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
-            | ir.Quantified() | ir.Held() | ir.Since()
+            | ir.Quantified() | ir.Held() | ir.Since() | ir.Recurs()
         ) as node:  # fmt: skip
             raise AssertionError(f"{type(node).__name__} is an atom")
 

@@ -139,7 +139,9 @@ def atoms(machine: ir.Machine, decision: int) -> tuple[int, ...]:
     while waiting:
         truth = waiting.pop()
         node = machine.truths[truth].node
-        is_over_time = isinstance(node, ir.Held | ir.Since) or ir.defined(machine, truth)
+        is_over_time = isinstance(node, ir.Held | ir.Since | ir.Recurs) or ir.defined(
+            machine, truth
+        )
         if is_over_time or is_leaf(node):
             found.add(truth)
         elif not isinstance(node, ir.Literal):
@@ -175,7 +177,7 @@ def _pairs(node: ir.TruthNode) -> tuple[tuple[int, int], ...]:
             return (signal, low), (signal, high)
         case (
             ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified()
-            | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
+            | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             return ()
 
@@ -211,7 +213,7 @@ def deadline_ns(machine: ir.Machine, atom: int) -> int | None:
             return duration_ns
         case (
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
-            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             return None
 

@@ -75,7 +75,7 @@ def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
                 yield Threshold((truth,), None, text, due_ns / 1e9)
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
-                | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since()
+                | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since() | ir.Recurs()
             ):  # fmt: skip
                 pass
         for edge in edges(machine, truth):

@@ -244,7 +244,7 @@ def delay_ns(machine: ir.Machine, truth: int, *, value: bool = True) -> int:
             return delay_ns(machine, operand, value=not value)
         case ir.Held(duration_ns=duration_ns):
             own_ns = duration_ns if value else 0
-        case ir.Oscillates(window_ns=window_ns):
+        case ir.Oscillates(window_ns=window_ns) | ir.Recurs(window_ns=window_ns):
             own_ns = window_ns
         case ir.AgeReaches(age_ns=age_ns):
             own_ns = age_ns // 1000 * 1000 if value else 0

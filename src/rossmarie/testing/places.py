@@ -45,7 +45,7 @@ def seen_by(machine: ir.Machine, threshold: Threshold, history: History) -> list
                 found |= set(_ages(history, node))
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
-                | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since()
+                | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since() | ir.Recurs()
             ):  # fmt: skip
                 for edge in edges(machine, truth):
                     if edge.constant == threshold.constant:

@@ -58,6 +58,9 @@ class _Proposer:
         self._roots = self._rule.roots
         leaves = {leaf for root in self._roots for leaf in ir.leaf_truths(machine, root)}
         self._leaves = sorted(leaves)
+        below = {each for root in self._roots for each in ir.reachable_truths(machine, root)}
+        nodes = (machine.truths[each].node for each in sorted(below))
+        self._counted = tuple(node.operand for node in nodes if isinstance(node, ir.Recurs))
         self._beat_ns = beat_ns(machine, self._rule)
         ramp = ramp_of(machine, index, self._beat_ns)
         self._world = World(machine, self._leaves, ramp=ramp)
@@ -79,7 +82,11 @@ class _Proposer:
             yield from self._leaf(leaf, calm)
         for decision in decisions(self._machine, self._rule):
             for atom in atoms(self._machine, decision):
-                yield from self._held(atom, decision, calm)
+                node = self._machine.truths[atom].node
+                if isinstance(node, ir.Recurs):
+                    yield from self._recurs(atom, node, decision, calm)
+                else:
+                    yield from self._held(atom, decision, calm)
         for used in losable_inputs(self._machine, self._rule):
             yield from self._silence(used)
 
@@ -90,12 +97,12 @@ class _Proposer:
 
     def _hangs_on(self, truth: int, decision: int | None = None) -> z3.BoolRef:
         """A formula: what a truth is makes the difference to what clears or activates the rule."""
-        roots = self._roots if decision is None else (decision,)
+        roots = (*self._roots, *self._counted) if decision is None else (decision,)
         ways = []
         for root in roots:
             true, false = (self._world.formula(root, {truth: value}) for value in (True, False))
             ways.append(true != false)
-        if decision is None and len(ways) > 1:
+        if decision is None and len(self._roots) > 1:
             # A way to clear a rule counts while its condition is false.
             ways[1] = z3.And(ways[1], z3.Not(self._condition))
         return z3.Or(ways)
@@ -178,6 +185,26 @@ class _Proposer:
             for values, length_ns in zip((off, on, off, on, off), lengths, strict=True)
         ]
         yield self._proposal(self._text(atom), phases)
+
+    # --- counts of edges -------------------------------------------------------------------
+
+    def _recurs(
+        self, recurs: int, node: ir.Recurs, decision: int, calm: Values
+    ) -> Iterator[Proposal]:
+        """What is counted comes and goes as often as it has to, as fast as it can."""
+        formula = self._world.formula(node.operand)
+        hangs = self._hangs_on(recurs, decision)
+        on = self._world.solve([formula, hangs], calm)
+        off = None if on is None else self._world.solve([z3.Not(formula), hangs], on)
+        if on is None or off is None:
+            return
+        times = [delay_ns(self._machine, node.operand, value=value) for value in (True, False)]
+        on_ns, off_ns = (round_up(time_ns + self._beat_ns, self._beat_ns) for time_ns in times)
+        if (node.count - 1) * (on_ns + off_ns) >= node.window_ns:
+            return
+        often = [(on, on_ns), (off, off_ns)] * node.count
+        phases = [(off, self._hold_ns), *often, (off, self._hold_ns)]
+        yield self._proposal(self._text(recurs), [self._phase(*each) for each in phases])
 
     # --- lost inputs -------------------------------------------------------------------------
 

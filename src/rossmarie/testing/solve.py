@@ -1,10 +1,10 @@
 """Values for the fields of messages that make conditions true or false, found with z3.
 
 The picture is one of an unchanging world: every `for` is as what stands in front of it. Fields are
-real numbers in SI; an angle of an orientation, a rate, a previous sample, an age and an oscillation
-are values of their own, which `phases` knows how to bring about; so is what a `since` was, which
-takes other values before. Whatever is found is only a
-proposal: the interpreter has the last word.
+real numbers in SI; an angle of an orientation, a rate, a previous sample, an age, an oscillation
+and a count of edges are values of their own, which `phases` and `propose` know how to bring about;
+so is what a `since` was, which takes other values before.
+Whatever is found is only a proposal: the interpreter has the last word.
 
 So this is no `analysis.encoding.Encoding`, which says of each truth whether it is T, F or L, and of
 each number whether it is known: here all is known, and a truth is one formula, which stays small
@@ -43,7 +43,7 @@ _ANGLES = {Function.ROLL: "roll", Function.PITCH: "pitch", Function.YAW: "yaw"}
 class Variable:
     """Something to choose: `kind` is `slot`, `element` (`index` of an array, `part` the element),
     `angle` (`index` of the signal), `rate`, `previous`, `aged`, `oscillating` or `remembered`
-    (`index` of the signal, of the input, or of the truth).
+    (`index` of the signal, of the input, or of the truth, which may count edges as well).
     """
 
     kind: str
@@ -129,7 +129,7 @@ class World:
                 return self._over_time(truth, node, fixed)
             case ir.AgeReaches(input=used):
                 return self._bool(Variable("aged", used))
-            case ir.Oscillates():
+            case ir.Oscillates() | ir.Recurs():
                 return self._bool(Variable("oscillating", truth))
             case ir.Quantified(quantifier=quantifier, element=element):
                 is_any = quantifier is ir.Quantifier.ANY

@@ -20,6 +20,9 @@ from rossmarie.core.expressions import (
 from rossmarie.ir.carried import carries
 from rossmarie.ir.script import Script, ScriptedArrival, Setting
 
+_PLAIN = frozenset({View.SECONDS, View.COUNT, View.CONSTANT})
+"""Views that are no sample, and any number."""
+
 
 def whole_step(machine: ir.Machine, signal: int) -> float | None:
     """The distance, in SI, between neighbors among the values of a signal that can only have some;
@@ -37,7 +40,7 @@ def whole_step(machine: ir.Machine, signal: int) -> float | None:
         case ir.Sampled(function=sampling, signal=inner):
             declared = sampling_row(sampling)
             step = whole_step(machine, inner)
-            known = [None if view is View.SECONDS else step for view in declared.views]
+            known = [None if view in _PLAIN else step for view in declared.views]
             return _Steps(known, [None] * len(known)).of(declared.expression)
         case ir.Apply(function=function, operands=operands):
             return _applied(machine, function, operands)

@@ -61,6 +61,9 @@ class Operator(enum.Enum):
     RATE = "rate"
     PREVIOUS = "previous"
     MEDIAN = "median"
+    MEAN = "mean"
+    LOW_PASS = "low_pass"
+    CHANGED = "changed"
     AGE = "age"
     OSCILLATES = "oscillates"
 
@@ -322,10 +325,16 @@ def _previous(value: Type) -> Outcome:
     return Outcome(value) if isinstance(value, (Quantity, Vector)) else _unfit(value)
 
 
-def _median(value: Type, window: Type) -> Outcome:
+def _filtered(value: Type, window: Type) -> Outcome:
     if not isinstance(value, Quantity):
         return _unfit(value)
     return Outcome(value, _ordered(window, _SECONDS).faults)
+
+
+def _changed(value: Type) -> Outcome:
+    if isinstance(value, (Quantity, Vector, Boolean)):
+        return Outcome(Boolean())
+    return _unfit(value)
 
 
 def _age(_value: Type) -> Outcome:
@@ -377,7 +386,10 @@ SIGNATURES: Mapping[Operator, Signature] = {
     Operator.DISTANCE: Signature(2, 2, _distance),
     Operator.RATE: Signature(1, 1, _rate),
     Operator.PREVIOUS: Signature(1, 1, _previous),
-    Operator.MEDIAN: Signature(2, 2, _median),
+    Operator.MEDIAN: Signature(2, 2, _filtered),
+    Operator.MEAN: Signature(2, 2, _filtered),
+    Operator.LOW_PASS: Signature(2, 2, _filtered),
+    Operator.CHANGED: Signature(1, 1, _changed),
     Operator.AGE: Signature(1, 1, _age),
     Operator.OSCILLATES: Signature(2, 3, _oscillating),
 }

@@ -133,25 +133,42 @@ class Definitions:
                 return "NAN"  # it is never sampled
             case ir.Sampled(function=function):
                 declared = sampling_row(function)
-                views = ", ".join(self._view(node, view) for view in declared.views)
+                views = ", ".join(self._view(index, node, view) for view in declared.views)
                 text = f"{formulas.name_of_samples(function)}({views})"
                 return text if declared.keeps_infinities else f"spec_finite({text})"
             case ir.Constant() | ir.Read() | ir.Element() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
 
-    def _view(self, node: ir.Sampled, view: View) -> str:
-        """The result of a search among samples; the order of windows is not proved."""
+    def _view(self, index: int, node: ir.Sampled, view: View) -> str:
+        """The result of a search among samples; the order of windows is not proved. What feeds back
+        remembers its results (S50), so that its newest sample is the number itself.
+        """
+        feeds_back = sampling_row(node.function).feeds_back
         match view:
             case View.NEWEST:
-                return f"m->latest[{self._layout.sampled.index(node.signal)}]"
+                newest = f"m->latest[{self._last_two(index, node)}]"
+                return self.number(node.signal) if feeds_back else newest
             case View.BEFORE:
-                return f"m->before[{self._layout.sampled.index(node.signal)}]"
+                return f"m->before[{self._last_two(index, node)}]"
             case View.SECONDS:
-                k = self._layout.sampled.index(node.signal)
+                k = self._last_two(index, node)
                 return f"((double)(m->latest_ns[{k}] - m->before_ns[{k}]) / 0x1.dcd65p+29)"
             case View.LOWER | View.UPPER:
-                k = self._layout.windows.index((node.signal, node.window_ns))
-                return f"__CPROVER_uninterpreted_middle({k}, {int(view is View.UPPER)})"
+                is_upper = int(view is View.UPPER)
+                return f"__CPROVER_uninterpreted_middle({self._window(node)}, {is_upper})"
+            case View.TOTAL:
+                return f"__CPROVER_uninterpreted_total({self._window(node)})"
+            case View.COUNT:
+                return f"((double)m->window_count[{self._window(node)}])"
+            case View.CONSTANT:
+                return literal(float(node.window_ns) / 1e9)
+
+    def _last_two(self, index: int, node: ir.Sampled) -> int:
+        feeds_back = sampling_row(node.function).feeds_back
+        return self._layout.sampled.index(index if feeds_back else node.signal)
+
+    def _window(self, node: ir.Sampled) -> int:
+        return self._layout.windows.index((node.signal, node.window_ns))
 
     # --- elements of arrays ------------------------------------------------------------------
 
@@ -204,7 +221,7 @@ class Definitions:
                 return compared(node, self._element_number, "UNKNOWN")
             case (
                 ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()
-                | ir.Since()
+                | ir.Since() | ir.Recurs()
             ):  # fmt: skip
                 raise AssertionError(f"{type(node).__name__} is not of one element")
 
@@ -234,6 +251,8 @@ class Definitions:
                 return self._held(index, node)
             case ir.Since():
                 return self.since_then(self._layout.sinces.index(index), "m->")
+            case ir.Recurs(operand=operand):
+                return self._recurs(index, node, self.truth(operand))
             case ir.AgeReaches(input=used, age_ns=age_ns):
                 reached = f"t_ns - m->stamp_ns[{used}] >= INT64_C({age_ns}) ? TRUE : FALSE"
                 return f"m->state[{used}] == NEVER_RECEIVED ? {unknown} : {reached}"
@@ -264,6 +283,33 @@ class Definitions:
         before = f"spec_or({begun}, {memory}since_before[{k}])"
         return f"spec_or({begun}, spec_and({held}, {before}))"
 
+    def _recurs(self, index: int, node: ir.Recurs, operand: str) -> str:
+        """S48: known edges are facts; where these are too few, what was not seen counts."""
+        k = self._layout.recent.index(index)
+        end = f"m->gap_end_ns[{k}]"
+        near = f"{end} != NEVER && t_ns - {end} < INT64_C({node.window_ns})"
+        otherwise = f"{operand} >= UNKNOWN ? {operand} : {near} ? m->gap[{k}] : FALSE"
+        return f"{self.enough(k)} ? TRUE : {otherwise}"
+
+    def enough(self, k: int) -> str:
+        """Whether so many recent instants lie in the window as a truth asks for (S32, S48)."""
+        return f"(m->recent_count[{k}] == {self.recent(k).count} && t_ns < {self.window_end(k)})"
+
+    def window_end(self, k: int) -> str:
+        """When the oldest of them leaves the window."""
+        oldest = f"m->recent_ns[{self.first_recent(k)} + m->recent_next[{k}]]"
+        return f"{oldest} + INT64_C({self.recent(k).window_ns})"
+
+    def recent(self, k: int) -> ir.Oscillates | ir.Recurs:
+        """The k-th of the truths that count turning points or edges."""
+        node = self._machine.truths[self._layout.recent[k]].node
+        assert isinstance(node, ir.Oscillates | ir.Recurs), "the layout lists them"
+        return node
+
+    def first_recent(self, k: int) -> int:
+        """Where the instants of the k-th of them are kept."""
+        return sum(self.recent(before).count for before in range(k))
+
     def since(self, truth: int) -> str:
         """Since when a truth has its value."""
         return f"m->since_ns[{self._layout.node_of_truth[truth]}]"
@@ -271,7 +317,9 @@ class Definitions:
     def _unknown(self, index: int, node: ir.TruthNode) -> Iterator[str]:
         """S30: whether an unknown leaf is lost or just unknown."""
         match node:
-            case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since():
+            case (
+                ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
+            ):
                 return
             case ir.Quantified() | ir.AgeReaches():
                 whole = True

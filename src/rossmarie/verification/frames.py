@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 
 from rossmarie.ir import model as ir
 from rossmarie.verification.definitions import Definitions
-from rossmarie.verification.invariants import first_turn, oscillation, remark_of
+from rossmarie.verification.invariants import remark_of
 from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import claim
 from rossmarie.verification.turning_points import followed_on, forgotten
@@ -18,7 +18,7 @@ from rossmarie.verification.turning_points import followed_on, forgotten
 _MEMBER = re.compile(r"(?P<kind>.*?) ?\*?(?P<name>\w+)(\[(?P<count>\d+)\])?(\[\d+\])?;")
 
 _SAMPLES = ("latest", "before", "latest_ns", "before_ns")
-_TURNS = ("extreme", "heading", "turns")
+_TURNS = ("extreme", "heading", "recent_count", "recent_next")
 _GUARDS = ("low", "high", "place")
 _MARKS = ("dirty", "pending")
 
@@ -132,9 +132,9 @@ class Frames:
     def visited(self, node: int) -> str:
         """Of `visit`; what becomes of rules is claimed apart."""
         held = [k for k, t in enumerate(self._layout.held) if self._layout.node_of_truth[t] == node]
-        sinces, swings = (
+        sinces, recent = (
             [k for k, truth in enumerate(each) if self._layout.node_of_truth[truth] == node]
-            for each in (self._layout.sinces, self._layout.oscillations)
+            for each in (self._layout.sinces, self._layout.recent)
         )
         lines = [
             *self.any_marks(),
@@ -142,9 +142,26 @@ class Frames:
             *self._truths([node] if node < self._layout.truth_count else []),
             *(line for name in ("held_due_ns", "held_before") for line in self._some(name, held)),
             *self._some("since_before", sinces),
-            *(line for name in ("gap", "gap_end_ns") for line in self._some(name, swings)),
+            *(line for name in ("gap", "gap_end_ns") for line in self._some(name, recent)),
+            *(line for k in recent for line in self._edge(k)),
         ]
         return self.kept(lines)
+
+    def _edge(self, k: int) -> Iterator[str]:
+        """S48: an edge is kept where a condition is true that was false."""
+        node, first = self._definitions.recent(k), self._definitions.first_recent(k)
+        if not isinstance(node, ir.Recurs):
+            return
+        place = k - len(self._layout.oscillations)
+        operand, following = self._definitions.truth(node.operand), f"old.recent_next[{k}]"
+        yield f"expected.edge_before[{place}] = {operand};"
+        yield f"if ({operand} == TRUE && old.edge_before[{place}] == FALSE) {{"
+        for each in range(node.count):
+            yield f"    if ({following} == {each})"
+            yield f"        expected.recent_ns[{first + each}] = t_ns;"
+        yield f"    expected.recent_next[{k}] = ({following} + 1u) % {node.count}u;"
+        yield f"    expected.recent_count[{k}] += old.recent_count[{k}] < {node.count};"
+        yield "}"
 
     def ticked(self) -> str:
         """Of `tick`: what expired is forgotten (S9)."""
@@ -175,8 +192,9 @@ class Frames:
             age = f"old.now_ns - old.stamp_ns[{index}]"
             longest = f"{age} < LONGEST ? {age} : LONGEST"
             lines.append(f"expected.stamp_ns[{index}] = t_ns - ({longest});")
-        gaps = self._places.get("gap", ())
-        lines += [f"expected.{place} = old.started ? UNKNOWN : FALSE;" for place in gaps]
+        for name in ("gap", "edge_before"):
+            was = "old.started ? UNKNOWN : FALSE"
+            lines += [f"expected.{place} = {was};" for place in self._places.get(name, ())]
         for k, truth in enumerate(self._layout.held):
             node = self._machine.truths[truth].node
             at_start = "TRUE" if isinstance(node, ir.Held) and node.initially else "FALSE"
@@ -193,7 +211,7 @@ class Frames:
             *(f"expected.extreme[{k}] = NAN;" for k in range(len(self._layout.oscillations))),
             *(
                 f"expected.{place} = 0;"
-                for name in ("heading", "turns")
+                for name in ("heading", "recent_count")
                 for place in self._places.get(name, ())
             ),
         ]
@@ -229,10 +247,10 @@ class Frames:
     def _turning_points(self, oscillations: Iterable[int]) -> Iterator[str]:
         """Whatever becomes of them; that is claimed apart."""
         for k in oscillations:
-            first = first_turn(self._layout, k)
-            instants = range(first, first + oscillation(self._layout, k).count)
-            yield from self._some("turn_ns", instants)
-            for name in ("turn_next", *_TURNS):
+            first = self._definitions.first_recent(k)
+            instants = range(first, first + self._definitions.recent(k).count)
+            yield from self._some("recent_ns", instants)
+            for name in _TURNS:
                 yield from self._some(name, [k])
 
     def woken(self) -> str:

@@ -42,13 +42,14 @@ _MODELS = """\
 /* What is said of the C library: any function of its arguments. */
 double __CPROVER_uninterpreted_sqrt(double);
 double __CPROVER_uninterpreted_middle(unsigned k, unsigned is_upper); /* of a window */
+double __CPROVER_uninterpreted_total(unsigned k);
 double sqrt(double x) { return isnan(x) ? NAN : __CPROVER_uninterpreted_sqrt(x); }
 """
 
 _MOMENTS = {
-    "looked": ("clock", "marks", "in_time", "quiet", "leaves", "ages", "swings", "swinging",
+    "looked": ("clock", "marks", "in_time", "quiet", "leaves", "ages", "recent", "swinging",
                "derived", "rules", "woken"),
-    "at_rest": ("unmarked", "clock", "marks", "in_time", "quiet", "leaves", "ages", "swings",
+    "at_rest": ("unmarked", "clock", "marks", "in_time", "quiet", "leaves", "ages", "recent",
                 "swinging", "derived", "rules", "woken"),
 }  # fmt: skip
 
@@ -150,7 +151,7 @@ class _Writer:
         """The sentences that hold before timers are looked at: what was right at the last
         evaluation still is, and no timer was due since.
         """
-        groups = ("clock", "marks", "just_in_time", "leaves", "swings", "rules", "ahead", "woken")
+        groups = ("clock", "marks", "just_in_time", "leaves", "recent", "rules", "ahead", "woken")
         lines = [f"    {word}_{group}(m, t_ns);" for group in groups]
         lines.append(f"    {word}_derived(m, m->now_ns);")
         return "\n".join([*lines, write(_told(self._invariants, self._layout))])

@@ -54,11 +54,6 @@ def oscillation(layout: Layout, k: int) -> ir.Oscillates:
     return node
 
 
-def first_turn(layout: Layout, k: int) -> int:
-    """Where the instants of the turning points of the k-th oscillation are kept."""
-    return sum(oscillation(layout, before).count for before in range(k))
-
-
 def _is_true_initially(machine: ir.Machine, truth: int) -> bool:
     node = machine.truths[truth].node
     return isinstance(node, ir.Held) and node.initially
@@ -242,13 +237,20 @@ class Invariants:
             yield Sentence(f"`{text}` is remembered", f"{marked} || {told}")
 
     def _timer(self, truth: int) -> Iterator[str]:
-        """S33: the instant at which a duration is over, NEVER if it has not begun."""
+        """S33: the instant at which a duration is over, NEVER if it has not begun. S48: what is
+        remembered of a condition whose edges are counted is what that is now.
+        """
         node = self._machine.truths[truth].node
         if isinstance(node, ir.Held):
             due = f"m->held_due_ns[{self._layout.held.index(truth)}]"
             operand = self._definitions.truth(node.operand)
             start = self._definitions.since(node.operand)
             yield f"{due} == ({operand} == TRUE ? {start} + INT64_C({node.duration_ns}) : NEVER)"
+        elif isinstance(node, ir.Recurs):
+            k, operand = self._layout.recent.index(truth), self._definitions.truth(node.operand)
+            gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
+            yield f"m->edge_before[{self._layout.recurring.index(truth)}] == {operand}"
+            yield f"({operand} < UNKNOWN ? {end} != NEVER : {end} == NEVER && {gap} == {operand})"
 
     def rules(self) -> Iterator[Sentence]:
         """S35 to S38: what is certain of a rule whatever it was before."""
@@ -281,26 +283,26 @@ class Invariants:
             marked = self.marked(self._layout.node_of_truth[truth])
             held = f"{marked} || {ended} || m->held_due_ns[{k}] >= {least}"
             yield Sentence(f"the end of `{self._machine.truths[truth].text}` lies ahead", held)
-        yield from self._swing_timers(least)
+        yield from self._recent_timers(least)
 
-    # --- oscillations ------------------------------------------------------------------------
+    # --- turning points and edges ------------------------------------------------------------
 
-    def swings(self) -> Iterator[Sentence]:
-        """S32: turning points that can be looked at."""
-        for k, truth in enumerate(self._layout.oscillations):
-            node, first = oscillation(self._layout, k), first_turn(self._layout, k)
-            about = f"the turning points of `{self._machine.truths[truth].text}`"
-            sane = (
-                f"m->turns[{k}] <= {node.count} && m->turn_next[{k}] < {node.count} && "
-                f"m->heading[{k}] >= -1 && m->heading[{k}] <= 1"
-            )
+    def recent(self) -> Iterator[Sentence]:
+        """S32, S48: turning points and edges that can be looked at."""
+        for k, truth in enumerate(self._layout.recent):
+            count, first = self._definitions.recent(k).count, self._definitions.first_recent(k)
+            about = f"what is kept of `{self._machine.truths[truth].text}`"
+            sane = f"m->recent_count[{k}] <= {count} && m->recent_next[{k}] < {count}"
             yield Sentence(about, sane)
-            for place in range(first, first + node.count):
-                instant = f"m->turn_ns[{place}]"
+            for place in range(first, first + count):
+                instant = f"m->recent_ns[{place}]"
                 yield Sentence(about, f"{instant} >= {_OLDEST} && {instant} < LATEST")
             gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
             yield Sentence(about, f"{gap} == FALSE || {gap} == UNKNOWN || {gap} == LOST")
             yield Sentence(about, f"{end} == NEVER || ({end} >= EARLIEST && {end} <= t_ns)")
+        for k in range(len(self._layout.oscillations)):
+            heading = f"m->heading[{k}] >= -1 && m->heading[{k}] <= 1"
+            yield Sentence("a number goes up or down, or nothing is known of it", heading)
 
     def swinging(self) -> Iterator[Sentence]:
         """Each oscillation was seen as it is now, and its truth is that, or it is marked."""
@@ -308,22 +310,17 @@ class Invariants:
             text = self._machine.truths[truth].text
             seen = f"m->swinging[{k}] == {self.seen(k)}"
             yield Sentence(f"what is seen of `{text}`", seen)
-            waited = f"m->swinging[{k}] != TRUE || {self._window_end(k)} >= m->wake_ns"
+            waited = f"m->swinging[{k}] != TRUE || {self._definitions.window_end(k)} >= m->wake_ns"
             yield Sentence(f"the end of the window of `{text}` is waited for", waited)
             marked = self.marked(self._layout.node_of_truth[truth])
             yield Sentence(f"`{text}` is what it means", f"{marked} || {self.told(k)}")
 
     def seen(self, k: int) -> str:
         """The truth that enough turning points lie within the window now."""
-        truth, node = self._layout.oscillations[k], oscillation(self._layout, k)
-        x = self._definitions.number(node.signal)
-        within = f"(m->turns[{k}] == {node.count} && t_ns < {self._window_end(k)})"
-        return f"(!isfinite({x}) ? spec_unknown_{truth}(m) : {within} ? TRUE : FALSE)"
-
-    def _window_end(self, k: int) -> str:
-        """When the oldest turning point leaves the window."""
-        oldest = f"m->turn_ns[{first_turn(self._layout, k)} + m->turn_next[{k}]]"
-        return f"{oldest} + INT64_C({oscillation(self._layout, k).window_ns})"
+        truth = self._layout.oscillations[k]
+        x = self._definitions.number(oscillation(self._layout, k).signal)
+        enough = self._definitions.enough(k)
+        return f"(!isfinite({x}) ? spec_unknown_{truth}(m) : {enough} ? TRUE : FALSE)"
 
     def told(self, k: int) -> str:
         """State that a monitor tells what is seen: nothing until a gap is a window ago."""
@@ -335,12 +332,12 @@ class Invariants:
         known = f"{end} != NEVER && {value} == ({over} ? {seen} : {gap})"
         return f"({seen} >= UNKNOWN ? ({lost}) : ({known}))"
 
-    def _swing_timers(self, least: str) -> Iterator[Sentence]:
-        for k, truth in enumerate(self._layout.oscillations):
-            window_ns = oscillation(self._layout, k).window_ns
+    def _recent_timers(self, least: str) -> Iterator[Sentence]:
+        for k, truth in enumerate(self._layout.recent):
+            window_ns = self._definitions.recent(k).window_ns
             value, end = self._definitions.truth(truth), f"m->gap_end_ns[{k}]"
             marked = self.marked(self._layout.node_of_truth[truth])
-            true = f"({value} != TRUE || {self._window_end(k)} >= {least})"
+            true = f"({value} != TRUE || {self._definitions.window_end(k)} >= {least})"
             after = f"{end} + INT64_C({window_ns})"
             gap = f"({value} < UNKNOWN || {end} == NEVER || {after} >= {least})"
             about = f"the window of `{self._machine.truths[truth].text}` ends ahead"
@@ -364,7 +361,7 @@ class Invariants:
             **{name: list(self.guard(n, g)) for n, (name, g) in enumerate(self.guards().items())},
             "literals": list(self.literals()),
             "ages": list(self.ages()),
-            "swings": list(self.swings()),
+            "recent": list(self.recent()),
             "swinging": list(self.swinging()),
             "derived": list(self.derived()),
             "rules": list(self.rules()),

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Hashable, Iterable, Mapping
 from dataclasses import dataclass
 
+from rossmarie.core import sampling_row
 from rossmarie.ir import model as ir
 from rossmarie.verification import supports
 from rossmarie.verification.places import Places, Watched, places_of
@@ -38,8 +39,8 @@ class Value:
 class Layout:
     """The layout of one machine. Lists of truths are in the order in which a monitor has them.
 
-    `held`, `sinces`, `oscillations`, `sampled` and `windows` (signals, each with how long its
-    samples are remembered) are in the order of what is remembered of them.
+    `held`, `sinces`, `oscillations`, `recurring`, `sampled` and `windows` (signals, each with how
+    long its samples are remembered) are in the order of what is remembered of them.
     """
 
     machine: ir.Machine
@@ -51,6 +52,7 @@ class Layout:
     literals: tuple[int, ...]
     ages: tuple[int, ...]
     oscillations: tuple[int, ...]
+    recurring: tuple[int, ...]
     derived: tuple[int, ...]
     held: tuple[int, ...]
     sinces: tuple[int, ...]
@@ -62,6 +64,11 @@ class Layout:
     def name(self) -> str:
         """The prefix of the names of all public functions."""
         return self.places.name
+
+    @property
+    def recent(self) -> tuple[int, ...]:
+        """The truths that count turning points or edges, in the order in which these are kept."""
+        return (*self.oscillations, *self.recurring)
 
     @property
     def leaf_count(self) -> int:
@@ -123,7 +130,7 @@ class _Sorted:
     def layout(self) -> Layout:
         swings = self._of(ir.Oscillates)
         still = [index for index in swings if not self._channels(index)]
-        derived = self._of(ir.Not, ir.And, ir.Or, ir.Held, ir.Since)
+        derived = self._of(ir.Not, ir.And, ir.Or, ir.Held, ir.Since, ir.Recurs)
         self._check([index for index in swings if index not in still])
         return Layout(
             machine=self._machine,
@@ -135,6 +142,7 @@ class _Sorted:
             literals=(*self._of(ir.Literal), *still),
             ages=tuple(self._of(ir.AgeReaches)),
             oscillations=self._places.oscillations,
+            recurring=self._places.recurring,
             derived=tuple(sorted(derived, key=self._places.node_of_truth.__getitem__)),
             held=self._places.held,
             sinces=self._places.sinces,
@@ -200,17 +208,35 @@ class _Sorted:
         _same(places.held, self._of(ir.Held), "durations")
         _same(places.sinces, self._of(ir.Since), "truths that remember what they were")
         _same(places.oscillations, moving, "oscillations")
-        samplings = [
-            (node.signal, node.window_ns)
-            for node in (signal.node for signal in machine.signals)
-            if isinstance(node, ir.Sampled)
-            and supports.support(machine, (node.signal,), ()).channels
-        ]
-        last = {signal for signal, window_ns in samplings if not window_ns}
+        _same(places.recurring, self._of(ir.Recurs), "counts of edges")
+        last, windows = self._remembered()
         _same(places.sampled, last, "signals of which samples are remembered")
-        _same(places.windows, {each for each in samplings if each[1]}, "windows")
+        _same(places.windows, windows, "windows")
         names = range(len(machine.channels))
         _must(len(set(places.channel_names)) == len(names), "two channels have the same name")
+
+    def _remembered(self) -> tuple[set[int], set[tuple[int, int]]]:
+        """The signals whose last two samples are remembered, of what feeds back its own results
+        (S50); and the windows.
+        """
+        last: set[int] = set()
+        windows: set[tuple[int, int]] = set()
+        for index, signal in enumerate(self._machine.signals):
+            match signal.node:
+                case ir.Sampled(signal=sampled) as node:
+                    row = sampling_row(node.function)
+                    if not supports.support(self._machine, (sampled,), ()).channels:
+                        continue
+                    if row.has_window:
+                        windows.add((sampled, node.window_ns))
+                    else:
+                        last.add(index if row.feeds_back else sampled)
+                case (
+                    ir.Constant() | ir.Read() | ir.Apply() | ir.Element() | ir.Fold()
+                    | ir.Count()
+                ):  # fmt: skip
+                    pass
+        return last, windows
 
 
 def _place(places: Mapping[int, int], index: int, what: str) -> int:

@@ -58,7 +58,7 @@ class MessageChecks:
         self._subfunctions = opaque.Subfunctions(self._opaque)
         self._same = self._subfunctions.parts()
         self._idle: Parts = (*follow, compute, *opaque.parts_of_samples(self._machine))
-        self._windows: Parts = opaque.WINDOW_PARTS if layout.windows else ()
+        self._windows = opaque.parts_of_windows(layout)
         names = (opaque.name(*each) for each in self._opaque)
         self._parts = (*parts, *self._windows, *((name, f"any_{name}") for name in names))
 
@@ -339,7 +339,7 @@ _ANY_NUMBERS = f"""\
 {ANY}
     __CPROVER_assume(t_ns > EARLIEST && m->now_ns <= t_ns);
     suppose_clock(m, t_ns);
-    suppose_swings(m, t_ns);"""
+    suppose_recent(m, t_ns);"""
 
 _IN_RANGE = "    __CPROVER_assume(t_ns < LATEST);"
 

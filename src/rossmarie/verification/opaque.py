@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from rossmarie.core import (
     Function,
     Sampling,
+    View,
     defined,
     may_be_infinite,
     parameters,
@@ -134,19 +135,24 @@ def _any_function(function: Subfunction) -> str:
 
 # --- samples ---------------------------------------------------------------------------------
 
-WINDOW_PARTS: Parts = (
-    ("window_middle", "some_middle"),
-    ("sample_window", "ignore_sample_window"),
-)
-"""The functions that keep the samples of windows and put them in order. No question proves these:
-they are the same in all machines, and take some thousand comparisons of numbers each time.
-"""
+_FOUND = {
+    View.LOWER: ("window_middle", "some_middle"),
+    View.UPPER: ("window_middle", "some_middle"),
+    View.TOTAL: ("window_total", "some_total"),
+}
+"""The functions that look through the samples of windows."""
 
 _WINDOWS = """\
 double some_middle(const monitor *m, unsigned k, unsigned is_upper)
 {
     (void)m;
     return __CPROVER_uninterpreted_middle(k, is_upper);
+}
+
+double some_total(const monitor *m, unsigned k)
+{
+    (void)m;
+    return __CPROVER_uninterpreted_total(k);
 }
 
 void ignore_sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
@@ -157,6 +163,18 @@ void ignore_sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
     (void)t_ns;
 }
 """
+
+
+def parts_of_windows(layout: Layout) -> Parts:
+    """The functions that keep the samples of windows, put them in order and add them. No question
+    proves these: they are the same in all machines, and take some thousand comparisons of numbers
+    each time.
+    """
+    if not layout.windows:
+        return ()
+    views = [view for each in samplings(layout.machine) for view in sampling_row(each).views]
+    found = dict.fromkeys(_FOUND[view] for view in views if view in _FOUND)
+    return (*found, ("sample_window", "ignore_sample_window"))
 
 
 def parts_of_samples(machine: ir.Machine) -> Parts:

@@ -47,6 +47,7 @@ class Places:
     held: tuple[int, ...]
     sinces: tuple[int, ...]
     oscillations: tuple[int, ...]
+    recurring: tuple[int, ...]
     sampled: tuple[int, ...]
     windows: tuple[tuple[int, int], ...]
     kept_raw: frozenset[int]
@@ -75,6 +76,7 @@ def places_of(machine: ir.Machine) -> Places:
         held=found.held,
         sinces=found.sinces,
         oscillations=found.oscillations,
+        recurring=found.recurring,
         sampled=found.sampled,
         windows=found.windows,
         kept_raw=covered_values(found),

@@ -29,7 +29,7 @@ def numbers_of(node: Node) -> tuple[int, ...]:
             return (element,)
         case (
             ir.Constant() | ir.Read() | ir.Element() | ir.Count() | ir.Literal() | ir.AgeReaches()
-            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since()
+            | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             return ()
 
@@ -39,7 +39,7 @@ def truths_of(node: Node) -> tuple[int, ...]:
     match node:
         case ir.And(operands=operands) | ir.Or(operands=operands):
             return operands
-        case ir.Not(operand=operand) | ir.Held(operand=operand):
+        case ir.Not(operand=operand) | ir.Held(operand=operand) | ir.Recurs(operand=operand):
             return (operand,)
         case ir.Since(held=held, begun=begun):
             return held, begun
@@ -174,6 +174,7 @@ def _array(node: Node, signals: list[int | None], truths: list[int | None]) -> i
         case (
             ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count() | ir.Literal()
             | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held() | ir.Since()
+            | ir.Recurs()
         ):  # fmt: skip
             return None
 
@@ -229,7 +230,7 @@ def _whole(machine: ir.Machine, condition: int) -> list[int]:
 
 def _is_over_time(machine: ir.Machine, truth: int) -> bool:
     node = machine.truths[truth].node
-    return isinstance(node, ir.Held | ir.Since) or _named_by(machine, truth) is not None
+    return isinstance(node, ir.Held | ir.Since | ir.Recurs) or _named_by(machine, truth) is not None
 
 
 def _named_by(machine: ir.Machine, truth: int) -> tuple[int, ...] | None:
@@ -256,7 +257,7 @@ def _named_by(machine: ir.Machine, truth: int) -> tuple[int, ...] | None:
 def is_leaf(node: ir.TruthNode) -> bool:
     """Say whether a truth looks at numbers, arrays or ages itself (S30)."""
     match node:
-        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since():
+        case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs():
             return False
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()

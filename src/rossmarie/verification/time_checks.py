@@ -109,7 +109,7 @@ _WAITING = """\
 _EARLIEST_TIMER = """\
     suppose_unmarked(m, t_ns);
     suppose_clock(m, t_ns);
-    suppose_swings(m, t_ns);
+    suppose_recent(m, t_ns);
     suppose_ahead(m, m->now_ns + 1);
     before_ns = nondet_instant();
     after_ns = m->now_ns;

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.formulas import literal
-from rossmarie.verification.invariants import first_turn, oscillation
+from rossmarie.verification.invariants import oscillation
 from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import claim
 
@@ -27,26 +27,26 @@ def forgotten(layout: Layout, definitions: Definitions) -> Iterator[str]:
         yield f"if (!isfinite({x})) {{"
         yield f"    expected.extreme[{k}] = NAN;"
         yield f"    expected.heading[{k}] = 0;"
-        yield f"    expected.turns[{k}] = 0;"
+        yield f"    expected.recent_count[{k}] = 0;"
         yield "}"
 
 
 def followed(layout: Layout, definitions: Definitions, k: int) -> Iterator[str]:
     """The claims about the k-th oscillation."""
-    node, first = oscillation(layout, k), first_turn(layout, k)
+    node, first = oscillation(layout, k), definitions.first_recent(k)
     about = f"the turning points of `{layout.machine.truths[layout.oscillations[k]].text}`"
-    extreme, heading, turns = f"old.extreme[{k}]", f"old.heading[{k}]", f"old.turns[{k}]"
-    following = f"old.turn_next[{k}]"
+    extreme, heading, turns = f"old.extreme[{k}]", f"old.heading[{k}]", f"old.recent_count[{k}]"
+    following = f"old.recent_next[{k}]"
     places = range(first, first + node.count)
     after = f"({following} + 1u) % {node.count}u"
     claims = [
         f"spec_same(m->extreme[{k}], !is_known ? NAN : is_new || up || down ? x : {extreme})",
         f"m->heading[{k}] == (!is_known ? 0 : up ? 1 : down ? -1 : {heading})",
-        f"m->turns[{k}] == (is_known ? {turns} + (turn && {turns} < {node.count}) : 0)",
-        f"m->turn_next[{k}] == (turn ? {after} : {following})",
+        f"m->recent_count[{k}] == (is_known ? {turns} + (turn && {turns} < {node.count}) : 0)",
+        f"m->recent_next[{k}] == (turn ? {after} : {following})",
         *(
-            f"m->turn_ns[{place}] == "
-            f"(turn && {first} + {following} == {place} ? t_ns : old.turn_ns[{place}])"
+            f"m->recent_ns[{place}] == "
+            f"(turn && {first} + {following} == {place} ? t_ns : old.recent_ns[{place}])"
             for place in places
         ),
     ]

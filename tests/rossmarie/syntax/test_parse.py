@@ -40,6 +40,8 @@ def shape(node: ast.Expression) -> str:
             return f"({OVER_TIME[type(node)]} {inside})"
         case ast.Parenthesized():
             return f"<{inside}>"
+        case ast.Edges():
+            return f"Edges({inside})"
         case ast.Oscillates():
             return f"Oscillates({inside})"
         case ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Broken():
@@ -100,6 +102,7 @@ def leaf(node: ast.Number | ast.Boolean | ast.Text | ast.Reference | ast.Broken)
         ('state == "a // b \\ c"', "(== state 'a // b \\\\ c')"),
         ("true and not false", "(and true (not false))"),
         ("any(scan.ranges < 0.5 m)", "any((< scan.ranges 0.5m))"),
+        ("count(edges of a > 1 within 2 sec)", "count(Edges((> a 1) 2sec))"),
         ("oscillates(x, 3 times, within 0.25 sec)", "Oscillates(x 3 0.25sec)"),
         ("oscillates(x, 3 times, within w, by 5 N)", "Oscillates(x 3 w 5N)"),
         ("x.oscillates(3 times, within w, by 5 N)", "Oscillates(x 3 w 5N)"),

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from rossmarie.check.names.references import is_value, type_of_member, type_of_reference
 from rossmarie.check.operations.constants import fold, record
+from rossmarie.check.operations.edges import type_of_edges
 from rossmarie.check.operations.functions import type_of_call, type_of_oscillates
 from rossmarie.check.operations.indexes import element_of, no_element
 from rossmarie.check.operations.operators import type_of_binary, type_of_unary
@@ -23,8 +24,15 @@ from rossmarie.types import Boolean, Quantity, Text, Type, Unknown
 from rossmarie.units import DIMENSIONLESS
 
 _Operation = (
-    ast.Unary | ast.Binary | ast.Membership | ast.Held | ast.Since | ast.Once | ast.Response
-    | ast.Call | ast.Oscillates | ast.Bracket
+    ast.Unary
+    | ast.Binary
+    | ast.Membership
+    | ast.Held
+    | ast.Since | ast.Once | ast.Response
+    | ast.Call
+    | ast.Edges
+    | ast.Oscillates
+    | ast.Bracket
 )  # fmt: skip
 
 
@@ -80,7 +88,8 @@ def _type_of(node: ast.Expression, context: Context) -> Type:
             return Unknown()
         case (
             ast.Unary() | ast.Binary() | ast.Membership() | ast.Held() | ast.Since()
-            | ast.Once() | ast.Response() | ast.Call() | ast.Oscillates() | ast.Bracket()
+            | ast.Once() | ast.Response() | ast.Call() | ast.Edges() | ast.Oscillates()
+            | ast.Bracket()
         ):  # fmt: skip
             return _type_of_operation(node, context)
 
@@ -97,6 +106,8 @@ def _type_of_operation(node: _Operation, context: Context) -> Type:
             return type_of_temporal(node, context)
         case ast.Call():
             return type_of_call(node, context)
+        case ast.Edges():
+            return type_of_edges(node, context)
         case ast.Oscillates():
             return type_of_oscillates(node, context)
         case ast.Bracket():

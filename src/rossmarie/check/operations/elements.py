@@ -66,7 +66,7 @@ def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[
 def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
     """The `any`, `all` or `count` that a node stands in, if it stands in one."""
     around = context.parents.get(node)
-    while around is not None:
+    while around is not None and not isinstance(around, ast.Edges):
         if isinstance(around, ast.Call) and around.function.text in _ELEMENTWISE:
             return around
         around = context.parents.get(around)

@@ -91,6 +91,48 @@ class OscillationCount(Error, code="ROSS220", name="oscillation-count"):
     most: int
 
 
+class EdgesMisused(Error, code="ROSS234", name="edges-misused"):
+    """A count of edges other than as one side of a comparison with a constant."""
+
+    title = "a count of edges within a time can only be compared with a constant whole number"
+    label = "{reason}"
+    note = "a monitor keeps no more edges than the comparison needs, so it has to know that number"
+    help = "write `count(edges of CONDITION within 10 sec) > 3`"
+    reason: str
+
+
+class EdgeCount(Error, code="ROSS235", name="edge-count"):
+    """A number of edges that cannot be counted up to, or that every count is above."""
+
+    title = "a count of edges is compared with a whole number from 0 to {most}"
+    label = "{reason}"
+    help = "write `count(edges of CONDITION within 10 sec) > 3`"
+    reason: str
+    most: int
+
+
+class ChangedMisused(Error, code="ROSS236", name="changed-misused"):
+    """`changed` of something that is no number, vector or flag of a message."""
+
+    title = "`changed` compares a number, a vector or a flag with the message before"
+    label = "this is {found}"
+    found: str
+
+    class Texts(Remark):
+        says = (
+            "strings that the rules do not mention are one and the same to a monitor: "
+            "it would miss most changes"
+        )
+
+    class Compared(Remark):
+        says = 'compare it with the string that matters: `{text} == "..."`'
+        text: str
+
+    class Edges(Remark):
+        says = "a condition has edges: write `count(edges of {text} within 1 sec) > 0`"
+        text: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownFunction,
     WrongArgumentCount,
@@ -98,4 +140,7 @@ ALL: tuple[type[Template], ...] = (
     ElementwiseMixture,
     AgeMisused,
     OscillationCount,
+    EdgesMisused,
+    EdgeCount,
+    ChangedMisused,
 )

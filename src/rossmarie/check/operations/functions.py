@@ -6,6 +6,8 @@ from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark, Write, listed
 from rossmarie.check.operations.angles import warn_of_rate
+from rossmarie.check.operations.changes import type_of_changed
+from rossmarie.check.operations.edges import report_edges_elsewhere
 from rossmarie.check.operations.elements import check_elements
 from rossmarie.check.operations.errors import DurationOutOfRange, NotAnArray
 from rossmarie.check.operations.function_errors import (
@@ -16,10 +18,10 @@ from rossmarie.check.operations.function_errors import (
 )
 from rossmarie.check.operations.operands import (
     duration_ns,
-    is_age,
+    is_edge_count,
     report_array,
-    report_misused_age,
     report_not_a_number,
+    report_uncompared,
     require_constant,
     scalar_operand,
 )
@@ -64,6 +66,9 @@ USAGES: Mapping[Operator, str] = {
     Operator.RATE: "rate(x)",
     Operator.PREVIOUS: "previous(x)",
     Operator.MEDIAN: "median(x, 0.2 sec)",
+    Operator.MEAN: "mean(x, 0.2 sec)",
+    Operator.LOW_PASS: "low_pass(x, 0.2 sec)",
+    Operator.CHANGED: "changed(x)",
     Operator.AGE: "age(input) > 0.5 sec",
 }
 """The notation of each function; its keys are the functions there are."""
@@ -82,6 +87,12 @@ _FIELDS: Mapping[Operator, type[object]] = {
     Operator.PITCH: Quaternion,
     Operator.YAW: Quaternion,
 }
+_TIMES: Mapping[Operator, str] = {
+    Operator.MEDIAN: "the window of `median`",
+    Operator.MEAN: "the window of `mean`",
+    Operator.LOW_PASS: "the time constant of `low_pass`",
+}
+"""The functions that take a constant time, and what it is to them."""
 _MOST_FIELDS = 4
 _QUANTIFIERS = frozenset({Operator.ANY, Operator.ALL, Operator.COUNT})
 _EXTREMES = frozenset({Operator.MIN, Operator.MAX})
@@ -95,12 +106,19 @@ def type_of_call(node: ast.Call, context: Context) -> Type:
         return Unknown()
     if not _check_count(node, operator, context):
         return Unknown()
+    name = node.function.text
+    if [each for each in node.arguments if report_edges_elsewhere(each, name, context)]:
+        return Unknown()
+    if is_edge_count(node):
+        return Quantity(DIMENSIONLESS)
+    if operator is Operator.CHANGED:
+        return type_of_changed(node, context)
     if operator is Operator.AGE:
         return _age(node, context)
     if operator in _QUANTIFIERS or (operator in _EXTREMES and len(node.arguments) == 1):
         return _fold(node, operator, context)
-    if operator is Operator.MEDIAN:
-        return _median(node, context)
+    if operator in _TIMES:
+        return _filter(node, operator, context)
     if operator is Operator.RATE:
         warn_of_rate(node, context)
     return _function(node, operator, context)
@@ -151,8 +169,7 @@ def _age(node: ast.Call, context: Context) -> Type:
 
 def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
     (argument,) = node.arguments
-    if is_age(argument):
-        report_misused_age(argument, "it is not one side of a comparison", context)
+    if report_uncompared(argument, "it is not one side of a comparison", context):
         return Unknown()
     type_ = context.type_of(argument)
     outcome = apply(operator, type_)
@@ -191,9 +208,9 @@ def _report_no_array(
     context.collector.add(finding.at(argument.span, help=Write(meant=USAGES[operator])))
 
 
-def _median(node: ast.Call, context: Context) -> Type:
+def _filter(node: ast.Call, operator: Operator, context: Context) -> Type:
     value = scalar_operand(node.arguments[0], context)
-    duration_ns(node.arguments[1], "the window of `median`", context)
+    duration_ns(node.arguments[1], _TIMES[operator], context)
     return Unknown() if value is None else value.quantity
 
 
@@ -258,6 +275,8 @@ def _paths_to(wanted: type[object], message: Message) -> Iterator[str]:
 
 def type_of_oscillates(node: ast.Oscillates, context: Context) -> Type:
     """`oscillates(x, 3 times, within 0.25 sec, by 5 N)` is one truth."""
+    if report_edges_elsewhere(node.value, Operator.OSCILLATES.value, context):
+        return Boolean()
     value = scalar_operand(node.value, context)
     _check_turning_points(node.count, context)
     duration_ns(node.window, "what stands after `within`", context)

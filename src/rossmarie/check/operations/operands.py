@@ -16,7 +16,7 @@ from rossmarie.check.operations.errors import (
     OrientationAsScalar,
     VectorAsScalar,
 )
-from rossmarie.check.operations.function_errors import AgeMisused
+from rossmarie.check.operations.function_errors import AgeMisused, EdgesMisused
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import stripped, text_of
 from rossmarie.check.units.quantities import SECOND, Operand
@@ -43,11 +43,11 @@ LONGEST_DURATION_S = 1e9
 def scalar_operand(node: ast.Expression, context: Context) -> Operand | None:
     """The one number that `node` stands for; None, after reporting, if it is something else."""
     type_ = context.type_of(node)
-    if not is_age(node) and isinstance(type_, Quantity):
+    if report_uncompared(node, "it is not one side of a comparison", context):
+        return None
+    if isinstance(type_, Quantity):
         return Operand(node, type_)
-    if is_age(node):
-        report_misused_age(node, "it is not one side of a comparison", context)
-    elif isinstance(type_, Array) and isinstance(type_.element, Quantity):
+    if isinstance(type_, Array) and isinstance(type_.element, Quantity):
         report_array(node, context)
     else:
         report_not_a_number(node, context)
@@ -61,6 +61,20 @@ def report_array(node: ast.Expression, context: Context) -> None:
     context.collector.add(finding.at(node.span, help=finding.Number(text=text)))
 
 
+def report_uncompared(
+    node: ast.Expression, reason: str, context: Context, at: ast.Expression | None = None
+) -> bool:
+    """Report an age or a count of edges that is not compared with a constant; say whether it is
+    one.
+    """
+    place = node if at is None else at
+    if is_age(node):
+        report_misused_age(place, reason, context)
+    elif is_edge_count(node):
+        context.collector.add(EdgesMisused(reason=reason).at(place.span))
+    return is_age(node) or is_edge_count(node)
+
+
 def report_misused_age(node: ast.Expression, reason: str, context: Context) -> None:
     """Report an age that is not compared with a constant time."""
     context.collector.add(AgeMisused(reason=reason).at(node.span))
@@ -70,6 +84,17 @@ def is_age(node: ast.Expression) -> bool:
     """Say whether this is a call of `age`."""
     inner = stripped(node)
     return isinstance(inner, ast.Call) and inner.function.text == "age"
+
+
+def is_edge_count(node: ast.Expression) -> bool:
+    """Say whether this is `count(edges of ...)`."""
+    inner = stripped(node)
+    is_count = isinstance(inner, ast.Call) and inner.function.text == "count"
+    return is_count and isinstance(inner, ast.Call) and _takes_edges(inner)
+
+
+def _takes_edges(call: ast.Call) -> bool:
+    return any(isinstance(argument, ast.Edges) for argument in call.arguments)
 
 
 def report_not_a_number(node: ast.Expression, context: Context) -> None:
@@ -120,7 +145,9 @@ def is_truth(type_: Type) -> bool:
 def report_not_a_condition(node: ast.Expression, context: Context) -> None:
     """Report if something else stands where something true or false has to be."""
     type_ = context.type_of(node)
-    if not isinstance(type_, Unknown) and not is_truth(type_):
+    if is_edge_count(node):
+        report_uncompared(node, "it is a number, and no condition", context)
+    elif not isinstance(type_, Unknown) and not is_truth(type_):
         context.collector.add(_not_a_condition(node, type_))
 
 

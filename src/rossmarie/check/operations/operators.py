@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from dslkit.diagnostics import Edit, Fix, Remark, Write
 from rossmarie.check.operations.angles import warn_of_difference
+from rossmarie.check.operations.edges import type_of_edge_comparison
 from rossmarie.check.operations.errors import (
     DivisionByZero,
     ExactEquality,
@@ -18,10 +19,12 @@ from rossmarie.check.operations.errors import (
 from rossmarie.check.operations.operands import (
     duration_ns,
     is_age,
+    is_edge_count,
     is_truth,
     report_misused_age,
     report_not_a_condition,
     report_not_a_number,
+    report_uncompared,
 )
 from rossmarie.check.operations.temporal import report_ambiguous
 from rossmarie.check.scopes.context import Context
@@ -80,10 +83,8 @@ def type_of_unary(node: ast.Unary, context: Context) -> Type:
 
 def applied(operator: Operator, operands: Sequence[ast.Expression], context: Context) -> Type:
     """The type that an operator gives for its operands; whatever does not fit is reported."""
-    ages = [operand for operand in operands if is_age(operand)]
-    for age in ages:
-        report_misused_age(age, "it is not one side of a comparison", context)
-    if ages:
+    reason = "it is not one side of a comparison"
+    if [operand for operand in operands if report_uncompared(operand, reason, context)]:
         return Unknown()
     outcome = apply(operator, *map(context.type_of, operands))
     for fault in outcome.faults:
@@ -139,6 +140,8 @@ def _report_temperature(operands: Sequence[ast.Expression], context: Context) ->
 def _comparison(operator: Operator, node: ast.Binary, context: Context) -> Type:
     if is_age(node.left) or is_age(node.right):
         return _age_comparison(operator, node, context)
+    if is_edge_count(node.left) or is_edge_count(node.right):
+        return type_of_edge_comparison(operator, node, context)
     left, right = context.type_of(node.left), context.type_of(node.right)
     if is_truth(left) and is_truth(right):
         return _truth_comparison(operator, node, context)

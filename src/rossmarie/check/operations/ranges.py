@@ -6,9 +6,8 @@ from dslkit.diagnostics import Edit, Fix, Label, Write
 from rossmarie.check.model import Value
 from rossmarie.check.operations.constants import record
 from rossmarie.check.operations.operands import (
-    is_age,
-    report_misused_age,
     report_not_a_number,
+    report_uncompared,
     require_constant,
     scalar_operand,
 )
@@ -121,8 +120,8 @@ def _report_swapped(node: ast.Bracket, context: Context) -> None:
 def type_of_membership(node: ast.Membership, context: Context) -> Type:
     """`x in range`: one truth, or one for each element of an array."""
     value, container = context.type_of(node.value), context.type_of(node.container)
-    if is_age(node.value) or is_age(node.container):
-        report_misused_age(node, "`in` has two ends", context)
+    sides = (node.value, node.container)
+    if any(report_uncompared(side, "`in` has two ends", context, node) for side in sides):
         return Boolean()
     outcome = apply(Operator.IN, value, container)
     if Fault.NOT_A_RANGE in outcome.faults:

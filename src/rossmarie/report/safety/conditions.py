@@ -67,6 +67,10 @@ class Conditions:
             case ir.Since(held=held, begun=begun):
                 head = "the first of these is so, or it was and the second has been so ever since:"
                 return self._over_time(truth, head, (begun, held), is_so)
+            case ir.Recurs() as node:
+                head = f"this {_often(node, is_so)}:"
+                parts = (self.phrase(node.operand),)
+                return Phrase(head, parts, truth.span, _named(truth, is_so))
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
                 | ir.Quantified()
@@ -157,6 +161,8 @@ class Conditions:
             case ir.Since(held=operand, begun=begun):
                 before = f"it was and ({self.inline(operand)}) ever since"
                 return _whether(f"({self.inline(begun)}), or {before}", is_so)
+            case ir.Recurs() as node:
+                return f"({self.inline(node.operand)}) {_often(node, is_so)}"
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
                 | ir.Quantified()
@@ -191,7 +197,9 @@ class Conditions:
                 return self._oscillates(node, is_so, verb)
             case ir.Quantified():
                 return self._quantified(node, is_so, verb)
-            case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since():
+            case (
+                ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
+            ):
                 raise AssertionError(f"{type(node).__name__} is no leaf")
 
     def _compare(self, node: ir.Compare, is_so: bool, verb: str) -> str:
@@ -271,3 +279,10 @@ def _fit_side_by_side(parts: tuple[Phrase, ...]) -> bool:
     return len(parts) <= _MOST_SIDE_BY_SIDE and not any(
         part.parts or part.name or " and " in part.text or " or " in part.text for part in parts
     )
+
+
+def _often(node: ir.Recurs, is_so: bool) -> str:
+    """S48: how often a condition has become true."""
+    times = "once" if node.count == 1 else f"{node.count} times"
+    often = f"become true at least {times} within the last {duration_text(node.window_ns)}"
+    return f"has {often}" if is_so else f"has not {often}"

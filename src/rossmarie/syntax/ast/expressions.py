@@ -123,6 +123,15 @@ class Call:
 
 
 @dataclass(frozen=True)
+class Edges:
+    """`edges of condition within 10 sec`, the argument of `count`; `window` is None if missing."""
+
+    condition: Expression
+    window: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True)
 class Oscillates:
     """`oscillates(x, 3 times, within 0.25 sec, by 5 N)`; `swing` is the part behind `by`."""
 
@@ -223,6 +232,7 @@ Expression = (
     | Member
     | Index
     | Call
+    | Edges
     | Oscillates
     | Unary
     | Binary

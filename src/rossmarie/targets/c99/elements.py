@@ -134,7 +134,7 @@ class Elements:
                 return self._joined("either", loop, operands, pointer)
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
-                | ir.Quantified() | ir.Held() | ir.Since()
+                | ir.Quantified() | ir.Held() | ir.Since() | ir.Recurs()
             ) as node:  # fmt: skip
                 write = lambda signal: self._signal(loop, signal, pointer)  # noqa: E731
                 is_unknown, holds = self._expressions.comparison(node, write)

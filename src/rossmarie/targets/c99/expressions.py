@@ -67,12 +67,16 @@ class Expressions:
             if isinstance(signal.node, ir.Sampled):
                 if not channels:
                     continue  # a constant is never sampled: its rate stays unknown
-                taken = self._taken(signal.node)
+                taken = self._taken(index, signal.node)
                 if taken not in remembered:
                     remembered.add(taken)
                     yield Piece(channels, (taken,))
             target = self.kept(self._layout.value_of_signal[index])
-            yield Piece(channels, (f"{target} = {self._signal(signal.node)};",))
+            yield Piece(channels, (f"{target} = {self._signal(index, signal.node)};",))
+            if isinstance(signal.node, ir.Sampled) and _feeds_back(signal.node):
+                replaced = f"sample(m, {self._layout.sampled.index(index)}, {target}, t_ns);"
+                remembered.add(replaced)
+                yield Piece(channels, (replaced,))
 
     def tests(self) -> Iterator[Piece]:
         """Comparisons without fixed limits, as numbers."""
@@ -94,23 +98,26 @@ class Expressions:
         kept = self._layout.value_of_signal
         return {signal: value for signal, value in kept.items() if signal not in slots}
 
-    def _taken(self, node: ir.Sampled) -> str:
-        """The statement that takes a sample."""
+    def _taken(self, index: int, node: ir.Sampled) -> str:
+        """The statement that takes a sample; where it feeds back, the result replaces that."""
         x = self.operand(node.signal)
-        if node.window_ns:
+        if sampling_row(node.function).has_window:
             return f"sample_window(m, {self._window(node)}, {x}, t_ns);"
-        return f"sample(m, {self._layout.sampled.index(node.signal)}, {x}, t_ns);"
+        return f"sample(m, {self._last_two(index, node)}, {x}, t_ns);"
+
+    def _last_two(self, index: int, node: ir.Sampled) -> int:
+        return self._layout.sampled.index(index if _feeds_back(node) else node.signal)
 
     def _window(self, node: ir.Sampled) -> int:
         return self._layout.windows.index(Window(node.signal, node.window_ns))
 
-    def _signal(self, node: ir.SignalNode) -> str:
+    def _signal(self, index: int, node: ir.SignalNode) -> str:
         match node:
             case ir.Apply():
                 return self.applied(node, self.operand)
             case ir.Sampled(function=function):
                 declared = sampling_row(function)
-                views = [self._view(node, view) for view in declared.views]
+                views = [self._view(index, node, view) for view in declared.views]
                 text = self._call(definition_of_samples(function), views)
                 if declared.keeps_infinities:
                     return text
@@ -118,18 +125,24 @@ class Expressions:
             case ir.Constant() | ir.Read() | ir.Element() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not computed from numbers")
 
-    def _view(self, node: ir.Sampled, view: View) -> str:
+    def _view(self, index: int, node: ir.Sampled, view: View) -> str:
         match view:
             case View.NEWEST:
-                return f"m->latest[{self._layout.sampled.index(node.signal)}]"
+                return f"m->latest[{self._last_two(index, node)}]"
             case View.BEFORE:
-                return f"m->before[{self._layout.sampled.index(node.signal)}]"
+                return f"m->before[{self._last_two(index, node)}]"
             case View.SECONDS:
-                return f"seconds_between(m, {self._layout.sampled.index(node.signal)})"
+                return f"seconds_between(m, {self._last_two(index, node)})"
             case View.LOWER:
                 return f"window_middle(m, {self._window(node)}, 0)"
             case View.UPPER:
                 return f"window_middle(m, {self._window(node)}, 1)"
+            case View.TOTAL:
+                return f"window_total(m, {self._window(node)})"
+            case View.COUNT:
+                return f"(double)m->window_count[{self._window(node)}]"
+            case View.CONSTANT:
+                return number(float(node.window_ns) / 1e9)
 
     def applied(self, node: ir.Apply, write: Callable[[int], str]) -> str:
         """A function of operands that `write` writes, unknown where it is not finite (S4)."""
@@ -172,7 +185,7 @@ class Expressions:
                 return self._unknown((signal,), write), f"{write(signal)} != 0.0"
             case (
                 ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Not()
-                | ir.And() | ir.Or() | ir.Held() | ir.Since()
+                | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
             ):  # fmt: skip
                 raise AssertionError(f"{type(node).__name__} does not compare")
 
@@ -180,6 +193,10 @@ class Expressions:
         nodes = self._machine.signals
         variable = [s for s in signals if not isinstance(nodes[s].node, ir.Constant)]
         return " || ".join(f"isnan({write(signal)})" for signal in variable) or "false"
+
+
+def _feeds_back(node: ir.Sampled) -> bool:
+    return sampling_row(node.function).feeds_back
 
 
 def converted(raw: str, scale: float, offset: float) -> str:

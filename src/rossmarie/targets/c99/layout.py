@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from rossmarie import ir
+from rossmarie.core import sampling_row
 from rossmarie.naming import public_prefix
 from rossmarie.targets.c99 import names
 from rossmarie.targets.limits import Limit, limits_of
@@ -67,6 +68,7 @@ class Layout:
     literals: tuple[int, ...]
     ages: tuple[int, ...]
     oscillations: tuple[int, ...]
+    recurring: tuple[int, ...]
     derived: tuple[int, ...]
     held: tuple[int, ...]
     sinces: tuple[int, ...]
@@ -77,6 +79,11 @@ class Layout:
     rule_names: tuple[str, ...]
     channel_names: tuple[str, ...]
     input_names: tuple[str, ...]
+
+    @property
+    def recent(self) -> tuple[int, ...]:
+        """The truths that count turning points or edges, as a monitor keeps these."""
+        return (*self.oscillations, *self.recurring)
 
     @property
     def leaf_count(self) -> int:
@@ -191,7 +198,7 @@ class _Builder:
         oscillations = tuple(i for i in swinging if not self._is_still(i))
         literals = (*self._of(ir.Literal), *(i for i in swinging if self._is_still(i)))
         ages = self._of(ir.AgeReaches)
-        derived = self._of(ir.Not, ir.And, ir.Or, ir.Held, ir.Since)
+        derived = self._of(ir.Not, ir.And, ir.Or, ir.Held, ir.Since, ir.Recurs)
         guarded = [leaf for guard in guards for leaf in guard.leaves]
         order = [*guarded, *ages, *literals, *oscillations, *derived]
         return Layout(
@@ -207,6 +214,7 @@ class _Builder:
             literals=literals,
             ages=ages,
             oscillations=oscillations,
+            recurring=self._of(ir.Recurs),
             derived=derived,
             held=self._of(ir.Held),
             sinces=self._of(ir.Since),
@@ -254,20 +262,26 @@ class _Builder:
                 )
 
     def _sampled(self) -> tuple[int, ...]:
-        """The signals whose last two samples are remembered."""
-        return tuple(sorted({node.signal for node in self._samplings() if not node.window_ns}))
+        """The signals whose last two samples are remembered: of what feeds back its own results."""
+        rows = [(i, node, sampling_row(node.function)) for i, node in self._samplings()]
+        last = {
+            index if row.feeds_back else node.signal
+            for index, node, row in rows
+            if not row.has_window
+        }
+        return tuple(sorted(last))
 
     def _windows(self) -> tuple[Window, ...]:
         """The windows in which samples are remembered."""
-        nodes = [node for node in self._samplings() if node.window_ns]
+        nodes = [n for _, n in self._samplings() if sampling_row(n.function).has_window]
         return tuple(sorted({Window(node.signal, node.window_ns) for node in nodes}))
 
-    def _samplings(self) -> Iterator[ir.Sampled]:
+    def _samplings(self) -> Iterator[tuple[int, ir.Sampled]]:
         """The functions of samples; a number that rests on no input is never sampled."""
-        for signal in self.machine.signals:
+        for index, signal in enumerate(self.machine.signals):
             node = signal.node
             if isinstance(node, ir.Sampled) and self.supports.signals[node.signal].channels:
-                yield node
+                yield index, node
 
     # --- truths ------------------------------------------------------------------------------
 

@@ -18,7 +18,7 @@ def derive(layout: Layout) -> str:
         cases.append(f"    case {layout.truth_names[index]}: /* {remark} */")
         cases.append(f"        return {_expression(layout, index, truth.node)};")
     unused = [] if marked else ["    (void)m;"]
-    unused += [] if layout.held or layout.oscillations else ["    (void)t_ns;"]
+    unused += [] if layout.held or layout.recent else ["    (void)t_ns;"]
     lines = [
         "static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)",
         "{",
@@ -43,6 +43,9 @@ def _expression(layout: Layout, index: int, node: ir.TruthNode) -> str:
             return _joined(layout, "either", operands)
         case ir.Oscillates():
             return f"swings_or_gap(m, {layout.oscillations.index(index)}, t_ns)"
+        case ir.Recurs(operand=operand):
+            number = layout.recurring.index(index)
+            return f"recurs(m, {number}, {layout.truth_names[operand]}, t_ns)"
         case ir.Held(operand=operand):
             number = layout.held.index(index)
             return f"held(m, {number}, {layout.truth_names[operand]}, t_ns)"

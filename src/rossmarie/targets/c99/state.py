@@ -12,10 +12,12 @@ def is_small(layout: Layout) -> bool:
     return layout.truth_count + len(layout.machine.rules) <= 64
 
 
-def turns(layout: Layout) -> list[int]:
-    """The number of turning points that each oscillation remembers."""
-    nodes = [layout.machine.truths[index].node for index in layout.oscillations]
-    return [node.count for node in nodes if isinstance(node, ir.Oscillates)]
+def recent_counts(layout: Layout) -> list[int]:
+    """The number of turning points that each oscillation remembers, and that of the edges that each
+    count of them does.
+    """
+    nodes = [layout.machine.truths[index].node for index in layout.recent]
+    return [node.count for node in nodes if isinstance(node, ir.Oscillates | ir.Recurs)]
 
 
 def members(layout: Layout) -> list[str]:
@@ -48,7 +50,10 @@ def members(layout: Layout) -> list[str]:
     if layout.sinces:
         found.append(f"unsigned char since_before[{len(layout.sinces)}];")
     found += _sample_members(len(layout.sampled))
-    found += [*_window_members(len(layout.windows)), *_turn_members(turns(layout))]
+    found += [*_window_members(len(layout.windows)), *_turn_members(len(layout.oscillations))]
+    if layout.recurring:
+        found.append(f"unsigned char edge_before[{len(layout.recurring)}];")
+    found += _recent_members(recent_counts(layout))
     return [*found, f"{layout.name}_callback on_event;", "void *user;"]
 
 
@@ -68,16 +73,18 @@ def _window_members(count: int) -> list[str]:
     ]
 
 
-def _turn_members(counts: list[int]) -> list[str]:
+def _turn_members(count: int) -> list[str]:
+    kinds = ("double extreme", "signed char heading", "unsigned char swinging")
+    return [f"{kind}[{count}];" for kind in kinds if count]
+
+
+def _recent_members(counts: list[int]) -> list[str]:
     if not counts:
         return []
     return [
-        f"double extreme[{len(counts)}];",
-        f"int64_t turn_ns[{sum(counts)}];",
-        f"uint16_t turns[{len(counts)}];",
-        f"uint16_t turn_next[{len(counts)}];",
-        f"signed char heading[{len(counts)}];",
-        f"unsigned char swinging[{len(counts)}];",
+        f"int64_t recent_ns[{sum(counts)}];",
+        f"uint16_t recent_count[{len(counts)}];",
+        f"uint16_t recent_next[{len(counts)}];",
         f"unsigned char gap[{len(counts)}];",
         f"int64_t gap_end_ns[{len(counts)}];",
     ]

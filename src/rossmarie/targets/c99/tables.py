@@ -13,7 +13,8 @@ from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Guard, Layout
-from rossmarie.targets.c99.state import is_small, turns
+from rossmarie.targets.c99.recent import recent_tables
+from rossmarie.targets.c99.state import is_small
 from rossmarie.targets.c99.text import enumeration, lists, remarked_table, sizes, table
 from rossmarie.targets.c99.types import duration, number
 from rossmarie.targets.limits import true_below, twins
@@ -58,6 +59,8 @@ def _sizes(layout: Layout) -> dict[str, int]:
         "SINCES": len(layout.sinces),
         "AGES": len(layout.ages),
         "OSCILLATIONS": len(layout.oscillations),
+        "EDGES": len(layout.recurring),
+        "RECENT": len(layout.recent),
         "SAMPLED": len(layout.sampled),
         "SAMPLED_VALUES": len(_sampled_values(layout)),
         "WINDOWS": len(layout.windows),
@@ -292,10 +295,10 @@ def _timer_tables(layout: Layout) -> str:
     parts = [
         *(_held_tables(layout) if layout.held else ()),
         *(_age_tables(layout) if layout.ages else ()),
-        *(_turn_tables(layout) if layout.oscillations else ()),
+        *(recent_tables(layout) if layout.recent else ()),
         *(_literal_tables(layout) if layout.literals else ()),
     ]
-    return _section("Durations, ages, turning points, and truths that never change.", parts)
+    return _section("Durations, ages, turning points, edges, and truths that never change.", parts)
 
 
 def _literal_tables(layout: Layout) -> list[str]:
@@ -371,25 +374,4 @@ def _age_tables(layout: Layout) -> list[str]:
         table("index_t", "age_input", inputs),
         table("unsigned char", "age_unknown", unknown),
         table("index_t", "age_leaf", leaves),
-    ]
-
-
-def _turn_tables(layout: Layout) -> list[str]:
-    windows, swings, values = [], [], []
-    for index in layout.oscillations:
-        node = layout.machine.truths[index].node
-        assert isinstance(node, ir.Oscillates), "the layout lists oscillations"
-        windows.append((duration(node.window_ns), _remark(layout, index)))
-        swings.append(number(node.swing))
-        values.append(layout.values[layout.value_of_signal[node.signal]].name)
-    starts = [0]
-    for count in turns(layout):
-        starts.append(starts[-1] + count)
-    leaves = [layout.truth_names[index] for index in layout.oscillations]
-    return [
-        remarked_table("int64_t", "turn_windows", windows),
-        table("double", "turn_swings", swings),
-        table("index_t", "turn_value", values),
-        table("index_t", "turn_first", starts),
-        table("index_t", "turn_leaf", leaves),
     ]

@@ -8,6 +8,7 @@ from dslkit.diagnostics import Diagnostic
 from rossmarie import ir
 from rossmarie.ir.reactions import Limit
 from rossmarie.targets.c99.layout import lay_out
+from rossmarie.targets.c99.state import recent_counts
 from rossmarie.targets.errors import MonitorTooLarge
 
 MOST_INDEXES = 0xFFFE
@@ -29,7 +30,6 @@ def _table_sizes(machine: ir.Machine) -> dict[str, int]:
     layout = lay_out(machine)
     truths = (truth.node for truth in machine.truths)
     operands = sum(len(ir.truth_operands(node)) for node in truths)
-    turns = [t.node.count for t in machine.truths if isinstance(t.node, ir.Oscillates)]
     inputs = [used for used in range(len(machine.inputs)) if layout.has_timeout(used)]
     lost = sum(used in value.support.inputs for value in layout.values for used in inputs)
     blames = sum(len(layout.guard_blames(guard)) for guard in layout.guards)
@@ -42,7 +42,7 @@ def _table_sizes(machine: ir.Machine) -> dict[str, int]:
         "operands of conditions": operands + 2 * len(machine.rules),
         "limits": sum(len(guard.limits) + 2 for guard in layout.guards),
         "numbers": len(layout.values),
-        "turning points": sum(turns),
+        "turning points and edges": sum(recent_counts(layout)),
         "numbers that expire": lost,
         "reasons to be unknown": max(blames, excuses) + layout.leaf_count,
         "terms of verdicts": sum(len(rule.terms) for rule in machine.rules),

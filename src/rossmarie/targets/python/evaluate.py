@@ -10,6 +10,7 @@ import sys
 from collections.abc import Iterator, Sequence
 
 from rossmarie import ir
+from rossmarie.core import sampling_row
 from rossmarie.targets import comments
 from rossmarie.targets.python import expressions, names, state
 from rossmarie.targets.python.channels import calm_channels
@@ -78,7 +79,7 @@ def _signal(layout: Layout, index: int) -> Function:
             text = expressions.applied(layout, signal.node, layout.value)
         case ir.Sampled() if memory(signal.node) in layout.memories:
             _sample(layout, index, signal.node, function)
-            text = expressions.of_samples(signal.node)
+            text = _of_samples(signal.node)
         case (
             ir.Constant() | ir.Read() | ir.Sampled() | ir.Element() | ir.Fold()
             | ir.Count()
@@ -100,6 +101,14 @@ def _sample(layout: Layout, index: int, node: ir.Sampled, function: Function) ->
     if next(users) == index:
         function.line(f"if updated & {_bits(layout, node.signal)}:")
         function.line(f"{name}.take({layout.value(node.signal)}, at_ns)", 1)
+        if sampling_row(node.function).feeds_back:
+            function.line(f"{name}.take({expressions.of_samples(node)}, at_ns)", 1)
+
+
+def _of_samples(node: ir.Sampled) -> str:
+    """The value of a function of samples, which is remembered if it feeds back."""
+    feeds_back = sampling_row(node.function).feeds_back
+    return f"{memory(node)}.newest()" if feeds_back else expressions.of_samples(node)
 
 
 def _bits(layout: Layout, signal: int) -> int:
@@ -167,6 +176,9 @@ def _truth(layout: Layout, index: int) -> Function:
             _since(layout, index, truth.node, function)
         case ir.Oscillates():
             _oscillates(layout, index, truth.node, function)
+        case ir.Recurs(operand=operand):
+            value = f"recurrence_{index}.look({layout.truth(operand)}, at_ns)"
+            _record(layout, index, value, function)
         case (
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
             | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
@@ -190,6 +202,7 @@ def _text(layout: Layout, index: int, node: ir.TruthNode) -> str:
         case (
             ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Oscillates() | ir.Held()
             | ir.Since()
+            | ir.Recurs()
         ):  # fmt: skip
             return expressions.logic(node, layout.truth)
 
@@ -227,11 +240,11 @@ def _oscillates(layout: Layout, index: int, node: ir.Oscillates, function: Funct
     function.line(f"if {value} - {value} == 0.0:")
     function.line(f"if updated & {_bits(layout, node.signal)}:", 1)
     function.line(f"{swinging}.take({value}, at_ns)", 2)
-    function.line(f"v = {swinging}.look(at_ns)", 1)
+    function.line("v = 1", 1)
     function.line("else:")
     function.line(f"v = {expressions.unknown_kind(layout, index)}", 1)
-    function.line(f"{swinging}.forget(v, None)", 1)
-    _record(layout, index, "v", function)
+    function.line(f"{swinging}.clear()", 1)
+    _record(layout, index, f"{swinging}.recent.look(v, at_ns)", function)
 
 
 # --- rules -----------------------------------------------------------------------------------

@@ -35,9 +35,15 @@ def raw(node: ir.Apply, write: Write) -> str:
 def of_samples(node: ir.Sampled) -> str:
     """A function of samples; NaN if it is not finite (S4), unless it keeps infinities (S8)."""
     declared = core.sampling_row(node.function)
-    views = [f"{memory(node)}.{view.value}()" for view in declared.views]
+    views = [_view(node, view) for view in declared.views]
     text = definition_of_samples(node.function).call(PYTHON, views)
     return text if declared.keeps_infinities else f"known({text})"
+
+
+def _view(node: ir.Sampled, view: core.View) -> str:
+    if view is core.View.CONSTANT:
+        return repr(float(node.window_ns) / 1e9)
+    return f"{memory(node)}.{view.value}()"
 
 
 def is_shown(node: ir.Apply, operand: int) -> bool:
@@ -72,7 +78,7 @@ def holds(node: ir.TruthNode, write: Write) -> str:
             return f"{write(signal)} != 0.0"
         case (
             ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Not()
-            | ir.And() | ir.Or() | ir.Held() | ir.Since()
+            | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             raise AssertionError(f"{type(node).__name__} does not compare")
 
@@ -128,7 +134,7 @@ def logic(node: ir.TruthNode, write: Write) -> str:
             return either(*map(write, operands))
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
-            | ir.Quantified() | ir.Held() | ir.Since()
+            | ir.Quantified() | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             raise AssertionError(f"{type(node).__name__} is no logic")
 

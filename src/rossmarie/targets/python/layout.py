@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from rossmarie import ir
+from rossmarie.core import sampling_row
 from rossmarie.targets.limits import limits_of
 
 
@@ -160,6 +161,12 @@ class Layout:
         ]
 
     @cached_property
+    def recurring(self) -> list[tuple[int, ir.Recurs]]:
+        """The truths that count edges."""
+        nodes = ((index, self.machine.truths[index].node) for index in self.truths)
+        return [(index, node) for index, node in nodes if isinstance(node, ir.Recurs)]
+
+    @cached_property
     def memories(self) -> dict[str, ir.Sampled]:
         """The names of what remembers samples of signals that rest on an input, and for whom."""
         found: dict[str, ir.Sampled] = {}
@@ -215,9 +222,10 @@ class Layout:
 
 
 def memory(node: ir.Sampled) -> str:
-    """The name of what remembers the samples that a node looks at."""
-    window = f"_{node.window_ns}" if node.window_ns else ""
-    return f"samples_{node.signal}{window}"
+    """The name of what remembers the samples that a node looks at, or its own results."""
+    kept = "results" if sampling_row(node.function).feeds_back else "samples"
+    time = f"_{node.window_ns}" if node.window_ns else ""
+    return f"{kept}_{node.signal}{time}"
 
 
 def number(value: float) -> str:

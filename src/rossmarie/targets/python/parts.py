@@ -106,6 +106,17 @@ class Samples:
         """The middle by size, of two the upper; NaN if any sample is, or there is none."""
         return self.ranked(len(self.kept) // 2)
 
+    def total(self) -> float:
+        """The sum, the oldest sample first; NaN if there is none."""
+        total = NAN
+        for place, (_, value) in enumerate(self.kept):
+            total = total + value if place else value
+        return total
+
+    def count(self) -> float:
+        """How many there are."""
+        return float(len(self.kept))
+
     def ranked(self, rank: int) -> float:
         """The sample with so many others before it by size; of equals, the earlier."""
         values = [value for _, value in self.kept]
@@ -114,24 +125,87 @@ class Samples:
         return sorted(values)[rank]
 
 
-class Oscillation:
-    """The turning points of a signal. `direction` is 1 upwards, -1 downwards, 0 not known; `gap` is
-    what the condition was when the signal was last not finite, and `gap_end_ns` when that ended.
+class Recent:
+    """The instants of the last few turning points or edges, counted within a window. `gap` is what
+    their source was when it was last unknown, and `gap_end_ns` when that ended, None if it lasts.
     """
 
-    def __init__(self, count: int, window_ns: int, swing: float) -> None:
-        self.turns: deque[int] = deque(maxlen=count)
+    def __init__(self, count: int, window_ns: int) -> None:
+        self.instants: deque[int] = deque(maxlen=count)
         self.window_ns = window_ns
-        self.swing = swing
-        self.forget(0, 0)
+        self.gap = 0
+        self.gap_end_ns: int | None = 0
 
-    def forget(self, gap: int, gap_end_ns: int | None) -> None:
-        """Nothing is known of the signal any more."""
-        self.turns.clear()
+    def forget(self, at_ns: int) -> None:
+        """Nothing is known of what was before."""
+        self.instants.clear()
+        self.gap = 2
+        self.gap_end_ns = at_ns
+
+    def look(self, source: int, at_ns: int) -> int:
+        """Whether enough lie in the window, the source of them being known or not."""
+        if source > 1:
+            self.gap = source
+            self.gap_end_ns = None
+        elif self.gap_end_ns is None:
+            self.gap_end_ns = at_ns
+        if self.is_full() and at_ns - self.instants[0] < self.window_ns:
+            return 1
+        is_over = self.gap_end_ns is not None and at_ns - self.gap_end_ns >= self.window_ns
+        return 0 if is_over else self.gap
+
+    def is_full(self) -> bool:
+        """Whether there are as many as count."""
+        return len(self.instants) == self.instants.maxlen
+
+    def wake_ns(self, truth: int, never_ns: int) -> int:
+        """When the condition, which is `truth`, may change by itself."""
+        if truth == 1:
+            return self.instants[0] + self.window_ns
+        if truth < 2 or self.gap_end_ns is None:
+            return never_ns
+        return self.gap_end_ns + self.window_ns
+
+
+class Recurrence:
+    """The edges of a condition, and what that was before."""
+
+    def __init__(self, count: int, window_ns: int) -> None:
+        self.recent = Recent(count, window_ns)
+        self.before = 0
+
+    def forget(self, at_ns: int) -> None:
+        """Nothing is known of what was before."""
+        self.before = 2
+        self.recent.forget(at_ns)
+
+    def look(self, value: int, at_ns: int) -> int:
+        """Whether there were enough edges, the condition being `value`."""
+        if value == 1 and self.before == 0:
+            self.recent.instants.append(at_ns)
+        self.before = value
+        return self.recent.look(value, at_ns)
+
+
+class Oscillation:
+    """The turning points of a signal. `direction` is 1 upwards, -1 downwards, 0 not known."""
+
+    def __init__(self, count: int, window_ns: int, swing: float) -> None:
+        self.recent = Recent(count, window_ns)
+        self.swing = swing
         self.direction = 0
         self.extreme = NAN
-        self.gap = gap
-        self.gap_end_ns = gap_end_ns
+
+    def forget(self, at_ns: int) -> None:
+        """Nothing is known of what was before."""
+        self.clear()
+        self.recent.forget(at_ns)
+
+    def clear(self) -> None:
+        """Nothing is known of the signal any more."""
+        self.recent.instants.clear()
+        self.direction = 0
+        self.extreme = NAN
 
     def take(self, x: float, at_ns: int) -> None:
         """A finite sample."""
@@ -146,26 +220,6 @@ class Oscillation:
     def turn(self, direction: int, x: float, at_ns: int) -> None:
         """From now on it goes this way."""
         if self.direction != 0:
-            self.turns.append(at_ns)
+            self.recent.instants.append(at_ns)
         self.direction = direction
         self.extreme = x
-
-    def look(self, at_ns: int) -> int:
-        """Whether enough turning points lie in the window, the signal being finite."""
-        if self.gap_end_ns is None:
-            self.gap_end_ns = at_ns
-        if self.is_swinging() and at_ns - self.turns[0] < self.window_ns:
-            return 1
-        return self.gap if at_ns - self.gap_end_ns < self.window_ns else 0
-
-    def is_swinging(self) -> bool:
-        """Whether there are enough turning points."""
-        return len(self.turns) == self.turns.maxlen
-
-    def wake_ns(self, truth: int, never_ns: int) -> int:
-        """When the condition, which is `truth`, may change by itself."""
-        if truth == 1:
-            return self.turns[0] + self.window_ns
-        if truth < 2 or self.gap_end_ns is None:
-            return never_ns
-        return self.gap_end_ns + self.window_ns

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie import ir
+from rossmarie.core import sampling_row
 from rossmarie.targets.python.channels import calm_channels
 from rossmarie.targets.python.elements import results
 from rossmarie.targets.python.function import Function
@@ -28,10 +29,13 @@ def variables(layout: Layout) -> Iterator[tuple[str, str]]:
     for array in range(len(layout.machine.arrays)):
         yield from (pair for pair in results(layout, array).items() if pair[0].startswith("q"))
     for name, sampled in layout.memories.items():
-        yield name, f"Samples({sampled.window_ns or ''})"
+        has_window = sampling_row(sampled.function).has_window
+        yield name, f"Samples({sampled.window_ns if has_window else ''})"
     for index, node in layout.oscillations:
         settings = f"{node.count}, {node.window_ns}, {node.swing!r}"
         yield f"oscillation_{index}", f"Oscillation({settings})"
+    for index, recurs in layout.recurring:
+        yield f"recurrence_{index}", f"Recurrence({recurs.count}, {recurs.window_ns})"
     for index, held in layout.held:
         yield from ((f"due_{index}", "NEVER"), (f"before_{index}", str(int(held.initially))))
     yield from ((f"before_{index}", "0") for index in layout.sinces)
@@ -94,8 +98,14 @@ def look_for_timers(layout: Layout, function: Function) -> None:
         function.line(f"first = due_{index}", 1)
     for index, age in layout.ages:
         _sooner(function, f"t{index} == 0", f"stamp_{layout.channel(age.input)} + {age.age_ns}")
-    for index, _ in layout.oscillations:
-        function.line(f"first = min(first, oscillation_{index}.wake_ns(t{index}, NEVER))")
+    for index, name in _recent(layout):
+        function.line(f"first = min(first, {name}.recent.wake_ns(t{index}, NEVER))")
+
+
+def _recent(layout: Layout) -> Iterator[tuple[int, str]]:
+    """The truths that count turning points or edges, and what remembers these."""
+    yield from ((index, f"oscillation_{index}") for index, _ in layout.oscillations)
+    yield from ((index, f"recurrence_{index}") for index, _ in layout.recurring)
 
 
 def _sooner(function: Function, condition: str, due: str) -> None:
@@ -116,8 +126,8 @@ def restart(layout: Layout) -> list[str]:
         function.assign(stamp, f"at_ns - min(now - {stamp}, LONGEST)")
     for name in layout.memories:
         function.line(f"{name}.forget()")
-    for index, _ in layout.oscillations:
-        function.line(f"oscillation_{index}.forget(2, at_ns)")
+    for _, name in _recent(layout):
+        function.line(f"{name}.forget(at_ns)")
     for index, _ in layout.held:
         function.assign(f"due_{index}", "NEVER")
         function.assign(f"before_{index}", "2")

@@ -46,9 +46,7 @@ def _latched_rules_key(machine: ir.Machine) -> str:
 
 def _value(machine: ir.Machine, index: int) -> str:
     signal = machine.signals[index]
-    is_read = isinstance(signal.node, ir.Read)
-    kind = machine.slots[signal.node.slot].kind if isinstance(signal.node, ir.Read) else None
-    word = _KINDS[kind] if is_read and kind is not None else _KINDS[ir.Kind.REAL]
+    word = _KINDS[ir.kind_of(machine, index)]
     return f"{{{word}, {string(signal.unit)}, {number(signal.scale)}, {number(signal.offset)}}}"
 
 

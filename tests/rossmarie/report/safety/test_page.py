@@ -90,15 +90,16 @@ def expected_of_conditions(machine: ir.Machine) -> Iterator[str]:
             match machine.truths[index].node:
                 case ir.Held(duration_ns=duration_ns):
                     yield duration_text(duration_ns)
+                case ir.Recurs(count=count, window_ns=window_ns):
+                    times = "once" if count == 1 else f"{count} times"
+                    yield f"become true at least {times} within the last {duration_text(window_ns)}"
                 case ir.AgeReaches(input=used, age_ns=age_ns):
                     yield f"the last message of {machine.inputs[used].name}"
                     yield duration_text(age_ns - (age_ns % 1000 == 1))
                 case ir.Oscillates(count=count, window_ns=window_ns):
                     yield f"at least {count} turning points within {duration_text(window_ns)}"
-                case ir.Between(low=low, high=high):
-                    yield from (constant(machine, end) for end in (low, high))
-                case ir.Compare(left=left, right=right):
-                    yield from (constant(machine, end) for end in (left, right))
+                case ir.Between(low=one, high=other) | ir.Compare(left=one, right=other):
+                    yield from (constant(machine, end) for end in (one, other))
                 case ir.Quantified() as node:
                     yield "element of " + Conditions(machine).numbers.array_of(node.element)
                 case ir.Since():

@@ -28,6 +28,12 @@
 #ifndef OSCILLATIONS
 #define OSCILLATIONS 0
 #endif
+#ifndef EDGES
+#define EDGES 0
+#endif
+#ifndef RECENT
+#define RECENT 0
+#endif
 #ifndef SAMPLED
 #define SAMPLED 0
 #endif

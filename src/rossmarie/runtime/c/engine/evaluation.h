@@ -53,12 +53,9 @@ static int64_t earliest_timer(const monitor *m)
         if (m->truth[age_leaf[k]] == FALSE)
             wake_ns = earlier(wake_ns, m->stamp_ns[age_input[k]] + age_limits[k]);
 #endif
-#if OSCILLATIONS
-    for (unsigned k = 0; k != OSCILLATIONS; k++)
-        if (m->truth[turn_leaf[k]] == TRUE)
-            wake_ns = earlier(wake_ns, oldest_turn(m, k) + turn_windows[k]);
-        else if (m->truth[turn_leaf[k]] != FALSE && m->gap_end_ns[k] != NEVER)
-            wake_ns = earlier(wake_ns, m->gap_end_ns[k] + turn_windows[k]);
+#if RECENT
+    for (unsigned k = 0; k != RECENT; k++)
+        wake_ns = earlier(wake_ns, recent_due(m, k));
 #endif
 #if HELD
     for (unsigned k = 0; k != HELD; k++)
@@ -123,6 +120,11 @@ static void tick(monitor *m, int64_t t_ns)
     for (unsigned k = 0; k != OSCILLATIONS; k++)
         look_at_swings(m, k, t_ns);
 #endif
+#if EDGES
+    for (unsigned k = OSCILLATIONS; k != RECENT; k++)
+        if (recent_due(m, k) <= t_ns)
+            mark(m, recent_truth[k]);
+#endif
 #if HELD
     for (unsigned k = 0; k != HELD; k++)
         if (m->held_due_ns[k] <= t_ns && m->truth[held_nodes[k]] != TRUE)
@@ -158,8 +160,16 @@ static void forget_times(monitor *m, int64_t t_ns)
         m->value[sampled_values[i]] = NAN;
 #endif
 #if OSCILLATIONS
-    for (unsigned k = 0; k != OSCILLATIONS; k++) {
+    for (unsigned k = 0; k != OSCILLATIONS; k++)
         forget_turns(m, k);
+#endif
+#if EDGES
+    for (unsigned k = 0; k != EDGES; k++)
+        m->edge_before[k] = m->started ? UNKNOWN : FALSE;
+#endif
+#if RECENT
+    for (unsigned k = 0; k != RECENT; k++) {
+        forget_recent(m, k);
         m->gap[k] = m->started ? UNKNOWN : FALSE;
         m->gap_end_ns[k] = t_ns;
     }

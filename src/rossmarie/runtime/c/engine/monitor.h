@@ -27,6 +27,8 @@
 
 #include "samples.h"
 
+#include "recent.h"
+
 #include "oscillations.h"
 
 #include "rules.h"

@@ -76,7 +76,7 @@ static unsigned window_rank(const monitor *m, unsigned k, unsigned i)
 }
 
 /* The middle of a window by size, of two the lower or the upper; unknown if any sample is. */
-static double window_middle(const monitor *m, unsigned k, unsigned is_upper)
+static inline double window_middle(const monitor *m, unsigned k, unsigned is_upper)
 {
     const unsigned count = m->window_count[k];
     double found = NAN;
@@ -88,6 +88,17 @@ static double window_middle(const monitor *m, unsigned k, unsigned is_upper)
             found = x;
     }
     return found;
+}
+
+/* The sum of a window, added from the oldest sample to the newest; unknown of none. */
+static inline double window_total(const monitor *m, unsigned k)
+{
+    double total = NAN;
+    for (unsigned i = 0; i != m->window_count[k]; i++) {
+        const double x = m->window_value[k][window_place(m, k, i)];
+        total = i == 0 ? x : total + x;
+    }
+    return total;
 }
 
 #endif
