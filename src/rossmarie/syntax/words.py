@@ -55,6 +55,7 @@ MEMBER_WORDS = {
 
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by"}
+    | {"names"}
     | {"unless", "mitigates", "publishes", "subscribes"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
