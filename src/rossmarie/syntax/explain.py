@@ -21,6 +21,7 @@ from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, PART_WORDS, RESERVED, 
 _PARTNER = {"(": ")", "[": "]", "{": "}", ")": "(", "]": "[", "}": "{"}
 _SIGNS = frozenset("{}()[]:;,.=<>!+-*/&|%°^≤≥≠")
 _VALUE = "$NUMBER"
+_NAMES_AT_LEAST = 5  # tokens of an input, in front of which no names of elements stand
 _THEN = re.compile(r"\s+then\s*\{")
 _ADVICE = {
     "#": "write comments as `// ...`",
@@ -187,6 +188,8 @@ class _Case:
         self._form = FORMS[kind]
         if "$TYPE_NAME" in failure.expected:
             self._form = "a message type is written `PACKAGE/TYPE`, such as `sensor_msgs/Imu`"
+        elif kind == "input" and self._is_at_names():
+            self._form = FORMS["element_names"]
         elif failure.expected == {_VALUE}:
             self._form = "an element of an array is chosen by a whole number, as in `ranges[0]`"
 
@@ -195,6 +198,11 @@ class _Case:
         if self._index >= self._last:
             return self._bracket() or self._at_end()
         return self._character() or self._bracket() or self._name() or self._value() or self._sign()
+
+    def _is_at_names(self) -> bool:
+        """Say whether names of elements stand in an input up to here."""
+        around = self._tokens[self._first + _NAMES_AT_LEAST : min(self._index + 1, self._last)]
+        return any(token.text in ("names", "[") for token in around)
 
     @property
     def _found(self) -> Token:

@@ -105,6 +105,8 @@ FORMS = {
     "constant": "a constant is written `const NAME = 0.5 m/s;`",
     "input": "an input is written "
     "`input NAME = topic /TOPIC : PACKAGE/TYPE .FIELD timeout 0.2 sec;`",
+    "element_names": "names of elements are written "
+    '`.FIELD names ["NAME", "NAME"]`, in front of `in` and `timeout`',
     "entity": "an entity is written `entity NAME { CONDITION : EXPRESSION; }`",
     "condition": "a condition is written `NAME : EXPRESSION;`",
     "rule": "a rule is written `rule NAME: if CONDITION then { ACTION; };`",

@@ -346,6 +346,8 @@ class World:
         return unit
 
     def _reads(self, edge: Edge, variable: Variable) -> bool:
+        if variable not in self.variables:
+            return False
         term = self.signal(edge.signal, variable.part if variable.kind == "element" else None)
         return any(z3.eq(each, self.variables[variable]) for each in constants_in(term))
 
