@@ -23,3 +23,34 @@ def test_a_joint_is_found_wherever_it_stands(robot: Robot, start: Start) -> None
     becomes(False, [("elbow", 3)])
     becomes(True, [("wrist", 3), ("elbow", 31)])
     becomes(False, [("wrist", 90), ("elbow", 3)])
+
+
+def test_s55_a_joint_is_found_by_its_declared_name_where_the_length_fits(
+    robot: Robot, start: Start
+) -> None:
+    start()
+
+    def is_driven() -> bool:
+        return "driven" in robot.state().get("active", ())
+
+    def becomes(is_active: bool, torques: list[object]) -> None:
+        robot.set(torques=torques)
+        until(lambda: is_driven() == is_active, f"{torques}")
+
+    def stays(is_active: bool, torques: list[object], effort: int) -> None:
+        """Of joints in an array of another length nothing is known. Other messages, which are sent
+        later, have arrived when this is looked at.
+        """
+        robot.set(torques=torques)
+        robot.set(efforts=[("elbow", effort)])
+        until(lambda: ("heavy" in robot.state().get("active", ())) == (effort > 30), f"{effort}")
+        assert is_driven() == is_active, torques
+
+    becomes(True, [90, 31, 90])
+    stays(True, [3, 3, 3, 3], 31)
+    stays(True, [3, 3], 3)
+    stays(True, [], 31)
+    becomes(False, [90, 29, "nan"])
+    stays(False, [90, 90, 90, 90], 3)
+    stays(False, [90, 90], 31)
+    becomes(True, [0, 31, 0])

@@ -29,6 +29,13 @@ rule brake: if rate(speed) < -1.5 m/s^2 then { slow; };
 rule late: if age(fix) > 2.5 sec and speed > 0.2 m/s then { slow; };
 """
 
+DECLARED = """\
+input efforts = topic /effort_states : std_msgs/Float64MultiArray .data
+    names ["shoulder", "elbow", "wrist"] in Nm timeout 0.1 sec;
+rule heavy: if efforts["elbow"] > 30 Nm for 0.1 sec then { slow; } clear for 0.5 sec;
+rule strained: if any(efforts > 90 Nm) or efforts["wrist"] > 9 Nm then { stop; };
+"""
+
 
 def written(folder: Path, text: str) -> Path:
     """The rules in a folder, with generated tests beside them."""
@@ -46,6 +53,7 @@ def is_failed(found: Outcome) -> bool:
 @settings(max_examples=8, deadline=None, suppress_health_check=_SLOW, derandomize=True)
 @given(rules())
 @example(MUTATED)
+@example(DECLARED)
 def test_generated_tests_pass_on_the_interpreter_and_in_c(text: str) -> None:
     with TemporaryDirectory() as folder:
         found = run_test_file(written(Path(folder), text))
@@ -53,8 +61,9 @@ def test_generated_tests_pass_on_the_interpreter_and_in_c(text: str) -> None:
     assert found.has_c
 
 
-def test_generated_tests_cover_everything_that_can_be(tmp_path: Path) -> None:
-    found = run_test_file(written(tmp_path, MUTATED))
+@pytest.mark.parametrize("text", [MUTATED, DECLARED])
+def test_generated_tests_cover_everything_that_can_be(tmp_path: Path, text: str) -> None:
+    found = run_test_file(written(tmp_path, text))
     missing = [goal for goal in found.coverage.goals if goal not in found.coverage.reached]
     assert missing == []
 

@@ -14,7 +14,7 @@ from ears import Client, Ears, Server
 from geometry_msgs.msg import Twist, TwistStamped
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Imu, JointState, LaserScan
-from std_msgs.msg import Bool, String
+from std_msgs.msg import Bool, Float64MultiArray, String
 from std_srvs.srv import SetBool
 from vehicle_safety.msg import State, Verdict
 from vehicle_safety.srv import Exempt, Reset, Why
@@ -37,6 +37,7 @@ class Robot(Ears):
         self.speed = None  # m/s, or "nan"; None: the planner is silent
         self.arm_speed = None  # m/s; None: nobody commands the arm
         self.near = None  # whether something is near; None: the scanner is silent
+        self.torques = None  # of all joints, without their names
         self.efforts = None  # pairs of a joint and its torque in Nm; None: the joints are silent
         self.mode = "driving"
         self.clock = None  # simulated time in s; None: there is none
@@ -53,6 +54,7 @@ class Robot(Ears):
         self._arm_planner = self.publisher("/unfil_arm_vel", TwistStamped)
         self._scan = None  # nobody publishes it before something is to be near or not
         self._joints = None
+        self._torques = None
         self._clock = None
         self._mode = self.publisher("/mode", String)
         self._arm_moving = self.publisher("/arm/moving", Bool)
@@ -88,6 +90,9 @@ class Robot(Ears):
             names = [name for name, _ in self.efforts]
             torques = [float(torque) for _, torque in self.efforts]
             self._joints.publish(JointState(name=names, effort=torques))
+        if self.torques is not None:
+            self._torques = self._torques or self.sensor("/effort_states", Float64MultiArray)
+            self._torques.publish(Float64MultiArray(data=list(map(float, self.torques))))
         self._arm_moving.publish(Bool(data=self.moving))
         self._mode.publish(String(data=self.mode))
 

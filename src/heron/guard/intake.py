@@ -12,7 +12,7 @@ import numpy as np
 from heron import messages
 from heron.messages import Message
 from rossmarie.guard import Core, Value
-from rossmarie.ir import Array, Path, Slot, Told, arrival_names, field_names
+from rossmarie.ir import Array, ByName, Listed, Path, Slot, Told, arrival_names, field_names
 
 Take = Callable[[int, Message], Told | None]
 """An instant and a message; gives what the core has to tell, if there is anything."""
@@ -106,12 +106,22 @@ def _field(message: Message, path: Path) -> Any:
         if isinstance(part, str):
             value = getattr(value, part)
             continue
-        names = () if isinstance(part, int) else attrgetter(".".join(part.names))(message)
-        place = part if isinstance(part, int) else part.place(names)
+        place = _place(message, part, len(value))
         if place is None or place >= len(value):
             return math.nan
         value = value[place]
     return value
+
+
+def _place(message: Message, element: int | ByName | Listed, length: int) -> int | None:
+    """The place of an element in an array of a length."""
+    match element:
+        case int():
+            return element
+        case ByName(names=names):
+            return element.place(attrgetter(".".join(names))(message))
+        case Listed():
+            return element.place_among(length)
 
 
 def _value(message: Message, path: Path) -> Value:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rossmarie.ir import Array, ChannelValues, Kind, Machine, Path, Slot
+from rossmarie.ir import Array, ByName, ChannelValues, Kind, Listed, Machine, Path, Slot
 from rossmarie.ir.reactions import Publish, Scalar
 
 
@@ -62,10 +62,19 @@ def _number(machine: Machine, slot: Slot, given: Given) -> float:
         value = given.get(slot.path, "" if slot.kind is Kind.TEXT else 0.0)
         return math.nan if isinstance(value, tuple) else _raw(machine, slot.kind, value)
     elements = _elements(slot.path[:-1], given)
-    names = [] if isinstance(last, int) else list(map(str, _elements(last.names, given)))
-    place = last if isinstance(last, int) else last.place(names)
+    place = _place(last, len(elements), given)
     is_there = place is not None and place < len(elements)
     return _raw(machine, slot.kind, elements[place or 0]) if is_there else math.nan
+
+
+def _place(element: int | ByName | Listed, length: int, given: Given) -> int | None:
+    match element:
+        case int():
+            return element
+        case ByName(names=names):
+            return element.place(list(map(str, _elements(names, given))))
+        case Listed():
+            return element.place_among(length)
 
 
 def _elements(path: Path, given: Given) -> tuple[Scalar, ...]:

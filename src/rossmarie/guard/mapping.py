@@ -4,7 +4,8 @@
     act={"/cmd_vel.linear.x": 0, "angular.z": (1, "deg/s")}
 
 A number goes by its index, an array by a slice, with a unit behind it if it is not that of the
-message; None is a field that the arrays do not have.
+message; None is a field that the arrays do not have. An array whose elements have declared names
+goes by a slice as well, or element by element: `efforts.elbow`.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias, TypeVar
 
 from rossmarie.engines import NamedValues
-from rossmarie.ir import CommandPart, Kind, Machine, Part, Publication, Wiring, near_name
+from rossmarie.ir import CommandPart, Kind, Listed, Machine, Part, Publication, Wiring, near_name
 from rossmarie.ir.reactions import CommandField, Limit, Publish
 from rossmarie.units import DIMENSIONLESS, Unit, UnknownUnitError, parse_unit
 
@@ -35,12 +36,15 @@ class MappingError(ValueError):
 
 @dataclass(frozen=True)
 class _Entry:
-    """A field that is declared; `part` has all but the indexes."""
+    """A field that is declared; `part` has all but the indexes. A `listed` one is an element of the
+    array that is declared.
+    """
 
     name: str
     index: Index | None
     part: Part
     is_array: bool = False
+    listed: Listed | None = None
 
     def placed(self, what: str, size: int) -> Part:
         """The part in an array of a size."""
@@ -55,9 +59,16 @@ class _Entry:
         if not places or (stop is not None and abs(stop) > size):
             shown = f"{self.index.start or 0}:{'' if stop is None else stop}"
             raise MappingError(f"`{self.name}` is {what}[{shown}], of {size} numbers")
+        if self.listed is not None:
+            return self._element(self.listed, places)
         if not self.is_array and len(places) != 1:
             raise MappingError(f"`{self.name}` is one number, not {len(places)}")
         return replace(self.part, first=places[0], count=len(places), step=places.step)
+
+    def _element(self, listed: Listed, places: range) -> Part:
+        if len(places) != listed.count:
+            raise MappingError(f"`{self.name}` has {listed.count} names, not {len(places)}")
+        return replace(self.part, first=places[listed.place], count=1)
 
 
 class ArrayMapping:
@@ -66,6 +77,7 @@ class ArrayMapping:
     def __init__(self, machine: Machine, observe: Declared, act: Declared) -> None:
         self._machine = machine
         self._values = NamedValues(machine)
+        self._listed = _listed_slots(machine)
         self._slots: dict[int, _Entry] = {}
         self._arrays: dict[int, _Entry] = {}
         self._arrivals: dict[int, bool] = {}
@@ -108,14 +120,15 @@ class ArrayMapping:
     def _observe(self, name: str, place: Place) -> None:
         values, machine = self._values, self._machine
         index, unit = place if isinstance(place, tuple) else (place, None)
-        if name in values.slots:
-            slot = machine.slots[values.slots[name]]
-            if slot.kind is Kind.TEXT and place is not None:
+        whole = {} if isinstance(index, int) else self._listed.get(name, {})
+        for slot, listed in whole.items():
+            part = self._slot_part(slot, name, unit)
+            _enter(self._slots, slot, _Entry(name, index, part, listed=listed))
+        if name in values.slots and not whole:
+            slot = values.slots[name]
+            if machine.slots[slot].kind is Kind.TEXT and place is not None:
                 raise MappingError(f"`{name}` is a text, which is no number of an array")
-            part = Part(is_flag=slot.kind is Kind.FLAG)
-            if unit is not None:
-                part = _converted(name, unit, slot.unit, slot.scale, slot.offset)
-            _enter(self._slots, values.slots[name], _Entry(name, index, part))
+            _enter(self._slots, slot, _Entry(name, index, self._slot_part(slot, name, unit)))
         elif name in values.arrays:
             array = machine.arrays[values.arrays[name]]
             if isinstance(index, int):
@@ -126,8 +139,14 @@ class ArrayMapping:
             _enter(self._arrays, values.arrays[name], _Entry(name, index, part, is_array=True))
         elif name in values.arrivals:
             self._arrivals[values.arrivals[name]] = place is not None
-        else:
+        elif not whole:
             raise MappingError(values.unknown(name))
+
+    def _slot_part(self, index: int, name: str, unit: str | None) -> Part:
+        slot = self._machine.slots[index]
+        if unit is not None:
+            return _converted(name, unit, slot.unit, slot.scale, slot.offset)
+        return Part(is_flag=slot.kind is Kind.FLAG)
 
     def _require_all(self) -> None:
         """Every field that rules read is declared."""
@@ -208,6 +227,19 @@ class ArrayMapping:
                 f"actions have {part.part.count}"
             )
         return numbers
+
+
+def _listed_slots(machine: Machine) -> dict[str, dict[int, Listed]]:
+    """The slots that are elements by declared names, by the names of their arrays."""
+    found: dict[str, dict[int, Listed]] = {}
+    for index, slot in enumerate(machine.slots):
+        *words, last = slot.path or ("",)
+        if isinstance(last, Listed):
+            used = machine.inputs[slot.input].name
+            endings = [words[start:] for start in range(len(words) + 1)]
+            for ending in endings:
+                found.setdefault(".".join(map(str, (used, *ending))), {})[index] = last
+    return found
 
 
 def _enter(entries: dict[_Key, _Entry], key: _Key, entry: _Entry) -> None:

@@ -56,7 +56,7 @@ from rossmarie.ir.model import (
 )
 from rossmarie.ir.naming import arrival_names, field_names, near_name
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
-from rossmarie.ir.path import ByName, Path, Step, path_text
+from rossmarie.ir.path import ByName, Listed, Path, Step, path_text
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.support import (
@@ -122,6 +122,7 @@ __all__ = [
     "Input",
     "InputState",
     "Kind",
+    "Listed",
     "Literal",
     "LostInput",
     "Machine",

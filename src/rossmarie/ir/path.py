@@ -24,7 +24,25 @@ class ByName:
         return names.index(self.key) if names.count(self.key) == 1 else None
 
 
-Step = str | int | ByName
+@dataclass(frozen=True)
+class Listed:
+    """The element of an array that has the name `key` by a list of `count` names in the rules:
+    `place` is the place of the name there. There is none where the array has another length (S55).
+    """
+
+    place: int
+    count: int
+    key: str
+
+    def __str__(self) -> str:
+        return self.key
+
+    def place_among(self, length: int) -> int | None:
+        """The place of the element in an array of a length."""
+        return self.place if length == self.count else None
+
+
+Step = str | int | ByName | Listed
 """The name of a field, or the place or the name of an element."""
 
 Path = tuple[Step, ...]
@@ -46,5 +64,5 @@ def _step_text(step: Step) -> str:
             return f".{step}"
         case int():
             return f"[{step}]"
-        case ByName(key=key):
+        case ByName(key=key) | Listed(key=key):
             return f'["{key}"]'

@@ -15,11 +15,11 @@ import typing
 
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import model as ir
-from rossmarie.ir.path import ByName
+from rossmarie.ir.path import ByName, Listed
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 5
+VERSION = 6
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
@@ -77,7 +77,7 @@ _NODES: dict[str, type] = {
     node.__name__: node
     for union in (ir.SignalNode, ir.TruthNode, Effect)
     for node in typing.get_args(union)
-} | {ByName.__name__: ByName}
+} | {step.__name__: step for step in (ByName, Listed)}
 
 
 def _is_node(kind: type) -> bool:

@@ -6,7 +6,6 @@ middle, what can be salvaged after the damage is read on.
 
 from __future__ import annotations
 
-import difflib
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -15,21 +14,21 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from dslkit.diagnostics import Collector, Diagnostic, DidYouMean, Remark
-from rossmarie.ir import EARLIEST_NS, LATEST_NS, Array, Batch, ByName, Machine, Slot
+from dslkit.diagnostics import Collector, Diagnostic
+from rossmarie.ir import EARLIEST_NS, LATEST_NS, Array, Batch, Machine, Slot
 from rossmarie.recordings.batches import Assembly
 from rossmarie.recordings.decoding import Decoder
 from rossmarie.recordings.definitions import UndefinedTypeError, typestore_for
+from rossmarie.recordings.elements import never_found
 from rossmarie.recordings.errors import (
     DefinitionMissing,
     FieldNotRecorded,
     MessagesPassedOver,
-    NameNeverRecorded,
     RecordingDamaged,
     RecordingError,
     at_file,
 )
-from rossmarie.recordings.extraction import NameSearch, Wanted
+from rossmarie.recordings.extraction import Wanted
 from rossmarie.recordings.limits import LimitError
 from rossmarie.recordings.matching import (
     Match,
@@ -37,7 +36,6 @@ from rossmarie.recordings.matching import (
     field_text,
     input_span,
     kind_text,
-    listed,
     match_topics,
 )
 from rossmarie.recordings.model import Topic
@@ -152,8 +150,8 @@ class BagRecording:
         for topic, reading in readings.items():
             reading.unreadable.report(collector)
             self._report_unfit(topic, reading, collector)
-            for search in reading.decoder.never_named:
-                collector.add(_never_named(topic, search, machine))
+            for search in reading.decoder.never_found:
+                collector.add(never_found(topic, search, machine))
 
     def _fit(self, stored: Packed, readings: Mapping[str, _Reading]) -> NDArray[np.bool_]:
         """The messages that are not passed over; the others are counted."""
@@ -251,19 +249,6 @@ def _by_topic(connections: Sequence[Connection]) -> dict[str, list[Connection]]:
     for connection in sorted(connections, key=lambda connection: not connection.definition.data):
         found.setdefault(connection.topic, []).append(connection)
     return found
-
-
-def _never_named(topic: str, search: NameSearch, machine: Machine) -> Diagnostic:
-    element = next(str(step) for step in search.slot.path if isinstance(step, ByName))
-    finding = NameNeverRecorded(
-        topic=topic,
-        element=element,
-        field=field_text(search.slot.path),
-        names=listed(search.names),
-    )
-    near = difflib.get_close_matches(element, search.names, n=1)
-    help: Remark = DidYouMean(near=near[0]) if near else finding.Check()
-    return finding.at(input_span(machine, search.slot.input), help=help)
 
 
 def _report_missing(

@@ -7,11 +7,12 @@ what it should be is NaN, and counted.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from decimal import Decimal
 
-from rossmarie.ir import EARLIEST_NS, LATEST_NS, ChannelValues, Kind, Machine
+from rossmarie.ir import EARLIEST_NS, LATEST_NS, ChannelValues, Kind, Listed, Machine
 from rossmarie.recordings.csv_columns import Columns
+from rossmarie.recordings.elements import ElementSearch
 from rossmarie.recordings.errors import MessagesUnreadable
 from rossmarie.recordings.matching import Match, Unreadable, input_span, listed
 
@@ -71,6 +72,8 @@ class ChannelReader:
         self._flags = {i: c for i, c in columns.slots.items() if kinds[i] is Kind.FLAG}
         self._texts = {i: c for i, c in columns.slots.items() if kinds[i] is Kind.TEXT}
         self._arrays = columns.arrays
+        self._listed = columns.listed
+        self._searches = {index: ElementSearch(match.slots[index]) for index in columns.listed}
         self._text_numbers = {text: float(number) for number, text in enumerate(machine.texts)}
 
     def read(self, at_ns: int, cells: Sequence[str]) -> ChannelValues | None:
@@ -83,14 +86,33 @@ class ChannelReader:
         for index, column in self._texts.items():
             text = cells[column].strip()
             slots[index] = self._text_numbers.get(text, -1.0) if text else math.nan
+        for index, columns in self._listed.items():
+            slots[index] = self._listed_number(at_ns, cells, columns, self._searches[index])
         return ChannelValues(slots, self._elements(at_ns, cells))
+
+    @property
+    def never_found(self) -> Iterator[ElementSearch]:
+        """The elements that no row so far had, although some had others."""
+        return (each for each in self._searches.values() if each.is_vain)
+
+    def _listed_number(
+        self, at_ns: int, cells: Sequence[str], columns: Sequence[int], search: ElementSearch
+    ) -> float:
+        element = search.slot.path[-1]
+        assert isinstance(element, Listed), "its columns are those of an array"
+        filled = _filled(cells, columns)
+        place = search.place(element, filled) if filled else None
+        if place is None:
+            return math.nan
+        read = self._flag if search.slot.kind is Kind.FLAG else self._number
+        return read(at_ns, cells, filled[place])
 
     def _elements(self, at_ns: int, cells: Sequence[str]) -> dict[int, list[float]]:
         """The elements of each array, up to the last one that is filled."""
         arrays = {}
         for index, columns in self._arrays.items():
-            length = max((i + 1 for i, column in enumerate(columns) if cells[column]), default=0)
-            arrays[index] = [self._number(at_ns, cells, column) for column in columns[:length]]
+            filled = _filled(cells, columns)
+            arrays[index] = [self._number(at_ns, cells, column) for column in filled]
         return arrays
 
     def _number(self, at_ns: int, cells: Sequence[str], column: int) -> float:
@@ -113,6 +135,11 @@ class ChannelReader:
         text = cells[column].strip()[:_SHOWN]
         self.unreadable.note(at_ns, f"`{text}` in the column `{self._names[column]}` {reason}")
         return math.nan
+
+
+def _filled(cells: Sequence[str], columns: Sequence[int]) -> Sequence[int]:
+    """The columns of an array up to the last one that is filled."""
+    return columns[: max((i + 1 for i, each in enumerate(columns) if cells[each]), default=0)]
 
 
 def unreadable_cells(

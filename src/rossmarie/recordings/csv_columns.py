@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 
-from rossmarie.ir import Array, Machine, Slot
+from rossmarie.ir import Array, Listed, Machine, Slot
 from rossmarie.recordings.matching import Match
 
 _COMPARED = 200
@@ -17,20 +17,23 @@ _ALIKE = 0.7
 
 @dataclass(frozen=True)
 class Columns:
-    """The column of each slot, and the columns of the elements of each array, by index.
+    """The column of each slot, and those of the elements of each array, by index. `listed` has the
+    columns of a whole array for each slot that is an element of it by a declared name.
 
     `missing` are the fields without a column. Where `arrival` is filled, a message came, whatever
     else is known of it.
     """
 
     slots: Mapping[int, int]
+    listed: Mapping[int, tuple[int, ...]]
     arrays: Mapping[int, tuple[int, ...]]
     missing: tuple[Slot | Array, ...]
     arrival: int | None
 
     def used(self) -> tuple[int, ...]:
         """All columns that are read, each once."""
-        elements = (column for columns in self.arrays.values() for column in columns)
+        wholes = (*self.listed.values(), *self.arrays.values())
+        elements = (column for columns in wholes for column in columns)
         arrival = () if self.arrival is None else (self.arrival,)
         return tuple(dict.fromkeys((*self.slots.values(), *elements, *arrival)))
 
@@ -81,12 +84,15 @@ def _key(name: str) -> str:
 def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Columns:
     """The columns that hold what a channel reads."""
     slots: dict[int, int] = {}
+    listed: dict[int, tuple[int, ...]] = {}
     arrays: dict[int, tuple[int, ...]] = {}
     missing: list[Slot | Array] = []
     for index, slot in match.slots.items():
         found = [keys[name] for name in _names(match, slot, machine) if name in keys]
         if found:
             slots[index] = found[0]
+        elif whole := _whole(match, slot, keys, machine):
+            listed[index] = whole
         else:
             missing.append(slot)
     for index, array in match.arrays.items():
@@ -94,12 +100,12 @@ def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Co
         arrays[index] = next((columns for columns in elements if columns), ())
         if not arrays[index]:
             missing.append(array)
-    taken = {*slots.values(), *(column for columns in arrays.values() for column in columns)}
+    taken = Columns(slots, listed, arrays, (), None).used()
     arrival = next(
         (keys[name] for name in _arrivals(match, machine, bool(taken)) if name in keys), None
     )
     is_free = arrival not in taken
-    return Columns(slots, arrays, tuple(missing), arrival if is_free else None)
+    return Columns(slots, listed, arrays, tuple(missing), arrival if is_free else None)
 
 
 def _arrivals(match: Match, machine: Machine, has_fields: bool) -> Iterator[str]:
@@ -111,6 +117,15 @@ def _arrivals(match: Match, machine: Machine, has_fields: bool) -> Iterator[str]
         yield match.topic
     if reads_nothing:
         yield from (machine.inputs[reader].name for reader in match.inputs)
+
+
+def _whole(match: Match, slot: Slot, keys: Mapping[str, int], machine: Machine) -> tuple[int, ...]:
+    """The columns of the array in which a slot is an element by a declared name."""
+    if not (slot.path and isinstance(slot.path[-1], Listed)):
+        return ()
+    whole = replace(slot, path=slot.path[:-1])
+    elements = (_elements(name, keys) for name in _names(match, whole, machine))
+    return next((columns for columns in elements if columns), ())
 
 
 def _elements(name: str, keys: Mapping[str, int]) -> tuple[int, ...]:
@@ -132,6 +147,7 @@ def _names(match: Match, field: Slot | Array, machine: Machine) -> Iterator[str]
     if path == ("data",):
         yield match.topic
     siblings = {_texts(other) for other in match.fields_of(field.input)} - {path}
+    siblings = {other for other in siblings if other[:-1] != path}
     for start in range(len(path) + 1):
         end = path[start:]
         if not any(other[len(other) - len(end) :] == end for other in siblings):

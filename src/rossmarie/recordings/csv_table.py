@@ -37,6 +37,7 @@ from rossmarie.recordings.csv_columns import (
     match_columns,
     similar_column,
 )
+from rossmarie.recordings.elements import never_found
 from rossmarie.recordings.errors import (
     ColumnMissing,
     ColumnRepeated,
@@ -104,7 +105,7 @@ class CsvRecording:
         if not read and machine.channels:
             raise self._nothing_to_replay(machine, collector)
         readers = [self._reader(*pair, machine) for pair in found if pair[1].used()]
-        return batched(machine, self._read(readers, collector))
+        return batched(machine, self._read(readers, machine, collector))
 
     def close(self) -> None:
         """Nothing is held open."""
@@ -164,7 +165,9 @@ class CsvRecording:
         )
         return with_reasons(at_file(finding, self.path), collector, help=finding.Columns())
 
-    def _read(self, readers: Sequence[ChannelReader], collector: Collector) -> Iterator[Update]:
+    def _read(
+        self, readers: Sequence[ChannelReader], machine: Machine, collector: Collector
+    ) -> Iterator[Update]:
         for at_ns, cells in self._rows():
             if at_ns is None:
                 continue
@@ -177,6 +180,9 @@ class CsvRecording:
                 yield Update(at_ns, channels)
         for reader in readers:
             reader.unreadable.report(collector)
+            topic = machine.channels[reader.channel].topic
+            for search in reader.never_found:
+                collector.add(never_found(topic, search, machine))
 
     def _rows(self) -> Iterator[tuple[int | None, list[str]]]:
         """Instant and cells of each row; no instant if it does not have one or does not fit."""

@@ -15,7 +15,8 @@ from rosbags.serde import SerdeError
 from rosbags.typesys.store import Typestore
 
 from rossmarie.recordings.definitions import full_type
-from rossmarie.recordings.extraction import Message, NameSearch, Wanted, compile_extractor
+from rossmarie.recordings.elements import ElementSearch
+from rossmarie.recordings.extraction import Message, Wanted, compile_extractor
 from rossmarie.recordings.limits import LimitError
 from rossmarie.recordings.message_sizes import Sizes
 from rossmarie.recordings.planning import plan_for
@@ -68,9 +69,9 @@ class Decoder:
         self._texts = {text.encode(): float(number) for number, text in enumerate(texts)}
 
     @property
-    def never_named(self) -> Iterator[NameSearch]:
-        """The elements of which no message so far had the name, although some had others."""
-        return (each for each in self._searches if each.names and not each.is_found)
+    def never_found(self) -> Iterator[ElementSearch]:
+        """The elements that no message so far had, although some had others."""
+        return (each for each in self._searches if each.is_vain)
 
     def decode(self, messages: Packed) -> Decoded:
         """The values that are read of some messages."""

@@ -112,6 +112,19 @@ class NameNeverRecorded(Warning, code="ROSS609", name="name-never-recorded"):
         says = "check the name, and that the recording is of this robot"
 
 
+class LengthNeverRecorded(Warning, code="ROSS619", name="length-never-recorded"):
+    """Elements with declared names, of an array that never has as many elements."""
+
+    title = "`{field}` on `{topic}` never has {count} elements, one for each name"
+    label = "elements by these names stay unknown in this replay"
+    note = "it has {lengths}"
+    help = "correct the list of names, or replay a recording of this robot"
+    topic: str
+    field: str
+    count: int
+    lengths: str
+
+
 class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     """Messages of a topic, or cells of a CSV file, that are not what they should be."""
 
@@ -315,6 +328,7 @@ ALL: tuple[type[Template], ...] = (
     TopicNeverSent,
     FieldNotRecorded,
     NameNeverRecorded,
+    LengthNeverRecorded,
     MessagesUnreadable,
     DefinitionMissing,
     MessagesPassedOver,

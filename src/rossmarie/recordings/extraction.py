@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any
 
@@ -16,13 +16,11 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.base import normalize_fieldname
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import Array, ByName, ChannelValues, Kind, Path, Slot
+from rossmarie.ir import Array, ByName, ChannelValues, Kind, Listed, Path, Slot
 from rossmarie.recordings.definitions import full_type
+from rossmarie.recordings.elements import ElementSearch, Named, place_of
 
 _TEXTS = ("string", "wstring")
-_MOST_NAMES = 64
-"""Names that are kept to tell of; more than that nobody reads."""
-
 _INSTANTS = ("builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration")
 
 Message = Any
@@ -39,27 +37,8 @@ class Wanted:
     arrays: Mapping[int, Array]
 
 
-Find = Callable[[ByName, Sequence[str]], int | None]
-"""The place of an element in a message with these names."""
-
-
-@dataclass
-class NameSearch:
-    """The search for the name of an element in one message after the other: whether any had it, and
-    some of the names that they had.
-    """
-
-    slot: Slot
-    is_found: bool = False
-    names: dict[str, None] = field(default_factory=dict)
-
-    def place(self, element: ByName, names: Sequence[str]) -> int | None:
-        """The place of the element in a message with these names."""
-        found = element.place(names)
-        self.is_found = self.is_found or found is not None
-        if not self.is_found and len(self.names) < _MOST_NAMES:
-            self.names.update(dict.fromkeys(names[:_MOST_NAMES]))
-        return found
+Find = Callable[[Named, Sequence[Any]], int | None]
+"""The place of an element, as `place_of` says."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +50,7 @@ class Extractor:
     read: Callable[[Message], ChannelValues]
     found: Wanted
     missing: tuple[Slot | Array, ...]
-    searches: tuple[NameSearch, ...]
+    searches: tuple[ElementSearch, ...]
 
 
 def compile_extractor(
@@ -82,7 +61,7 @@ def compile_extractor(
     numbers: dict[int, str] = {}
     others: dict[int, Callable[[Message], float]] = {}
     arrays: dict[int, Callable[[Message], list[float]]] = {}
-    searches = {index: NameSearch(slot) for index, slot in wanted.slots.items()}
+    searches = {index: ElementSearch(slot) for index, slot in wanted.slots.items()}
     missing: list[Slot | Array] = []
     for index, slot in wanted.slots.items():
         description = _describe(store, root, slot.path)
@@ -143,7 +122,7 @@ def _nothing(_: Message) -> tuple[float, ...]:
 
 
 def _scalar_reader(
-    search: NameSearch, description: Any, texts: Sequence[str]
+    search: ElementSearch, description: Any, texts: Sequence[str]
 ) -> Callable[[Message], float]:
     slot = search.slot
     get = _path_reader(slot.path, search.place)
@@ -164,7 +143,7 @@ def _seconds(value: Any) -> float:
 
 
 def _array_reader(path: Path) -> Callable[[Message], list[float]]:
-    get = _path_reader(path, ByName.place)
+    get = _path_reader(path, place_of)
 
     def read(message: Message) -> list[float]:
         elements = get(message)
@@ -184,7 +163,7 @@ def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
             if isinstance(part, str):
                 value = getattr(value, normalize_fieldname(part))
                 continue
-            place = _place(message, part, find)
+            place = part if isinstance(part, int) else find(part, _among(message, part, value))
             if place is None or place >= len(value):
                 return None
             value = value[place]
@@ -193,14 +172,17 @@ def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
     return read
 
 
-def _place(message: Message, element: int | ByName, find: Find) -> int | None:
-    if isinstance(element, int):
-        return element
-    return find(element, attrgetter(_attributes(element.names))(message))
+def _among(message: Message, element: Named, array: Sequence[Any]) -> Sequence[Any]:
+    match element:
+        case ByName(names=path):
+            names: Sequence[str] = attrgetter(_attributes(path))(message)
+            return names
+        case Listed():
+            return array
 
 
 def _goes_by_name(path: Path) -> bool:
-    return any(isinstance(part, ByName) for part in path)
+    return any(isinstance(part, ByName | Listed) for part in path)
 
 
 def _has_element(path: Path) -> bool:

@@ -185,6 +185,13 @@ def kind_text(wanted: Slot | Array) -> str:
     return "a string" if wanted.kind is Kind.TEXT else "a number"
 
 
+def lengths(counts: Iterable[int]) -> str:
+    """Numbers of elements for a sentence: `1 or 2 elements`."""
+    *others, last = sorted(counts)
+    text = f"{', '.join(map(str, others))} or {last}" if others else str(last)
+    return f"{text} element{'s' * (others != [] or last != 1)}"
+
+
 def listed(names: Iterable[str], none: str = "no topic") -> str:
     """Names for a sentence, in alphabetical order; `none` if there is none."""
     return diagnostics.listed(sorted(names)) or none

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import ByName, Kind, Path
+from rossmarie.ir import ByName, Kind, Listed, Path
 from rossmarie.recordings import extraction
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.plan import (
@@ -67,8 +67,9 @@ def plan_for(
     """
     is_cdr = encoding == "cdr"
     planner = _Planner(store, is_cdr, multiple=_WIDEST)
-    if any(isinstance(step, ByName) for slot in wanted.slots.values() for step in slot.path):
-        return None  # where the element lies is known once the names are read
+    steps = {step for slot in wanted.slots.values() for step in slot.path}
+    if any(isinstance(step, ByName | Listed) for step in steps):
+        return None  # where the element lies is known once the names, or the length, are read
     slots = [_Wanted(slot.path, slot=index) for index, slot in wanted.slots.items()]
     arrays = [_Wanted(array.path, array=index) for index, array in wanted.arrays.items()]
     try:

@@ -73,13 +73,16 @@ class Builder(TestBuilder):
         return ast.Constant(self.name(parts[1]), parts[3], documentation, self._span(parts))
 
     def input(self, parts: list[Any]) -> ast.Input:
-        """`input NAME = topic TOPIC : TYPE .path in UNIT timeout DURATION`."""
+        """`input NAME = topic TOPIC : TYPE .path names ["NAME"] in UNIT timeout DURATION`."""
         index = 5
-        message_type = unit = timeout = None
+        message_type = names = unit = timeout = None
         if _is(parts, index, ":"):
             message_type = self._type(parts[index + 1])
             index += 2
         path, index = self._path(parts, index)
+        if index < len(parts) and isinstance(parts[index], ast.ElementNames):
+            names = parts[index]
+            index += 1
         if _is(parts, index, "in"):
             unit = self._unit(parts[index + 1])
             index += 2
@@ -87,7 +90,13 @@ class Builder(TestBuilder):
             timeout = parts[index + 1]
         name, topic = self.name(parts[1]), self.name(parts[4])
         documentation, span = self._documentation(parts), self._span(parts)
-        return ast.Input(name, topic, message_type, path, unit, timeout, documentation, span)
+        behind = names, unit, timeout, documentation, span
+        return ast.Input(name, topic, message_type, path, *behind)
+
+    def element_names(self, parts: list[Any]) -> ast.ElementNames:
+        """`names ["NAME", "NAME"]`."""
+        texts = tuple(self.text([part]) for part in parts[2:-1:2])
+        return ast.ElementNames(texts, self._span(parts))
 
     def entity(self, parts: list[Any]) -> ast.Entity:
         """`entity NAME { CONDITION; ... }`."""

@@ -22,6 +22,7 @@ from rossmarie.syntax.words import FORMS, OPERATOR_WORDS, PART_WORDS, RESERVED, 
 _PARTNER = {"(": ")", "[": "]", "{": "}", ")": "(", "]": "[", "}": "{"}
 _SIGNS = frozenset("{}()[]:;,.=<>!+-*/&|%°^≤≥≠")
 _VALUE = "$NUMBER"
+_NAMES_AT_LEAST = 5  # tokens of an input, in front of which no names of elements stand
 _THEN = re.compile(r"\s+then\s*\{")
 _ADVICE = {
     "#": "write comments as `// ...`",
@@ -188,6 +189,8 @@ class _Case:
         self._form = FORMS[kind]
         if "$TYPE_NAME" in failure.expected:
             self._form = "a message type is written `PACKAGE/TYPE`, such as `sensor_msgs/Imu`"
+        elif kind == "input" and self._is_at_names():
+            self._form = FORMS["element_names"]
         elif failure.expected == {_VALUE}:
             self._form = "an element of an array is chosen by a whole number, as in `ranges[0]`"
         elif failure.expected & {"within", ","} and self._is_over_time():
@@ -206,6 +209,11 @@ class _Case:
             tokens[index].text in PREFIXES and is_operator(tokens, index)
             for index in range(self._first, self._index)
         )
+
+    def _is_at_names(self) -> bool:
+        """Say whether names of elements stand in an input up to here."""
+        around = self._tokens[self._first + _NAMES_AT_LEAST : min(self._index + 1, self._last)]
+        return any(token.text in ("names", "[") for token in around)
 
     @property
     def _found(self) -> Token:

@@ -244,6 +244,11 @@ NEAR_MISSES = (
         "rule",
     ),
     NearMiss(re.compile(rf"\binput\s{_NAME} =\s(?P<x>{_NAME})(?=\s[/A-Za-z])"), ("topic",)),
+    NearMiss(
+        re.compile(rf'\binput\s[^;{{}}]{{0,300}}?\s(?P<x>{_NAME})(?=\s\[\s")'),
+        ("names",),
+        {"name": "names", "named": "names"},
+    ),
     NearMiss(re.compile(rf"[\w)\]]\s(?P<x>{_NAME})(?=\s\d)"), ("timeout", "for", "within"), {}),
     NearMiss(re.compile(rf"[\w)\]]\s(?P<x>{_NAME})(?=\s[A-Za-z(])"), ("since",)),
     NearMiss(re.compile(rf"\}}\s(?P<x>{_NAME})(?=\s(?:for|when|until)\b)"), ("clear", "latched")),

@@ -71,7 +71,7 @@ def _recover_simple(part: PartParser, item: Stretch) -> ast.Item | None:
     if item.kind == "hazard":
         return ast.Hazard(name, ast.Text("", name.span), documentation, span)
     unreadable = ast.Name("", name.span)
-    return ast.Input(name, unreadable, None, (), None, None, documentation, span)
+    return ast.Input(name, unreadable, None, (), None, None, None, documentation, span)
 
 
 def _recover_import(part: PartParser, item: Stretch) -> ast.Import | None:

@@ -77,6 +77,9 @@ class Style:
         self._word(item.topic, item.message_type, item.unit)
         if item.message_type is not None and item.path:
             self.spaced.add(self._start(item.message_type.span.end))
+        if item.names is not None:
+            self.breaks[item.names.span.start] = _PART
+            self.breaks.update((text.span.start, _OPERATOR) for text in item.names.texts[1:])
         if item.timeout is not None:
             timeout = self.source.tokens[self.index(item.timeout.span.start) - 1]
             self.breaks[timeout.start] = _PART

@@ -55,6 +55,7 @@ MEMBER_WORDS = {
 
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by"}
+    | {"names"}
     | {"unless", "mitigates", "publishes", "subscribes"}
     | {"since", "once", "after"}
 )
@@ -105,6 +106,8 @@ FORMS = {
     "constant": "a constant is written `const NAME = 0.5 m/s;`",
     "input": "an input is written "
     "`input NAME = topic /TOPIC : PACKAGE/TYPE .FIELD timeout 0.2 sec;`",
+    "element_names": "names of elements are written "
+    '`.FIELD names ["NAME", "NAME"]`, in front of `in` and `timeout`',
     "entity": "an entity is written `entity NAME { CONDITION : EXPRESSION; }`",
     "condition": "a condition is written `NAME : EXPRESSION;`",
     "rule": "a rule is written `rule NAME: if CONDITION then { ACTION; };`",

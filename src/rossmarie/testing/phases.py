@@ -169,8 +169,10 @@ class Stage:
         return Setting(name, self._topic(slot.input), slot.path, value, None, unit)
 
     def _elements(self, array: int, values: Values) -> tuple[float, ...]:
-        variables = [each for each in values if (each.kind, each.index) == ("element", array)]
-        return tuple(values[each] for each in sorted(variables, key=lambda each: each.part))
+        """All elements of an array, none if no rule at hand reads one; others are zero."""
+        parts = {each.part for each in values if (each.kind, each.index) == ("element", array)}
+        places = range(self.world.length if parts else 0)
+        return tuple(values.get(Variable("element", array, part), 0.0) for part in places)
 
     def _array(self, index: int, elements: tuple[float, ...]) -> Setting:
         array = self.machine.arrays[index]

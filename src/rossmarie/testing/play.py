@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from rossmarie.ir import ByName, ChannelValues, Kind, Machine, Path, Slot
+from rossmarie.ir import ByName, ChannelValues, Kind, Listed, Machine, Path, Slot
 from rossmarie.ir.carried import raw_of
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.orientation import UPRIGHT, with_angle
@@ -77,7 +77,7 @@ class _Sender:
     def _set(self, setting: Setting) -> None:
         if setting.angle is not None and isinstance(setting.value, float):
             self._turn(setting, setting.angle, setting.value)
-        elif setting.path and isinstance(setting.path[-1], int):
+        elif setting.path and isinstance(setting.path[-1], int | Listed):
             self._set_element(setting, setting.path[-1])
         else:
             self.values[setting.topic, setting.path] = setting.value
@@ -90,11 +90,12 @@ class _Sender:
         x, y, z, w = (each if isinstance(each, float) else math.nan for each in found)
         self.values.update(zip(places, with_angle((x, y, z, w), angle, value), strict=True))
 
-    def _set_element(self, setting: Setting, index: int) -> None:
+    def _set_element(self, setting: Setting, element: int | Listed) -> None:
         whole = (setting.topic, setting.path[:-1])
         old = self.values.get(whole)
         elements = list(old) if isinstance(old, tuple) else []
-        elements += [math.nan] * (index + 1 - len(elements))
+        index, least = _extent(element)
+        elements += [math.nan] * (least - len(elements))
         elements[index] = _number(setting.value)
         self.values[whole] = tuple(elements)
 
@@ -130,15 +131,23 @@ class _Sender:
 
     def _value(self, topic: str, path: Path) -> SettingValue | object:
         last = path[-1] if path else ""
-        if isinstance(last, int):
+        if isinstance(last, int | Listed):
             whole = self.values.get((topic, path[:-1]))
-            is_there = isinstance(whole, tuple) and last < len(whole)
-            return whole[last] if isinstance(whole, tuple) and is_there else None
+            elements = whole if isinstance(whole, tuple) else ()
+            place = last if isinstance(last, int) else last.place_among(len(elements))
+            return elements[place] if place is not None and place < len(elements) else None
         # A message without a name has no element of that name.
         return self.values.get((topic, path), None if isinstance(last, ByName) else _UNSET)
 
 
 _UNSET = object()
+
+
+def _extent(element: int | Listed) -> tuple[int, int]:
+    """The place of an element, and the length that an array has at least that holds it."""
+    if isinstance(element, int):
+        return element, element + 1
+    return element.place, element.count
 
 
 def _number(value: object) -> float:

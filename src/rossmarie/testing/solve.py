@@ -65,6 +65,17 @@ class Ramp:
     count: int
 
 
+def _least_length(slot: ir.Slot) -> int:
+    """The length of an array, at least, that a slot is an element of; 0 if it is none."""
+    match slot.path[-1] if slot.path else None:
+        case int(place):
+            return place + 1
+        case ir.Listed(count=count):
+            return count
+        case None | str() | ir.ByName():
+            return 0
+
+
 @dataclass
 class World:
     """The formulas of one rule, and its variables.
@@ -96,11 +107,7 @@ class World:
             for edge in edges(self.machine, truth)
             if isinstance(self.machine.signals[edge.signal].node, ir.Count)
         ]
-        chosen = [
-            slot.path[-1] + 1
-            for slot in self.machine.slots
-            if slot.path and isinstance(slot.path[-1], int)
-        ]
+        chosen = [_least_length(slot) for slot in self.machine.slots]
         wanted = int(max([0.0, *counted])) + 1 + bool(counted)
         return min(_MOST_ELEMENTS, max([wanted, *chosen]))
 
@@ -220,6 +227,7 @@ class World:
     def _element_of(self, slot: ir.Slot) -> Variable | None:
         """The element of an array of the machine that a slot is, if it is one of the first."""
         part = slot.path[-1] if slot.path else None
+        part = part.place if isinstance(part, ir.Listed) else part
         for index, array in enumerate(self.machine.arrays):
             is_inside = (array.input, array.path) == (slot.input, slot.path[:-1])
             if is_inside and isinstance(part, int) and part < self.length:
@@ -366,6 +374,8 @@ class World:
         return unit
 
     def _reads(self, edge: Edge, variable: Variable) -> bool:
+        if variable not in self.variables:
+            return False
         term = self.signal(edge.signal, variable.part if variable.kind == "element" else None)
         return any(z3.eq(each, self.variables[variable]) for each in constants_in(term))
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from rossmarie import ir
-from rossmarie.ir import Path, path_text
+from rossmarie.ir import Listed, Path, path_text
 from rossmarie.ir.script import Script, ScriptedArrival, Setting
 from rossmarie.testing.errors import SettingUnread
 
@@ -44,9 +44,12 @@ def read_fields(machine: ir.Machine) -> dict[str, list[Path]]:
 
 
 def _is_read(setting: Setting, fields: Sequence[Path]) -> bool:
-    """A field, one around it or one in it is read: an element or all of an array, an angle."""
-    size = len(setting.path)
-    return any(field[:size] == setting.path[: len(field)] for field in fields)
+    """A field, one around it or one in it is read: an element or all of an array, an angle. An
+    element by a declared name rests on all, by the length of the array.
+    """
+    path = tuple(step.place if isinstance(step, Listed) else step for step in setting.path)
+    read = (each[:-1] if each and isinstance(each[-1], Listed) else each for each in fields)
+    return any(each[: len(path)] == path[: len(each)] for each in read)
 
 
 def _listed(fields: Sequence[Path]) -> str:

@@ -48,11 +48,11 @@ class Quaternion:
 @dataclass(frozen=True)
 class Array:
     """Any number of elements (`float32[] ranges`); `element` is a Quantity or Boolean. `names` is
-    the field beside it with a name for each element, if there is one.
+    the field beside it with a name for each element, or the names that an input declares.
     """
 
     element: Quantity | Boolean
-    names: str | None = field(default=None, compare=False)
+    names: str | tuple[str, ...] | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True)

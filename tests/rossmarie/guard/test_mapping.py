@@ -88,3 +88,53 @@ def test_units_are_converted(tmp_path: Path) -> None:
     decision = guard.step(1, np.array([900, 0, 200, 600.0]), np.array([0.0, 0.0]))
     assert decision.active == ("far",)
     assert decision.action[1] == pytest.approx(np.rad2deg(0.5))
+
+
+EFFORTS = """
+input efforts = topic /effort_states : std_msgs/Float64MultiArray .data
+    names ["shoulder", "elbow", "wrist"] in Nm;
+rule heavy: if efforts["elbow"] > 30 Nm then { slow; };
+"""
+WRIST = 'rule weak: if efforts["wrist"] > 9 Nm then { slow; };'
+ANY = "rule strained: if any(efforts > 90 Nm) then { slow; };"
+
+
+@pytest.mark.parametrize("more", [EFFORTS, EFFORTS + WRIST, EFFORTS + WRIST + ANY])
+@pytest.mark.parametrize("name", ["efforts", "efforts.data"])
+def test_an_array_with_declared_names_is_declared_as_a_whole(
+    tmp_path: Path, more: str, name: str
+) -> None:
+    observe = {**OBSERVE, name: (slice(4, 10, 2), "N*mm")}
+    guard = guard_of("python", tmp_path, rules=RULES + more, observe=observe)
+    seen = np.array([0.0, 0, 2, 2, 9, 0, 31_000, 0, 9, 0])
+    decision = guard.step(0, seen, np.array([0.8, 0.1]))
+    assert decision.active == ("heavy",)
+
+
+def test_an_element_with_a_declared_name_is_declared_by_itself(tmp_path: Path) -> None:
+    observe = {**OBSERVE, "efforts.elbow": 4, "efforts.wrist": None}
+    guard = guard_of("python", tmp_path, rules=RULES + EFFORTS + WRIST, observe=observe)
+    decision = guard.step(0, np.array([0.0, 0, 2, 2, 31]), np.array([0.8, 0.1]))
+    assert decision.active == ("heavy",)
+
+
+@pytest.mark.parametrize(
+    ("efforts", "words"),
+    [
+        ({"efforts": slice(2, 4)}, "`efforts` has 3 names, not 2"),
+        ({"efforts": 2}, "no rule reads `efforts`; did you mean `efforts.elbow`?"),
+        ({"efforts": slice(3), "efforts.elbow": 1}, "`efforts` and `efforts.elbow` are one field"),
+        ({"efforts.elbow": 1}, "rules read `efforts.wrist`, which `observe` lacks"),
+    ],
+)
+def test_declared_names_need_an_array_of_their_length(
+    tmp_path: Path, efforts: Any, words: str
+) -> None:
+    def run() -> None:
+        observe = {**OBSERVE, **efforts}
+        guard = guard_of("python", tmp_path, rules=RULES + EFFORTS + WRIST, observe=observe)
+        guard.step(0, np.zeros(4), np.zeros(2))
+
+    with pytest.raises(MappingError) as caught:
+        run()
+    assert str(caught.value).startswith(words)

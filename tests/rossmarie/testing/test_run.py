@@ -222,3 +222,34 @@ def test_c_that_differs_fails_a_test(tmp_path: Path, monkeypatch: pytest.MonkeyP
     monkeypatch.setattr("rossmarie.driver.testing._native", lambda _: native)
     (ran,) = run_text(tmp_path, FAST + TOLD).ran
     assert [finding.code for finding in ran.found] == ["ROSS761"]
+
+
+EFFORTS = """
+input efforts = topic /effort_states : std_msgs/Float64MultiArray .data
+    names ["shoulder", "elbow", "wrist"] in Nm timeout 0.1 sec;
+rule heavy: if efforts["elbow"] > 30 Nm then { stop; };
+rule strained: if any(efforts > 90 Nm) then { stop; };
+"""
+
+
+def test_s55_declared_names_set_an_array_with_as_many_elements(tmp_path: Path) -> None:
+    text = """test "a" {
+        at 0 s efforts["elbow"] = 3 Nm, efforts["wrist"] = 91 Nm;
+        every 0.05 s from 0 s to 5 s efforts;
+        at 1 s efforts["elbow"] = 31 Nm, efforts["wrist"] = unknown;
+        at 2 s efforts = [1, 29, 91] Nm;
+        at 3 s efforts = [1, 2] Nm;
+        at 4 s efforts = [1, 2, 3] Nm;
+        at 4.51 s efforts[3] = 4 Nm;
+        expect heavy inactive from 0 s until 1 s;
+        expect heavy active from 1 s until 2 s;
+        expect heavy inactive from 2 s until 3 s;
+        expect heavy active from 3 s until 4 s;
+        expect heavy inactive from 4 s until 4.51 s;
+        expect heavy active from 4.51 s to 5 s;
+        expect strained active from 0 s until 1 s;
+        expect strained inactive from 3 s to 5 s;
+    }"""
+    found = run_text(tmp_path, EFFORTS + text)
+    assert notes(found) == []
+    assert found.has_c

@@ -7,6 +7,7 @@ nothing is reported about again.
 
 from __future__ import annotations
 
+from dslkit.source import Span
 from rossmarie.check.names.references import is_value, type_of_member, type_of_reference
 from rossmarie.check.operations.constants import fold, record
 from rossmarie.check.operations.edges import type_of_edges
@@ -125,6 +126,7 @@ def _type_of_index(node: ast.Index, context: Context) -> Type:
     type_ = context.type_of(node.value)
     found = element_of(type_, node.index)
     if found is None and not isinstance(type_, Unknown):
-        finding = no_element(type_, node.index, node.value.span, text_of(node.value))
-        context.collector.add(finding)
+        value = node.value.span
+        place = Span(value.file, value.end, node.span.end)
+        context.collector.add(no_element(type_, node.index, value, text_of(node.value), place))
     return Unknown() if found is None else found

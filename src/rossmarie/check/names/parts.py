@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from rossmarie.ir.path import ByName, Path
+from rossmarie.ir.path import ByName, Listed, Path
 from rossmarie.types import Array, Entry, Message, Type
 
 
@@ -32,6 +32,9 @@ class Part:
             return replace(self, path=(*self.path, index))
         assert isinstance(owner, Message | Array), "checked: only their elements have names"
         assert owner.names is not None, "checked: they have names"
+        if isinstance(owner.names, tuple):
+            listed = Listed(owner.names.index(index), len(owner.names), index)
+            return replace(self, path=(*self.path, listed))
         outside = self.path if isinstance(owner, Message) else self.path[:-1]
         names = (*(step for step in outside if isinstance(step, str)), owner.names)
         element = ByName(names, index)

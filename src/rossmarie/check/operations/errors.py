@@ -212,6 +212,18 @@ class ElementsWithoutNames(Error, code="ROSS231", name="elements-without-names")
         says = "choose a field of the message, by `.` and its name"
 
 
+class UnlistedName(Error, code="ROSS242", name="unlisted-name"):
+    """An element chosen by a name that is not among those that its input declares."""
+
+    title = "no element has the name `{identifier}`"
+    label = "not in the list of names of this input"
+    identifier: str
+
+    class Known(Remark):
+        says = "the names are {known}"
+        known: str
+
+
 class TruthCompared(Error, code="ROSS222", name="truth-compared"):
     """A condition compared as if it were a number."""
 
@@ -334,6 +346,7 @@ ALL: tuple[type[Template], ...] = (
     ConstantTooLarge,
     NotAnArray,
     ElementsWithoutNames,
+    UnlistedName,
     TruthCompared,
     StringsCompared,
     NotADuration,

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics import Diagnostic, DidYouMean, Edit, Fix, listed
 from dslkit.source import Span
-from rossmarie.check.operations.errors import ElementsWithoutNames, NotAnArray
+from rossmarie.check.operations.errors import ElementsWithoutNames, NotAnArray, UnlistedName
 from rossmarie.check.wording.describe import describe
+from rossmarie.check.wording.suggestions import near_name
 from rossmarie.types import (
     Array,
     Boolean,
@@ -29,7 +30,8 @@ def element_of(owner: Type, index: int | str) -> Type | None:
     """
     match owner:
         case Array(element=element, names=names):
-            return element if isinstance(index, int) or names is not None else None
+            is_there = index in names if isinstance(names, tuple) else names is not None
+            return element if isinstance(index, int) or is_there else None
         case Message(names=str()) if isinstance(index, str):
             return Entry(owner)
         case (
@@ -39,8 +41,12 @@ def element_of(owner: Type, index: int | str) -> Type | None:
             return None
 
 
-def no_element(owner: Type, index: int | str, span: Span, text: str) -> Diagnostic:
-    """The finding that something has no elements to choose by an index, or none with names."""
+def no_element(owner: Type, index: int | str, span: Span, text: str, place: Span) -> Diagnostic:
+    """The finding that something has no elements to choose by an index, or none with names; the
+    index stands at a `place`.
+    """
+    if isinstance(index, str) and isinstance(owner, Array) and isinstance(owner.names, tuple):
+        return _unlisted(index, owner.names, place)
     if isinstance(index, str) and isinstance(owner, Array | Message):
         unnamed = ElementsWithoutNames(text=text)
         is_array = isinstance(owner, Array)
@@ -51,3 +57,14 @@ def no_element(owner: Type, index: int | str, span: Span, text: str) -> Diagnost
     if isinstance(owner, Message) and owner.names is not None:
         return finding.at(span, help=finding.ByName(text=text))
     return finding.at(span, help=finding.NoIndex())
+
+
+def _unlisted(index: str, names: tuple[str, ...], place: Span) -> Diagnostic:
+    start = place.file.text.index(f'"{index}"', place.start)
+    span = Span(place.file, start, start + len(index) + 2)
+    finding = UnlistedName(identifier=index)
+    near = near_name(index, names)
+    if near is None:
+        return finding.at(span, help=finding.Known(known=listed(names)))
+    fix = Fix(f'write `"{near}"`', (Edit(span, f'"{near}"'),))
+    return finding.at(span, help=DidYouMean(near=near), fix=fix)

@@ -106,6 +106,35 @@ class MessageFolderMissing(Error, code="ROSS117", name="message-folder-missing")
     looked_for: str
 
 
+class MisplacedNames(Error, code="ROSS243", name="misplaced-names"):
+    """Names of elements for something that has none, or whose elements have names."""
+
+    title = "`{field}` cannot be given names of elements"
+    label = "{reason}"
+    field: str
+    reason: str
+
+    class ChooseField(Remark):
+        says = "choose the array in front of `names`: {fields}"
+        fields: str
+
+    class LeaveOut(Remark):
+        says = "leave the names out"
+
+    class OfMessage(Remark):
+        says = 'leave the list out; `{input}["NAME"]` goes by the names of each message'
+        input: str
+
+
+class RepeatedName(Error, code="ROSS244", name="repeated-name"):
+    """A list of names that has one of them twice."""
+
+    title = "two elements have the name `{identifier}`"
+    label = "this name stands in the list before"
+    help = "give each element a name of its own, in the order of the array"
+    identifier: str
+
+
 class UnitContradictsField(Error, code="ROSS308", name="unit-contradicts-field"):
     """A unit given to an input whose field has a unit of another dimension."""
 
@@ -164,6 +193,8 @@ ALL: tuple[type[Template], ...] = (
     UndeclaredTopic,
     MalformedMessageDefinition,
     MessageFolderMissing,
+    MisplacedNames,
+    RepeatedName,
     UnitContradictsField,
     FieldUnitConflict,
     UnitDeclarationConflict,

@@ -109,7 +109,7 @@ class _SettingChecker:
             if isinstance(step, ast.Position):
                 element = element_of(type_, step.index)
                 if element is None:
-                    self._add(no_element(type_, step.index, step.span, text))
+                    self._add(no_element(type_, step.index, step.span, text, step.span))
                     return None
                 type_, part = element, part.element(step.index, type_)
                 continue

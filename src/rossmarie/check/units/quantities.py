@@ -245,11 +245,15 @@ def is_same_unit(unit: Unit, other: Unit) -> bool:
 
 
 def end_of_field(declaration: ast.Input) -> Span:
-    """The empty place behind the topic, type and path of an input, where its unit belongs."""
-    last = declaration.message_type or declaration.topic
+    """The empty place behind the topic, type, path and names of an input, where its unit
+    belongs.
+    """
+    last = (declaration.message_type or declaration.topic).span
     if declaration.path:
-        last = declaration.path[-1]
-    return Span(last.span.file, last.span.end, last.span.end)
+        last = declaration.path[-1].span
+    if declaration.names is not None:
+        last = declaration.names.span
+    return Span(last.file, last.end, last.end)
 
 
 def _is_rate_of(rate: Unit, quantity: Unit) -> bool:

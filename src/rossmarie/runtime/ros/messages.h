@@ -44,6 +44,13 @@ template <class Names> std::size_t place_of(const char *name, const Names &names
     return static_cast<std::size_t>(found - names.begin());
 }
 
+// The place of an element in an array that has to have `count`, else the place behind all others.
+template <class Array>
+std::size_t place_among(std::size_t place, std::size_t count, const Array &array)
+{
+    return array.size() == count ? place : SIZE_MAX;
+}
+
 // The index of a text among those that the rules know, -1 for any other.
 inline double text_index(const std::string &text)
 {

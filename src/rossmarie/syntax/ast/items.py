@@ -145,6 +145,14 @@ class Constant:
 
 
 @dataclass(frozen=True)
+class ElementNames:
+    """`names ["shoulder", "elbow"]`, in the order of the elements."""
+
+    texts: tuple[Text, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
 class Input:
     """`input pitch = topic /imu/data : sensor_msgs/Imu .orientation in rad timeout 0.2 sec`.
 
@@ -156,6 +164,7 @@ class Input:
     topic: Name
     message_type: Name | None
     path: tuple[Name, ...]
+    names: ElementNames | None
     unit: Unit | None
     timeout: Expression | None
     documentation: str | None

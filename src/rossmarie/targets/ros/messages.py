@@ -83,16 +83,20 @@ def _scalar(slot: ir.Slot) -> str:
     last = slot.path[-1] if slot.path else ""
     if not isinstance(last, str):
         whole = f"message{names.member(slot.path[:-1])}"
-        return f"element({whole}, {_element_place(last)})"
+        return f"element({whole}, {_element_place(last, whole)})"
     reader = "text_index" if slot.kind is ir.Kind.TEXT else "number"
     return f"{reader}(message{names.member(slot.path)})"
 
 
-def _element_place(element: int | ir.ByName) -> str:
-    """The place of an element of an array."""
-    if isinstance(element, int):
-        return str(element)
-    return f"place_of({c99_names.string(element.key)}, message{names.member(element.names)})"
+def _element_place(element: int | ir.ByName | ir.Listed, whole: str) -> str:
+    """The place of an element of the array `whole`."""
+    match element:
+        case int():
+            return str(element)
+        case ir.ByName(key=key, names=path):
+            return f"place_of({c99_names.string(key)}, message{names.member(path)})"
+        case ir.Listed(place=place, count=count):
+            return f"place_among({place}, {count}, {whole})"
 
 
 def commands(machine: ir.Machine, dialect: Dialect) -> str:

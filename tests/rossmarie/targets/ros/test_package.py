@@ -166,3 +166,14 @@ def _run_reactions(package: Path) -> int:
     command: list[str | Path] = [compiler, *options, include, *sources, "-lm", "-o", program]
     subprocess.run(command, check=True)
     return subprocess.run([program], capture_output=True).returncode
+
+
+def test_s55_an_element_by_a_declared_name_rests_on_the_length(generation: str) -> None:
+    machine = machine_of(
+        "action halt { block /cmd_vel : geometry_msgs/Twist; }\n"
+        "input efforts = topic /effort_states : std_msgs/Float64MultiArray .data\n"
+        '    names ["shoulder", "elbow"] timeout 0.1 sec;\n'
+        'rule heavy: if efforts["elbow"] > 30 then { halt; };'
+    )
+    rules = generate(machine, generation)["src/rules.cpp"]
+    assert "element(message.data, place_among(1, 2, message.data))" in rules

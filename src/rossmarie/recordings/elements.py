@@ -1,0 +1,82 @@
+"""Elements that go by names: their places in the arrays of one message after the other, and what is
+told of those that are never found.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from dslkit.diagnostics import Diagnostic, DidYouMean, Remark
+from rossmarie.ir import ByName, Listed, Machine, Slot
+from rossmarie.recordings.errors import LengthNeverRecorded, NameNeverRecorded
+from rossmarie.recordings.matching import field_text, input_span, lengths, listed
+
+_MOST_OTHERS = 64
+"""Names or lengths that are kept to tell of; more than that nobody reads."""
+
+Named = ByName | Listed
+"""An element that goes by a name."""
+
+
+def place_of(element: Named, among: Sequence[Any]) -> int | None:
+    """The place of an element `among` the names that a message has, or the elements of its array,
+    if the names are declared.
+    """
+    match element:
+        case ByName():
+            return element.place(among)
+        case Listed():
+            return element.place_among(len(among))
+
+
+@dataclass
+class ElementSearch:
+    """The search for an element of a slot in one message after the other: whether any had it, and
+    some of the names, or the lengths of arrays, that they had.
+    """
+
+    slot: Slot
+    is_found: bool = False
+    others: dict[str, None] = field(default_factory=dict)
+
+    def place(self, element: Named, among: Sequence[Any]) -> int | None:
+        """The place of the element, as `place_of` says."""
+        found = place_of(element, among)
+        self.is_found = self.is_found or found is not None
+        if not self.is_found and len(self.others) < _MOST_OTHERS:
+            self.others.update(dict.fromkeys(_instead(element, among)))
+        return found
+
+    @property
+    def is_vain(self) -> bool:
+        """No message so far had the element, although some had others."""
+        return bool(self.others) and not self.is_found
+
+
+def _instead(element: Named, among: Sequence[Any]) -> Sequence[str]:
+    match element:
+        case ByName():
+            return among[:_MOST_OTHERS]
+        case Listed():
+            return (str(len(among)),)
+
+
+def never_found(topic: str, search: ElementSearch, machine: Machine) -> Diagnostic:
+    """The finding that a search was in vain."""
+    path, span = search.slot.path, input_span(machine, search.slot.input)
+    by = next(step for step in path if isinstance(step, ByName | Listed))
+    match by:
+        case ByName(key=key):
+            finding = NameNeverRecorded(
+                topic=topic, element=key, field=field_text(path), names=listed(search.others)
+            )
+            near = difflib.get_close_matches(key, search.others, n=1)
+            help: Remark = DidYouMean(near=near[0]) if near else finding.Check()
+            return finding.at(span, help=help)
+        case Listed(count=count):
+            field, found = field_text(path[:-1]), lengths(map(int, search.others))
+            unlike = LengthNeverRecorded(topic=topic, field=field, count=count, lengths=found)
+            return unlike.at(span)
