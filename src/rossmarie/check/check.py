@@ -28,6 +28,7 @@ from rossmarie.check.names.references import use_actions
 from rossmarie.check.names.unused import warn_of_unused
 from rossmarie.check.operations.operands import duration_ns, require_condition, require_constant
 from rossmarie.check.rules.errors import MissingTimeout
+from rossmarie.check.rules.feedback import check_feedback
 from rossmarie.check.rules.hazards import declared_hazards
 from rossmarie.check.rules.last_resorts import check_last_resorts
 from rossmarie.check.rules.missing import (
@@ -93,6 +94,7 @@ def check(
     gaps = message_gaps(context)
     conditions = _check_conditions(context)
     resting = [_check_rule(rule, context) for rule in declarations.rules]
+    feedback = tuple(check_feedback(rule, context) for rule in declarations.rules)
     targets = Targets(model, context, was_parsed)
     actions = _check_actions(targets, context)
     _check_circles(conditions, context)
@@ -107,7 +109,9 @@ def check(
     if collector.has_errors:
         return None
     return replace(
-        _program(actions, hazards, gaps, tests, context), message_files=model.messages.read_files
+        _program(actions, hazards, gaps, tests, context),
+        feedback=feedback,
+        message_files=model.messages.read_files,
     )
 
 

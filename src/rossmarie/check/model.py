@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from dslkit.source import SourceFile
 from rossmarie.check.effects import CheckedEffect
+from rossmarie.ir.model import Feedback
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
@@ -73,8 +74,8 @@ class CheckedProgram:
     files first; `order` are their numbers, the most important first, `priorities` the pairs that
     were put in an order, `unless` of each rule those that it gives way to. `effects` are those of
     each action, `commands` the topics that may pass through the safety filter; `gaps` are those of
-    topics whose rate is declared. `message_files` are the definitions of messages that were read,
-    those that come with this program left out.
+    topics whose rate is declared; `feedback` is that of each rule. `message_files` are the
+    definitions of messages that were read, those that come with this program left out.
     """
 
     name: str
@@ -89,5 +90,6 @@ class CheckedProgram:
     unless: tuple[tuple[int, ...], ...]
     hazards: Mapping[str, ast.Hazard]
     gaps: Mapping[str, Gaps]
+    feedback: tuple[Feedback, ...] = ()
     message_files: tuple[SourceFile, ...] = ()
     tests: tuple[Script, ...] = ()

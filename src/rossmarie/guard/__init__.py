@@ -5,6 +5,7 @@ from rossmarie.guard.batch import BatchDecision, GuardBatch
 from rossmarie.guard.commands import UPDATE_PERIOD_NS, CommandFilter, Commands
 from rossmarie.guard.core import Core
 from rossmarie.guard.decision import Decision, Request
+from rossmarie.guard.feedback import FeedbackMeter
 from rossmarie.guard.guard import Guard, GuardState
 from rossmarie.guard.mapping import Declared, MappingError, Place
 
@@ -16,6 +17,7 @@ __all__ = [
     "Core",
     "Decision",
     "Declared",
+    "FeedbackMeter",
     "Guard",
     "GuardBatch",
     "GuardState",

@@ -5,10 +5,12 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
+import numpy as np
 from numpy.typing import NDArray
 
+from rossmarie.guard.feedback import FeedbackMeter
 from rossmarie.guard.mapping import ArrayMapping
 from rossmarie.interpreter import Filter, Force
 from rossmarie.ir import (
@@ -42,6 +44,16 @@ from rossmarie.native import CHANGED, CLOSED, REFUSED
 Array = NDArray[Any]
 
 
+Before: TypeAlias = "tuple[int, bytes] | None"
+"""The instant and the facts of the observation before; None at the first one."""
+
+
+def active_in(note: bytes, rules: int) -> NDArray[np.bool_]:
+    """Say which of so many rules are active, by the facts after a step."""
+    bits = np.frombuffer(note, np.uint8, offset=1, count=(rules + 7) // 8)
+    return np.unpackbits(bits, count=rules, bitorder="little").astype(np.bool_)
+
+
 @dataclass(frozen=True)
 class Request:
     """Something that rules want done outside of the action: `kind` says whether its `effect` is to
@@ -71,7 +83,7 @@ class Reasons:
 class Decision:
     """An action that may be done, and why; the rest is worked out when it is asked for."""
 
-    __slots__ = ("_at_ns", "_given", "_note", "_reasons", "action", "requests")
+    __slots__ = ("_at_ns", "_before", "_given", "_note", "_reasons", "action", "requests")
 
     def __init__(
         self,
@@ -79,10 +91,12 @@ class Decision:
         action: Array,
         note: bytes,
         reasons: Reasons,
+        before: Before,
         given: Array | None = None,
         requests: tuple[Request, ...] = (),
     ) -> None:
         self._at_ns = at_ns
+        self._before = before
         self.action = action
         """The action to execute."""
         self._note = note
@@ -105,6 +119,18 @@ class Decision:
     def active(self) -> tuple[str, ...]:
         """The rules that are active."""
         return tuple(self._reasons.machine.rules[rule].name for rule in self._active())
+
+    @property
+    def feedback(self) -> NDArray[np.float64]:
+        """The feedback of each rule for a learner since the observation before, of shape (rules,);
+        0 at the first one.
+        """
+        machine = self._reasons.machine
+        if self._before is None:
+            return np.zeros(len(machine.rules))
+        before_ns, note = self._before
+        before, after = (active_in(each, len(machine.rules)) for each in (note, self._note))
+        return FeedbackMeter(machine).between(before, after, self._at_ns - before_ns)
 
     @property
     def changed_by(self) -> tuple[str, ...]:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from rossmarie.engines import GuardEngine, Started, start_guard
 from rossmarie.guard.batch import GuardBatch
-from rossmarie.guard.decision import Decision, Reasons, Request
+from rossmarie.guard.decision import Before, Decision, Reasons, Request, active_in
 from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
 from rossmarie.ir import (
     Change,
@@ -63,6 +63,7 @@ class GuardState:
     at_ns: int | None
     causes: Mapping[int, Verdict]
     known: Any
+    seen: tuple[Before, Before] = (None, None)
 
 
 class Guard:
@@ -87,6 +88,8 @@ class Guard:
         self._reasons: Reasons  # connected by the first step
         self._step: StepCall = self._first_step
         self._at_ns: int | None = None
+        self._before: Before = None
+        self._latest: Before = None
         self._sizes: Sizes | None = None
 
     @property
@@ -111,7 +114,7 @@ class Guard:
         note = self._step(at_ns, observation, executed)
         if note is None:
             return self._step_in_order(at_ns, observation, action)
-        self._at_ns = at_ns
+        self._see(at_ns, note)
         return self._decision(at_ns, executed, note, action)
 
     def observe(self, at_ns: int, observation: Array) -> NDArray[np.bool_]:
@@ -126,8 +129,8 @@ class Guard:
             self._require_fit(at_ns, observation, None)
             note = self._step(as_index(at_ns), np.ascontiguousarray(observation), None)
             assert note is not None, "it fits now"
-        self._at_ns = at_ns
-        return self._active_in(note)
+        self._see(at_ns, note)
+        return active_in(note, len(self.rules))
 
     def decide(self, action: Array) -> Decision:
         """Decide about an action at the instant of the last observation: `observe` and `decide` are
@@ -158,14 +161,15 @@ class Guard:
 
     def _decision(self, at_ns: int, executed: Array, note: bytes, wanted: Array) -> Decision:
         if not note[0] & _NEWS:
-            return Decision(at_ns, executed, note, self._reasons)
+            return Decision(at_ns, executed, note, self._reasons, self._before)
         requests = self._take() if note[0] & TOLD else ()
         given = wanted.copy() if note[0] & CHANGED else None
-        return Decision(at_ns, executed, note, self._reasons, given, requests)
+        return Decision(at_ns, executed, note, self._reasons, self._before, given, requests)
 
-    def _active_in(self, note: bytes) -> NDArray[np.bool_]:
-        bits = np.frombuffer(note, np.uint8, offset=1, count=(len(self.rules) + 7) // 8)
-        return np.unpackbits(bits, count=len(self.rules), bitorder="little").astype(np.bool_)
+    def _see(self, at_ns: int, note: bytes) -> None:
+        """Take note of an observation, and of the one before."""
+        self._at_ns = at_ns
+        self._before, self._latest = self._latest, (at_ns, note)
 
     def report(self, request: Request | int, *, success: bool) -> None:
         """The end of something that was requested, or of a task by its number; what follows comes
@@ -201,7 +205,14 @@ class Guard:
         if self._at_ns is None:
             return GuardState(self._fingerprint, None, None, {}, None)
         known = self._engine.save()
-        return GuardState(self._fingerprint, self._sizes, self._at_ns, self._reasons.causes, known)
+        return GuardState(
+            self._fingerprint,
+            self._sizes,
+            self._at_ns,
+            self._reasons.causes,
+            known,
+            (self._before, self._latest),
+        )
 
     def restore(self, state: GuardState) -> None:
         """Know what a guard of the same rules has known. Raises `ValueError` for the state of one
@@ -220,6 +231,7 @@ class Guard:
         self._engine.load(state.known)
         self._connect(*state.sizes)
         self._at_ns = state.at_ns
+        self._before, self._latest = state.seen
         self._reasons = replace(self._reasons, causes=state.causes)
 
     @cached_property

@@ -23,7 +23,8 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
     episode. `info` has:
 
     - `guard`: the actions `proposed` and `executed`, `intervened` (whether they differ) and
-      `active` (which rules are active at the new observation, in the order of `rules`);
+      `active` (which rules are active at the new observation, in the order of `rules`) and
+      `feedback` (that of each rule for this step);
     - `cost`: 1.0 while a rule is active, added to that of the environment if it has one;
     - `action_mask`, for choices: 1 for each that would pass as it is in the next step.
     """
@@ -38,19 +39,21 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         act: Mapping[str, Any],
         latched: Latched = "hold",
         targets: Mapping[str, Any] | None = None,
+        with_feedback: bool = False,
     ) -> None:
         """`observe` and `act` are the declarations of `Monitor.guard`; in a dictionary of
         observations a place stands behind its key, and for choices `act` has a list with the number
         of each. `latched` says whether a latched rule holds the robot or truncates the episode.
         `targets` are names of `act` that are places to go to, with the numbers of observations that
-        say where the robot is. The rules are a file, or a monitor of it.
+        say where the robot is. `with_feedback` takes the feedback of all rules from the reward. The
+        rules are a file, or a monitor of it.
 
         Raises `RulesError` for rules with errors, and `MappingError` for declarations that do not
         fit the rules or the spaces.
         """
         RecordConstructorArgs.__init__(
             self, _disable_deepcopy=True, rules=rules, period_ns=period_ns, observe=observe,
-            act=act, latched=latched, targets=targets,
+            act=act, latched=latched, targets=targets, with_feedback=with_feedback,
         )  # fmt: skip
         super().__init__(env)
         declared = Declarations(rules, period_ns, observe, act, latched, targets or {})
@@ -58,7 +61,9 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         self.guard = self._interface.guard
         self.decision: Decision | None = None
         """The decision of the last step: its reasons, and what rules want done beside it."""
+        self._with_feedback = with_feedback
         self._at_ns = 0
+        self._active = np.zeros(len(self.rules), np.bool_)
 
     @property
     def rules(self) -> tuple[str, ...]:
@@ -75,7 +80,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         self._at_ns = 0
         flat = self._interface.observations.row(observation)
         self._interface.targets.reset(flat)
-        self.guard.observe(0, flat)
+        self._active = self.guard.observe(0, flat)
         return observation, self._with_mask(info)
 
     def step(self, action: Any) -> tuple[Any, SupportsFloat, bool, bool, dict[str, Any]]:
@@ -84,11 +89,16 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         observation, reward, terminated, truncated, info = self.env.step(passed.executed)
         self._at_ns += self._interface.period_ns
         active = self.guard.observe(self._at_ns, self._interface.observations.row(observation))
+        feedback = self._interface.feedback.between(self._active, active, self._interface.period_ns)
+        self._active = active
+        if self._with_feedback:
+            reward = float(reward) - float(feedback.sum())
         told = {
             "proposed": passed.proposed,
             "executed": passed.executed,
             "intervened": bool(passed.intervened),
             "active": active,
+            "feedback": feedback,
         }
         cost = float(info.get("cost", 0.0)) + float(active.any())
         is_over = bool(self._interface.is_over(active))

@@ -15,7 +15,7 @@ from gymnasium import Space
 from numpy.typing import NDArray
 
 from rossmarie.driver.monitor import Monitor, load
-from rossmarie.guard import MappingError
+from rossmarie.guard import FeedbackMeter, MappingError
 from rossmarie.gym.actions import Allows, actions_of
 from rossmarie.gym.observations import Array, Observations, Spots
 from rossmarie.gym.targets import Targets, with_speeds
@@ -71,6 +71,7 @@ class Interface:
             act=with_speeds(self.actions.declared, seen),
         )
         self.guard.require_sizes(self.observations.size, self.actions.size)
+        self.feedback = FeedbackMeter(monitor.machine)
         latched = [rule.release is None for rule in monitor.machine.rules]
         self._ending = np.array(latched, np.bool_) & (declared.latched == "truncate")
 

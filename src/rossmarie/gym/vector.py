@@ -35,6 +35,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         act: Mapping[str, Any],
         latched: Latched = "hold",
         targets: Mapping[str, Any] | None = None,
+        with_feedback: bool = False,
     ) -> None:
         """The arguments are those of `GuardedEnv`. Environments that begin anew by themselves do
         not know that a latched rule has truncated an episode, so there `latched` is "hold"; or let
@@ -52,6 +53,8 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         self._guards = self._interface.guard.batch(env.num_envs)
         self._at_ns = np.zeros(env.num_envs, np.int64)
         self._ended = np.zeros(env.num_envs, np.bool_)
+        self._with_feedback = with_feedback
+        self._active = np.zeros((env.num_envs, len(self.rules)), np.bool_)
 
     @property
     def rules(self) -> tuple[str, ...]:
@@ -81,14 +84,20 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         )
         observations, rewards, terminated, truncated, infos = self.env.step(passed.executed)
         ended = terminated | truncated
+        before = self._active
         active = self._observe(self._seen(observations), infos, anew, ended)
         truncated = truncated | (self._interface.is_over(active) & ~anew)
         self._ended = terminated | truncated
+        feedback = self._interface.feedback.between(before, active, self._interface.period_ns)
+        feedback[anew] = 0.0
+        if self._with_feedback:
+            rewards = rewards - feedback.sum(axis=-1)
         told = {
             "proposed": passed.proposed,
             "executed": passed.executed,
-            "intervened": passed.intervened & ~anew,
+            "intervened": passed.intervened,
             "active": active,
+            "feedback": feedback,
         }
         everywhere = np.ones(self.num_envs, np.bool_)
         masks = {f"_{name}": everywhere for name in told} | {"_executed": ~anew}
@@ -105,11 +114,10 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         """Let the observations of a step arrive; gives which rules are active at them."""
         last = self._last(seen, infos, ended)
         self._at_ns[~anew] += self._interface.period_ns
-        if not anew.any():
-            active = self._guards.observe(self._at_ns, last)
-        else:
+        if anew.any():
             self._begin(seen, anew)
-            active = self._guards.observe(self._at_ns, last, ~anew)
+        active = self._guards.observe(self._at_ns, last, ~anew if anew.any() else None)
+        self._active = active
         if self._mode is AutoresetMode.SAME_STEP and ended.any():
             self._begin(seen, ended)
         return active
@@ -131,7 +139,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         self._at_ns[which] = 0
         self._ended = self._ended & ~which
         self._interface.targets.reset(seen, which)
-        self._guards.observe(self._at_ns, seen, which)
+        self._active = self._guards.observe(self._at_ns, seen, which)
 
     def _seen(self, observations: Any) -> Array:
         return self._interface.observations.rows(observations, self.num_envs)

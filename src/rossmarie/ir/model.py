@@ -346,6 +346,17 @@ class Truth:
 
 
 @dataclass(frozen=True)
+class Feedback:
+    """What a learner loses by a rule: each time that it becomes active, and while it is active."""
+
+    per_activation: float = 0.0
+    per_second: float = 0.0
+
+
+NO_FEEDBACK = Feedback()
+
+
+@dataclass(frozen=True)
 class Rule:
     """Active from when `condition` is true (or unknown for lack of an input with a timeout) until
     `condition` is false and `release` is true. A latched rule (`release` is None) waits for a
@@ -354,6 +365,7 @@ class Rule:
     `head` is where it is pointed at, its name or else its condition. `contract` says in words what
     clears it. `terms` are the truths, and `signals` the signals that are not constant, whose state
     a verdict carries; `inputs` are the inputs it rests on, `hazards` those it mitigates.
+    `feedback` is for learners, and no monitor heeds it.
     """
 
     name: str
@@ -368,6 +380,7 @@ class Rule:
     span: Span
     head: Span
     hazards: tuple[int, ...] = ()
+    feedback: Feedback = NO_FEEDBACK
 
     @property
     def roots(self) -> tuple[int, ...]:

@@ -19,7 +19,7 @@ from rossmarie.ir.path import ByName, Listed
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 6
+VERSION = 7
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 

@@ -150,6 +150,9 @@ def _rule(rule: ir.Rule) -> Iterator[str]:
     yield f"{line:{_WIDTH}} | {rule.contract} | {rule.span}"
     yield f"  actions {', '.join(rule.actions)}"
     yield f"  terms {_names('t', rule.terms)}; signals {_names('s', rule.signals)}"
+    if rule.feedback != ir.Feedback():
+        once, lasting = rule.feedback.per_activation, rule.feedback.per_second
+        yield f"  feedback {once:g} per activation, {lasting:g} per s"
 
 
 def _hazards(machine: ir.Machine) -> Iterator[str]:

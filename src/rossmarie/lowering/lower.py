@@ -111,7 +111,10 @@ def _with_rules(
             span=rule.span,
             head=rule.head,
             hazards=tuple(dict.fromkeys(hazards[hazard.text] for hazard in rule.mitigates)),
+            feedback=feedback,
         )
-        for name, rule, contract in zip(names, program.rules, contracts, strict=True)
+        for name, rule, contract, feedback in zip(
+            names, program.rules, contracts, program.feedback, strict=True
+        )
     )
     return dataclasses.replace(machine, rules=rules)

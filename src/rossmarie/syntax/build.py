@@ -33,6 +33,13 @@ class Unless(NamedTuple):
     span: Span
 
 
+class Learned(NamedTuple):
+    """The amounts behind `feedback`."""
+
+    amounts: tuple[ast.Feedback, ...]
+    span: Span
+
+
 class Mitigates(NamedTuple):
     """The hazards behind `mitigates`."""
 
@@ -118,12 +125,23 @@ class Builder(TestBuilder):
         _, steps, *contracts = rest
         is_linked = bool(contracts) and isinstance(contracts[-1], Mitigates)
         mitigates = contracts.pop().hazards if is_linked else ()
-        ends = tuple(contracts), mitigates, self._documentation(parts), self._span(parts)
+        is_taught = bool(contracts) and isinstance(contracts[-1], Learned)
+        feedback = contracts.pop().amounts if is_taught else ()
+        ends = tuple(contracts), feedback, mitigates, self._documentation(parts), self._span(parts)
         return ast.Rule(name, condition, unless, steps.steps, *ends)
 
     def unless(self, parts: list[Any]) -> Unless:
         """`unless RULE, RULE`."""
         return Unless(tuple(map(self.name, parts[1::2])), self._span(parts))
+
+    def feedback(self, parts: list[Any]) -> Learned:
+        """`feedback AMOUNT, AMOUNT`."""
+        return Learned(tuple(parts[1::2]), self._span(parts))
+
+    def amount(self, parts: list[Any]) -> ast.Feedback:
+        """`1.0 per activation`, `0.5 per sec`."""
+        time = None if parts[2].text == "activation" else self._unit(parts[2])
+        return ast.Feedback(parts[0], time, self._span(parts))
 
     def mitigates(self, parts: list[Any]) -> Mitigates:
         """`mitigates HAZARD, HAZARD`."""

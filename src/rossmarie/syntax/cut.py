@@ -24,7 +24,7 @@ from rossmarie.syntax.words import (
 
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset(
-    {"when", "until", "timeout", "then", "clear", "latched", "unless", "mitigates"}
+    {"when", "until", "timeout", "then", "clear", "latched", "unless", "feedback", "mitigates"}
 )
 _LATCH = frozenset({"latched", "until", "reset"})
 _BEHIND_NAME = frozenset({";", ":", "=", ".", "["})

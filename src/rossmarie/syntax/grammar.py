@@ -44,6 +44,7 @@ START_RULES = (
     "condition",
     "expression",
     "unless",
+    "feedback",
     "mitigates",
     "contract",
     "step",

@@ -16,6 +16,7 @@ from rossmarie.syntax.explain import (
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.words import FORMS, RESERVED
 
+_ENDS = ("feedback", "mitigates")
 _CONTRACT_STARTS = {("clear", "when"), ("clear", "for"), ("latched", "until")}
 
 
@@ -45,10 +46,12 @@ class _Recovery:
         condition, unless = self._condition()
         steps = self._steps()
         contracts = self._contracts()
+        feedback = self._feedback()
         mitigates = self._mitigates()
         span = self._source.span(self._tokens[self._first], self._tokens[self._last - 1])
         documentation = self._source.documentation.get(span.start)
-        return ast.Rule(name, condition, unless, steps, contracts, mitigates, documentation, span)
+        ends = feedback, mitigates, documentation, span
+        return ast.Rule(name, condition, unless, steps, contracts, *ends)
 
     def _text(self, offset: int = 0) -> str:
         index = self._index + offset
@@ -195,7 +198,7 @@ class _Recovery:
     def _contracts(self) -> tuple[ast.ResumeContract, ...]:
         """`clear when ...` and so on, up to the end of the rule."""
         found = []
-        while self._goes_on() and self._text() != "mitigates":
+        while self._goes_on() and self._text() not in _ENDS:
             first = self._index
             self._index += 1
             while self._index < self._last and not self._begins_contract():
@@ -204,6 +207,16 @@ class _Recovery:
             if contract is not None:
                 found.append(contract)
         return tuple(found)
+
+    def _feedback(self) -> tuple[ast.Feedback, ...]:
+        """`feedback AMOUNT, AMOUNT`, up to the hazards."""
+        if self._text() != "feedback":
+            return ()
+        first = self._index
+        while self._index < self._last and self._text() != "mitigates":
+            self._index += 1
+        found = self._part.parse("feedback", first, self._index)
+        return () if found is None else found.amounts
 
     def _mitigates(self) -> tuple[ast.Name, ...]:
         """`mitigates HAZARD, HAZARD`, at the end of the rule."""
@@ -216,4 +229,4 @@ class _Recovery:
         return self._index < self._last and not self._part.findings.is_full
 
     def _begins_contract(self) -> bool:
-        return (self._text(), self._text(1)) in _CONTRACT_STARTS or self._text() == "mitigates"
+        return (self._text(), self._text(1)) in _CONTRACT_STARTS or self._text() in _ENDS

@@ -80,10 +80,11 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield expression
         case ast.Entity(conditions=conditions):
             yield from (condition.expression for condition in conditions)
-        case ast.Rule(condition=condition, contracts=contracts):
+        case ast.Rule(condition=condition, contracts=contracts, feedback=feedback):
             yield condition
             for contract in contracts:
                 yield from _of_contract(contract)
+            yield from (each.amount for each in feedback)
         case ast.Action(effects=effects):
             yield from chain.from_iterable(map(_of_effect, effects))
         case ast.System(members=members):

@@ -56,7 +56,7 @@ MEMBER_WORDS = {
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by"}
     | {"names"}
-    | {"unless", "mitigates", "publishes", "subscribes"}
+    | {"unless", "feedback", "per", "activation", "mitigates", "publishes", "subscribes"}
     | {"since", "once", "after"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
@@ -126,6 +126,8 @@ FORMS = {
     "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
     "hazard": 'a hazard is written `hazard NAME "WHAT MAY HAPPEN";`',
+    "feedback": "what a learner is told is written behind the contract of a rule: "
+    "`feedback 1.0 per activation, 0.5 per sec`",
     "mitigates": "what a rule is for is written behind its contract: `mitigates HAZARD, HAZARD`",
     "priority": "the order of rules is written `priority RULE over RULE;`",
     "test": "a test is written "

@@ -303,3 +303,25 @@ def test_what_does_not_fit_an_action_by_itself_is_refused(make: Make) -> None:
     assert not guard.observe(6, np.array([CALM, CALM]).T[:, 0]).any(), "a column of a matrix fits"
     column = np.array([[0.8, 0.1]] * 2).T[:, 0]
     assert guard.decide(column).action.tolist() == column.tolist()
+
+
+def test_rules_have_feedback_for_a_learner(make: Make) -> None:
+    guard = make()
+    assert step(guard, 0, NEAR).feedback.tolist() == [0.0] * 4, "nobody has acted yet"
+    assert step(guard, SECOND // 2, FAST).feedback.tolist() == [2.0, 2.0, 0.0, 0.0]
+    state = guard.state()
+    after = step(guard, 3 * SECOND // 2)
+    assert after.feedback.tolist() == [0.5, 0.0, 0.0, 0.0]
+    guard.restore(state)
+    assert step(guard, 3 * SECOND // 2).feedback.tolist() == [0.5, 0.0, 0.0, 0.0]
+    guard.restart()
+    assert step(guard, 0, FAST).feedback.tolist() == [0.0] * 4
+
+
+def test_feedback_is_that_of_the_last_observation(make: Make) -> None:
+    guard = make()
+    guard.observe(0, np.array(CALM))
+    guard.observe(SECOND, np.array(FAST))
+    wanted = np.array([0.8, 0.1])
+    assert guard.decide(wanted).feedback.tolist() == [2.0, 0.0, 0.0, 0.0]
+    assert guard.decide(wanted).feedback.tolist() == [2.0, 0.0, 0.0, 0.0]

@@ -198,6 +198,19 @@ def test_what_does_not_fit_is_refused_before_the_first_step(
         guarded(rules, env, **changed)
 
 
+def test_feedback_is_told_and_taken_from_the_reward_on_request(rules: str) -> None:
+    for with_feedback in (False, True):
+        env = guarded(rules, with_feedback=with_feedback)
+        env.reset()
+        steps = [env.step(fast()) for _ in range(7)]
+        told = [info["guard"]["feedback"].tolist() for *_, info in steps]
+        assert told == [*[[0.0, 0.0]] * 4, [1.0, 0.0], [0.5, 0.0], [0.5, 0.0]]
+        speeds = [float(info["guard"]["executed"][0]) for *_, info in steps]
+        losses = [sum(each) if with_feedback else 0.0 for each in told]
+        rewards = [speed - loss for speed, loss in zip(speeds, losses, strict=True)]
+        assert [reward for _, reward, *_ in steps] == pytest.approx(rewards)
+
+
 def test_an_index_beyond_the_spaces_is_refused_at_once(rules: str) -> None:
     with pytest.raises(MappingError, match=r"observation\[7\], of 2 numbers"):
         guarded(rules, observe={"wall": 7})

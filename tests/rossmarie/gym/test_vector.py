@@ -41,7 +41,13 @@ def declared(kind: str) -> dict[str, Any]:
     targets = None
     if kind == "place":
         act, targets = {"linear.x": (0, "m")}, {"linear.x": 1}
-    return {"period_ns": PERIOD_NS, "observe": OBSERVE, "act": act, "targets": targets}
+    return {
+        "period_ns": PERIOD_NS,
+        "observe": OBSERVE,
+        "act": act,
+        "targets": targets,
+        "with_feedback": True,
+    }
 
 
 def wanted_actions(kind: str, steps: int) -> Iterator[Any]:
@@ -68,8 +74,8 @@ def alone(rules: str, kind: str, steps: int, mode: AutoresetMode) -> list[list[A
                 ended[number] = False
                 told.append(None)
                 continue
-            _, _, terminated, truncated, info = env.step(actions[number])
-            told.append((info["guard"], info["cost"]))
+            _, reward, terminated, truncated, info = env.step(actions[number])
+            told.append((info["guard"] | {"reward": reward}, info["cost"]))
             ended[number] = terminated or truncated
             if ended[number] and mode is not AutoresetMode.NEXT_STEP:
                 env.reset()
@@ -83,8 +89,11 @@ def together(rules: str, kind: str, steps: int, mode: AutoresetMode) -> list[lis
     envs.reset()
     found: list[list[Any]] = []
     for actions in wanted_actions(kind, steps):
-        _, _, terminated, truncated, infos = envs.step(actions)
-        guard = infos["guard"]
+        _, rewards, terminated, truncated, infos = envs.step(actions)
+        guard = infos["guard"] | {"reward": rewards}
+        anew = ~guard["_executed"]
+        for each in (rewards, infos["cost"], guard["feedback"], guard["intervened"]):
+            assert not each[anew].any()
         found.append(
             [
                 (
@@ -120,6 +129,7 @@ def test_each_is_guarded_as_by_itself(rules: str, kind: str, mode: AutoresetMode
     wanted = plain(alone(rules, kind, 40, mode))
     assert plain(together(rules, kind, 40, mode)) == wanted
     assert any(each and each[0]["intervened"] for told in wanted for each in told)
+    assert any(each and sum(each[0]["feedback"]) for told in wanted for each in told)
     assert any(each and not each[0]["intervened"] for told in wanted for each in told)
 
 

@@ -139,6 +139,16 @@ class LastResortOverruled(Error, code="ROSS422", name="last-resort-overruled"):
         rule: str
 
 
+class OddFeedback(Error, code="ROSS423", name="odd-feedback"):
+    """Feedback for a learner that is no amount that can be summed, or is said twice."""
+
+    title = "feedback is a plain number that is not negative, once per activation and once per time"
+    label = "{found}"
+    note = "a learner is told the sum of the feedback of all rules, as a loss"
+    help = "write it like this: `feedback 1.0 per activation, 0.5 per sec`"
+    found: str
+
+
 ALL: tuple[type[Template], ...] = (
     UndeclaredRule,
     CircularEscalation,
@@ -151,4 +161,5 @@ ALL: tuple[type[Template], ...] = (
     PlanTooLarge,
     UnmitigatedHazard,
     LastResortOverruled,
+    OddFeedback,
 )

@@ -223,9 +223,18 @@ class Step:
 
 
 @dataclass(frozen=True)
+class Feedback:
+    """`1.0 per activation`, `0.5 per sec`; `time` is the unit behind `per`, None at the former."""
+
+    amount: Expression
+    time: Unit | None
+    span: Span
+
+
+@dataclass(frozen=True)
 class Rule:
-    """`rule NAME: if COND unless RULE then { STEP; ... } CONTRACT mitigates HAZARD;` -- name, other
-    rules, contracts and hazards are optional.
+    """`rule NAME: if COND unless RULE then { STEP; ... } CONTRACT feedback AMOUNT mitigates HAZARD`
+    -- name, other rules, contracts, feedback and hazards are optional.
 
     More than one contract is reported by the checker.
     """
@@ -235,6 +244,7 @@ class Rule:
     unless: tuple[Name, ...]
     steps: tuple[Step, ...]
     contracts: tuple[ResumeContract, ...]
+    feedback: tuple[Feedback, ...]
     mitigates: tuple[Name, ...]
     documentation: str | None
     span: Span

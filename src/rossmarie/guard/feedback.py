@@ -1,0 +1,34 @@
+"""The feedback of rules for a learner (thesis, section 6.3): what a step costs it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.ir import Machine
+
+Active = NDArray[np.bool_]
+Floats = NDArray[np.float64]
+
+
+class FeedbackMeter:
+    """The amounts of all rules. Works on one guard, with arrays of shape (rules,), and on guards in
+    a row, of shape (n, rules).
+    """
+
+    def __init__(self, machine: Machine) -> None:
+        amounts = [rule.feedback for rule in machine.rules]
+        self._per_activation = np.array([each.per_activation for each in amounts], np.float64)
+        self._per_second = np.array([each.per_second for each in amounts], np.float64)
+
+    def between(self, before: Active, after: Active, elapsed_ns: Any) -> Floats:
+        """The feedback of each rule from one observation to the next: of those that have become
+        active, and of those that were active, for the time between. `elapsed_ns` is a number, or
+        of shape (n,).
+        """
+        seconds = np.asarray(elapsed_ns, np.float64)[..., None] / 1e9
+        lasting = before * (self._per_second * seconds)
+        found: Floats = (after & ~before) * self._per_activation + lasting
+        return found
