@@ -1,4 +1,4 @@
-"""The feedback of rules for a learner (thesis, section 6.3): what a step costs it."""
+"""The feedback of rules for a learner (thesis, section 6.3): the cost of a step."""
 
 from __future__ import annotations
 

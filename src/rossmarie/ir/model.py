@@ -347,7 +347,7 @@ class Truth:
 
 @dataclass(frozen=True)
 class Feedback:
-    """What a learner loses by a rule: each time that it becomes active, and while it is active."""
+    """The loss of a learner by a rule: each time that it becomes active, and while it is active."""
 
     per_activation: float = 0.0
     per_second: float = 0.0
