@@ -33,12 +33,29 @@ def leaves(draw: st.DrawFn) -> str:
 
 
 @st.composite
+def over_time(draw: st.DrawFn, leaf: str) -> str:
+    """A leaf for a while, since another, once, or answered by another."""
+    other, duration = draw(leaves()), draw(durations)
+    return draw(
+        st.sampled_from(
+            (
+                f"{leaf} for {duration}",
+                f"{leaf} for {duration}",
+                f"{leaf} since {other}",
+                f"once {leaf} within {duration}",
+                f"after {leaf}, {other} within {duration}",
+            )
+        )
+    )
+
+
+@st.composite
 def conditions(draw: st.DrawFn) -> str:
-    """One to three leaves, joined, each perhaps for a while."""
+    """One to three leaves, joined, some of them over time."""
     parts = []
     for leaf in draw(st.lists(leaves(), min_size=1, max_size=3, unique=True)):
-        is_held = "rate" not in leaf and draw(st.booleans())
-        parts.append(f"({leaf} for {draw(durations)})" if is_held else f"({leaf})")
+        is_over_time = "rate" not in leaf and draw(st.booleans())
+        parts.append(f"({draw(over_time(leaf)) if is_over_time else leaf})")
     return f" {draw(st.sampled_from(('and', 'or')))} ".join(parts)
 
 

@@ -48,14 +48,17 @@ from rossmarie.ir import (
     Quantified,
     Read,
     Recurs,
+    Response,
     Sampled,
     Since,
     Slot,
     TruthValue,
     compared_signals,
+    defined,
     is_leaf,
     kleene,
     reachable_truths,
+    told_truths,
     truth_operands,
 )
 from rossmarie.ir.carried import si_ends
@@ -89,6 +92,8 @@ def _lacking(machine: Machine, constant: Mapping[int, TruthValue], truth: int) -
     """The value that a truth lacks, if it does; `not` and `for` lack what is inside of them, and
     `since` what begins it.
     """
+    if truth in constant:
+        return constant[truth]
     match machine.truths[truth].node:
         case Held(operand=operand) | Since(begun=operand):
             return _lacking(machine, constant, operand)
@@ -99,7 +104,7 @@ def _lacking(machine: Machine, constant: Mapping[int, TruthValue], truth: int) -
             Literal() | Compare() | Between() | Flag() | AgeReaches() | Oscillates()
             | Quantified() | And() | Or() | Recurs()
         ):  # fmt: skip
-            return constant.get(truth)
+            return None
 
 
 def _impossible(inquiry: Inquiry, truth: int) -> TruthValue | None:
@@ -144,7 +149,24 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
             varied.add(truth)
         else:
             found[truth] = lacking
-    return found
+    return _as_written(machine, found)
+
+
+def _as_written(machine: Machine, found: Mapping[int, TruthValue]) -> dict[int, TruthValue]:
+    """Constant parts that users wrote: an `after` that never asks for an answer is always true."""
+    told = {
+        truth
+        for rule in machine.rules
+        for root in rule.roots
+        for truth in told_truths(machine, root)
+    }
+    wholes = {truth: defined(machine, truth) for truth in told}
+    written = {truth: lacking for truth, lacking in found.items() if truth in told}
+    for truth, whole in wholes.items():
+        inside = set(reachable_truths(machine, truth)) - told
+        if isinstance(whole, Response) and NEVER in map(found.get, inside):
+            written[truth] = ALWAYS
+    return dict(sorted(written.items()))
 
 
 def _is_free(machine: Machine, truth: int) -> bool:

@@ -177,13 +177,17 @@ class Style:
                 self._operators(contract.condition)
 
     def _operators(self, root: ast.Expression) -> None:
-        """Break in front of the outermost `and`s and `or`s, also inside `(...) for 2 sec`."""
+        """Break in front of the outermost `and`s and `or`s, also inside `(...) for 2 sec`, and in
+        front of the answer of an `after`.
+        """
         pending = [_peeled(root)]
         while pending:
             node = pending.pop()
             if isinstance(node, ast.Binary) and node.operator in ast.JUNCTIONS:
                 self.breaks[self._start(node.left.span.end)] = _OPERATOR
                 pending += (node.left, node.right)
+            elif isinstance(node, ast.Response):
+                self.breaks[node.answer.span.start] = _OPERATOR
 
     def _expression(self, root: ast.Expression) -> None:
         for node in walk(root):

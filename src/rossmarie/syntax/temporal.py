@@ -1,4 +1,4 @@
-"""Which words of time are operators in their place: `once`, `after`, `since` and `within` are names
+"""The words of time: `once`, `after`, `since` and `within` are operators in their places, and names
 elsewhere.
 
 `once` and `after` stand before an operand, `since` and `within` between two: each is an operator if

@@ -302,19 +302,25 @@ class World:
         they take it for; none where it does not matter.
         """
         wanted = []
-        for variable, was in values.items():
-            node = self.machine.truths[variable.index].node if _is_memory(variable) else None
-            if isinstance(node, ir.Since):
-                held, begun = self.formula(node.held), self.formula(node.begun)
-                if self._is_so(z3.And(held, z3.Not(begun)), values):
-                    wanted.append(begun if was else z3.Not(z3.Or(held, begun)))
+        for variable, held, begun in self._remembering():
+            if variable in values and self._is_so(z3.And(held, z3.Not(begun)), values):
+                wanted.append(begun if values[variable] else z3.Not(z3.Or(held, begun)))
         return wanted
+
+    def _remembering(self) -> Iterator[tuple[Variable, z3.BoolRef, z3.BoolRef]]:
+        """What each `since` was, and its two conditions."""
+        for variable in [each for each in self.variables if each.kind == "remembered"]:
+            node = self.machine.truths[variable.index].node
+            assert isinstance(node, ir.Since), "only that remembers what it was"
+            yield variable, self.formula(node.held), self.formula(node.begun)
 
     def _is_so(self, formula: z3.BoolRef, values: Values) -> bool:
         pairs = [(self.variables[each], constant(value)) for each, value in values.items()]
         return z3.is_true(z3.simplify(z3.substitute(formula, *pairs)))
 
     def _clear(self, apart: int | None) -> Iterator[z3.BoolRef]:
+        for _, held, begun in self._remembering():
+            yield z3.Or(begun, z3.Not(held))
         for truth in self.truths:
             if truth == apart:
                 continue
@@ -378,10 +384,6 @@ class World:
             return False
         term = self.signal(edge.signal, variable.part if variable.kind == "element" else None)
         return any(z3.eq(each, self.variables[variable]) for each in constants_in(term))
-
-
-def _is_memory(variable: Variable) -> bool:
-    return variable.kind == "remembered"
 
 
 def rests_on(machine: ir.Machine, truth: int) -> tuple[int, ...]:

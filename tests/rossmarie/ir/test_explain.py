@@ -236,3 +236,42 @@ def junction(node: ir.And | ir.Or, values: list[TruthValue | None]) -> TruthValu
     if TruthValue.LOST in decided or len(decided) == len(values):
         return max(decided)
     return None
+
+
+def test_what_looks_back_in_time_is_told_as_it_was_written() -> None:
+    story = Story("rule it: if not after on, x > 3 m within 2 sec then { stop; };")
+    story.send(1, on=1.0, x=1.0)
+    story.send(2, on=0.0)
+    story.advance(3.5)
+    told = "on = false, x = 1 m, not after on, x > 3 m within 2 sec, true since 3.000 s"
+    assert story.last().lines() == (told,)
+    story = Story(
+        "entity e { near : x < 3 m; } rule it: if once e.near within 2 sec then { stop; };"
+    )
+    story.send(1, x=1.0)
+    assert story.last().lines() == (
+        "e.near: x = 1 m, once e.near within 2 sec, true since 1.000 s",
+    )
+    story = Story("rule it: if x < 3 m since on then { stop; };")
+    story.send(1, on=1.0, x=1.0)
+    assert story.last().lines() == ("x = 1 m, on = true, x < 3 m since on, true since 1.000 s",)
+
+
+def test_a_verdict_has_no_parts_of_definitions() -> None:
+    machine = machine_of_rules(
+        "rule it: if not after estop, battery > 3 V within 2 sec "
+        "or (once estop within 1 sec) and (estop since battery > 9 V) then { stop; };"
+    )
+    assert [machine.truths[term].text for term in machine.rules[0].terms] == [
+        "estop",
+        "battery > 3 V",
+        "after estop, battery > 3 V within 2 sec",
+        "once estop within 1 sec",
+        "battery > 9 V",
+        "estop since battery > 9 V",
+    ]
+
+
+def test_what_misses_what_looks_back_is_blamed() -> None:
+    lines = lines_of_rule("once x > 3 m within 2 sec", on=1.0)
+    assert lines == ("input x (/x) has never been received",)

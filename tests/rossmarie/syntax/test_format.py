@@ -94,6 +94,18 @@ action a {
         'hazard H1 "x";\nhazard H2 "y";\n\n'
         "rule r: if a unless s, t then { b; } clear for 1 s mitigates H1, H2;\n",
     ),
+    "conditions over time": (
+        "if once   a>1 within 1s and not after x , y since(z) within 2 s then{b;}"
+        "if after norm(imu.angular_velocity)>1 rad/s and stopped.now, norm(imu.angular_velocity)"
+        "<0.1 rad/s within 2 sec then{b;}",
+        """\
+if once a > 1 within 1 s and not after x, y since (z) within 2 s then { b; };
+
+if after norm(imu.angular_velocity) > 1 rad/s and stopped.now,
+        norm(imu.angular_velocity) < 0.1 rad/s within 2 sec
+    then { b; };
+""",
+    ),
     "resources": (
         "system s{topic a:p/T;resource  base:a,/b , /c/d;}",
         "system s {\n    topic a : p/T;\n\n    resource base : a, /b, /c/d;\n}\n",

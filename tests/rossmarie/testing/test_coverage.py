@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from rossmarie import ir
 from rossmarie.report.coverage import describe
-from rossmarie.testing.goals import visible_step
+from rossmarie.testing.coverage import cover
+from rossmarie.testing.goals import goals, visible_step
+from rossmarie.testing.propose import propose
 from rossmarie.testing.unreachable import unreachable
+from support.compiled import machine_of_condition
 from support.testing import run_text
 
 
@@ -86,3 +91,29 @@ def test_steps_are_a_thousandth_or_less() -> None:
     assert [visible_step(each) for each in (10, 13, 0.8, -1.5, 0, 200)] == [
         0.01, 0.01, 0.0001, 0.001, 0.001, 0.1,
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        "estop since battery > 3 V",
+        "once battery > 3 V within 2 sec",
+        "not after estop, battery > 3 V within 2 sec",
+        "(estop since battery > 3 V) for 1 sec",
+        'battery > 5 V for 1 sec since mode == "a"',
+    ],
+)
+def test_generated_tests_cover_what_looks_back_in_time(condition: str) -> None:
+    machine = machine_of_condition(condition)
+    found = cover(machine, [proposal.script for proposal in propose(machine)])
+    assert set(found.goals) == found.reached
+
+
+def test_what_looks_back_in_time_is_covered_as_it_was_written() -> None:
+    machine = machine_of_condition("not after estop, battery > 3 V within 2 sec")
+    subjects = {goal.subject for goal in goals(machine) if goal.subject >= 0}
+    assert {machine.truths[subject].text for subject in subjects} == {
+        "after estop, battery > 3 V within 2 sec",
+        "estop",
+        "battery > 3 V",
+    }

@@ -8,6 +8,7 @@ import pytest
 
 from rossmarie.driver.coverage import cover_recordings
 from rossmarie.testing.margins import Margin, Reach, moved, thresholds
+from support.compiled import machine_of_condition
 from support.testing import INPUTS, compiled
 
 SPEEDS = (0.2, 0.9, 1.3, 1.4, 1.4, 1.6, 0.8, 0.1)
@@ -94,4 +95,12 @@ def test_a_named_constant_is_one_threshold(tmp_path: Path) -> None:
     assert [each.text for each in thresholds(found.machine)] == [
         "0.5 m/s in speed < 0.5 m/s",
         "fastest",
+    ]
+
+
+def test_the_time_of_what_looks_back_is_told_as_it_was_written() -> None:
+    machine = machine_of_condition("once estop within 2 sec or (estop for 1 sec)")
+    assert [each.text for each in thresholds(machine)] == [
+        "the time of once estop within 2 sec",
+        "the time of estop for 1 sec",
     ]

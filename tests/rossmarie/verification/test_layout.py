@@ -31,6 +31,9 @@ rule quick: if (rate(turning) > 3 and age(other) > 0.1 sec) for 1 sec then { sto
 rule steep: if orientation.pitch() > 10 deg then { stop; };
 rule apart: if turning > other then { stop; };
 rule median: if median(other, 2 sec) > 1 then { stop; };
+rule ever: if (turning > 1 since other > 1) or once turning > 2 within 1 sec then { stop; };
+rule late: if not after turning > 3, other > 3 within 1 sec then { stop; };
+rule again: if not after not (other > 3), other > 3 within 1 sec then { stop; };
 """
 
 

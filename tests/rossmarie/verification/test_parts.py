@@ -38,6 +38,15 @@ action stop;
 rule waits: if not ready or mode == "manual" then { stop; };
 """
 
+OVER_TIME = """\
+input ready = topic /ready : std_msgs/Bool .data timeout 1 sec;
+input told = topic /told : std_msgs/Bool .data;
+action stop;
+rule ever: if ready since told then { stop; };
+rule recent: if once told within 2 sec then { stop; };
+rule late: if not after told, ready within 2 sec then { stop; };
+"""
+
 NO_CHANGE = ("", "")
 
 WIDE = """\
@@ -64,6 +73,11 @@ def counting(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
 @pytest.fixture(scope="module")
 def flagged(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
     return compiled(FLAGS, tmp_path_factory)
+
+
+@pytest.fixture(scope="module")
+def over_time(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
+    return compiled(OVER_TIME, tmp_path_factory)
 
 
 def compiled(rules: str, folders: pytest.TempPathFactory) -> ir.Machine:
@@ -108,6 +122,33 @@ def test_flags_and_texts_are_what_they_mean(
 def test_a_fault_about_a_flag_is_refuted(prover: Prover, flagged: ir.Machine) -> None:
     change = ("{0.5, ", "{1.5, ")
     assert outcomes(prover, flagged, change, "inside_0") == {"`ready` is what it means"}
+
+
+@pytest.mark.parametrize(
+    "parts", ["init", "restart", "visit_3", *deep(["visit", "tick", "earl", "set_wake", "waiting"])]
+)
+def test_what_looks_back_is_what_it_means(
+    prover: Prover, over_time: ir.Machine, parts: str
+) -> None:
+    assert outcomes(prover, over_time, NO_CHANGE, parts) == set()
+
+
+@pytest.mark.parametrize(
+    ("change", "part", "expected"),
+    [
+        (("either(m->truth[begun], m->since_before[k]);", "m->since_before[k];"), "visit",
+         "what `ready since told` was"),
+        (("(unsigned char)UNKNOWN : held_initially[k];", "(unsigned char)UNKNOWN : FALSE;"),
+         "restart", "`held_before` is as it has to be"),
+        (("        m->held_due_ns[k] = NEVER;\n",
+          "        m->held_due_ns[k] = NEVER;\n        m->since_before[0] = FALSE;\n"),
+         "restart", "`since_before` is as it has to be"),
+    ],
+)  # fmt: skip
+def test_a_fault_about_what_looks_back_is_refuted(
+    prover: Prover, over_time: ir.Machine, change: tuple[str, str], part: str, expected: str
+) -> None:
+    assert expected in outcomes(prover, over_time, change, part)
 
 
 @pytest.mark.deep

@@ -15,7 +15,7 @@ from rossmarie.interpreter import Interpreter
 from rossmarie.ir import TruthValue, kleene
 from rossmarie.report.safety.conditions import Conditions
 from rossmarie.report.safety.phrase import Phrase
-from support.compiled import machine_of_rules
+from support.compiled import machine_of_condition, machine_of_rules
 from support.drafts import SECOND, Draft
 from support.machines import Case, cases, machines, take
 
@@ -192,3 +192,48 @@ def test_what_is_doubled_again_and_again_is_named() -> None:
     assert conditions.numbers.apart
     held = draft.truth(ir.Held(truth, 2 * SECOND))
     assert "throughout the last 2 s" in "\n".join(Conditions(draft.machine()).in_full(held).lines())
+
+
+@pytest.mark.parametrize(
+    ("condition", "lines"),
+    [
+        (
+            "estop since battery > 3 V",
+            [
+                "- the first of these is so, or it was and the second has been so ever since:",
+                "  - battery is above 3 V",
+                "  - estop is true",
+            ],
+        ),
+        (
+            "not once estop within 2 sec",
+            [
+                "- it is not so that this has been so at least once within the last 2 s:",
+                "  - estop is true",
+            ],
+        ),
+        (
+            "after estop, battery < 3 V within 2 sec",
+            [
+                "- within 2 s after each instant at which the first of these is so, the second is:",
+                "  - estop is true",
+                "  - battery is below 3 V",
+            ],
+        ),
+    ],
+)
+def test_what_looks_back_in_time(condition: str, lines: list[str]) -> None:
+    machine = machine_of_condition(condition)
+    assert list(Conditions(machine).phrase(machine.rules[0].condition).lines()) == lines
+
+
+def test_what_looks_back_in_time_on_one_line() -> None:
+    machine = machine_of_condition("once (estop since battery > 3 V) within 2 sec")
+    assert Conditions(machine).inline(machine.rules[0].condition) == (
+        "((battery is above 3 V), or it was and (estop is true) ever since) at least once within "
+        "the last 2 s"
+    )
+    machine = machine_of_condition("not after estop, battery < 3 V within 2 sec")
+    assert Conditions(machine).inline(machine.rules[0].condition) == (
+        "not (within 2 s after each instant at which (estop is true), (battery is below 3 V))"
+    )
