@@ -31,6 +31,8 @@ rule quick: if (rate(turning) > 3 and age(other) > 0.1 sec) for 1 sec then { sto
 rule steep: if orientation.pitch() > 10 deg then { stop; };
 rule apart: if turning > other then { stop; };
 rule median: if median(other, 2 sec) > 1 then { stop; };
+rule often: if count(edges of turning > other within 1 sec) > 2 then { stop; };
+rule smooth: if low_pass(turning, 2 sec) > 1 then { stop; };
 """
 
 
@@ -110,6 +112,7 @@ def _two_in_one_value(places: Places) -> Places:
         (_two_in_one_value, "a place stands for no number"),
         (lambda places: replace(places, held=()), "durations are misplaced"),
         (lambda places: replace(places, oscillations=()), "oscillations are misplaced"),
+        (lambda places: replace(places, recurring=()), "counts of edges are misplaced"),
         (lambda places: replace(places, windows=()), "windows are misplaced"),
         (lambda places: replace(places, sampled=()), "are remembered are misplaced"),
         (lambda places: replace(places, channel_names=("spin",) * 4), "have the same name"),
