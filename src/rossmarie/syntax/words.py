@@ -54,7 +54,7 @@ MEMBER_WORDS = {
 """The words that begin a declaration inside a system."""
 
 PART_WORDS = frozenset(
-    {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by"}
+    {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by", "of"}
     | {"unless", "mitigates", "publishes", "subscribes"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
